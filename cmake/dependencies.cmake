@@ -1,0 +1,33 @@
+# Why each is here: docs/dependencies.md. Every GPL library sits behind one source file.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(TBB REQUIRED)
+
+# Bit-identical results on every machine of one kind: no contraction that depends on the optimiser's mood.
+add_compile_options(-ffp-contract=off)
+
+add_library(loosefit_cgal INTERFACE)
+find_path(CGAL_INCLUDE_DIR CGAL/version.h REQUIRED)
+target_include_directories(loosefit_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
+target_link_libraries(loosefit_cgal INTERFACE gmp mpfr)
+
+add_library(loosefit_cholmod INTERFACE)
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+target_include_directories(loosefit_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} TBB::tbb)
+
+set(LOOSEFIT_VTK_IO_MODULES CommonCore CommonDataModel CommonExecutionModel IOXML)
+set(LOOSEFIT_VTK_RENDER_MODULES ${LOOSEFIT_VTK_IO_MODULES} FiltersCore FiltersModeling IOImage
+  RenderingCore RenderingOpenGL2 RenderingAnnotation RenderingFreeType InteractionStyle)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${LOOSEFIT_VTK_RENDER_MODULES})
+add_library(loosefit_vtk_io INTERFACE)
+target_link_libraries(loosefit_vtk_io INTERFACE VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
+add_library(loosefit_vtk_render INTERFACE)
+list(TRANSFORM LOOSEFIT_VTK_RENDER_MODULES PREPEND VTK:: OUTPUT_VARIABLE loosefit_vtk_targets)
+target_link_libraries(loosefit_vtk_render INTERFACE ${loosefit_vtk_targets})

@@ -1,0 +1,30 @@
+# One static library per folder of src/loosefit, one test binary per folder of tests.
+# The arrows between modules are declared here once; tools/check_layers.py compares them with the includes.
+
+function(loosefit_module name)
+  cmake_parse_arguments(ARG "" "" "USES;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/loosefit/${name}/*.cpp)
+  if(sources)
+    add_library(loosefit_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(loosefit_${name} PRIVATE loosefit_warnings)
+  else()
+    add_library(loosefit_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(loosefit_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(loosefit_${name} ${scope} Eigen3::Eigen ${ARG_LIBRARIES})
+  foreach(used ${ARG_USES})
+    target_link_libraries(loosefit_${name} ${scope} loosefit_${used})
+  endforeach()
+
+  file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
+  if(LOOSEFIT_TESTS AND tests)
+    add_executable(test_${name} ${tests})
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_link_libraries(test_${name} PRIVATE loosefit_${name} loosefit_warnings GTest::gtest_main)
+    target_compile_definitions(test_${name} PRIVATE
+      LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
+    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 600)
+  endif()
+endfunction()

@@ -1,0 +1,5 @@
+add_library(loosefit_warnings INTERFACE)
+target_compile_options(loosefit_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+if(LOOSEFIT_WERROR)
+  target_compile_options(loosefit_warnings INTERFACE -Werror)
+endif()

@@ -1,0 +1,59 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace loosefit {
+
+/// Base of everything Loosefit throws on purpose. `hint` is shown to the user on a second line.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message, std::string hint = {})
+      : std::runtime_error(message), hint_(std::move(hint)) {}
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
+/// Where a bad value stands: printed as `FILE:LINE: KEY`. Empty parts are left out.
+struct InputPlace {
+  std::string file;
+  int line = 0;
+  std::string key;
+  std::string str() const;
+};
+
+/// The user gave something we cannot use: exit code 2.
+class InvalidInput : public Error {
+ public:
+  using Error::Error;
+  /// Message `FILE:LINE: KEY: found FOUND, expected EXPECTED`.
+  InvalidInput(const InputPlace& place, const std::string& found, const std::string& expected,
+               std::string hint = {});
+};
+
+/// Geometry that cannot be processed (open mesh, seam that cannot close): exit code 2.
+class GeometryError : public InvalidInput {
+ public:
+  using InvalidInput::InvalidInput;
+};
+
+/// A file could not be read or written (missing, no permission, disk full): exit code 2.
+class IoError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A numerical method gave up; the message says which and why: exit code 1.
+class SolverFailure : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The user pressed Ctrl-C: exit code 130, nothing half-written.
+class Cancelled : public Error {
+ public:
+  Cancelled() : Error("cancelled") {}
+};
+
+}  // namespace loosefit

@@ -1,0 +1,45 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// Coarse body parts; one per surface vertex (body-model.md section 3).
+enum class Segment { head, neck, torso, upper_arm, forearm, hand, thigh, shank, foot };
+
+/// How the person stands. Angles in radians.
+struct Posture {
+  double arm_abduction = 0.4363323129985824;  ///< upper arm to the downward vertical; 25°
+  double forward_bend = 0;                    ///< change of back inclination
+  double sitting = 0;                         ///< 0 standing … 1 hips and knees flexed 90°
+};
+
+/// A closed body surface in one posture, z up, facing -y, +x the wearer's left, floor at z = 0.
+struct Body {
+  TriangleMesh surface;             ///< closed, outward oriented [m]
+  std::vector<Vec3> normals;        ///< smooth unit normal per surface vertex
+  std::vector<Segment> segment;     ///< per surface vertex
+  std::vector<int> side;            ///< per vertex: +1 wearer's left, -1 right, 0 trunk/head
+  std::map<std::string, Vec3> joints;     ///< "shoulder_L", "elbow_L", "wrist_L", "neck", "hip_L", … [m]
+  std::map<std::string, Vec3> landmarks;  ///< "c7", "acromion_L", "back_waist", "scapula_L", … [m]
+  std::map<std::string, int> landmark_vertex;  ///< the same as surface vertex indices
+  /// Measured on this surface in rest posture [m] (slopes in rad): height, chest, underbust, waist,
+  /// hip, neck, upper_arm, wrist, shoulder_breadth, shoulder_slope, scye_depth (shoulder point to
+  /// armpit, vertical), hps_to_waist, hps_to_hip, arm_length, …
+  std::map<std::string, double> measured;
+  /// Rest → posed affine map of each surface vertex (linear blend skinning); empty for scans.
+  std::vector<Eigen::Matrix<double, 3, 4>> pose_from_rest;
+};
+
+/// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.
+inline Posture blend(const Posture& from, const Posture& to, double share) {
+  return {from.arm_abduction + share * (to.arm_abduction - from.arm_abduction),
+          from.forward_bend + share * (to.forward_bend - from.forward_bend),
+          from.sitting + share * (to.sitting - from.sitting)};
+}
+
+}  // namespace loosefit

@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+/// Proof that a drape is at rest, or why it is not (design.md section 5).
+struct Certificate {
+  double residual = 1;           ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
+  double residual_max = 1;       ///< max ‖F_i‖ / mean ‖W_i‖ [–]
+  int intersections_body = -1;   ///< triangle pairs, exact test; -1 = not tested
+  int intersections_self = -1;
+  std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
+  bool settled() const {
+    return residual <= 1e-3 && intersections_body == 0 && intersections_self == 0;
+  }
+};
+
+/// One sample of the residual history of a settle run.
+struct SettleSample {
+  double seconds = 0;
+  int level = 0;
+  int iteration = 0;
+  double residual = 0;
+};
+
+/// Counters and timers of a settle run.
+struct SettleReport {
+  int iterations = 0, factorisations = 0, ccd_queries = 0;
+  int contacts_body = 0, contacts_self = 0;
+  std::vector<SettleSample> history;
+};
+
+/// A garment on a body: positions with their certificate. Maps refuse an unsettled one.
+struct Drape {
+  std::vector<Vec3> positions;           ///< per garment vertex [m]
+  std::vector<Vec3> body_contact_force;  ///< normal + friction force of the body on each vertex [N]
+  Certificate certificate;
+  SettleReport report;
+};
+
+}  // namespace loosefit

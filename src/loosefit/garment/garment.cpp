@@ -1,0 +1,12 @@
+#include "loosefit/garment/garment.h"
+
+namespace loosefit {
+
+const Garment::EdgeChain* Garment::find_chain(const std::string& panel,
+                                              const std::string& edge) const {
+  for (const EdgeChain& chain : edge_chains)
+    if (chain.name == edge && panel_names[chain.panel] == panel) return &chain;
+  return nullptr;
+}
+
+}  // namespace loosefit

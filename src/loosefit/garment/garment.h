@@ -1,0 +1,42 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// Sewn triangle mesh that remembers its pattern. Seams are welded: the two sides of a seam share
+/// vertices, so a vertex may have one pattern position per panel. Topology never changes after
+/// assembly; positions live elsewhere (Drape).
+struct Garment {
+  int vertex_count = 0;
+  std::vector<Triangle> triangles;                    ///< wound so that the normal points outside
+  std::vector<std::array<Vec2, 3>> triangle_uv;       ///< pattern coordinates of the corners [m]: u weft, v warp
+  std::vector<int> triangle_panel;                    ///< index into panel_names
+  std::vector<std::string> panel_names;
+  std::vector<int> vertex_panel;                      ///< lowest panel index touching the vertex
+  std::vector<Vec2> vertex_uv;                        ///< pattern position in that panel [m]
+
+  std::vector<double> vertex_mass;                    ///< lumped: fabric, attachments, seams [kg]
+  std::vector<double> triangle_membrane_factor;       ///< in-plane stiffness multiplier (1 = plain fabric)
+  std::vector<double> triangle_added_bending;         ///< isotropic rigidity added by attachments [N m]
+
+  /// Vertices along a panel edge in outline order, ends included.
+  struct EdgeChain {
+    int panel = 0;
+    int edge = 0;                 ///< index into Panel::edges
+    std::string name;             ///< PanelEdge::name
+    std::vector<int> vertices;
+  };
+  std::vector<EdgeChain> edge_chains;  ///< every edge of every panel
+
+  double area = 0;  ///< flat area [m²]
+  double mass = 0;  ///< [kg]
+
+  /// Chain of `panel`/`edge` by name; nullptr if there is none.
+  const EdgeChain* find_chain(const std::string& panel, const std::string& edge) const;
+};
+
+}  // namespace loosefit

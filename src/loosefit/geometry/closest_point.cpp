@@ -1,0 +1,195 @@
+#include "loosefit/geometry/closest_point.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace loosefit {
+namespace {
+constexpr int kLeafSize = 4;
+
+double distance_squared_to_box(const Vec3& p, const Vec3& lower, const Vec3& upper) {
+  return (lower - p).cwiseMax(p - upper).cwiseMax(0.0).squaredNorm();
+}
+
+ClosestPoint on_triangle(const TriangleMesh& mesh, int triangle, const Vec3& p) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  ClosestPoint hit;
+  hit.triangle = triangle;
+  hit.barycentric = closest_barycentric(p, a, b, c);
+  hit.point = hit.barycentric[0] * a + hit.barycentric[1] * b + hit.barycentric[2] * c;
+  hit.distance = (p - hit.point).norm();
+  return hit;
+}
+}  // namespace
+
+Vec3 closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double v = d1 / (d1 - d3);
+    return {1 - v, v, 0};
+  }
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double w = d2 / (d2 - d6);
+    return {1 - w, 0, w};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const double denominator = va + vb + vc;
+  if (denominator <= 0) return {1, 0, 0};  // degenerate triangle
+  return {va / denominator, vb / denominator, vc / denominator};
+}
+
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
+  const int n = static_cast<int>(mesh.triangles.size());
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), 0);
+  std::vector<Vec3> centroids(n);
+  vertex_pseudonormals_.assign(mesh.vertices.size(), Vec3::Zero());
+  edge_pseudonormals_.resize(n);
+  std::map<std::pair<int, int>, Vec3> edge_sum;
+  for (int i = 0; i < n; ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Vec3 p[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    centroids[i] = (p[0] + p[1] + p[2]) / 3.0;
+    const Vec3 normal = triangle_normal(p[0], p[1], p[2]);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 e1 = p[(k + 1) % 3] - p[k], e2 = p[(k + 2) % 3] - p[k];
+      const double angle = std::atan2(e1.cross(e2).norm(), e1.dot(e2));
+      vertex_pseudonormals_[t[k]] += angle * normal;
+      const auto key = std::minmax(t[k], t[(k + 1) % 3]);
+      edge_sum.try_emplace(key, Vec3::Zero()).first->second += normal;
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < 3; ++k)
+      edge_pseudonormals_[i][k] =
+          edge_sum.at(std::minmax(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]));
+  nodes_.reserve(n);
+  if (n > 0) {
+    nodes_.emplace_back();
+    // Depth-first build with an explicit stack: node, first, last.
+    struct Range {
+      int node, first, last;
+    };
+    std::vector<Range> stack{{0, 0, n}};
+    while (!stack.empty()) {
+      const Range r = stack.back();
+      stack.pop_back();
+      Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+      Vec3 centre_lower = lower, centre_upper = upper;
+      for (int i = r.first; i < r.last; ++i) {
+        for (int v : mesh.triangles[order_[i]]) {
+          lower = lower.cwiseMin(mesh.vertices[v]);
+          upper = upper.cwiseMax(mesh.vertices[v]);
+        }
+        centre_lower = centre_lower.cwiseMin(centroids[order_[i]]);
+        centre_upper = centre_upper.cwiseMax(centroids[order_[i]]);
+      }
+      nodes_[r.node].lower = lower;
+      nodes_[r.node].upper = upper;
+      if (r.last - r.first <= kLeafSize) {
+        nodes_[r.node].first = r.first;
+        nodes_[r.node].count = r.last - r.first;
+        continue;
+      }
+      int axis = 0;
+      (centre_upper - centre_lower).maxCoeff(&axis);
+      const int middle = (r.first + r.last) / 2;
+      std::nth_element(order_.begin() + r.first, order_.begin() + middle, order_.begin() + r.last,
+                       [&](int i, int j) {
+                         return std::pair(centroids[i][axis], i) < std::pair(centroids[j][axis], j);
+                       });
+      const int left = static_cast<int>(nodes_.size());
+      nodes_[r.node].first = left;
+      nodes_.emplace_back();
+      nodes_.emplace_back();
+      stack.push_back({left, r.first, middle});
+      stack.push_back({left + 1, middle, r.last});
+    }
+  }
+}
+
+ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance) const {
+  ClosestPoint best;
+  if (nodes_.empty()) return best;
+  double limit = max_distance * max_distance;
+  std::array<std::pair<int, double>, 64> stack;
+  int top = 0;
+  stack[top++] = {0, distance_squared_to_box(p, nodes_[0].lower, nodes_[0].upper)};
+  while (top > 0) {
+    const auto [index, box_distance] = stack[--top];
+    if (box_distance > limit) continue;
+    const Node& node = nodes_[index];
+    if (node.count == 0) {
+      const int l = node.first, r = node.first + 1;
+      const double dl = distance_squared_to_box(p, nodes_[l].lower, nodes_[l].upper);
+      const double dr = distance_squared_to_box(p, nodes_[r].lower, nodes_[r].upper);
+      if (dl <= dr) {  // nearer child on top of the stack
+        stack[top++] = {r, dr};
+        stack[top++] = {l, dl};
+      } else {
+        stack[top++] = {l, dl};
+        stack[top++] = {r, dr};
+      }
+      continue;
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const ClosestPoint hit = on_triangle(*mesh_, order_[i], p);
+      const double d2 = (p - hit.point).squaredNorm();
+      if (d2 < limit || (d2 == limit && (best.triangle < 0 || hit.triangle < best.triangle))) {
+        limit = d2;
+        best = hit;
+      }
+    }
+  }
+  return best;
+}
+
+double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest) const {
+  const ClosestPoint hit = query(p);
+  if (closest) *closest = hit;
+  if (hit.triangle < 0) return std::numeric_limits<double>::infinity();
+  const Triangle& t = mesh_->triangles[hit.triangle];
+  const Vec3& b = hit.barycentric;
+  const int zeros = (b[0] <= 0) + (b[1] <= 0) + (b[2] <= 0);
+  Vec3 normal;
+  if (zeros == 2) {
+    int corner = 0;
+    b.maxCoeff(&corner);
+    normal = vertex_pseudonormals_[t[corner]];
+  } else if (zeros == 1) {
+    int opposite = 0;
+    b.minCoeff(&opposite);
+    normal = edge_pseudonormals_[hit.triangle][(opposite + 1) % 3];
+  } else {
+    normal = triangle_normal(mesh_->vertices[t[0]], mesh_->vertices[t[1]], mesh_->vertices[t[2]]);
+  }
+  return normal.dot(p - hit.point) < 0 ? -hit.distance : hit.distance;
+}
+
+ClosestPoint closest_point_brute_force(const TriangleMesh& mesh, const Vec3& p) {
+  ClosestPoint best;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
+    const ClosestPoint hit = on_triangle(mesh, i, p);
+    if (hit.distance < best.distance) best = hit;
+  }
+  return best;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace loosefit {
+
+/// One scalar field on the garment, one value per garment vertex; NaN where it is not defined.
+struct PerformanceMap {
+  std::string array;   ///< name in drape.vtp and summary.json, unit in the name: "distance_mm"
+  std::string title;   ///< "Body-garment distance"
+  std::string unit;    ///< "mm", "deg", "–"
+  double range_low = 0, range_high = 1;  ///< fixed colour range of this quantity
+  std::vector<double> values;
+};
+
+}  // namespace loosefit

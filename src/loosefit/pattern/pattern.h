@@ -1,0 +1,55 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+/// Shape of one panel edge between its two end points, in panel coordinates [m].
+struct EdgeCurve {
+  enum class Kind { line, quadratic, cubic, circle } kind = Kind::line;
+  std::vector<Vec2> control;  ///< absolute control points [m]: 1 (quadratic) or 2 (cubic)
+  double radius = 0;          ///< circle [m]
+  bool large_arc = false;     ///< circle: SVG flags in y-up axes
+  bool sweep = false;
+};
+
+/// One seam unit of a panel outline.
+struct PanelEdge {
+  int start = 0, end = 0;  ///< indices into Panel::vertices
+  EdgeCurve curve;
+  std::string name;   ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
+  std::string label;  ///< GarmentCode label, may be empty
+};
+
+/// A flat piece. x is weft, y is warp (grain); z of the placed panel points to the outside of the
+/// cloth when `outside_is_up`, that is when the outline runs counter-clockwise.
+struct Panel {
+  std::string name;
+  std::string label;            ///< GarmentCode: body, arm, leg or empty
+  std::vector<Vec2> vertices;   ///< [m]
+  std::vector<PanelEdge> edges; ///< one closed loop in order
+  Vec3 translation = Vec3::Zero();  ///< placement in our frame (z up, facing -y) [m]
+  Mat3 rotation = Mat3::Identity(); ///< panel (x, y, 0) → our frame
+};
+
+/// One seam: edge `first` sewn to edge `second`.
+struct Stitch {
+  struct Side {
+    int panel = 0, edge = 0;
+  } first, second;
+  bool right_wrong = false;  ///< start meets start (otherwise the end of one meets the start of the other)
+  std::string name;          ///< "side_L", "armhole_front_L", …
+};
+
+/// A sewing pattern: flat panels and seams, SI units.
+struct Pattern {
+  std::string name;
+  std::vector<Panel> panels;
+  std::vector<Stitch> stitches;
+  std::vector<int> panel_order;
+};
+
+}  // namespace loosefit
