@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "loosefit/base/progress.h"
+#include "loosefit/body/body.h"
+#include "loosefit/drape/drape.h"
+#include "loosefit/fabric/material.h"
+#include "loosefit/garment/hierarchy.h"
+
+namespace loosefit {
+
+/// How the particles are moved to equilibrium.
+enum class IntegratorKind {
+  semi_implicit_euler,  ///< the paper's: v += F/m dt, x += v dt
+  implicit_euler,       ///< backward Euler dynamics
+  quasi_static,         ///< pseudo-transient projected Newton; default
+};
+
+/// Options of the dress and settle stages.
+struct DrapeOptions {
+  IntegratorKind integrator = IntegratorKind::quasi_static;
+  double residual_tolerance = 1e-3;  ///< ‖F‖₂/‖W‖₂ [–]
+  double gravity = 9.80665;          ///< m/s²; the paper prints 9.8
+  double time_budget = 600;          ///< wall seconds for dress + settle; keeps the best state
+  int max_iterations = 2000;         ///< Newton iterations or, times 1000, explicit steps
+  int threads = 0;                   ///< 0 = all cores; results do not depend on it
+  std::uint64_t seed = 1;            ///< of the start perturbation
+  double start_perturbation = 0;     ///< rms shift of the dressed start [m]
+};
+
+/// Body at a share of the way from the dressing posture (0) to the wanted posture (1).
+/// All bodies of one path share their topology.
+using BodyPath = std::function<Body(double share)>;
+
+/// Dress, then settle: garment levels coarse to fine on the body; returns the finest level's drape.
+/// Does not throw when it fails to settle: the certificate says why.
+/// Calls progress.stage("dress") and progress.stage("settle").
+/// \throws GeometryError if the garment cannot be put on (no arms for sleeves, …), Cancelled.
+Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
+                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress);
+
+}  // namespace loosefit
