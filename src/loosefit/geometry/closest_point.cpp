@@ -126,6 +126,11 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
 }
 
 ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance) const {
+  return query(p, max_distance, nullptr);
+}
+
+ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
+                                     const std::function<bool(int)>& accept) const {
   ClosestPoint best;
   if (nodes_.empty()) return best;
   double limit = max_distance * max_distance;
@@ -153,6 +158,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance) const {
       const ClosestPoint hit = on_triangle(*mesh_, order_[i], p);
       const double d2 = (p - hit.point).squaredNorm();
       if (d2 < limit || (d2 == limit && (best.triangle < 0 || hit.triangle < best.triangle))) {
+        if (accept && !accept(hit.triangle)) continue;
         limit = d2;
         best = hit;
       }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -26,6 +27,9 @@ class ClosestPointTree {
   /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
   ClosestPoint query(const Vec3& p,
                      double max_distance = std::numeric_limits<double>::infinity()) const;
+  /// The same among the triangles for which `accept(triangle)` holds.
+  ClosestPoint query(const Vec3& p, double max_distance,
+                     const std::function<bool(int)>& accept) const;
   /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
   /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh.
   double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr) const;
