@@ -1,0 +1,145 @@
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/vtp.h"
+
+namespace loosefit {
+namespace {
+
+void add_array(vtkFieldData* to, const std::string& name, int components,
+               const std::vector<double>& values, std::size_t tuples) {
+  if (values.size() != tuples * components)
+    throw InvalidInput("array '" + name + "' has " + std::to_string(values.size()) +
+                       " values, expected " + std::to_string(tuples * components));
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->AddArray(array);
+}
+
+void add_array(vtkFieldData* to, const std::string& name, const std::vector<int>& values) {
+  vtkNew<vtkIntArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->AddArray(array);
+}
+
+void add_strings(vtkFieldData* to, const std::string& name,
+                 const std::vector<std::string>& values) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  for (const std::string& value : values) array->InsertNextValue(value);
+  to->AddArray(array);
+}
+
+template <class Vec>
+std::vector<double> flat(const std::vector<Vec>& points) {
+  std::vector<double> values;
+  values.reserve(points.size() * Vec::RowsAtCompileTime);
+  for (const Vec& p : points) values.insert(values.end(), p.data(), p.data() + p.size());
+  return values;
+}
+
+void set_surface(vtkPolyData* data, const std::vector<Vec3>& positions,
+                 const std::vector<Triangle>& triangles, const std::vector<Vec3>& normals) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& p : positions) points->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle& t : triangles)
+    cells->InsertNextCell({vtkIdType{t[0]}, vtkIdType{t[1]}, vtkIdType{t[2]}});
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  add_array(data->GetPointData(), "Normals", 3, flat(normals), positions.size());
+  data->GetPointData()->SetActiveNormals("Normals");
+}
+
+/// Through memory, so that every failing write is seen and named.
+void write(const std::filesystem::path& path, vtkPolyData* data) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetHeaderTypeToUInt64();
+  writer->SetByteOrderToLittleEndian();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() != 1) throw IoError("cannot encode " + path.string());
+  const std::string bytes = writer->GetOutputString();
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file)
+    throw IoError("cannot write " + path.string(), "is the folder there, writable and not full?");
+}
+
+}  // namespace
+
+void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, const Drape& drape,
+                     const std::vector<PerformanceMap>& maps,
+                     const std::vector<VtpArray>& point_arrays,
+                     const std::vector<VtpArray>& cell_arrays) {
+  const std::size_t points = garment.vertex_count, cells = garment.triangles.size();
+  if (drape.positions.size() != points)
+    throw InvalidInput("drape has " + std::to_string(drape.positions.size()) +
+                       " positions, expected one for each of the garment's " +
+                       std::to_string(points) + " vertices");
+  vtkNew<vtkPolyData> data;
+  set_surface(data, drape.positions, garment.triangles,
+              vertex_normals(drape.positions, garment.triangles));
+
+  vtkPointData* point_data = data->GetPointData();
+  for (const PerformanceMap& map : maps) add_array(point_data, map.array, 1, map.values, points);
+  add_array(point_data, "pattern_uv", 2, flat(garment.vertex_uv), points);
+  add_array(point_data, "panel_id", garment.vertex_panel);
+  for (const VtpArray& a : point_arrays)
+    add_array(point_data, a.name, a.components, a.values, points);
+
+  vtkCellData* cell_data = data->GetCellData();
+  std::vector<double> corners;
+  for (const auto& uv : garment.triangle_uv)
+    for (const Vec2& corner : uv) corners.insert(corners.end(), {corner.x(), corner.y()});
+  add_array(cell_data, "panel_id", garment.triangle_panel);
+  add_array(cell_data, "corner_uv", 6, corners, cells);
+  for (const VtpArray& a : cell_arrays) add_array(cell_data, a.name, a.components, a.values, cells);
+
+  const Certificate& c = drape.certificate;
+  vtkFieldData* field = data->GetFieldData();
+  add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);
+  add_array(field, "intersections", {c.intersections_body, c.intersections_self});
+  add_strings(field, "stop_reason", {c.stop_reason});
+  add_strings(field, "panel_names", garment.panel_names);
+  write(path, data);
+}
+
+void write_body_vtp(const std::filesystem::path& path, const Body& body) {
+  vtkNew<vtkPolyData> data;
+  set_surface(data, body.surface.vertices, body.surface.triangles,
+              body.normals.empty() ? vertex_normals(body.surface.vertices, body.surface.triangles)
+                                   : body.normals);
+  if (!body.segment.empty()) {
+    std::vector<int> segment;
+    for (Segment s : body.segment) segment.push_back(static_cast<int>(s));
+    add_array(data->GetPointData(), "segment", segment);
+    add_array(data->GetPointData(), "side", body.side);
+  }
+  write(path, data);
+}
+
+}  // namespace loosefit

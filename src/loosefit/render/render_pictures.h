@@ -1,0 +1,55 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/maps/performance_map.h"
+
+namespace loosefit {
+
+/// Where the camera stands, seen from the wearer: `left` looks at the wearer's left side.
+enum class View { front, back, left, right };
+const char* name(View view);
+/// \throws InvalidInput for anything but front, back, left, right.
+View view_from_name(const std::string& text);
+
+/// Size and quality of the pictures.
+struct PictureOptions {
+  int width = 900, height = 1000;  ///< [pixels]
+  int supersampling = 2;           ///< drawn this many times larger, then averaged down
+  bool ambient_occlusion = true;   ///< depth in the folds; about half a second per picture
+  std::vector<View> views = {View::front, View::back};
+  bool undecorated = true;  ///< also the plain drape: drape-<view>.png
+};
+
+/// One written picture.
+struct Picture {
+  std::string map;  ///< PerformanceMap::map, or "drape" for the undecorated one
+  View view = View::front;
+  std::filesystem::path file;
+};
+
+/// Draws the drape with every map whose `pictured` is set and writes DIR/<map>-<view>.png. The body
+/// is a neutral grey mannequin; colours are fixed by each map's range; NaN is grey. `after_each` is
+/// called with the share done and may throw to stop.
+/// \throws Error when there is no X display (check_display), IoError when a file cannot be written.
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const TriangleMesh& body,
+                                     const Garment& garment, const std::vector<Vec3>& positions,
+                                     const std::vector<PerformanceMap>& maps,
+                                     const PictureOptions& options = {},
+                                     const std::function<void(double)>& after_each = nullptr);
+
+/// Quick look at a mesh while working on the solver: one front/back/left/right picture.
+/// `scalars` (per vertex, may be empty) are coloured between their own extremes.
+void render_garment_png(const std::filesystem::path& file, const TriangleMesh& body,
+                        const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+                        const std::vector<double>& scalars = {}, View view = View::front);
+
+/// VTK aborts the process without a display, so this is asked first.
+/// \throws Error "pictures need a display" with the way out as hint.
+void check_display();
+
+}  // namespace loosefit

@@ -1,0 +1,130 @@
+#include "loosefit/io/vtp.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "loosefit/base/error.h"
+#include "support/tube_garment.h"
+
+namespace loosefit {
+namespace {
+
+class Vtp : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = std::filesystem::path(::testing::TempDir()) /
+           ("vtp_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(dir_);
+    std::filesystem::create_directories(dir_);
+    garment_ = testing::tube_garment(0.7, 0.3, 24, 6);
+    drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
+      return Vec3(std::cos(9 * uv.x()) / 9, std::sin(9 * uv.x()) / 9, 1 + uv.y() / 3);
+    });
+    drape_.certificate = {2.5e-4, 1.0 / 3, 0, 7, "time budget"};
+    map_.array = "distance_mm";
+    for (int i = 0; i < garment_.vertex_count; ++i) map_.values.push_back(i / 7.0);
+    map_.values[3] = std::nan("");
+  }
+  static std::string bytes(const std::filesystem::path& p) {
+    std::ifstream f(p, std::ios::binary);
+    return {std::istreambuf_iterator<char>(f), {}};
+  }
+  std::filesystem::path dir_;
+  Garment garment_;
+  Drape drape_;
+  PerformanceMap map_;
+};
+
+TEST_F(Vtp, DrapeComesBackToTheLastBit) {
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_, {map_},
+                  {{"velocity", 3, std::vector<double>(3 * garment_.vertex_count, 0.1)}});
+  const DrapeFile file = read_drape_vtp(dir_ / "d.vtp");
+  EXPECT_EQ(file.drape.positions, drape_.positions);
+  EXPECT_EQ(file.garment.triangles, garment_.triangles);
+  EXPECT_EQ(file.garment.triangle_uv, garment_.triangle_uv);
+  EXPECT_EQ(file.garment.vertex_uv, garment_.vertex_uv);
+  EXPECT_EQ(file.garment.triangle_panel, garment_.triangle_panel);
+  EXPECT_EQ(file.garment.panel_names, garment_.panel_names);
+  EXPECT_NEAR(file.garment.area, 0.21, 1e-12);
+  EXPECT_EQ(file.drape.certificate.residual, 2.5e-4);
+  EXPECT_EQ(file.drape.certificate.residual_max, 1.0 / 3);
+  EXPECT_EQ(file.drape.certificate.intersections_self, 7);
+  EXPECT_EQ(file.drape.certificate.stop_reason, "time budget");
+  ASSERT_NE(file.find("distance_mm"), nullptr);
+  EXPECT_EQ(file.find("distance_mm")->values[5], 5 / 7.0);
+  EXPECT_TRUE(std::isnan(file.find("distance_mm")->values[3]));
+  ASSERT_NE(file.find("velocity"), nullptr);
+  EXPECT_EQ(file.find("velocity")->components, 3);
+}
+
+TEST_F(Vtp, EqualInputGivesEqualBytes) {
+  write_drape_vtp(dir_ / "a.vtp", garment_, drape_, {map_});
+  write_drape_vtp(dir_ / "b.vtp", garment_, drape_, {map_});
+  const std::string a = bytes(dir_ / "a.vtp");
+  EXPECT_FALSE(a.empty());
+  EXPECT_EQ(a, bytes(dir_ / "b.vtp"));
+  EXPECT_NE(a.find("AppendedData encoding=\"raw\""), std::string::npos);
+  EXPECT_NE(a.find("vtkZLibDataCompressor"), std::string::npos);
+}
+
+TEST_F(Vtp, BodyIsWrittenWithSegments) {
+  write_body_vtp(dir_ / "body.vtp", testing::cylinder_body(0.1, 1, 12, 3));
+  EXPECT_NE(bytes(dir_ / "body.vtp").find("Name=\"segment\""), std::string::npos);
+}
+
+TEST_F(Vtp, WrongLengthsAreNamed) {
+  map_.values.pop_back();
+  EXPECT_THROW(write_drape_vtp(dir_ / "d.vtp", garment_, drape_, {map_}), InvalidInput);
+  drape_.positions.pop_back();
+  EXPECT_THROW(write_drape_vtp(dir_ / "d.vtp", garment_, drape_), InvalidInput);
+}
+
+TEST_F(Vtp, UnwritablePlaceIsAnIoError) {
+  EXPECT_THROW(write_drape_vtp(dir_ / "no" / "d.vtp", garment_, drape_), IoError);
+  EXPECT_THROW(write_drape_vtp("/dev/full", garment_, drape_), IoError);
+}
+
+TEST_F(Vtp, BrokenFilesGiveOneErrorEach) {
+  EXPECT_THROW(read_drape_vtp(dir_ / "missing.vtp"), IoError);
+  std::ofstream(dir_ / "text.vtp") << "hello";
+  EXPECT_THROW(read_drape_vtp(dir_ / "text.vtp"), InvalidInput);
+  std::ofstream(dir_ / "xml.vtp") << "<a><b></a>";
+  EXPECT_THROW(read_drape_vtp(dir_ / "xml.vtp"), InvalidInput);
+  write_body_vtp(dir_ / "body.vtp", testing::cylinder_body(0.1, 1, 12, 3));
+  EXPECT_THROW(read_drape_vtp(dir_ / "body.vtp"), InvalidInput);
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_, {map_});
+  const std::string whole = bytes(dir_ / "d.vtp");
+  for (std::size_t keep = 100; keep < whole.size(); keep += 517) {
+    std::ofstream(dir_ / "cut.vtp", std::ios::binary) << whole.substr(0, keep);
+    EXPECT_THROW(read_drape_vtp(dir_ / "cut.vtp"), Error) << keep;
+  }
+}
+
+TEST_F(Vtp, AnyDamagedByteIsReadOrRefused) {
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_, {map_});
+  const std::string whole = bytes(dir_ / "d.vtp");
+  std::uint64_t state = 12345;
+  const auto next = [&](std::size_t below) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<std::size_t>((state >> 33) % below);
+  };
+  int refused = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::string bad = whole;
+    const std::size_t place = next(round % 2 ? whole.size() : whole.find("<AppendedData"));
+    bad[place] = static_cast<char>(next(256));
+    std::ofstream(dir_ / "bad.vtp", std::ios::binary) << bad;
+    try {
+      const DrapeFile file = read_drape_vtp(dir_ / "bad.vtp");
+      EXPECT_GT(file.garment.vertex_count, 0);
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
+}
+
+}  // namespace
+}  // namespace loosefit
