@@ -16,7 +16,7 @@ class Progress {
   /// Safe to call from a signal handler.
   void request_cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   /// \throws Cancelled once request_cancel() was called.
-  void check_cancelled() const;
+  virtual void check_cancelled() const;
 
  private:
   std::atomic<bool> cancelled_{false};

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace loosefit {
+
+/// Largest resident memory of this process so far [MB = 10⁶ bytes]; 0 where it cannot be asked.
+double peak_memory_mb();
+
+}  // namespace loosefit

@@ -1,0 +1,81 @@
+#include "loosefit/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace loosefit {
+namespace {
+
+char folded(char c) {
+  return c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+}  // namespace
+
+int edit_distance(const std::string& a, const std::string& b) {
+  const std::size_t n = a.size(), m = b.size();
+  std::vector<int> before(m + 1), above(m + 1), row(m + 1);
+  for (std::size_t j = 0; j <= m; ++j) above[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= n; ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= m; ++j) {
+      const bool same = folded(a[i - 1]) == folded(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0 : 1)});
+      if (i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) &&
+          folded(a[i - 2]) == folded(b[j - 1]))
+        row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[m];
+}
+
+std::string closest_match(const std::string& word, const std::vector<std::string>& candidates) {
+  if (word.size() > 64) return {};  // no slip of the finger is that long
+  const int allowed = std::clamp(static_cast<int>(word.size()) / 3, 1, 3);
+  std::string best;
+  int best_distance = allowed + 1;
+  for (const std::string& candidate : candidates) {
+    const int distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string near = closest_match(word, candidates);
+  if (!near.empty()) return "did you mean \"" + near + "\"?";
+  return candidates.empty() ? std::string() : "known: " + join(candidates);
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += separator;
+    text += word;
+  }
+  return text;
+}
+
+std::string shortest(double value) { return fmt::format("{}", value); }
+
+std::string printable(const std::string& text, std::size_t limit) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i >= limit) return shown + "...";
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    if (c >= 0x20 && c < 0x7f)
+      shown += text[i];
+    else
+      shown += fmt::format("\\x{:02x}", c);
+  }
+  return shown;
+}
+
+}  // namespace loosefit

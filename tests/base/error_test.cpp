@@ -1,0 +1,21 @@
+#include "loosefit/base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace loosefit {
+namespace {
+
+TEST(InvalidInput, NamesPlaceFoundAndExpected) {
+  const InvalidInput e({"a.toml", 7, "body.height"}, "17", "metres in 0.4 … 2.5", "metres?");
+  EXPECT_STREQ(e.what(), "a.toml:7: body.height: found 17, expected metres in 0.4 … 2.5");
+  EXPECT_EQ(e.hint(), "metres?");
+}
+
+TEST(InputPlace, LeavesOutWhatIsUnknown) {
+  EXPECT_EQ((InputPlace{"a.json", 0, "panels.front"}).str(), "a.json: panels.front");
+  EXPECT_EQ((InputPlace{"", 0, "--sex"}).str(), "--sex");
+  EXPECT_EQ((InputPlace{"a.toml", 3, ""}).str(), "a.toml:3");
+}
+
+}  // namespace
+}  // namespace loosefit

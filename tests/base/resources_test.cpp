@@ -1,0 +1,19 @@
+#include "loosefit/base/resources.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace loosefit {
+namespace {
+
+TEST(PeakMemory, RisesByWhatIsTouched) {
+  const double before = peak_memory_mb();
+  EXPECT_GT(before, 1);
+  std::vector<char> block(300 * 1000 * 1000, 'x');
+  EXPECT_GT(peak_memory_mb(), before + 200);
+  EXPECT_EQ(block.back(), 'x');
+}
+
+}  // namespace
+}  // namespace loosefit
