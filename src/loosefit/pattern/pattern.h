@@ -7,35 +7,36 @@
 
 namespace loosefit {
 
-/// Shape of one panel edge between its two end points, in panel coordinates [m].
+/// Shape of one curve between two points, in panel coordinates [m].
 struct EdgeCurve {
   enum class Kind { line, quadratic, cubic, circle } kind = Kind::line;
   std::vector<Vec2> control;  ///< absolute control points [m]: 1 (quadratic) or 2 (cubic)
   double radius = 0;          ///< circle [m]
   bool large_arc = false;     ///< circle: SVG flags in y-up axes
-  bool sweep = false;
+  bool sweep = false;         ///< circle: true runs counter-clockwise
 };
 
-/// One seam unit of a panel outline.
+/// One seam unit of a panel outline: a chain of curves from vertex `start` to vertex `end`.
 struct PanelEdge {
-  int start = 0, end = 0;  ///< indices into Panel::vertices
-  EdgeCurve curve;
+  int start = 0, end = 0;            ///< indices into Panel::vertices
+  std::vector<EdgeCurve> curves{{}};  ///< at least one
+  std::vector<Vec2> knots;           ///< joints between the curves [m]: one fewer than curves
   std::string name;   ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
   std::string label;  ///< GarmentCode label, may be empty
 };
 
-/// A flat piece. x is weft, y is warp (grain); z of the placed panel points to the outside of the
-/// cloth when `outside_is_up`, that is when the outline runs counter-clockwise.
+/// A flat piece. x is weft, y is warp (grain). The outline runs counter-clockwise seen from the
+/// outside of the cloth; z of the placed panel points to the outside.
 struct Panel {
   std::string name;
-  std::string label;            ///< GarmentCode: body, arm, leg or empty
-  std::vector<Vec2> vertices;   ///< [m]
-  std::vector<PanelEdge> edges; ///< one closed loop in order
+  std::string label;                ///< GarmentCode: body, arm, leg or empty
+  std::vector<Vec2> vertices;       ///< [m]
+  std::vector<PanelEdge> edges;     ///< one closed loop in order
   Vec3 translation = Vec3::Zero();  ///< placement in our frame (z up, facing -y) [m]
   Mat3 rotation = Mat3::Identity(); ///< panel (x, y, 0) → our frame
 };
 
-/// One seam: edge `first` sewn to edge `second`.
+/// One seam: edge `first` sewn to edge `second`. Both may lie in one panel (dart, tube).
 struct Stitch {
   struct Side {
     int panel = 0, edge = 0;
@@ -50,6 +51,9 @@ struct Pattern {
   std::vector<Panel> panels;
   std::vector<Stitch> stitches;
   std::vector<int> panel_order;
+
+  /// Index of a panel by name, -1 if there is none.
+  int find_panel(const std::string& panel_name) const;
 };
 
 }  // namespace loosefit

@@ -1,0 +1,11 @@
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+int Pattern::find_panel(const std::string& panel_name) const {
+  for (std::size_t p = 0; p < panels.size(); ++p)
+    if (panels[p].name == panel_name) return static_cast<int>(p);
+  return -1;
+}
+
+}  // namespace loosefit

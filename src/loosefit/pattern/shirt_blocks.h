@@ -1,0 +1,44 @@
+#pragma once
+#include "loosefit/pattern/shirt_draft.h"
+
+namespace loosefit {
+
+/// A run of curves from `start`; knots[i] is the end of curves[i].
+struct CurveChain {
+  Vec2 start;
+  std::vector<EdgeCurve> curves;
+  std::vector<Vec2> knots;
+
+  const Vec2& end() const { return knots.back(); }
+  CurveChain& line_to(const Vec2& p);
+  CurveChain& cubic_to(const Vec2& c1, const Vec2& c2, const Vec2& p);
+  double length(int pieces = 64) const;
+  CurveChain reversed() const;
+  CurveChain mirrored() const;  ///< under x → -x
+};
+
+/// Half of a torso piece, x ≥ 0 from the centre line, y = 0 at the high point shoulder.
+struct TorsoHalf {
+  CurveChain neck;      ///< centre → shoulder
+  CurveChain shoulder;  ///< neck → shoulder point
+  CurveChain armhole;   ///< shoulder point → underarm
+  CurveChain side;      ///< underarm → hem
+  double shoulder_x = 0, armhole_depth = 0;
+};
+
+/// patterns.md section 6.2. `underarm_depth`: underarm below the body's shoulder point; `drop`: extra
+/// half shoulder width [m].
+TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
+                           double underarm_depth, bool front, double drop);
+
+/// Half cap from the top (0, h) to the underarm (w, 0) (patterns.md section 6.3).
+CurveChain draft_cap(double width, double height);
+
+/// Cap height and front share such that both half caps have exactly the wanted lengths.
+struct CapFit {
+  double height = 0, front_share = 0.5;
+};
+/// Empty when even a flat cap of girth `girth` is longer than the armhole.
+std::optional<CapFit> fit_caps(double front_length, double back_length, double girth);
+
+}  // namespace loosefit

@@ -1,0 +1,110 @@
+#include "loosefit/pattern/shirt_checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit {
+namespace {
+
+void in_range(const std::string& key, double value, double low, double high, const char* unit) {
+  if (value >= low && value <= high) return;  // false for NaN too
+  throw InvalidInput(InputPlace{{}, 0, key}, fmt::format("{:.6g}{}", value, unit),
+                     fmt::format("{:g} to {:g}{}", low, high, unit));
+}
+
+}  // namespace
+
+void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
+  in_range("measures.chest", m.chest, 0.35, 2.2, " m");
+  in_range("measures.waist", m.waist, 0.30, 2.2, " m");
+  in_range("measures.hip", m.hip, 0.35, 2.2, " m");
+  in_range("measures.neck", m.neck, 0.15, 0.80, " m");
+  in_range("measures.upper_arm", m.upper_arm, 0.08, 0.90, " m");
+  in_range("measures.wrist", m.wrist, 0.06, 0.40, " m");
+  in_range("measures.shoulder_breadth", m.shoulder_breadth, 0.15, 0.80, " m");
+  in_range("measures.shoulder_slope", m.shoulder_slope, 0.0, radians(45), " rad");
+  in_range("measures.scye_depth", m.scye_depth, 0.05, 0.35, " m");
+  in_range("measures.hps_to_waist", m.hps_to_waist, 0.15, 0.80, " m");
+  in_range("measures.hps_to_hem", m.hps_to_hem, 0.20, 1.60, " m");
+  in_range("measures.arm_length", m.arm_length, 0.15, 1.0, " m");
+  in_range("fit.chest", fit.chest, -0.5, 2.0, "");
+  if (fit.waist) in_range("fit.waist", *fit.waist, -0.5, 3.0, "");
+  in_range("fit.hip", fit.hip, -0.5, 2.0, "");
+  in_range("fit.sleeve", fit.sleeve, -0.5, 3.0, "");
+  in_range("fit.wrist", fit.wrist, -0.5, 3.0, "");
+  in_range("fit.neck_ease", fit.neck_ease, -0.2, 1.0, "");
+  in_range("fit.scye_ease", fit.scye_ease, -0.02, 0.15, " m");
+  in_range("fit.shoulder_follow", fit.shoulder_follow, 0.0, 1.0, "");
+  in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
+}
+
+void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
+  // A flat cap is slightly longer than the girth, so the girth may at most reach the armhole.
+  throw InvalidInput(InputPlace{{}, 0, "fit.sleeve"}, fmt::format("{:.4g}", fit.sleeve),
+                     fmt::format("below about {:.2f} for the deepest armhole of {:.3f} m that "
+                                 "chest {:.3f} m at fit {:.3g} allows",
+                                 armhole * (1 + fit.cap_ease) * 0.97 / m.upper_arm - 1, armhole,
+                                 m.chest, fit.chest),
+                     "narrow the sleeve, loosen the chest or raise fit.scye_ease");
+}
+
+void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit,
+                          double shoulder_x, double under_length) {
+  const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
+  if (shoulder_x < neck_x + 0.02)
+    throw InvalidInput(InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
+                       fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
+                                   "fit {:.3g}",
+                                   5 * (shoulder_x - 0.02) / (1 + fit.neck_ease),
+                                   m.shoulder_breadth, fit.chest),
+                       "the shoulder seam must be at least 20 mm long");
+  if (under_length < 0.05)
+    throw InvalidInput(InputPlace{{}, 0, "measures.arm_length"}, fmt::format("{:.4g} m", m.arm_length),
+                       fmt::format("at least {:.3f} m for this armhole and sleeve",
+                                   m.arm_length + 0.05 - under_length));
+  for (const Panel& panel : shirt.panels) {
+    const std::vector<Vec2> outline = outline_polygon(panel);
+    if (first_self_crossing(outline).first < 0 && signed_area(outline) > 0) continue;
+    const bool torso = panel.label == "body";
+    throw InvalidInput(InputPlace{{}, 0, torso ? "fit.chest" : "fit.wrist"},
+                       fmt::format("{:.4g}", torso ? fit.chest : fit.wrist),
+                       fmt::format("a fit whose {} piece has a simple outline", panel.name),
+                       torso ? "check that hem and waist lie below the underarm and the girths of "
+                               "chest, waist and hip belong to one body"
+                             : "the wrist is too narrow for this upper arm, or too wide");
+  }
+}
+
+void place_shirt(Pattern& shirt, const ShirtMeasures& m, const ShirtPlacement& placement,
+                 const Vec2& shoulder_point, double cap_height) {
+  const double hps =
+      placement.hps_height > 0 ? placement.hps_height : 3.3 * m.hps_to_waist;
+  for (Panel& panel : shirt.panels) {
+    const bool front = panel.name.find("front") != std::string::npos;
+    const bool sleeve = panel.label == "arm";
+    // Columns: panel x, panel y and outside normal in our frame; the wearer faces -y.
+    Mat3 upright;
+    upright.col(0) = front ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
+    upright.col(1) = Vec3(0, 0, 1);
+    upright.col(2) = front ? Vec3(0, -1, 0) : Vec3(0, 1, 0);
+    if (!sleeve) {
+      panel.rotation = upright;
+      panel.translation = Vec3(0, front ? -0.25 : 0.22, hps);
+      continue;
+    }
+    const double side = panel.name.find("_L_") != std::string::npos ? 1 : -1;
+    // The hanging arm swings outwards about the fore-aft axis.
+    const Mat3 swing =
+        Eigen::AngleAxisd(-side * placement.arm_abduction, Vec3::UnitY()).toRotationMatrix();
+    panel.rotation = swing * upright;
+    const Vec3 cap_top(side * (shoulder_point.x() + 0.03), front ? -0.175 : 0.125,
+                       hps + shoulder_point.y());
+    panel.translation = cap_top - panel.rotation * Vec3(0, cap_height, 0);
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,18 @@
+#pragma once
+#include "loosefit/pattern/shirt_draft.h"
+
+namespace loosefit {
+
+/// Ranges of every size and fit. \throws InvalidInput naming key, value and range.
+void check_shirt_input(const ShirtMeasures& measures, const ShirtFit& fit);
+/// No cap can be drafted: says how far the sleeve may be widened for this armhole length [m].
+[[noreturn]] void throw_sleeve_too_wide(const ShirtMeasures& measures, const ShirtFit& fit,
+                                        double armhole);
+/// Combinations of sizes that are each plausible but do not make a garment together.
+void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& measures, const ShirtFit& fit,
+                          double shoulder_x, double under_length);
+/// Flat placement in front of and behind the body, sleeves turned by the arm angle.
+void place_shirt(Pattern& shirt, const ShirtMeasures& measures, const ShirtPlacement& placement,
+                 const Vec2& shoulder_point, double cap_height);
+
+}  // namespace loosefit

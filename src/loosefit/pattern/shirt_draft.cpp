@@ -1,0 +1,232 @@
+#include "loosefit/pattern/shirt_draft.h"
+
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/shirt_blocks.h"
+#include "loosefit/pattern/shirt_checks.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kStep = 0.0025;                        // adjustment step [m]
+constexpr double kRatioLow = 0.50, kRatioHigh = 0.85;   // wanted cap height / armhole depth
+constexpr double kDeepest = 0.08;                       // underarm lowered at most by [m]
+
+struct Draft {
+  TorsoHalf front, back;
+  std::optional<CapFit> cap;
+  double ratio() const { return cap->height / front.armhole_depth; }
+};
+
+Panel panel_of(const std::string& name, const std::string& label,
+               const std::vector<std::pair<std::string, CurveChain>>& loop) {
+  Panel panel;
+  panel.name = name;
+  panel.label = label;
+  const int n = static_cast<int>(loop.size());
+  for (int i = 0; i < n; ++i) {
+    const auto& [edge_name, chain] = loop[i];
+    panel.vertices.push_back(chain.start);
+    PanelEdge edge;
+    edge.start = i;
+    edge.end = (i + 1) % n;
+    edge.curves = chain.curves;
+    edge.knots.assign(chain.knots.begin(), chain.knots.end() - 1);
+    edge.name = edge_name;
+    panel.edges.push_back(edge);
+  }
+  return panel;
+}
+
+Panel torso_panel(const TorsoHalf& half, bool front) {
+  // Which of the wearer's sides lies at x > 0, seen from outside.
+  const std::string at_right = front ? "L" : "R", at_left = front ? "R" : "L";
+  const CurveChain side = half.side.reversed(), armhole = half.armhole.reversed(),
+                   shoulder = half.shoulder.reversed(), to_centre = half.neck.reversed();
+  CurveChain neck = to_centre, other = half.neck.mirrored();
+  neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
+  neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
+  CurveChain hem;
+  hem.start = Vec2(-half.side.end().x(), half.side.end().y());
+  hem.line_to(half.side.end());
+  return panel_of(front ? "front" : "back", "body",
+                  {{"hem", hem},
+                   {"side_" + at_right, side},
+                   {"armhole_" + at_right, armhole},
+                   {"shoulder_" + at_right, shoulder},
+                   {"neck", neck},
+                   {"shoulder_" + at_left, half.shoulder.mirrored()},
+                   {"armhole_" + at_left, half.armhole.mirrored()},
+                   {"side_" + at_left, half.side.mirrored()}});
+}
+
+Panel sleeve_panel(const std::string& name, double width, double cuff, double cap_height,
+                   double underarm_length, bool at_positive_x) {
+  const CurveChain cap = draft_cap(width, cap_height);
+  CurveChain top, hem, under;
+  top.start = Vec2(0, cap_height);
+  top.line_to({0, -underarm_length});
+  hem.start = top.end();
+  hem.line_to({cuff, -underarm_length});
+  under.start = hem.end();
+  under.line_to({width, 0});
+  if (at_positive_x)
+    return panel_of(name, "arm",
+                    {{"top", top}, {"cuff", hem}, {"under", under}, {"cap", cap.reversed()}});
+  return panel_of(name, "arm",
+                  {{"cap", cap.mirrored()},
+                   {"under", under.reversed().mirrored()},
+                   {"cuff", hem.reversed().mirrored()},
+                   {"top", top.reversed().mirrored()}});
+}
+
+void sew(Pattern& pattern, const std::string& name, const std::string& panel_a,
+         const std::string& edge_a, const std::string& panel_b, const std::string& edge_b) {
+  Stitch stitch;
+  stitch.name = name;
+  stitch.first.panel = pattern.find_panel(panel_a);
+  stitch.first.edge = find_edge(pattern.panels[stitch.first.panel], edge_a);
+  stitch.second.panel = pattern.find_panel(panel_b);
+  stitch.second.edge = find_edge(pattern.panels[stitch.second.panel], edge_b);
+  pattern.stitches.push_back(stitch);
+}
+
+/// Moves underarm and shoulder point until the cap is neither flat nor steep; girths stay.
+Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& report) {
+  const double girth = (1 + fit.sleeve) * m.upper_arm;
+  const auto at = [&](double depth, double drop) {
+    Draft d{draft_torso_half(m, fit, depth, true, drop),
+            draft_torso_half(m, fit, depth, false, drop),
+            {}};
+    d.cap = fit_caps((1 + fit.cap_ease) * d.front.armhole.length(),
+                     (1 + fit.cap_ease) * d.back.armhole.length(), girth);
+    return d;
+  };
+  const double first = m.scye_depth + fit.scye_ease;
+  double depth = first, drop = 0;
+  Draft d = at(depth, drop);
+  while ((!d.cap || d.ratio() < kRatioLow) && depth - first < kDeepest) {
+    depth += kStep;
+    d = at(depth, drop);
+  }
+  while (d.cap && d.ratio() > kRatioHigh && depth - kStep > m.scye_depth + 0.005) {
+    depth -= kStep;
+    d = at(depth, drop);
+  }
+  while (d.cap && d.ratio() > kRatioHigh &&
+         d.front.shoulder_x < 0.969 * d.front.armhole.end().x()) {
+    drop += kStep;
+    d = at(depth, drop);
+  }
+  report.deepened = depth - first;
+  report.dropped = drop;
+  return d;
+}
+
+}  // namespace
+
+Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
+                    const ShirtPlacement& placement) {
+  check_shirt_input(m, fit);
+  ShirtDraftReport result;
+  const Draft d = balance(m, fit, result);
+  if (!d.cap) throw_sleeve_too_wide(m, fit, d.front.armhole.length() + d.back.armhole.length());
+
+  const double upper = (1 + fit.sleeve) * m.upper_arm, wrist = (1 + fit.wrist) * m.wrist;
+  const double front_width = d.cap->front_share * upper, back_width = upper - front_width;
+  // A dropped shoulder is taken off the sleeve.
+  const double top_length = m.arm_length - (d.front.shoulder_x - m.shoulder_breadth / 2);
+  const double under_length = top_length - d.cap->height;
+  // Equal taper of both halves keeps the two underarm seams equal.
+  const double front_cuff = wrist / 2 + front_width - upper / 2;
+  const double back_cuff = wrist / 2 + back_width - upper / 2;
+
+  Pattern shirt;
+  shirt.name = "long-sleeve-shirt";
+  shirt.panels = {torso_panel(d.front, true), torso_panel(d.back, false)};
+  for (const std::string s : {"L", "R"}) {
+    const bool left = s == "L";
+    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_front", front_width, front_cuff,
+                                        d.cap->height, under_length, !left));
+    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_back", back_width, back_cuff,
+                                        d.cap->height, under_length, left));
+  }
+  for (const std::string s : {"L", "R"}) {
+    const std::string sleeve_front = "sleeve_" + s + "_front", sleeve_back = "sleeve_" + s + "_back";
+    sew(shirt, "side_" + s, "front", "side_" + s, "back", "side_" + s);
+    sew(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
+    sew(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
+    sew(shirt, "armhole_back_" + s, "back", "armhole_" + s, sleeve_back, "cap");
+    sew(shirt, "sleeve_top_" + s, sleeve_front, "top", sleeve_back, "top");
+    sew(shirt, "sleeve_under_" + s, sleeve_front, "under", sleeve_back, "under");
+  }
+  for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);
+  check_shirt_outlines(shirt, m, fit, d.front.shoulder_x, under_length);
+  place_shirt(shirt, m, placement, Vec2(d.front.shoulder_x, d.front.shoulder.end().y()),
+              d.cap->height);
+
+  result.armhole = d.front.armhole.length() + d.back.armhole.length();
+  result.armhole_depth = d.front.armhole_depth;
+  result.cap_height = d.cap->height;
+  result.cap_ratio = d.ratio();
+  result.front_share = d.cap->front_share;
+  if (report) *report = result;
+  return shirt;
+}
+
+std::map<std::string, double> shirt_girths(const Pattern& shirt, double hps_to_waist) {
+  std::map<std::string, double> girths;
+  const auto width = [&](const char* panel, const char* edge_a, const char* edge_b,
+                         auto&& point) {
+    const int p = shirt.find_panel(panel);
+    if (p < 0) return 0.0;
+    const Panel& piece = shirt.panels[p];
+    const int a = find_edge(piece, edge_a), b = find_edge(piece, edge_b);
+    return a < 0 || b < 0 ? 0.0 : (point(piece, a) - point(piece, b)).norm();
+  };
+  const auto add = [&](const std::string& name, double front, double back) {
+    if (front > 0 && back > 0) girths[name] = front + back;
+  };
+  const auto end_of_left = [](const Panel& piece, int e) -> Vec2 {
+    // The underarm corner is where the armhole edge meets the side edge.
+    const PanelEdge& edge = piece.edges[e];
+    const Vec2 &start = piece.vertices[edge.start], &end = piece.vertices[edge.end];
+    return start.y() < end.y() ? start : end;
+  };
+  add("chest", width("front", "armhole_L", "armhole_R", end_of_left),
+      width("back", "armhole_L", "armhole_R", end_of_left));
+  const auto at_waist = [&](const Panel& piece, int e) -> Vec2 {
+    const EdgePath path(piece, e);
+    double low = 0, high = 1;
+    const double level = -hps_to_waist;
+    const bool rising = path.at(1).y() > path.at(0).y();
+    for (int i = 0; i < 50; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((path.at(middle).y() < level) == rising ? low : high) = middle;
+    }
+    return path.at(0.5 * (low + high));
+  };
+  add("waist", width("front", "side_L", "side_R", at_waist),
+      width("back", "side_L", "side_R", at_waist));
+  const auto length = [&](const char* panel, const char* edge) {
+    const int p = shirt.find_panel(panel);
+    const int e = p < 0 ? -1 : find_edge(shirt.panels[p], edge);
+    return e < 0 ? 0.0 : EdgePath(shirt.panels[p], e).length();
+  };
+  add("hip", length("front", "hem"), length("back", "hem"));
+  const auto cap_width = [&](const char* panel) {
+    const int p = shirt.find_panel(panel);
+    const int e = p < 0 ? -1 : find_edge(shirt.panels[p], "cap");
+    if (e < 0) return 0.0;
+    const PanelEdge& cap = shirt.panels[p].edges[e];
+    return std::abs(shirt.panels[p].vertices[cap.end].x() -
+                    shirt.panels[p].vertices[cap.start].x());
+  };
+  add("sleeve", cap_width("sleeve_L_front"), cap_width("sleeve_L_back"));
+  add("wrist", length("sleeve_L_front", "cuff"), length("sleeve_L_back", "cuff"));
+  return girths;
+}
+
+}  // namespace loosefit
