@@ -1,0 +1,14 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace loosefit {
+
+/// Whole content of a regular file. \throws IoError (missing, a folder, no permission) and
+/// InvalidInput when it is larger than `max_bytes`.
+std::string read_text_file(const std::string& path, std::size_t max_bytes);
+
+/// Writes and flushes to the disk's acceptance. \throws IoError naming the cause (disk full, …).
+void write_text_file(const std::string& path, const std::string& text);
+
+}  // namespace loosefit
