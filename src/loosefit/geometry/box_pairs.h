@@ -1,0 +1,19 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <utility>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+using Box3 = Eigen::AlignedBox3d;
+
+/// Pairs (i, j) of overlapping boxes, i from `a`, j from `b`, sorted. Uniform grid, built per call;
+/// best for many boxes of similar size. Closed boxes: touching counts as overlap.
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Box3>& a,
+                                                   const std::vector<Box3>& b);
+/// Pairs (i, j), i < j, of overlapping boxes of one set, sorted.
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Box3>& boxes);
+
+}  // namespace loosefit

@@ -1,0 +1,53 @@
+#include "loosefit/geometry/exact_intersection.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "loosefit/geometry/box_pairs.h"
+
+namespace loosefit {
+namespace {
+
+TEST(ExactIntersection, CrossingTrianglesAreFoundAndSeparatedOnesAreNot) {
+  const std::vector<Vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}, {2, 2, 0.5}};
+  EXPECT_EQ(self_intersections(x, {{0, 1, 2}, {3, 4, 5}}).size(), 1u);
+  std::vector<Vec3> apart = x;
+  for (int i = 3; i < 6; ++i) apart[i] += Vec3(3, 0, 0);
+  EXPECT_TRUE(self_intersections(apart, {{0, 1, 2}, {3, 4, 5}}).empty());
+}
+
+TEST(ExactIntersection, TouchingByOneUlpIsDecidedExactly) {
+  const double above = std::nextafter(0.0, 1.0);
+  const std::vector<Vec3> base = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<Vec3> hovering = {{0.1, 0.1, above}, {0.5, 0.1, above}, {0.1, 0.5, 1}};
+  const std::vector<Vec3> touching = {{0.1, 0.1, 0}, {0.5, 0.1, 1}, {0.1, 0.5, 1}};
+  EXPECT_TRUE(mesh_intersections(base, {{0, 1, 2}}, hovering, {{0, 1, 2}}).empty());
+  EXPECT_EQ(mesh_intersections(base, {{0, 1, 2}}, touching, {{0, 1, 2}}).size(), 1u);
+}
+
+TEST(ExactIntersection, NeighboursThatShareAVertexCountOnlyWhenTheyPierce) {
+  const std::vector<Vec3> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  EXPECT_TRUE(self_intersections(flat, {{0, 1, 2}, {0, 3, 4}}).empty());
+  const std::vector<Vec3> piercing = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, -1}, {0.3, 0.3, 1}};
+  EXPECT_EQ(self_intersections(piercing, {{0, 1, 2}, {0, 3, 4}}).size(), 1u);
+}
+
+TEST(BoxPairs, GridAgreesWithBruteForceOnRandomBoxes) {
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> position(-1, 1), size(0.001, 0.2);
+  std::vector<Box3> boxes(300);
+  for (Box3& b : boxes) {
+    const Vec3 p(position(rng), position(rng), position(rng));
+    b = Box3(p, p + Vec3(size(rng), size(rng), size(rng)));
+  }
+  std::vector<std::pair<int, int>> expected;
+  for (int i = 0; i < 300; ++i)
+    for (int j = i + 1; j < 300; ++j)
+      if (boxes[i].intersects(boxes[j])) expected.emplace_back(i, j);
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(overlapping_boxes(boxes), expected);
+}
+
+}  // namespace
+}  // namespace loosefit
