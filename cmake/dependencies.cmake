@@ -6,6 +6,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # Bit-identical results on every machine of one kind: no contraction that depends on the optimiser's mood.
 add_compile_options(-ffp-contract=off)
