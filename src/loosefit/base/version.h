@@ -1,0 +1,14 @@
+#pragma once
+#include <map>
+#include <string>
+
+namespace loosefit {
+
+/// "0.1.0"
+std::string version();
+
+/// This program, the compiler and the libraries it was built with: name → version, as recorded in
+/// summary.json.
+std::map<std::string, std::string> versions();
+
+}  // namespace loosefit

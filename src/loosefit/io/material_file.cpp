@@ -1,0 +1,147 @@
+#include "loosefit/io/material_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/paths.h"
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+struct Constant {
+  const char* key;
+  double Material::*value;
+  NumberRange range;
+};
+
+// The one table from which reading, writing and documentation follow.
+const std::vector<Constant>& constants() {
+  static const std::vector<Constant> kTable = {
+      {"areal_density", &Material::areal_density, {0.01, 5, "kg/m²"}},
+      {"thickness", &Material::thickness, {5e-5, 0.005, "metres"}},
+      {"stiffness_warp", &Material::stiffness_warp, {1, 1e6, "N/m"}},
+      {"stiffness_weft", &Material::stiffness_weft, {1, 1e6, "N/m"}},
+      {"poisson", &Material::poisson, {-0.9, 0.9, "a number"}},
+      {"stiffness_shear", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
+      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}},
+      {"bending_warp", &Material::bending_warp, {1e-8, 1e-3, "N m"}},
+      {"bending_weft", &Material::bending_weft, {1e-8, 1e-3, "N m"}},
+      {"friction_body", &Material::friction_body, {0, 3, "a coefficient"}},
+      {"friction_self", &Material::friction_self, {0, 3, "a coefficient"}},
+      {"damping", &Material::damping, {0, 10, "seconds"}},
+  };
+  return kTable;
+}
+
+void refuse_bending_in_other_units(ConfigReader& table) {
+  for (const char* key : {"bending_warp", "bending_weft"}) {
+    const auto any = table.optional_number(key, {});
+    if (any && *any > 1e-3)
+      throw table.error(key, "N m from 1e-08 to 0.001",
+                        fmt::format("bending rigidity of a sheet is in N m: {:g} µN m is {:g}, "
+                                    "{:g} gf cm²/cm is {:g}",
+                                    *any, *any * 1e-6, *any, *any * 9.80665e-5));
+  }
+}
+
+void read_isotropic_pair(ConfigReader& table, MaterialCard& card) {
+  const auto modulus = table.optional_number("youngs_modulus", {1e3, 1e12, "Pa"});
+  const auto h = table.optional_number("elastic_thickness", {1e-6, 0.01, "metres"});
+  if (!modulus && !h) return;
+  const std::string why =
+      "youngs_modulus and elastic_thickness only have a meaning together: the "
+      "sheet stiffness is E h";
+  if (!h) throw table.error("elastic_thickness", "metres from 1e-06 to 0.01", why);
+  if (!modulus) throw table.error("youngs_modulus", "Pa from 1000 to 1e+12", why);
+  for (const char* key : {"stiffness_warp", "stiffness_weft"})
+    if (table.has(key)) throw table.error(key, "either youngs_modulus or " + std::string(key), why);
+  Material& m = card.material;
+  const double sheet = *modulus * *h;
+  if (sheet < 1 || sheet > 1e6)
+    throw table.error("youngs_modulus", fmt::format("E h = {:g} N/m", sheet),
+                      "E h from 1 to 1e6 N/m", "check the units: Pa and metres");
+  m.stiffness_warp = m.stiffness_weft = sheet;
+  if (!table.has("stiffness_shear")) m.stiffness_shear = sheet / (2 * (1 + m.poisson));
+  const double plate = sheet * *h * *h / (12 * (1 - m.poisson * m.poisson));
+  card.notes.push_back(fmt::format(
+      "E = {:g} Pa with h = {:g} m is E h = {:g} N/m; a homogeneous sheet would bend with "
+      "E h³/(12 (1 − ν²)) = {:.3g} N m, the card says {:.3g} N m ({:.3g} times)",
+      *modulus, *h, sheet, plate, m.bending_warp, m.bending_warp / plate));
+}
+
+}  // namespace
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(data_directory() / "materials", error))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+MaterialCard load_material(const std::string& name) {
+  const std::vector<std::string> names = material_names();
+  if (names.empty())
+    throw IoError((data_directory() / "materials").string() + ": found no material cards",
+                  "set LOOSEFIT_SHARE to the folder that holds materials/");
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InvalidInput({"", 0, "material"}, "\"" + printable(name) + "\"",
+                       "the name of a material card", did_you_mean(name, names));
+  return read_material_file(data_directory() / "materials" / (name + ".toml"));
+}
+
+MaterialCard read_material_file(const std::filesystem::path& path) {
+  const ConfigNode root = read_toml(path.string());
+  ConfigReader table(root, path.string());
+  MaterialCard card;
+  card.material.name = path.stem().string();
+  card.title = table.text("title", card.material.name);
+  card.status = table.text("status", "not stated");
+  card.material.source = table.text("source", "");
+  if (card.material.source.empty()) throw table.error("source", "where the numbers come from");
+  read_material_constants(table, card);
+  const bool isotropic = table.has("youngs_modulus");
+  for (const Constant& c : constants()) {
+    const std::string key = c.key;
+    if (table.has(key) || key == "compression_factor") continue;
+    if (isotropic && key.rfind("stiffness_", 0) == 0) continue;
+    throw table.error(key, fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
+                      "a card states every constant");
+  }
+  table.finish();
+  card.notes.push_back(
+      fmt::format("bending length {:.1f} mm", bending_length(card.material) * 1e3));
+  return card;
+}
+
+void read_material_constants(ConfigReader& table, MaterialCard& card) {
+  refuse_bending_in_other_units(table);
+  for (const Constant& c : constants())
+    card.material.*c.value = table.number(c.key, card.material.*c.value, c.range);
+  read_isotropic_pair(table, card);
+}
+
+std::vector<std::string> material_keys() {
+  std::vector<std::string> keys;
+  for (const Constant& c : constants()) keys.emplace_back(c.key);
+  return keys;
+}
+
+std::string material_toml(const Material& material) {
+  std::string text;
+  for (const Constant& c : constants())
+    text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
+  return text;
+}
+
+double bending_length(const Material& material) {
+  const double bending = std::sqrt(material.bending_warp * material.bending_weft);
+  return std::cbrt(bending / (material.areal_density * kGravity));
+}
+
+}  // namespace loosefit

@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "loosefit/fabric/material.h"
+#include "loosefit/io/config_reader.h"
+
+namespace loosefit {
+
+/// A material card: the constants with where they come from and what to think of them.
+struct MaterialCard {
+  Material material;
+  std::string title;
+  std::string status;              ///< how far the numbers can be trusted
+  std::vector<std::string> notes;  ///< said to the user: derived quantities, contradictions
+};
+
+/// Names of the shipped cards (data/materials/NAME.toml), sorted.
+std::vector<std::string> material_names();
+
+/// Shipped card by name. \throws InvalidInput with a did-you-mean if there is none.
+MaterialCard load_material(const std::string& name);
+
+/// Reads a card. Every constant of Material is a key of the same name (SI) and required, except
+/// compression_factor. Instead of stiffness_warp/_weft a card may give the isotropic pair
+/// youngs_modulus [Pa] and elastic_thickness h [m]: K = E h, and G = E h / (2 (1 + ν)) unless
+/// stiffness_shear is given too.
+/// \throws IoError, InvalidInput.
+MaterialCard read_material_file(const std::filesystem::path& path);
+
+/// Overwrites the constants that stand in `table` (same keys as a card); the isotropic pair is
+/// reported with E h and E h³ / (12 (1 − ν²)) in `notes`, beside the bending rigidity in use.
+/// The caller calls table.finish().
+/// \throws InvalidInput for values outside their range; bending above 1e-3 N m gets a unit hint.
+void read_material_constants(ConfigReader& table, MaterialCard& card);
+
+/// Keys of all constants, in the order of the cards.
+std::vector<std::string> material_keys();
+
+/// TOML lines `key = value` of all constants.
+std::string material_toml(const Material& material);
+
+/// Bending length c = (B / (w g))^(1/3) [m] of the mean bending rigidity: how stiff it looks.
+double bending_length(const Material& material);
+
+}  // namespace loosefit
