@@ -12,22 +12,24 @@ namespace loosefit {
 /// assembly; positions live elsewhere (Drape).
 struct Garment {
   int vertex_count = 0;
-  std::vector<Triangle> triangles;                    ///< wound so that the normal points outside
-  std::vector<std::array<Vec2, 3>> triangle_uv;       ///< pattern coordinates of the corners [m]: u weft, v warp
-  std::vector<int> triangle_panel;                    ///< index into panel_names
+  std::vector<Triangle> triangles;  ///< wound so that the normal points outside
+  std::vector<std::array<Vec2, 3>>
+      triangle_uv;                  ///< pattern coordinates of the corners [m]: u weft, v warp
+  std::vector<int> triangle_panel;  ///< index into panel_names
   std::vector<std::string> panel_names;
-  std::vector<int> vertex_panel;                      ///< lowest panel index touching the vertex
-  std::vector<Vec2> vertex_uv;                        ///< pattern position in that panel [m]
+  std::vector<int> vertex_panel;  ///< lowest panel index touching the vertex
+  std::vector<Vec2> vertex_uv;    ///< pattern position in that panel [m]
 
-  std::vector<double> vertex_mass;                    ///< lumped: fabric, attachments, seams [kg]
-  std::vector<double> triangle_membrane_factor;       ///< in-plane stiffness multiplier (1 = plain fabric)
-  std::vector<double> triangle_added_bending;         ///< isotropic rigidity added by attachments [N m]
+  std::vector<double> vertex_mass;  ///< lumped: fabric, attachments, seams [kg]
+  std::vector<double>
+      triangle_membrane_factor;                ///< in-plane stiffness multiplier (1 = plain fabric)
+  std::vector<double> triangle_added_bending;  ///< isotropic rigidity added by attachments [N m]
 
   /// Vertices along a panel edge in outline order, ends included.
   struct EdgeChain {
     int panel = 0;
-    int edge = 0;                 ///< index into Panel::edges
-    std::string name;             ///< PanelEdge::name
+    int edge = 0;      ///< index into Panel::edges
+    std::string name;  ///< PanelEdge::name
     std::vector<int> vertices;
   };
   std::vector<EdgeChain> edge_chains;  ///< every edge of every panel

@@ -1,6 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/fabric/material.h"
+#include "loosefit/garment/attachment.h"
 #include "loosefit/garment/garment.h"
 
 namespace loosefit {
@@ -10,12 +12,22 @@ namespace loosefit {
 /// the fine mesh and a drape free of intersections stays so when it is carried over.
 struct GarmentHierarchy {
   std::vector<Garment> levels;  ///< at least one; back() is the wanted resolution
-  /// For level l ≥ 1 and each of its vertices: the two coarse vertices of level l−1 whose midpoint
+  /// For level l and each of its vertices: the two coarse vertices of level l−1 whose midpoint
   /// it is; equal indices for a vertex kept from the coarser level.
   std::vector<std::vector<std::array<int, 2>>> parents;
   Pattern pattern;
 
   const Garment& finest() const { return levels.back(); }
 };
+
+/// Meshes the pattern irregularly at edge_length · 2^k, k such that this lies in [18, 36) mm (k = 0
+/// for longer edges), then splits k times. Vertices keep their numbers from level to level; new
+/// points on outlines lie on the true curves of the pattern. parents[0] is the identity.
+/// \throws InvalidInput, GeometryError as `assemble` does.
+GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
+                                 const Material& material,
+                                 const std::vector<Attachment>& attachments = {});
+/// The k above.
+int hierarchy_refinements(double edge_length);
 
 }  // namespace loosefit

@@ -15,9 +15,9 @@ EdgePath::EdgePath(const Panel& panel, int edge) : curves_(panel.edges[edge].cur
   cumulative_.push_back(0);
   for (std::size_t c = 0; c < curves_.size(); ++c)
     for (int i = 0; i < kPieces; ++i)
-      cumulative_.push_back(cumulative_.back() +
-                            curve_length(curves_[c], knots_[c], knots_[c + 1],
-                                         double(i) / kPieces, double(i + 1) / kPieces, 1));
+      cumulative_.push_back(cumulative_.back() + curve_length(curves_[c], knots_[c], knots_[c + 1],
+                                                              double(i) / kPieces,
+                                                              double(i + 1) / kPieces, 1));
 }
 
 std::pair<int, double> EdgePath::locate(double fraction) const {

@@ -18,10 +18,11 @@ struct EdgeCurve {
 
 /// One seam unit of a panel outline: a chain of curves from vertex `start` to vertex `end`.
 struct PanelEdge {
-  int start = 0, end = 0;            ///< indices into Panel::vertices
+  int start = 0, end = 0;             ///< indices into Panel::vertices
   std::vector<EdgeCurve> curves{{}};  ///< at least one
-  std::vector<Vec2> knots;           ///< joints between the curves [m]: one fewer than curves
-  std::string name;   ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
+  std::vector<Vec2> knots;            ///< joints between the curves [m]: one fewer than curves
+  std::string
+      name;  ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
   std::string label;  ///< GarmentCode label, may be empty
 };
 
@@ -29,11 +30,11 @@ struct PanelEdge {
 /// outside of the cloth; z of the placed panel points to the outside.
 struct Panel {
   std::string name;
-  std::string label;                ///< GarmentCode: body, arm, leg or empty
-  std::vector<Vec2> vertices;       ///< [m]
-  std::vector<PanelEdge> edges;     ///< one closed loop in order
-  Vec3 translation = Vec3::Zero();  ///< placement in our frame (z up, facing -y) [m]
-  Mat3 rotation = Mat3::Identity(); ///< panel (x, y, 0) → our frame
+  std::string label;                 ///< GarmentCode: body, arm, leg or empty
+  std::vector<Vec2> vertices;        ///< [m]
+  std::vector<PanelEdge> edges;      ///< one closed loop in order
+  Vec3 translation = Vec3::Zero();   ///< placement in our frame (z up, facing -y) [m]
+  Mat3 rotation = Mat3::Identity();  ///< panel (x, y, 0) → our frame
 };
 
 /// One seam: edge `first` sewn to edge `second`. Both may lie in one panel (dart, tube).
@@ -41,8 +42,9 @@ struct Stitch {
   struct Side {
     int panel = 0, edge = 0;
   } first, second;
-  bool right_wrong = false;  ///< start meets start (otherwise the end of one meets the start of the other)
-  std::string name;          ///< "side_L", "armhole_front_L", …
+  bool right_wrong =
+      false;         ///< start meets start (otherwise the end of one meets the start of the other)
+  std::string name;  ///< "side_L", "armhole_front_L", …
 };
 
 /// A sewing pattern: flat panels and seams, SI units.

@@ -53,8 +53,8 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   const double x_hem = (1 + fit.hip) * m.hip / 4;
   // A tight shirt narrows the shoulders in full, a loose one widens them only in part.
   const double follow = fit.chest > 0 ? fit.shoulder_follow : 1.0;
-  const double x_shoulder = std::min(m.shoulder_breadth / 2 * (1 + follow * fit.chest) + drop,
-                                     0.97 * x_underarm);
+  const double x_shoulder =
+      std::min(m.shoulder_breadth / 2 * (1 + follow * fit.chest) + drop, 0.97 * x_underarm);
   const double x_neck = (1 + fit.neck_ease) * m.neck / 5;
   const double slope = std::tan(m.shoulder_slope);
   const double y_shoulder = -slope * (x_shoulder - x_neck);

@@ -26,8 +26,8 @@ struct TorsoHalf {
   double shoulder_x = 0, armhole_depth = 0;
 };
 
-/// patterns.md section 6.2. `underarm_depth`: underarm below the body's shoulder point; `drop`: extra
-/// half shoulder width [m].
+/// patterns.md section 6.2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
+/// extra half shoulder width [m].
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
 

@@ -56,14 +56,15 @@ void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const Sh
                           double shoulder_x, double under_length) {
   const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
   if (shoulder_x < neck_x + 0.02)
-    throw InvalidInput(InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
-                       fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
-                                   "fit {:.3g}",
-                                   5 * (shoulder_x - 0.02) / (1 + fit.neck_ease),
-                                   m.shoulder_breadth, fit.chest),
-                       "the shoulder seam must be at least 20 mm long");
+    throw InvalidInput(
+        InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
+        fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
+                    "fit {:.3g}",
+                    5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
+        "the shoulder seam must be at least 20 mm long");
   if (under_length < 0.05)
-    throw InvalidInput(InputPlace{{}, 0, "measures.arm_length"}, fmt::format("{:.4g} m", m.arm_length),
+    throw InvalidInput(InputPlace{{}, 0, "measures.arm_length"},
+                       fmt::format("{:.4g} m", m.arm_length),
                        fmt::format("at least {:.3f} m for this armhole and sleeve",
                                    m.arm_length + 0.05 - under_length));
   for (const Panel& panel : shirt.panels) {
@@ -81,8 +82,7 @@ void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const Sh
 
 void place_shirt(Pattern& shirt, const ShirtMeasures& m, const ShirtPlacement& placement,
                  const Vec2& shoulder_point, double cap_height) {
-  const double hps =
-      placement.hps_height > 0 ? placement.hps_height : 3.3 * m.hps_to_waist;
+  const double hps = placement.hps_height > 0 ? placement.hps_height : 3.3 * m.hps_to_waist;
   for (Panel& panel : shirt.panels) {
     const bool front = panel.name.find("front") != std::string::npos;
     const bool sleeve = panel.label == "arm";

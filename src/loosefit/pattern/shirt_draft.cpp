@@ -10,9 +10,9 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.0025;                        // adjustment step [m]
-constexpr double kRatioLow = 0.50, kRatioHigh = 0.85;   // wanted cap height / armhole depth
-constexpr double kDeepest = 0.08;                       // underarm lowered at most by [m]
+constexpr double kStep = 0.0025;                       // adjustment step [m]
+constexpr double kRatioLow = 0.50, kRatioHigh = 0.85;  // wanted cap height / armhole depth
+constexpr double kDeepest = 0.08;                      // underarm lowered at most by [m]
 
 struct Draft {
   TorsoHalf front, back;
@@ -154,7 +154,8 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
                                         d.cap->height, under_length, left));
   }
   for (const std::string s : {"L", "R"}) {
-    const std::string sleeve_front = "sleeve_" + s + "_front", sleeve_back = "sleeve_" + s + "_back";
+    const std::string sleeve_front = "sleeve_" + s + "_front",
+                      sleeve_back = "sleeve_" + s + "_back";
     sew(shirt, "side_" + s, "front", "side_" + s, "back", "side_" + s);
     sew(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
     sew(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
@@ -178,8 +179,7 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
 
 std::map<std::string, double> shirt_girths(const Pattern& shirt, double hps_to_waist) {
   std::map<std::string, double> girths;
-  const auto width = [&](const char* panel, const char* edge_a, const char* edge_b,
-                         auto&& point) {
+  const auto width = [&](const char* panel, const char* edge_a, const char* edge_b, auto&& point) {
     const int p = shirt.find_panel(panel);
     if (p < 0) return 0.0;
     const Panel& piece = shirt.panels[p];

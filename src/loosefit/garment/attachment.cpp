@@ -1,0 +1,120 @@
+#include "loosefit/garment/attachment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/garment/attachment_checks.h"
+#include "loosefit/geometry/closest_point.h"
+
+namespace loosefit {
+namespace {
+
+constexpr int kFootprintSamples = 24;  // per direction, for the mass of a board
+constexpr int kTriangleSamples = 8;    // per direction, for the covered share of a triangle
+constexpr double kCableStep = 0.001;   // [m]
+
+Vec3 lift(const Vec2& p) { return {p.x(), p.y(), 0}; }
+
+/// Spreads a point mass on the corners of the triangle of `panel` that holds it, or the nearest
+/// one.
+void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
+  int best = -1;
+  double best_distance = std::numeric_limits<double>::infinity();
+  Vec3 weights = Vec3::Zero();
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    if (g.triangle_panel[t] != panel) continue;
+    const auto& [a, b, c] = g.triangle_uv[t];
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    if ((at - at.cwiseMax(low).cwiseMin(high)).norm() >= best_distance) continue;
+    const Vec3 w = closest_barycentric(lift(at), lift(a), lift(b), lift(c));
+    const double distance = (w[0] * a + w[1] * b + w[2] * c - at).norm();
+    if (distance >= best_distance) continue;
+    best = static_cast<int>(t);
+    best_distance = distance;
+    weights = w;
+    if (distance == 0) break;
+  }
+  if (best < 0) return;
+  for (int i = 0; i < 3; ++i) g.vertex_mass[g.triangles[best][i]] += weights[i] * mass;
+}
+
+/// Share of a triangle within a region, by equal sub-triangles.
+double covered_share(const std::array<Vec2, 3>& uv,
+                     const std::function<bool(const Vec2&)>& inside) {
+  int hits = 0;
+  for (int i = 0; i < kTriangleSamples; ++i)
+    for (int j = 0; j < kTriangleSamples - i; ++j)
+      for (const double third : {1.0 / 3, 2.0 / 3}) {
+        if (third > 0.5 && i + j == kTriangleSamples - 1) continue;
+        const double a = (i + third) / kTriangleSamples, b = (j + third) / kTriangleSamples;
+        hits += inside(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
+      }
+  return double(hits) / (kTriangleSamples * kTriangleSamples);
+}
+
+void stiffen(Garment& g, int panel, double bending, double membrane_factor,
+             const std::function<bool(const Vec2&)>& inside) {
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    if (g.triangle_panel[t] != panel) continue;
+    const double share = covered_share(g.triangle_uv[t], inside);
+    g.triangle_added_bending[t] += share * bending;
+    g.triangle_membrane_factor[t] *= 1 + share * (membrane_factor - 1);
+  }
+}
+
+void add(Garment& g, int panel, const Board& board) {
+  const bool disc = board.radius > 0;
+  const Vec2 half = disc ? Vec2(board.radius, board.radius) : Vec2(board.size / 2);
+  const Eigen::Rotation2Dd turn(board.angle);
+  const auto covers = [&](const Vec2& local) {
+    return disc ? local.norm() <= board.radius
+                : std::abs(local.x()) <= half.x() && std::abs(local.y()) <= half.y();
+  };
+  std::vector<Vec2> samples;
+  for (int i = 0; i < kFootprintSamples; ++i)
+    for (int j = 0; j < kFootprintSamples; ++j) {
+      const Vec2 local = half.cwiseProduct(
+          Vec2((2 * i + 1.0) / kFootprintSamples - 1, (2 * j + 1.0) / kFootprintSamples - 1));
+      if (covers(local)) samples.push_back(board.centre + turn * local);
+    }
+  for (const Vec2& p : samples) add_mass(g, panel, p, board.mass / double(samples.size()));
+  stiffen(g, panel, board.bending, board.membrane_factor,
+          [&](const Vec2& p) { return covers(turn.inverse() * (p - board.centre)); });
+  g.mass += board.mass;
+}
+
+void add(Garment& g, int panel, const Cable& cable) {
+  for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
+    const Vec2 &a = cable.path[i], &b = cable.path[i + 1];
+    const double length = (b - a).norm();
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / kCableStep)));
+    for (int s = 0; s < steps; ++s)
+      add_mass(g, panel, a + (s + 0.5) / steps * (b - a), cable.linear_density * length / steps);
+    g.mass += cable.linear_density * length;
+  }
+  stiffen(g, panel, cable.bending / cable.width, 1, [&](const Vec2& p) {
+    for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
+      const Vec2 along = cable.path[i + 1] - cable.path[i];
+      const double squared = along.squaredNorm();
+      const double t =
+          squared > 0 ? std::clamp((p - cable.path[i]).dot(along) / squared, 0.0, 1.0) : 0.0;
+      if ((cable.path[i] + t * along - p).norm() <= cable.width / 2) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
+void attach(Garment& garment, const Pattern& pattern, const std::vector<Attachment>& attachments) {
+  for (const Attachment& attachment : attachments) {
+    const int panel = check_attachment(attachment, pattern);
+    std::visit([&](const auto& part) { add(garment, panel, part); }, attachment.part);
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,45 @@
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "loosefit/garment/garment.h"
+
+namespace loosefit {
+
+/// A flat stiff part on the cloth, e.g. a sensor board. The footprint is a rectangle of
+/// `size` turned by `angle`, or a disc when `radius` > 0.
+struct Board {
+  Vec2 centre = Vec2::Zero();   ///< pattern coordinates in the panel [m]: u weft, v warp
+  Vec2 size = Vec2::Zero();     ///< rectangle: extent along u and v before turning [m]
+  double angle = 0;             ///< [rad], counter-clockwise
+  double radius = 0;            ///< disc [m]
+  double mass = 0;              ///< [kg]
+  double bending = 1e-3;        ///< rigidity added within the footprint [N m]
+  double membrane_factor = 10;  ///< in-plane stiffness multiplier within the footprint, ≥ 1
+};
+
+/// A cable sewn along a path on one panel.
+struct Cable {
+  std::vector<Vec2> path;     ///< polyline in pattern coordinates [m], at least two points
+  double linear_density = 0;  ///< [kg/m]
+  double bending = 0;   ///< B of the cable [N m²]; adds B / width [N m] on a strip of `width`
+  double width = 0.01;  ///< [m]
+};
+
+/// Something fixed to one panel that changes mass and rigidity locally (Harms et al. 2012: m_i,
+/// Γ_i).
+struct Attachment {
+  std::string name;
+  std::string panel;
+  std::variant<Board, Cable> part;
+};
+
+/// Adds the attachments to vertex_mass, triangle_added_bending and triangle_membrane_factor of a
+/// sewn garment. Mass and centre of mass are kept exactly; rigidity is weighted by the covered
+/// share of a triangle. What lies beyond the panel's edge is carried by that edge. \throws
+/// InvalidInput naming the attachment: panel unknown, point outside the panel (with the
+///         nearest point inside), size, mass or stiffness out of range.
+void attach(Garment& garment, const Pattern& pattern, const std::vector<Attachment>& attachments);
+
+}  // namespace loosefit

@@ -1,0 +1,58 @@
+#include "loosefit/garment/hierarchy.h"
+
+#include "loosefit/garment/assemble.h"
+#include "loosefit/pattern/divisions.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kCoarsestEdge = 0.018;  // coarsest edge is in [this, twice this) [m]
+constexpr int kMostRefinements = 8;
+
+}  // namespace
+
+int hierarchy_refinements(double edge_length) {
+  int refinements = 0;
+  for (double edge = edge_length; edge < kCoarsestEdge && refinements < kMostRefinements; edge *= 2)
+    ++refinements;
+  return refinements;
+}
+
+GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
+                                 const Material& material,
+                                 const std::vector<Attachment>& attachments) {
+  edge_divisions(pattern, edge_length);  // refuses impossible edge lengths before the work starts
+  const int refinements = hierarchy_refinements(edge_length);
+  const double coarsest = edge_length * (1 << refinements);
+  const std::vector<std::vector<int>> divisions = edge_divisions(pattern, coarsest);
+
+  GarmentHierarchy hierarchy;
+  hierarchy.pattern = pattern;
+  std::vector<PanelMesh> meshes;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p)
+    meshes.push_back(mesh_panel(pattern.panels[p], divisions[p], coarsest));
+  SewnPanels sewn = sew_panels(pattern, meshes, material);
+  hierarchy.parents.push_back({});
+  for (int v = 0; v < sewn.garment.vertex_count; ++v) hierarchy.parents[0].push_back({v, v});
+
+  for (int level = 0;; ++level) {
+    attach(sewn.garment, pattern, attachments);
+    hierarchy.levels.push_back(sewn.garment);
+    if (level == refinements) return hierarchy;
+
+    std::vector<std::vector<std::array<int, 2>>> local(pattern.panels.size());
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p)
+      meshes[p] = subdivide(meshes[p], pattern.panels[p], local[p]);
+    SewnPanels finer = sew_panels(pattern, meshes, material, &sewn.vertex_of);
+    std::vector<std::array<int, 2>> parents(finer.garment.vertex_count);
+    for (std::size_t p = 0; p < local.size(); ++p)
+      for (std::size_t i = 0; i < local[p].size(); ++i) {
+        const auto [a, b] = local[p][i];
+        parents[finer.vertex_of[p][i]] = {sewn.vertex_of[p][a], sewn.vertex_of[p][b]};
+      }
+    hierarchy.parents.push_back(parents);
+    sewn = std::move(finer);
+  }
+}
+
+}  // namespace loosefit

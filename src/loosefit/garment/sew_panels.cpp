@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "loosefit/base/error.h"
+#include "loosefit/garment/assemble.h"
+#include "loosefit/garment/surface_check.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit {
+namespace {
+
+/// Union-find over all panel vertices; the lowest member represents its class.
+class Welds {
+ public:
+  explicit Welds(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int a, int b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+std::string seam_key(const Stitch& stitch, std::size_t index) {
+  return "stitch " + (stitch.name.empty() ? std::to_string(index) : stitch.name);
+}
+
+/// +1 for panels as drawn, −1 for panels turned over because a right_wrong seam joins them.
+std::vector<int> panel_signs(const Pattern& pattern) {
+  std::vector<int> sign(pattern.panels.size(), 0);
+  for (std::size_t seed = 0; seed < sign.size(); ++seed) {
+    if (sign[seed] != 0) continue;
+    sign[seed] = 1;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+        const Stitch& stitch = pattern.stitches[s];
+        int &a = sign[stitch.first.panel], &b = sign[stitch.second.panel];
+        const int turn = stitch.right_wrong ? -1 : 1;
+        if (a != 0 && b == 0) b = turn * a, grown = true;
+        if (b != 0 && a == 0) a = turn * b, grown = true;
+        if (a != 0 && b != 0 && a != turn * b)
+          throw GeometryError(InputPlace{{}, 0, seam_key(stitch, s)},
+                              "a seam that makes the cloth one-sided (Möbius strip)",
+                              "an outside that continues across every seam",
+                              "reverse one side, or use right_wrong on both ends of the band");
+      }
+    }
+  }
+  return sign;
+}
+
+void check_gathers(const Pattern& pattern) {
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const Stitch& stitch = pattern.stitches[s];
+    const double a = EdgePath(pattern.panels[stitch.first.panel], stitch.first.edge).length();
+    const double b = EdgePath(pattern.panels[stitch.second.panel], stitch.second.edge).length();
+    if (std::max(a, b) > kGatherLimit * std::min(a, b))
+      throw GeometryError(InputPlace{{}, 0, seam_key(stitch, s)},
+                          fmt::format("sides of {:.4f} m and {:.4f} m", a, b),
+                          fmt::format("a gather of at most {:g} to 1", kGatherLimit),
+                          "the seam cannot close");
+  }
+}
+
+}  // namespace
+
+SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& meshes,
+                      const Material& material, const std::vector<std::vector<int>>* coarser) {
+  check_gathers(pattern);
+  const int panels = static_cast<int>(meshes.size());
+  std::vector<int> first(panels + 1, 0);
+  for (int p = 0; p < panels; ++p)
+    first[p + 1] = first[p] + static_cast<int>(meshes[p].vertices.size());
+
+  Welds welds(first[panels]);
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const Stitch& stitch = pattern.stitches[s];
+    const auto& a = meshes[stitch.first.panel].edge_vertices[stitch.first.edge];
+    const auto& b = meshes[stitch.second.panel].edge_vertices[stitch.second.edge];
+    if (a.size() != b.size())
+      throw GeometryError(InputPlace{{}, 0, seam_key(stitch, s)},
+                          fmt::format("{} and {} vertices", a.size(), b.size()),
+                          "equal counts on both sides");
+    for (std::size_t i = 0; i < a.size(); ++i)
+      welds.join(first[stitch.first.panel] + a[i],
+                 first[stitch.second.panel] + b[stitch.right_wrong ? i : b.size() - 1 - i]);
+  }
+
+  SewnPanels sewn;
+  Garment& g = sewn.garment;
+  std::vector<int> number(first[panels], -1);
+  if (coarser) {
+    for (int p = 0; p < panels; ++p)
+      for (std::size_t i = 0; i < (*coarser)[p].size(); ++i) {
+        number[welds.root(first[p] + static_cast<int>(i))] = (*coarser)[p][i];
+        g.vertex_count = std::max(g.vertex_count, (*coarser)[p][i] + 1);
+      }
+  }
+  sewn.vertex_of.resize(panels);
+  for (int p = 0; p < panels; ++p)
+    for (int i = first[p]; i < first[p + 1]; ++i) {
+      int& n = number[welds.root(i)];
+      if (n < 0) n = g.vertex_count++;
+      sewn.vertex_of[p].push_back(n);
+    }
+
+  g.vertex_panel.assign(g.vertex_count, -1);
+  g.vertex_uv.assign(g.vertex_count, Vec2::Zero());
+  g.vertex_mass.assign(g.vertex_count, 0);
+  const std::vector<int> sign = panel_signs(pattern);
+  for (int p = 0; p < panels; ++p) {
+    g.panel_names.push_back(pattern.panels[p].name);
+    for (std::size_t i = 0; i < meshes[p].vertices.size(); ++i) {
+      const int v = sewn.vertex_of[p][i];
+      if (g.vertex_panel[v] >= 0) continue;
+      g.vertex_panel[v] = p;
+      g.vertex_uv[v] = meshes[p].vertices[i];
+    }
+    for (Triangle t : meshes[p].triangles) {
+      if (sign[p] < 0) std::swap(t[1], t[2]);
+      std::array<Vec2, 3> uv;
+      Triangle corners;
+      for (int i = 0; i < 3; ++i) {
+        uv[i] = meshes[p].vertices[t[i]];
+        corners[i] = sewn.vertex_of[p][t[i]];
+      }
+      const Vec2 u = uv[1] - uv[0], v = uv[2] - uv[0];
+      const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+      g.area += area;
+      for (const int c : corners) g.vertex_mass[c] += area * material.areal_density / 3;
+      g.triangles.push_back(corners);
+      g.triangle_uv.push_back(uv);
+      g.triangle_panel.push_back(p);
+    }
+    for (std::size_t e = 0; e < meshes[p].edge_vertices.size(); ++e) {
+      Garment::EdgeChain chain{p, static_cast<int>(e), pattern.panels[p].edges[e].name, {}};
+      for (const int i : meshes[p].edge_vertices[e]) chain.vertices.push_back(sewn.vertex_of[p][i]);
+      g.edge_chains.push_back(chain);
+    }
+  }
+  g.triangle_membrane_factor.assign(g.triangles.size(), 1.0);
+  g.triangle_added_bending.assign(g.triangles.size(), 0.0);
+  g.mass = g.area * material.areal_density;
+  check_surface(g);
+  return sewn;
+}
+
+}  // namespace loosefit

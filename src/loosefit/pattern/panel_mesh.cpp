@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "loosefit/pattern/mesher.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit {
+
+double smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
+  double smallest = kPi;
+  const Vec2 corner[3] = {a, b, c};
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 u = corner[(i + 1) % 3] - corner[i], v = corner[(i + 2) % 3] - corner[i];
+    smallest = std::min(smallest, std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+  }
+  return smallest;
+}
+
+MeshQuality mesh_quality(const PanelMesh& mesh) {
+  MeshQuality quality;
+  double edges = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec2 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
+    const double angle = smallest_angle(p, q, r);
+    quality.smallest_angle = std::min(quality.smallest_angle, angle);
+    quality.mean_angle += angle;
+    edges += (q - p).norm() + (r - q).norm() + (p - r).norm();
+  }
+  const double n = std::max<std::size_t>(mesh.triangles.size(), 1);
+  quality.mean_angle /= n;
+  quality.mean_edge = edges / n / 3;
+  return quality;
+}
+
+PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
+                    std::vector<std::array<int, 2>>& parents) {
+  PanelMesh fine;
+  fine.vertices = coarse.vertices;
+  parents.clear();
+  for (int i = 0; i < static_cast<int>(coarse.vertices.size()); ++i) parents.push_back({i, i});
+  std::map<std::pair<int, int>, int> middle_of;
+  const auto middle = [&](int a, int b) {
+    const auto [it, added] =
+        middle_of.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
+    if (added) {
+      fine.vertices.push_back((coarse.vertices[a] + coarse.vertices[b]) / 2);
+      parents.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return it->second;
+  };
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    fine.triangles.push_back({a, ab, ca});
+    fine.triangles.push_back({b, bc, ab});
+    fine.triangles.push_back({c, ca, bc});
+    fine.triangles.push_back({ab, bc, ca});
+  }
+  std::vector<Vec2> on_curve = fine.vertices;
+  std::vector<bool> moved(fine.vertices.size(), false);
+  for (std::size_t e = 0; e < coarse.edge_vertices.size(); ++e) {
+    const std::vector<int>& chain = coarse.edge_vertices[e];
+    const EdgePath path(panel, static_cast<int>(e));
+    const int segments = static_cast<int>(chain.size()) - 1;
+    std::vector<int> finer{chain[0]};
+    for (int i = 0; i < segments; ++i) {
+      const int m = middle(chain[i], chain[i + 1]);
+      on_curve[m] = path.at((i + 0.5) / segments);
+      moved[m] = true;
+      finer.push_back(m);
+      finer.push_back(chain[i + 1]);
+    }
+    fine.edge_vertices.push_back(finer);
+  }
+  // A curve that bulges further than its triangle is deep keeps the chord's midpoint.
+  const std::vector<Vec2> chord = std::exchange(fine.vertices, on_curve);
+  for (bool again = true; again;) {
+    again = false;
+    for (const Triangle& t : fine.triangles) {
+      if (smallest_angle(fine.vertices[t[0]], fine.vertices[t[1]], fine.vertices[t[2]]) > 0.05)
+        continue;
+      for (const int v : t)
+        if (moved[v]) fine.vertices[v] = chord[v], moved[v] = false, again = true;
+    }
+  }
+  return fine;
+}
+
+}  // namespace loosefit
