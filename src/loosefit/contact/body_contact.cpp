@@ -1,0 +1,130 @@
+#include "loosefit/contact/body_contact.h"
+
+#include <tbb/parallel_for.h>
+
+#include <map>
+
+namespace loosefit {
+
+std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
+                                         const std::vector<double>& triangle_area, int particles,
+                                         double offset) {
+  std::vector<ContactPoint> points(particles);
+  for (int i = 0; i < particles; ++i) {
+    points[i].particle[0] = i;
+    points[i].weight[0] = 1;
+    points[i].offset = offset;
+  }
+  std::map<std::pair<int, int>, double> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      points[triangles[t][k]].area += triangle_area[t] / 12;
+      edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])] += triangle_area[t] / 4;
+    }
+  for (const auto& [edge, area] : edges) {
+    ContactPoint p;
+    p.particle = {edge.first, edge.second, 0};
+    p.weight = {0.5, 0.5, 0};
+    p.count = 2;
+    p.area = area;
+    p.offset = offset;
+    points.push_back(p);
+  }
+  return points;
+}
+
+BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
+                         double stick_reach)
+    : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
+
+Vec3 BodyContact::position(const ContactPoint& p, const VectorField& x) const {
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < p.count; ++k) sum += p.weight[k] * x[p.particle[k]];
+  return sum;
+}
+
+std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x, bool with_hessian) const {
+  std::vector<Touch> result(points_.size());
+  if (!field_) return result;
+  tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+    result[i].active =
+        field_->sample(position(points_[i], x), points_[i].offset, with_hessian, result[i].sample);
+  });
+  return result;
+}
+
+void BodyContact::begin_step(const VectorField& x, double) {
+  if (friction_.coefficient() <= 0) return;
+  std::vector<FrictionContact> contacts;
+  const auto touch = touches(x, false);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!touch[i].active) continue;
+    const ContactPoint& p = points_[i];
+    FrictionContact c;
+    c.key = i;
+    c.count = p.count;
+    for (int k = 0; k < p.count; ++k) {
+      c.particle[k] = p.particle[k];
+      c.weight[k] = p.weight[k];
+    }
+    const double slope = touch[i].sample.gradient.norm();
+    if (!(slope > 0)) continue;
+    c.normal = touch[i].sample.gradient / slope;
+    c.normal_force = stiffness_ * p.area * (p.offset - touch[i].sample.distance) * slope;
+    contacts.push_back(c);
+  }
+  friction_.restart(std::move(contacts), x);
+}
+
+double BodyContact::value(const VectorField& x) const {
+  double energy = 0;
+  const auto touch = touches(x, false);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (touch[i].active) {
+      const double depth = points_[i].offset - touch[i].sample.distance;
+      energy += 0.5 * stiffness_ * points_[i].area * depth * depth;
+    }
+  return energy + friction_.value(x);
+}
+
+void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
+  const auto touch = touches(x, false);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (touch[i].active) {
+      const ContactPoint& p = points_[i];
+      const double depth = p.offset - touch[i].sample.distance;
+      const Vec3 force = -stiffness_ * p.area * depth * touch[i].sample.gradient;
+      for (int k = 0; k < p.count; ++k) g[p.particle[k]] += p.weight[k] * force;
+    }
+  friction_.add_gradient(x, g);
+}
+
+void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
+  for (const ContactPoint& p : points_)
+    for (int a = 0; a < p.count; ++a)
+      for (int b = 0; b < a; ++b) pattern.add(p.particle[a], p.particle[b]);
+}
+
+void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
+  const bool exact = kind == HessianKind::exact;
+  const auto touch = touches(x, exact);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!touch[i].active) continue;
+    const ContactPoint& p = points_[i];
+    const auto& s = touch[i].sample;
+    Mat3 block = stiffness_ * p.area * s.gradient * s.gradient.transpose();
+    if (exact) block -= stiffness_ * p.area * (p.offset - s.distance) * s.hessian;
+    for (int a = 0; a < p.count; ++a)
+      for (int b = 0; b <= a; ++b)
+        h.add(p.particle[a], p.particle[b], p.weight[a] * p.weight[b] * block);
+  }
+  friction_.add_hessian(x, h);
+}
+
+int BodyContact::active(const VectorField& x) const {
+  int count = 0;
+  for (const Touch& t : touches(x, false)) count += t.active;
+  return count;
+}
+
+}  // namespace loosefit

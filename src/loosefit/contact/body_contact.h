@@ -1,0 +1,62 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "loosefit/contact/body_field.h"
+#include "loosefit/contact/friction.h"
+
+namespace loosefit {
+
+/// A point of the cloth that may touch the body: Σ weight · particle.
+struct ContactPoint {
+  std::array<int, 3> particle{};
+  std::array<double, 3> weight{};
+  int count = 1;
+  double area = 0;    ///< cloth area it stands for [m²]
+  double offset = 0;  ///< rest distance of the mid-surface from the skin [m]
+};
+
+/// Vertices and edge midpoints of a triangle mesh as contact points; areas from the flat triangles,
+/// a quarter to the vertices and three quarters to the midpoints.
+std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
+                                         const std::vector<double>& triangle_area, int particles,
+                                         double offset);
+
+/// Unilateral contact of the cloth with the body. The cloth is a layer of finite thickness that can
+/// be compressed: with d the distance of its mid-surface to the skin
+///
+///   Π_n = Σ ½ k A (offset − d)₊²,     pressure p = k (offset − d)₊      [J], [Pa], k [Pa/m]
+///
+/// so the gap error is p/k, below the half thickness. Friction per contact point, see Friction.
+class BodyContact : public Energy {
+ public:
+  BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
+              double stick_reach);
+
+  /// The body moved or changed: contacts keep their anchors unless `forget_anchors`.
+  void set_field(std::shared_ptr<const BodyField> field) { field_ = std::move(field); }
+  void forget_anchors() { friction_.forget(); }
+  std::vector<ContactPoint>& points() { return points_; }
+
+  void begin_step(const VectorField& x, double dt) override;
+  double value(const VectorField& x) const override;
+  void add_gradient(const VectorField& x, VectorField& g) const override;
+  void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
+  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+
+  int active(const VectorField& x) const;
+
+ private:
+  struct Touch {
+    bool active = false;
+    BodyField::Sample sample;
+  };
+  Vec3 position(const ContactPoint& p, const VectorField& x) const;
+  std::vector<Touch> touches(const VectorField& x, bool with_hessian) const;
+  std::vector<ContactPoint> points_;
+  std::shared_ptr<const BodyField> field_;
+  double stiffness_;
+  Friction friction_;
+};
+
+}  // namespace loosefit

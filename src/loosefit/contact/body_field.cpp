@@ -1,0 +1,175 @@
+#include "loosefit/contact/body_field.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <limits>
+
+namespace loosefit {
+namespace {
+
+constexpr double kBandCells = 3.2;  ///< half width of the sampled band in cells
+
+/// Catmull-Rom weights of the four nodes around t ∈ [0, 1], with first and second derivatives.
+struct Weights {
+  double w[4], d[4], dd[4];
+  explicit Weights(double t) {
+    const double t2 = t * t, t3 = t2 * t;
+    w[0] = 0.5 * (-t + 2 * t2 - t3);
+    w[1] = 0.5 * (2 - 5 * t2 + 3 * t3);
+    w[2] = 0.5 * (t + 4 * t2 - 3 * t3);
+    w[3] = 0.5 * (-t2 + t3);
+    d[0] = 0.5 * (-1 + 4 * t - 3 * t2);
+    d[1] = 0.5 * (-10 * t + 9 * t2);
+    d[2] = 0.5 * (1 + 8 * t - 9 * t2);
+    d[3] = 0.5 * (-2 * t + 3 * t2);
+    dd[0] = 2 - 3 * t;
+    dd[1] = -5 + 9 * t;
+    dd[2] = 4 - 9 * t;
+    dd[3] = -1 + 3 * t;
+  }
+};
+
+}  // namespace
+
+BodyField::BodyField(const ClosestPointTree& tree, const Box3& region, double spacing)
+    : tree_(tree), spacing_(spacing) {
+  constexpr double kMaxNodes = 2e7;  // 100 MB
+  const Vec3 margin = Vec3::Constant(4 * spacing_);
+  origin_ = region.min() - margin;
+  const Vec3 extent = region.sizes() + 2 * margin;
+  while (extent.prod() / (spacing_ * spacing_ * spacing_) > kMaxNodes) spacing_ *= 1.25;
+  for (int k = 0; k < 3; ++k) size_[k] = 4 + static_cast<int>(extent[k] / spacing_);
+  const int count = size_[0] * size_[1] * size_[2];
+  value_.assign(count, std::numeric_limits<float>::quiet_NaN());
+  zone_.assign(count, Zone::inside);
+
+  // Mark the nodes near each triangle, then measure the marked ones exactly.
+  const double band = kBandCells * spacing_;
+  std::vector<char> marked(count, 0);
+  const TriangleMesh& mesh = tree.mesh();
+  for (const Triangle& t : mesh.triangles) {
+    Box3 box;
+    for (int v : t) box.extend(mesh.vertices[v]);
+    int lower[3], upper[3];
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = std::max(0, static_cast<int>(std::ceil((box.min()[k] - band - origin_[k]) / spacing_)));
+      upper[k] = std::min(size_[k] - 1, static_cast<int>(std::floor((box.max()[k] + band - origin_[k]) / spacing_)));
+    }
+    for (int z = lower[2]; z <= upper[2]; ++z)
+      for (int y = lower[1]; y <= upper[1]; ++y)
+        for (int x = lower[0]; x <= upper[0]; ++x) marked[index(x, y, z)] = 1;
+  }
+  tbb::parallel_for(0, size_[2], [&](int z) {
+    for (int y = 0; y < size_[1]; ++y)
+      for (int x = 0; x < size_[0]; ++x)
+        if (marked[index(x, y, z)]) {
+          const Vec3 p = origin_ + spacing_ * Vec3(x, y, z);
+          value_[index(x, y, z)] = static_cast<float>(tree_.signed_distance(p));
+          zone_[index(x, y, z)] = Zone::band;
+        }
+  });
+
+  // What can be reached from the rim of the grid without crossing the band is outside.
+  std::vector<int> stack;
+  const auto visit = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= size_[0] || y >= size_[1] || z >= size_[2]) return;
+    const int i = index(x, y, z);
+    if (zone_[i] != Zone::inside) return;
+    zone_[i] = Zone::outside;
+    stack.push_back(i);
+  };
+  // The rim may cut through the body (legs, head): only rim nodes that are outside seed the flood.
+  const auto seed = [&](int x, int y, int z) {
+    if (zone_[index(x, y, z)] == Zone::inside &&
+        tree_.signed_distance(origin_ + spacing_ * Vec3(x, y, z)) > 0)
+      visit(x, y, z);
+  };
+  const auto drain = [&] {
+    while (!stack.empty()) {
+      const int i = stack.back();
+      stack.pop_back();
+      const int x = i % size_[0], y = i / size_[0] % size_[1], z = i / (size_[0] * size_[1]);
+      visit(x - 1, y, z);
+      visit(x + 1, y, z);
+      visit(x, y - 1, z);
+      visit(x, y + 1, z);
+      visit(x, y, z - 1);
+      visit(x, y, z + 1);
+    }
+  };
+  for (int x : {0, size_[0] - 1})
+    for (int y : {0, size_[1] - 1})
+      for (int z : {0, size_[2] - 1}) {
+        seed(x, y, z);
+        drain();
+      }
+  for (int z = 0; z < size_[2]; ++z)
+    for (int y = 0; y < size_[1]; ++y)
+      for (int x = 0; x < size_[0]; ++x)
+        if (x == 0 || y == 0 || z == 0 || x + 1 == size_[0] || y + 1 == size_[1] || z + 1 == size_[2]) {
+          seed(x, y, z);
+          drain();
+        }
+}
+
+bool BodyField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
+  const Vec3 q = (p - origin_) / spacing_;
+  int cell[3];
+  bool on_grid = true;
+  for (int k = 0; k < 3; ++k) {
+    cell[k] = static_cast<int>(std::floor(q[k]));
+    on_grid &= cell[k] >= 1 && cell[k] + 2 < size_[k];
+  }
+  if (on_grid) {
+    const int nearest = index(static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])),
+                              static_cast<int>(std::lround(q[2])));
+    if (zone_[nearest] == Zone::outside) return false;
+    // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
+    if (zone_[nearest] == Zone::band && value_[nearest] > reach + 0.9 * spacing_) return false;
+    const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
+    double f = 0, fx = 0, fy = 0, fz = 0, fxx = 0, fyy = 0, fzz = 0, fxy = 0, fxz = 0, fyz = 0;
+    for (int c = 0; c < 4; ++c)
+      for (int b = 0; b < 4; ++b) {
+        const float* row = &value_[index(cell[0] - 1, cell[1] - 1 + b, cell[2] - 1 + c)];
+        double v = 0, vx = 0, vxx = 0;
+        for (int a = 0; a < 4; ++a) {
+          v += wx.w[a] * row[a];
+          vx += wx.d[a] * row[a];
+          vxx += wx.dd[a] * row[a];
+        }
+        const double yz = wy.w[b] * wz.w[c];
+        f += yz * v;
+        fx += yz * vx;
+        fy += wy.d[b] * wz.w[c] * v;
+        fz += wy.w[b] * wz.d[c] * v;
+        if (with_hessian) {
+          fxx += yz * vxx;
+          fyy += wy.dd[b] * wz.w[c] * v;
+          fzz += wy.w[b] * wz.dd[c] * v;
+          fxy += wy.d[b] * wz.w[c] * vx;
+          fxz += wy.w[b] * wz.d[c] * vx;
+          fyz += wy.d[b] * wz.d[c] * v;
+        }
+      }
+    if (std::isfinite(f)) {
+      out.distance = f;
+      out.gradient = Vec3(fx, fy, fz) / spacing_;
+      if (with_hessian) {
+        out.hessian << fxx, fxy, fxz, fxy, fyy, fyz, fxz, fyz, fzz;
+        out.hessian /= spacing_ * spacing_;
+      }
+      return out.distance < reach;
+    }
+  }
+  // Off the band: deep inside the body, at the rim of the band, or off the grid. Ask the surface.
+  ClosestPoint hit;
+  const double d = tree_.signed_distance(p, &hit);
+  if (!(d < reach)) return false;
+  out.distance = d;
+  out.gradient = d == 0 ? Vec3(Vec3::Zero()) : Vec3((p - hit.point) / d);
+  out.hessian.setZero();
+  return true;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "loosefit/geometry/box_pairs.h"
+#include "loosefit/geometry/closest_point.h"
+
+namespace loosefit {
+
+/// Smooth signed distance to a body surface for contact: exact point-to-surface distance sampled on
+/// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
+/// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall Newton.
+/// Not used for the distance map, which asks the surface itself.
+class BodyField {
+ public:
+  /// region: where distances are wanted; spacing of the grid [m].
+  /// \pre surface is closed and oriented outwards; the tree outlives the field.
+  BodyField(const ClosestPointTree& tree, const Box3& region, double spacing = 0.005);
+
+  struct Sample {
+    double distance = 0;  ///< [m], negative inside
+    Vec3 gradient = Vec3::Zero();
+    Mat3 hessian = Mat3::Zero();  ///< [1/m]
+  };
+  /// False when p lies farther than `reach` outside (nothing is computed then). Derivatives are
+  /// those of the interpolant, so that an energy of the distance is exactly integrable.
+  bool sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const;
+
+ private:
+  enum class Zone : std::uint8_t { band, outside, inside };
+  int index(int x, int y, int z) const { return (z * size_[1] + y) * size_[0] + x; }
+  const ClosestPointTree& tree_;
+  Vec3 origin_;
+  double spacing_;
+  std::array<int, 3> size_;
+  std::vector<float> value_;  ///< NaN off the band
+  std::vector<Zone> zone_;
+};
+
+}  // namespace loosefit

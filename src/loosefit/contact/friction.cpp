@@ -1,0 +1,76 @@
+#include "loosefit/contact/friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loosefit {
+
+Vec3 Friction::slide(const FrictionContact& c, const VectorField& x) const {
+  Vec3 u = c.offset;
+  for (int k = 0; k < c.count; ++k)
+    u += c.weight[k] * (x[c.particle[k]] - start_[c.particle[k]]);
+  return u - c.normal * c.normal.dot(u);
+}
+
+void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
+  for (FrictionContact& c : contacts) {
+    c.offset.setZero();
+    const auto old = std::lower_bound(
+        contacts_.begin(), contacts_.end(), c.key,
+        [](const FrictionContact& o, std::uint64_t key) { return o.key < key; });
+    if (old == contacts_.end() || old->key != c.key) continue;
+    Vec3 u = slide(*old, x);
+    const double length = u.norm();
+    if (length > reach_) u *= reach_ / length;
+    c.offset = u - c.normal * c.normal.dot(u);
+  }
+  contacts_ = std::move(contacts);
+  start_ = x;
+}
+
+double Friction::value(const VectorField& x) const {
+  double energy = 0;
+  for (const FrictionContact& c : contacts_) {
+    const double s = slide(c, x).norm() / reach_;
+    // Integral of s(2 − s) up to 1, then linear.
+    const double f = s < 1 ? s * s * (1 - s / 3) : s - 1.0 / 3.0;
+    energy += coefficient_ * c.normal_force * reach_ * f;
+  }
+  return energy;
+}
+
+void Friction::add_gradient(const VectorField& x, VectorField& g) const {
+  for (const FrictionContact& c : contacts_) {
+    const Vec3 u = slide(c, x);
+    const double s = u.norm() / reach_;
+    const double per_length = s < 1 ? (2 - s) / reach_ : 1 / (s * reach_);  // f₀'/|u|
+    const Vec3 force = coefficient_ * c.normal_force * per_length * u;
+    for (int k = 0; k < c.count; ++k) g[c.particle[k]] += c.weight[k] * force;
+  }
+}
+
+void Friction::add_pattern(BlockPattern& pattern) const {
+  for (const FrictionContact& c : contacts_)
+    for (int a = 0; a < c.count; ++a)
+      for (int b = 0; b < a; ++b) pattern.add(c.particle[a], c.particle[b]);
+}
+
+void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
+  for (const FrictionContact& c : contacts_) {
+    const Vec3 u = slide(c, x);
+    const double length = u.norm(), s = length / reach_;
+    const Mat3 plane = Mat3::Identity() - c.normal * c.normal.transpose();
+    Mat3 stiffness = (s < 1 ? (2 - s) / reach_ : 1 / length) * plane;
+    if (length > 0) {
+      const Vec3 t = u / length;
+      // d(f₀'/|u|)/d|u| · |u|: −s/reach inside, −1/|u| outside.
+      stiffness -= (s < 1 ? s / reach_ : 1 / length) * t * t.transpose();
+    }
+    stiffness *= coefficient_ * c.normal_force;
+    for (int a = 0; a < c.count; ++a)
+      for (int b = 0; b <= a; ++b)
+        h.add(c.particle[a], c.particle[b], c.weight[a] * c.weight[b] * stiffness);
+  }
+}
+
+}  // namespace loosefit

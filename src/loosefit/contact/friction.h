@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "loosefit/particles/energy.h"
+
+namespace loosefit {
+
+/// One frictional contact, frozen at the start of a step: the relative point Σ w_k x_k may slide in
+/// the plane normal to `normal`. For body contact the weights sum to 1, for self contact to 0.
+struct FrictionContact {
+  std::uint64_t key = 0;       ///< identity of the contact across steps
+  std::array<int, 4> particle{};
+  std::array<double, 4> weight{};
+  int count = 0;
+  Vec3 normal = Vec3::UnitZ();
+  double normal_force = 0;     ///< λ ≥ 0 [N]
+  Vec3 offset = Vec3::Zero();  ///< elastic tangential displacement at the start of the step [m]
+};
+
+/// Coulomb friction with lagged normal force as an incremental potential
+///
+///   Π = Σ μ λ f₀(|u|),  u = (I − n nᵀ)(u₀ + Σ w_k (x_k − x_k,start))                        [J]
+///   f₀' = s (2 − s) for s = |u|/ε < 1, 1 beyond (C¹)
+///
+/// so |F_t| ≤ μ λ always, sticking is a spring of reach ε [m], and sliding dissipates because
+/// `restart` moves the anchor: the stored u is returned to the circle |u| ≤ ε (elastic predictor,
+/// plastic corrector). Not conservative over steps; within a step it is a potential.
+/// Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping, Simo and Hughes 1998.
+class Friction {
+ public:
+  Friction(double coefficient, double stick_reach)
+      : coefficient_(coefficient), reach_(stick_reach) {}
+  double coefficient() const { return coefficient_; }
+
+  /// Contacts of the new step at x (sorted by key); contacts known before keep their anchors.
+  void restart(std::vector<FrictionContact> contacts, const VectorField& x);
+  /// Drops all contacts with their anchors.
+  void forget() { contacts_.clear(); }
+
+  double value(const VectorField& x) const;
+  void add_gradient(const VectorField& x, VectorField& g) const;
+  void add_pattern(BlockPattern& pattern) const;
+  void add_hessian(const VectorField& x, BlockMatrix& h) const;
+  const std::vector<FrictionContact>& contacts() const { return contacts_; }
+
+ private:
+  Vec3 slide(const FrictionContact& c, const VectorField& x) const;
+  double coefficient_, reach_;
+  std::vector<FrictionContact> contacts_;
+  VectorField start_;
+};
+
+}  // namespace loosefit

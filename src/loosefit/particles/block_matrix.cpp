@@ -1,0 +1,43 @@
+#include "loosefit/particles/block_matrix.h"
+
+namespace loosefit {
+
+void BlockPattern::compress() {
+  for (auto& rows : rows_of_column_) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  }
+}
+
+BlockMatrix::BlockMatrix(const BlockPattern& pattern) {
+  const auto& columns = pattern.rows_of_column();
+  column_start_.reserve(columns.size() + 1);
+  for (const auto& rows : columns) {
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    column_start_.push_back(static_cast<int>(rows_.size()));
+  }
+  blocks_.assign(rows_.size(), Mat3::Zero());
+}
+
+bool BlockMatrix::same_pattern(const BlockPattern& pattern) const {
+  const auto& columns = pattern.rows_of_column();
+  if (static_cast<int>(columns.size()) != particles()) return false;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (static_cast<int>(columns[j].size()) != column_start_[j + 1] - column_start_[j]) return false;
+    if (!std::equal(columns[j].begin(), columns[j].end(), rows_.begin() + column_start_[j]))
+      return false;
+  }
+  return true;
+}
+
+void BlockMatrix::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  y.setZero(x.size());
+  for (int j = 0; j < particles(); ++j)
+    for (int k = column_start_[j]; k < column_start_[j + 1]; ++k) {
+      const int i = rows_[k];
+      y.segment<3>(3 * i) += blocks_[k] * x.segment<3>(3 * j);
+      if (i != j) y.segment<3>(3 * j) += blocks_[k].transpose() * x.segment<3>(3 * i);
+    }
+}
+
+}  // namespace loosefit

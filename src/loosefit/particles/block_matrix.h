@@ -1,0 +1,68 @@
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+/// Set of 3 x 3 blocks of a symmetric matrix; only row ≥ column is kept.
+class BlockPattern {
+ public:
+  explicit BlockPattern(int particles) : rows_of_column_(particles) {
+    for (int i = 0; i < particles; ++i) rows_of_column_[i].push_back(i);
+  }
+  void add(int i, int j) { rows_of_column_[std::min(i, j)].push_back(std::max(i, j)); }
+  /// Adds every pair of the stencil.
+  template <class Stencil>
+  void add_clique(const Stencil& particles) {
+    for (std::size_t a = 0; a < particles.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) add(particles[a], particles[b]);
+  }
+  /// Sorts and removes duplicates; call before use.
+  void compress();
+  const std::vector<std::vector<int>>& rows_of_column() const { return rows_of_column_; }
+
+ private:
+  std::vector<std::vector<int>> rows_of_column_;
+};
+
+/// Symmetric block-sparse matrix, lower triangle, compressed columns of 3 x 3 blocks.
+class BlockMatrix {
+ public:
+  BlockMatrix() = default;
+  /// \pre pattern is compressed
+  explicit BlockMatrix(const BlockPattern& pattern);
+  bool same_pattern(const BlockPattern& pattern) const;
+  void set_zero() { std::fill(blocks_.begin(), blocks_.end(), Mat3::Zero()); }
+  int particles() const { return static_cast<int>(column_start_.size()) - 1; }
+
+  /// Adds `block` at (i, j), and by symmetry its transpose at (j, i). For i ≠ j call it once per
+  /// unordered pair. \pre the block is in the pattern
+  void add(int i, int j, const Mat3& block) {
+    if (i >= j)
+      blocks_[find(i, j)] += block;
+    else
+      blocks_[find(j, i)] += block.transpose();
+  }
+  /// y = A x for flat vectors of 3 n numbers (both triangles).
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  const std::vector<int>& column_start() const { return column_start_; }
+  const std::vector<int>& rows() const { return rows_; }
+  const std::vector<Mat3>& blocks() const { return blocks_; }
+  Mat3& diagonal(int i) { return blocks_[column_start_[i]]; }
+  Mat3& block(int k) { return blocks_[k]; }
+
+ private:
+  int find(int row, int column) const {
+    const auto first = rows_.begin() + column_start_[column];
+    const auto last = rows_.begin() + column_start_[column + 1];
+    return static_cast<int>(std::lower_bound(first, last, row) - rows_.begin());
+  }
+  std::vector<int> column_start_{0};
+  std::vector<int> rows_;
+  std::vector<Mat3> blocks_;
+};
+
+}  // namespace loosefit

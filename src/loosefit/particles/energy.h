@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/base/types.h"
+#include "loosefit/particles/block_matrix.h"
+
+namespace loosefit {
+
+/// One 3-vector per particle: positions [m], displacements [m], forces [N] or gradients [N].
+using VectorField = std::vector<Vec3>;
+
+/// Which second derivative the solver wants.
+enum class HessianKind {
+  exact,     ///< the derivative of the gradient, possibly indefinite
+  definite,  ///< a positive semi-definite approximation: every element block is ⪰ 0
+};
+
+/// A contribution to the total potential Π(x) [J] of the particles. Force = −∂Π/∂x.
+///
+/// Lagged state (contact sets, friction anchors, strains at the start of a time step) changes only
+/// in `begin_step` and `begin_search`, so between two such calls every energy is a plain smooth
+/// function of x and may be line-searched.
+class Energy {
+ public:
+  virtual ~Energy() = default;
+  /// A new time step of length dt [s] starts at x; dt = ∞ for a purely static step.
+  virtual void begin_step(const VectorField& /*x*/, double /*dt*/) {}
+  /// A line search from x along dx is about to start. Returns the largest share in (0, 1] of dx
+  /// that is admissible (1 = all of it).
+  virtual double begin_search(const VectorField& /*x*/, const VectorField& /*dx*/) { return 1.0; }
+  /// Π [J]; +∞ where x is not admissible.
+  virtual double value(const VectorField& x) const = 0;
+  /// g += ∂Π/∂x [N].
+  virtual void add_gradient(const VectorField& x, VectorField& g) const = 0;
+  /// Blocks (i, j) that add_hessian will touch at x.
+  virtual void add_pattern(const VectorField& x, BlockPattern& pattern) const = 0;
+  /// H += ∂²Π/∂x² [N/m].
+  virtual void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const = 0;
+};
+
+}  // namespace loosefit
