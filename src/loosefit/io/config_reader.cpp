@@ -43,12 +43,10 @@ ConfigReader::ConfigReader(const ConfigNode& table, std::string file, std::strin
     throw InvalidInput({file_, table.line, path_}, table.describe(), "a table of keys");
 }
 
-const ConfigNode* ConfigReader::find(const std::string& key) {
+const ConfigNode* ConfigReader::node(const std::string& key) {
   asked_.insert(key);
   return table_->find(key);
 }
-
-bool ConfigReader::has(const std::string& key) { return find(key) != nullptr; }
 
 InvalidInput ConfigReader::error(const std::string& key, const std::string& expected,
                                  const std::string& hint) const {
@@ -66,7 +64,7 @@ InvalidInput ConfigReader::error(const std::string& key, const std::string& foun
 
 std::optional<double> ConfigReader::optional_number(const std::string& key,
                                                     const NumberRange& range) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return std::nullopt;
   if (!is_number(*node)) throw error(key, expected_number(range));
   if (!within(node->number, range))
@@ -80,7 +78,7 @@ double ConfigReader::number(const std::string& key, double fallback, const Numbe
 
 long long ConfigReader::integer(const std::string& key, long long fallback, long long low,
                                 long long high) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return fallback;
   if (node->kind != Kind::integer || node->integer < low || node->integer > high)
     throw error(key, fmt::format("a whole number from {} to {}", low, high));
@@ -88,14 +86,14 @@ long long ConfigReader::integer(const std::string& key, long long fallback, long
 }
 
 bool ConfigReader::boolean(const std::string& key, bool fallback) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return fallback;
   if (node->kind != Kind::boolean) throw error(key, "true or false");
   return node->boolean;
 }
 
 std::string ConfigReader::text(const std::string& key, const std::string& fallback) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return fallback;
   if (node->kind != Kind::text) throw error(key, "text in quotes");
   if (node->text.empty()) throw error(key, "text that is not empty");
@@ -115,7 +113,7 @@ std::string ConfigReader::choice(const std::string& key, const std::string& fall
 std::vector<std::string> ConfigReader::choices(const std::string& key,
                                                const std::vector<std::string>& fallback,
                                                const std::vector<std::string>& known) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return fallback;
   if (node->kind != Kind::array) throw error(key, "an array of texts from " + join(known));
   std::vector<std::string> values;
@@ -144,14 +142,14 @@ Vec2 ConfigReader::point_of(const std::string& key, const ConfigNode& node,
 }
 
 Vec2 ConfigReader::point(const std::string& key, const NumberRange& range) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) throw error(key, "a point [u, v] in metres");
   return point_of(key, *node, range);
 }
 
 std::vector<Vec2> ConfigReader::points(const std::string& key, const NumberRange& range,
                                        std::size_t at_least) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node || node->kind != Kind::array || node->items.size() < at_least ||
       node->items.size() > 1000)
     throw error(key, fmt::format("an array of {} to 1000 points [u, v] in metres", at_least));
@@ -162,12 +160,12 @@ std::vector<Vec2> ConfigReader::points(const std::string& key, const NumberRange
 
 ConfigReader ConfigReader::table(const std::string& key) {
   static const ConfigNode kEmpty;
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   return {node ? *node : kEmpty, file_, path_.empty() ? key : path_ + "." + key};
 }
 
 std::vector<ConfigReader> ConfigReader::tables(const std::string& key) {
-  const ConfigNode* node = find(key);
+  const ConfigNode* node = this->node(key);
   if (!node) return {};
   if (node->kind != Kind::array)
     throw error(key, "an array of tables", "write [[" + key + "]] with double brackets");

@@ -26,7 +26,9 @@ class ConfigReader {
   /// Keeps a reference to the table.
   ConfigReader(const ConfigNode& table, std::string file, std::string path = {});
 
-  bool has(const std::string& key);
+  bool has(const std::string& key) { return node(key) != nullptr; }
+  /// The raw value, for keys of more than one type; nullptr if absent.
+  const ConfigNode* node(const std::string& key);
   double number(const std::string& key, double fallback, const NumberRange& range);
   std::optional<double> optional_number(const std::string& key, const NumberRange& range);
   long long integer(const std::string& key, long long fallback, long long low, long long high);
@@ -59,7 +61,6 @@ class ConfigReader {
                      const std::string& hint) const;
 
  private:
-  const ConfigNode* find(const std::string& key);
   Vec2 point_of(const std::string& key, const ConfigNode& node, const NumberRange& range) const;
 
   const ConfigNode* table_;

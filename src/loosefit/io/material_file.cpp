@@ -92,13 +92,16 @@ MaterialCard load_material(const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InvalidInput({"", 0, "material"}, "\"" + printable(name) + "\"",
                        "the name of a material card", did_you_mean(name, names));
-  return read_material_file(data_directory() / "materials" / (name + ".toml"));
+  MaterialCard card = read_material_file(data_directory() / "materials" / (name + ".toml"));
+  card.key = name;
+  return card;
 }
 
 MaterialCard read_material_file(const std::filesystem::path& path) {
   const ConfigNode root = read_toml(path.string());
   ConfigReader table(root, path.string());
   MaterialCard card;
+  card.key = std::filesystem::weakly_canonical(path).string();
   card.material.name = path.stem().string();
   card.title = table.text("title", card.material.name);
   card.status = table.text("status", "not stated");

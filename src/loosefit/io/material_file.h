@@ -10,6 +10,7 @@ namespace loosefit {
 
 /// A material card: the constants with where they come from and what to think of them.
 struct MaterialCard {
+  std::string key;  ///< name of the shipped card or absolute path of its file
   Material material;
   std::string title;
   std::string status;              ///< how far the numbers can be trusted

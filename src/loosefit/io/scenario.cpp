@@ -1,0 +1,61 @@
+#include "loosefit/io/scenario.h"
+
+#include <filesystem>
+#include <set>
+
+#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/text_file.h"
+
+namespace loosefit {
+namespace {
+
+// Names become file names, table rows and JSON keys, so two of the same kind must differ.
+template <class Spec>
+void refuse_equal_names(const std::vector<Spec>& specs, ConfigReader& root, const char* key) {
+  std::set<std::string> seen;
+  for (const Spec& spec : specs)
+    if (!seen.insert(spec.name).second)
+      throw root.error(key, "the name \"" + spec.name + "\" twice", "each name once", {});
+}
+
+}  // namespace
+
+Scenario parse_scenario(const std::string& text, const std::string& file) {
+  const ConfigNode node = parse_toml(text, file);
+  ConfigReader root(node, file);
+  Scenario scenario;
+  scenario.file = file;
+  scenario.body = read_body_section(root.table("body"));
+  scenario.garment = read_garment_section(root.table("garment"));
+  scenario.material = read_material_section(root.table("material"));
+  for (const ConfigReader& table : root.tables("attachment"))
+    scenario.attachments.push_back(read_attachment_section(table));
+  for (const ConfigReader& table : root.tables("site"))
+    scenario.sites.push_back(read_site_section(table));
+  scenario.simulation = read_simulation_section(root.table("simulation"));
+  scenario.output = read_output_section(root.table("output"));
+  root.finish();
+  refuse_equal_names(scenario.attachments, root, "attachment");
+  refuse_equal_names(scenario.sites, root, "site");
+  return scenario;
+}
+
+Scenario read_scenario(const std::string& path) {
+  return parse_scenario(read_text_file(path, 1000000), path);
+}
+
+Scenario default_scenario() { return parse_scenario("", ""); }
+
+std::string existing_file(ConfigReader& table, const std::string& key) {
+  namespace fs = std::filesystem;
+  const fs::path named = table.text(key, "");
+  std::error_code error;
+  const fs::path full = fs::weakly_canonical(
+      named.is_absolute() ? named : fs::path(table.file()).parent_path() / named, error);
+  if (error || !fs::is_regular_file(full, error))
+    throw table.error(key, "a file that exists",
+                      "paths are relative to the folder of the scenario");
+  return full.string();
+}
+
+}  // namespace loosefit

@@ -1,0 +1,108 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/io/material_file.h"
+#include "loosefit/pattern/shirt_draft.h"
+
+namespace loosefit {
+
+/// [body]: a parametric person or a mesh file.
+struct ScenarioBody {
+  double sex = 0;                              ///< 0 female … 1 male
+  double age = 30;                             ///< years
+  double height = 1.68;                        ///< [m]
+  std::map<std::string, double> measurements;  ///< wished tape measures [m]
+  double muscle = 0.5, proportions = 0.5, cup = 0.5, firmness = 0.5;
+  Posture posture;                             ///< in which the maps are made
+  Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
+  std::string file;   ///< mesh file instead of the parametric person; absolute
+  std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
+};
+
+/// [garment]: the shirt draft or a pattern file.
+struct ScenarioGarment {
+  std::string pattern = "long-sleeve-shirt";
+  std::string file;  ///< pattern file instead of the draft; absolute
+  std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
+  ShirtFit fit{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
+};
+
+/// [[attachment]]: something sewn on that adds mass and stiffness.
+struct ScenarioAttachment {
+  enum class Kind { board, cable } kind = Kind::board;
+  std::string name;
+  std::string panel;
+  Vec2 at = Vec2::Zero();      ///< board: centre in pattern coordinates [m]
+  Vec2 size = Vec2::Zero();    ///< board: width, height [m]; zero when round
+  double radius = 0;           ///< round board [m]
+  std::vector<Vec2> path;      ///< cable: polyline in pattern coordinates [m]
+  double width = 0.004;        ///< cable: strip over which it is spread [m]
+  double mass = 0;             ///< board [kg]
+  double mass_per_length = 0;  ///< cable [kg/m]
+  double bending = 0;          ///< board: added sheet rigidity [N m]; cable: rod rigidity [N m²]
+  double membrane_factor = 1;  ///< board: in-plane stiffness multiplier
+};
+
+/// [[site]]: a place where a sensor may sit.
+struct ScenarioSite {
+  std::string name;
+  std::string panel;  ///< with `at`; or
+  Vec2 at = Vec2::Zero();
+  std::string landmark;  ///< nearest garment point to a body landmark
+};
+
+/// [simulation]
+struct ScenarioSimulation {
+  double edge_length = 0.010;  ///< wished triangle edge [m]
+  std::string integrator = "quasi-static";
+  std::uint64_t seed = 1;
+  int repeats = 1;                   ///< drapes from perturbed starts: folds are not unique
+  double start_perturbation = 0;     ///< rms shift of the dressed start [m]
+  double residual_tolerance = 1e-3;  ///< settled when ‖F‖/‖W‖ is below
+  double gravity = kGravity;         ///< m/s²
+  double time_budget = 600;          ///< wall seconds for dress and settle
+  int max_iterations = 2000;
+  int threads = 0;  ///< 0 = all cores; results do not depend on it
+};
+
+/// [output]
+struct ScenarioOutput {
+  std::vector<std::string> maps = {"strain", "distance", "angular-deviation"};
+  std::vector<std::string> views = {"front", "back"};
+  bool undecorated = true;         ///< also pictures of the plain drape
+  bool preset_sites = true;        ///< scapulae, back, chest, … in addition to [[site]]
+  int width = 900, height = 1000;  ///< pictures [pixels]
+};
+
+/// Everything `loosefit run` is asked to do; every default written out. Documented key by key in
+/// docs/scenario.md.
+struct Scenario {
+  std::string file;  ///< where it was read from, for messages; not part of the resolved text
+  ScenarioBody body;
+  ScenarioGarment garment;
+  MaterialCard material;
+  std::vector<ScenarioAttachment> attachments;
+  std::vector<ScenarioSite> sites;
+  ScenarioSimulation simulation;
+  ScenarioOutput output;
+};
+
+/// The default scenario: the reference shirt on the default woman.
+Scenario default_scenario();
+
+/// \throws IoError if the file cannot be read; InvalidInput for anything wrong in it. Files named
+/// in it are taken relative to its folder and must exist.
+Scenario read_scenario(const std::string& path);
+
+/// As read_scenario; `file` is for messages and for resolving relative paths.
+Scenario parse_scenario(const std::string& text, const std::string& file);
+
+/// The resolved scenario as TOML, every default written out; parsing it gives the same scenario.
+std::string scenario_toml(const Scenario& scenario);
+
+}  // namespace loosefit

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/scenario.h"
+
+namespace loosefit {
+namespace {
+
+// Angles are kept in radians; print the degrees that read back to the same radians.
+std::string degrees_text(double angle) {
+  for (int digits = 1; digits <= 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", degrees(angle), digits);
+    if (radians(std::stod(text)) == angle) return shortest(std::stod(text));
+  }
+  return shortest(degrees(angle));
+}
+
+std::string posture_text(const Posture& p) {
+  return fmt::format("{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {} }}",
+                     degrees_text(p.arm_abduction), degrees_text(p.forward_bend),
+                     shortest(p.sitting));
+}
+
+std::string point_text(const Vec2& p) {
+  return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
+}
+
+std::string list_text(const std::vector<std::string>& words) {
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) quoted.push_back(toml_quoted(word));
+  return "[" + join(quoted) + "]";
+}
+
+std::string body_text(const ScenarioBody& body) {
+  std::string text = "[body]\n";
+  if (!body.file.empty()) {
+    text += "file = " + toml_quoted(body.file) + "\n";
+    if (!body.units.empty()) text += "units = " + toml_quoted(body.units) + "\n";
+    return text;
+  }
+  std::vector<std::string> wishes;
+  for (const auto& [name, value] : body.measurements)
+    wishes.push_back(name + " = " + shortest(value));
+  text += fmt::format("sex = {}\nage = {}\nheight = {}\n", shortest(body.sex), shortest(body.age),
+                      shortest(body.height));
+  if (!wishes.empty()) text += "measurements = { " + join(wishes) + " }\n";
+  text +=
+      fmt::format("muscle = {}\nproportions = {}\ncup = {}\nfirmness = {}\n", shortest(body.muscle),
+                  shortest(body.proportions), shortest(body.cup), shortest(body.firmness));
+  return text + "posture = " + posture_text(body.posture) +
+         "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
+}
+
+std::string garment_text(const ScenarioGarment& garment) {
+  if (!garment.file.empty()) return "[garment]\npattern = " + toml_quoted(garment.file) + "\n";
+  std::string text = "[garment]\npattern = " + toml_quoted(garment.pattern) + "\n";
+  if (!garment.size.empty()) return text + "size = " + toml_quoted(garment.size) + "\n";
+  const ShirtFit& fit = garment.fit;
+  text += "\n[garment.fit]\nchest = " + shortest(fit.chest) + "\n";
+  if (fit.waist) text += "waist = " + shortest(*fit.waist) + "\n";
+  return text + fmt::format(
+                    "hip = {}\nsleeve = {}\nwrist = {}\nneck_ease = {}\nscye_ease = {}\n"
+                    "shoulder_follow = {}\ncap_ease = {}\n",
+                    shortest(fit.hip), shortest(fit.sleeve), shortest(fit.wrist),
+                    shortest(fit.neck_ease), shortest(fit.scye_ease), shortest(fit.shoulder_follow),
+                    shortest(fit.cap_ease));
+}
+
+std::string attachment_text(const ScenarioAttachment& a) {
+  const bool board = a.kind == ScenarioAttachment::Kind::board;
+  std::string text =
+      fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
+                  board ? "board" : "cable", toml_quoted(a.name), toml_quoted(a.panel));
+  if (board) {
+    text += "at = " + point_text(a.at) + "\n";
+    text += a.radius > 0 ? "radius = " + shortest(a.radius) + "\n"
+                         : "size = " + point_text(a.size) + "\n";
+    return text + fmt::format("mass = {}\nbending = {}\nmembrane_factor = {}\n", shortest(a.mass),
+                              shortest(a.bending), shortest(a.membrane_factor));
+  }
+  std::vector<std::string> path;
+  for (const Vec2& p : a.path) path.push_back(point_text(p));
+  return text + fmt::format("path = [{}]\nwidth = {}\nmass_per_length = {}\nbending = {}\n",
+                            join(path), shortest(a.width), shortest(a.mass_per_length),
+                            shortest(a.bending));
+}
+
+std::string site_text(const ScenarioSite& site) {
+  std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n";
+  if (!site.landmark.empty()) return text + "landmark = " + toml_quoted(site.landmark) + "\n";
+  return text + "panel = " + toml_quoted(site.panel) + "\nat = " + point_text(site.at) + "\n";
+}
+
+std::string simulation_text(const ScenarioSimulation& s) {
+  return fmt::format(
+      "[simulation]\nedge_length = {}\nintegrator = {}\nseed = {}\nrepeats = {}\n"
+      "start_perturbation = {}\nresidual_tolerance = {}\ngravity = {}\ntime_budget = {}\n"
+      "max_iterations = {}\nthreads = {}\n",
+      shortest(s.edge_length), toml_quoted(s.integrator), s.seed, s.repeats,
+      shortest(s.start_perturbation), shortest(s.residual_tolerance), shortest(s.gravity),
+      shortest(s.time_budget), s.max_iterations, s.threads);
+}
+
+std::string output_text(const ScenarioOutput& o) {
+  return fmt::format(
+      "[output]\nmaps = {}\nviews = {}\nundecorated = {}\npreset_sites = {}\nwidth = {}\n"
+      "height = {}\n",
+      list_text(o.maps), list_text(o.views), o.undecorated, o.preset_sites, o.width, o.height);
+}
+
+}  // namespace
+
+std::string scenario_toml(const Scenario& scenario) {
+  const Material& material = scenario.material.material;
+  std::string text = body_text(scenario.body) + "\n" + garment_text(scenario.garment) +
+                     "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
+                     material_toml(material);
+  for (const ScenarioAttachment& a : scenario.attachments) text += "\n" + attachment_text(a);
+  for (const ScenarioSite& site : scenario.sites) text += "\n" + site_text(site);
+  return text + "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+}
+
+}  // namespace loosefit

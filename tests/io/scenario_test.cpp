@@ -1,0 +1,181 @@
+#include "loosefit/io/scenario.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+Scenario parsed(const std::string& text) { return parse_scenario(text, "case.toml"); }
+
+/// What the user reads when `text` is refused: message and hint in one line.
+std::string refusal(const std::string& text) {
+  try {
+    parsed(text);
+  } catch (const Error& e) {
+    return std::string(e.what()) + " | " + e.hint();
+  }
+  return "accepted";
+}
+
+const char* const kFull = R"(
+[body]
+sex = "male"
+age = 41
+height = 1.80
+measurements = { chest = 1.00, waist = 0.86, hip = 1.02 }
+posture = { arm_abduction_deg = 20, forward_bend_deg = 12.5 }
+dress_posture = "a-pose"
+[garment]
+pattern = "long-sleeve-shirt"
+fit = { chest = 0.15, waist = 0.12, hip = 0.08, sleeve = 0.15, wrist = 0.2 }
+[material]
+name = "cotton-jersey"
+bending_warp = 9e-6
+[[attachment]]
+kind = "board"
+name = "logger"
+panel = "back"
+at = [0.0, -0.12]
+size = [0.04, 0.03]
+mass = 0.012
+bending = 0.05
+[[attachment]]
+kind = "cable"
+name = "lead"
+panel = "back"
+path = [[0.0, -0.15], [0.02, -0.40]]
+mass_per_length = 0.004
+bending = 1e-6
+[[site]]
+name = "spine"
+panel = "back"
+at = [0.0, -0.25]
+[[site]]
+name = "neck"
+landmark = "c7"
+[simulation]
+edge_length = 0.012
+integrator = "implicit-euler"
+seed = 7
+repeats = 3
+[output]
+maps = ["distance"]
+views = ["front", "left"]
+)";
+
+TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
+  const Scenario s = default_scenario();
+  EXPECT_EQ(s.body.height, 1.68);
+  EXPECT_DOUBLE_EQ(degrees(s.body.posture.arm_abduction), 25);
+  EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 40);
+  EXPECT_EQ(s.garment.fit.chest, 0.10);
+  EXPECT_FALSE(s.garment.fit.waist.has_value());
+  EXPECT_EQ(s.material.material.name, "paper-cotton");
+  EXPECT_EQ(s.material.material.bending_warp, 4.41e-6);
+  EXPECT_EQ(s.simulation.edge_length, 0.010);
+  EXPECT_EQ(s.output.maps.size(), 3u);
+}
+
+TEST(Scenario, ReadsEveryKey) {
+  const Scenario s = parsed(kFull);
+  EXPECT_EQ(s.body.sex, 1);
+  EXPECT_EQ(s.body.measurements.at("chest"), 1.0);
+  EXPECT_DOUBLE_EQ(degrees(s.body.posture.forward_bend), 12.5);
+  EXPECT_EQ(s.garment.fit.waist, 0.12);
+  EXPECT_EQ(s.material.material.areal_density, 0.187) << "from the card";
+  EXPECT_EQ(s.material.material.bending_warp, 9e-6) << "overridden";
+  ASSERT_EQ(s.attachments.size(), 2u);
+  EXPECT_EQ(s.attachments[0].size, Vec2(0.04, 0.03));
+  EXPECT_EQ(s.attachments[1].path.size(), 2u);
+  EXPECT_EQ(s.attachments[1].mass_per_length, 0.004);
+  EXPECT_EQ(s.sites[1].landmark, "c7");
+  EXPECT_EQ(s.simulation.seed, 7u);
+  EXPECT_EQ(s.simulation.start_perturbation, 0.001) << "several repeats need different starts";
+  EXPECT_EQ(s.output.views, (std::vector<std::string>{"front", "left"}));
+}
+
+TEST(Scenario, ResolvedTextReadsBackToTheSame) {
+  for (const char* text : {"", kFull, "[body]\nsex = 0.4\nage = 10\nheight = 1.4\n",
+                           "[body]\nposture = \"sitting\"\n"}) {
+    const std::string resolved = scenario_toml(parsed(text));
+    EXPECT_EQ(scenario_toml(parsed(resolved)), resolved);
+  }
+}
+
+TEST(Scenario, ResolvedTextWritesOutDefaults) {
+  const std::string resolved = scenario_toml(default_scenario());
+  for (const char* key : {"sex", "arm_abduction_deg = 25", "neck_ease", "stiffness_shear", "seed",
+                          "time_budget", "undecorated", "name = \"paper-cotton\""})
+    EXPECT_NE(resolved.find(key), std::string::npos) << key;
+}
+
+TEST(ScenarioErrors, UnknownKeysAreRefusedWithAGuess) {
+  EXPECT_EQ(refusal("[body]\nheigth = 1.7\n"),
+            "case.toml:2: body.heigth: found an unknown key, expected a key of body | "
+            "did you mean \"height\"?");
+  EXPECT_EQ(refusal("[bodi]\n"),
+            "case.toml:1: bodi: found an unknown key, expected a known section | "
+            "did you mean \"body\"?");
+  EXPECT_NE(refusal("[garment]\nfit = { cheest = 0.1 }\n").find("\"chest\""), std::string::npos);
+}
+
+TEST(ScenarioErrors, UnitsRangesAndTypesAreNamed) {
+  EXPECT_EQ(refusal("[body]\nheight = 168\n"),
+            "case.toml:2: body.height: found 168, expected metres from 0.7 to 2.3 | "
+            "lengths are in metres: 168 cm is 1.68");
+  EXPECT_NE(refusal("[body]\nheight = nan\n").find("found nan"), std::string::npos);
+  EXPECT_NE(refusal("[body]\nheight = inf\n").find("found inf"), std::string::npos);
+  EXPECT_NE(refusal("[body]\nheight = \"tall\"\n").find("found \"tall\", expected metres"),
+            std::string::npos);
+  EXPECT_NE(refusal("[simulation]\nedge_length = 1e-9\n").find("expected metres from 0.003"),
+            std::string::npos);
+  EXPECT_NE(refusal("[simulation]\nseed = 1.5\n").find("expected a whole number"),
+            std::string::npos);
+  EXPECT_NE(refusal("body = 3\n").find("case.toml:1: body: found 3, expected a table"),
+            std::string::npos);
+  EXPECT_NE(refusal("[output]\nviews = [\"top\"]\n").find("found \"top\""), std::string::npos);
+  EXPECT_NE(refusal("[output]\nmaps = [\"strain\", \"strain\"]\n").find("twice"),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, ChoicesThatExcludeEachOther) {
+  EXPECT_NE(refusal("[garment]\nsize = \"child-142\"\nfit = { chest = 0 }\n").find("either fit or"),
+            std::string::npos);
+  EXPECT_NE(refusal("[body]\nunits = \"cm\"\n").find("only beside file"), std::string::npos);
+  EXPECT_NE(refusal("[body]\nfile = \"nowhere.obj\"\n").find("expected a file that exists"),
+            std::string::npos);
+  EXPECT_NE(refusal("[[site]]\nname = \"a\"\n").find("either panel"), std::string::npos);
+  EXPECT_NE(refusal("[site]\nname = \"a\"\n").find("double brackets"), std::string::npos);
+  EXPECT_NE(refusal("[[site]]\nname = \"a\"\nlandmark = \"c7\"\n[[site]]\nname = \"a\"\n"
+                    "landmark = \"c7\"\n")
+                .find("each name once"),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, MaterialUnitsGetAHint) {
+  const std::string answer = refusal("[material]\nbending_warp = 4.41\n");
+  EXPECT_NE(answer.find("found 4.41, expected N m"), std::string::npos) << answer;
+  EXPECT_NE(answer.find("4.41 µN m is 4.41e-06"), std::string::npos) << answer;
+  EXPECT_NE(refusal("[material]\nname = \"cotton-jersy\"\n").find("did you mean \"cotton-jersey\""),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, TextThatIsNotToml) {
+  EXPECT_NE(refusal("[body\nsex = 1\n").find("case.toml:1: found"), std::string::npos);
+  EXPECT_NE(refusal("[body]\nsex = 1\nsex = 0\n").find("case.toml:3"), std::string::npos);
+  EXPECT_NE(refusal(std::string("\x00\xff\xfe", 3)).find("expected valid TOML"), std::string::npos);
+  EXPECT_NE(refusal(std::string(3000, 'a') + " = 1\n").find("2000 bytes"), std::string::npos);
+  std::string deep = "a = ";
+  for (int i = 0; i < 900; ++i) deep += "[";
+  EXPECT_NE(refusal(deep + "\n"), "accepted");
+  std::string dotted = "a";
+  for (int i = 0; i < 900; ++i) dotted += ".a";
+  EXPECT_NE(refusal(dotted + " = 1\n").find("32 deep"), std::string::npos);
+  EXPECT_THROW(read_scenario("/nowhere/case.toml"), IoError);
+  EXPECT_THROW(read_scenario("/tmp"), IoError);
+}
+
+}  // namespace
+}  // namespace loosefit
