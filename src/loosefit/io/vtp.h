@@ -42,7 +42,7 @@ struct DrapeFile {
 };
 
 /// Reads a file of write_drape_vtp.
-/// \throws IoError if it is missing or unreadable, InvalidInput if it is not such a file.
+/// \throws IoError if it is missing or empty, InvalidInput if it is no such file or was changed.
 DrapeFile read_drape_vtp(const std::filesystem::path& path);
 
 }  // namespace loosefit

@@ -16,6 +16,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_seal.h"
 
 namespace loosefit {
 namespace {
@@ -130,18 +131,19 @@ const VtpArray* DrapeFile::find(const std::string& name) const {
 }
 
 DrapeFile read_drape_vtp(const std::filesystem::path& path) {
-  std::ifstream probe(path, std::ios::binary);
-  char first = 0;
-  if (!probe.get(first)) throw IoError("cannot read " + path.string());
-  if (first != '<')
-    throw InvalidInput({path.string(), 0, ""}, "a file that does not begin with '<'",
-                       "VTK XML PolyData (.vtp)");
-  probe.close();
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.empty()) throw IoError("cannot read " + path.string());
+  if (!vtp_seal_matches(bytes))
+    throw InvalidInput({path.string(), 0, ""}, "no matching checksum in the last line",
+                       "a drape.vtp as loosefit wrote it",
+                       "a certificate only holds for the positions it was made for");
 
   vtkNew<CapturedErrors> captured;
   captured->begin();
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
   std::string error;
   try {
     reader->Update();

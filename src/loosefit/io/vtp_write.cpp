@@ -15,6 +15,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_seal.h"
 
 namespace loosefit {
 namespace {
@@ -81,7 +82,8 @@ void write(const std::filesystem::path& path, vtkPolyData* data) {
   writer->SetByteOrderToLittleEndian();
   writer->WriteToOutputStringOn();
   if (writer->Write() != 1) throw IoError("cannot encode " + path.string());
-  const std::string bytes = writer->GetOutputString();
+  std::string bytes = writer->GetOutputString();
+  bytes += vtp_seal(bytes);
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();

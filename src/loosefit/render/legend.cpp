@@ -1,0 +1,48 @@
+#include "loosefit/render/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace loosefit {
+
+std::string tick_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", std::abs(value) < 1e-12 ? 0.0 : value);
+  return text[0] == '-' ? "\u2212" + std::string(text + 1) : text;
+}
+
+void draw_legend(Image& image, const PerformanceMap& map, int height) {
+  const int top = image.height - height, text_size = height / 6;
+  const int left = image.width / 6, right = image.width - left;
+  const bool plain = map.unit.empty() || map.unit == "–" || map.unit == "-";
+  draw_text(image, map.title + (plain ? "" : " [" + map.unit + "]"), image.width / 2,
+            top + height / 16, text_size + 2, 0, {20, 20, 20}, true);
+
+  const int bar_top = top + height * 6 / 16, bar_bottom = top + height * 10 / 16;
+  fill(image, left - 1, bar_top - 1, right + 1, bar_bottom + 1, {60, 60, 60});
+  for (int x = left; x < right; ++x) {
+    const int entry = std::min(255, (x - left) * 256 / (right - left));
+    fill(image, x, bar_top, x + 1, bar_bottom, colours_of(map)[entry]);
+  }
+
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (double value : map.values)
+    if (!std::isnan(value)) {
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  constexpr int kTicks = 5;
+  for (int i = 0; i < kTicks; ++i) {
+    const double value = map.range_low + (map.range_high - map.range_low) * i / (kTicks - 1);
+    const int x = left + (right - 1 - left) * i / (kTicks - 1);
+    fill(image, x, bar_bottom, x + 1, bar_bottom + height / 20, {60, 60, 60});
+    std::string text = tick_text(value);
+    if (i == 0 && lowest < map.range_low) text = "\u2264 " + text;
+    if (i == kTicks - 1 && highest > map.range_high) text = "\u2265 " + text;
+    draw_text(image, text, x, bar_bottom + height / 14, text_size, 0);
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,134 @@
+#include "loosefit/render/render_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/base/error.h"
+#include "loosefit/render/garment_lines.h"
+#include "loosefit/render/legend.h"
+#include "loosefit/render/scene.h"
+
+namespace loosefit {
+namespace {
+constexpr Rgb kCloth = {226, 231, 238};
+constexpr double kMapAmbient = 0.55;  // light left in the deepest shade of a map
+constexpr double kSceneAmbient = 0.25;
+
+/// Colour × light. `floor` lifts the light so that colours stay comparable with the legend.
+Image lit(Image colours, const Image& light, double ambient) {
+  const double gain = (1 - ambient) / (1 - kSceneAmbient);
+  std::array<double, 256> factor{};
+  for (int i = 0; i < 256; ++i)
+    factor[i] = std::clamp(ambient + gain * (i / 255.0 - kSceneAmbient), 0.0, 1.0);
+  for (std::size_t i = 0; i < colours.pixels.size(); ++i)
+    for (std::uint8_t& channel : colours.pixels[i])
+      channel = static_cast<std::uint8_t>(std::lround(channel * factor[light.pixels[i][1]]));
+  return colours;
+}
+
+/// The same picture on a taller sheet with room for the legend.
+Image with_foot(const Image& image, int foot) {
+  Image sheet(image.width, image.height + foot);
+  std::copy(image.pixels.begin(), image.pixels.end(), sheet.pixels.begin());
+  return sheet;
+}
+
+void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
+                 const std::vector<PerformanceMap>& maps) {
+  const auto n = static_cast<std::size_t>(garment.vertex_count);
+  if (positions.size() != n)
+    throw InvalidInput("pictures: " + std::to_string(positions.size()) + " positions for " +
+                       std::to_string(n) + " garment vertices");
+  for (const PerformanceMap& map : maps)
+    if (map.values.size() != n)
+      throw InvalidInput("pictures: map " + map.array + " has " +
+                         std::to_string(map.values.size()) + " values for " + std::to_string(n) +
+                         " garment vertices");
+}
+}  // namespace
+
+const char* name(View view) {
+  switch (view) {
+    case View::front:
+      return "front";
+    case View::back:
+      return "back";
+    case View::left:
+      return "left";
+    case View::right:
+      return "right";
+  }
+  return "front";
+}
+
+View view_from_name(const std::string& text) {
+  for (View view : {View::front, View::back, View::left, View::right})
+    if (text == name(view)) return view;
+  throw InvalidInput("unknown view '" + text + "', expected front, back, left or right");
+}
+
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const TriangleMesh& body,
+                                     const Garment& garment, const std::vector<Vec3>& positions,
+                                     const std::vector<PerformanceMap>& maps,
+                                     const PictureOptions& options,
+                                     const std::function<void(double)>& after_each) {
+  check_sizes(garment, positions, maps);
+  const GarmentLines lines = garment_lines(garment);
+  const int foot = options.height / 8;
+  Scene scene({body, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
+              options.height - foot, options.supersampling, options.ambient_occlusion);
+  std::vector<const PerformanceMap*> drawn;
+  for (const PerformanceMap& map : maps)
+    if (map.pictured) drawn.push_back(&map);
+  const double total =
+      static_cast<double>(options.views.size() * (drawn.size() + (options.undecorated ? 1 : 0)));
+
+  std::vector<Picture> pictures;
+  const auto finish = [&](const Image& image, const std::string& map, View view) {
+    pictures.push_back({map, view, dir / (map + "-" + name(view) + ".png")});
+    write_png(pictures.back().file, image);
+    if (after_each) after_each(static_cast<double>(pictures.size()) / total);
+  };
+  for (View view : options.views) {
+    scene.look(view);
+    const Image light = scene.light();
+    if (options.undecorated)
+      finish(scaled_down(lit(scene.colours(nullptr, kCloth), light, kSceneAmbient),
+                         options.supersampling),
+             "drape", view);
+    for (const PerformanceMap* map : drawn) {
+      Image image = with_foot(
+          scaled_down(lit(scene.colours(map), light, kMapAmbient), options.supersampling), foot);
+      draw_legend(image, *map, foot);
+      finish(image, map->map.empty() ? map->array : map->map, view);
+    }
+  }
+  return pictures;
+}
+
+void render_garment_png(const std::filesystem::path& file, const TriangleMesh& body,
+                        const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+                        const std::vector<double>& scalars, View view) {
+  PerformanceMap map;
+  map.title = "value";
+  map.values = scalars;
+  map.range_low = std::numeric_limits<double>::infinity();
+  map.range_high = -map.range_low;
+  for (double value : scalars)
+    if (std::isfinite(value)) {
+      map.range_low = std::min(map.range_low, value);
+      map.range_high = std::max(map.range_high, value);
+    }
+  if (!(map.range_high > map.range_low)) map.range_high = map.range_low + 1;
+  constexpr int kFoot = 110;
+  Scene scene({body, positions, triangles, {}, {}}, 900, 880, 1, false);
+  scene.look(view);
+  const Image light = scene.light();
+  if (scalars.empty()) return write_png(file, lit(scene.colours(nullptr, kCloth), light, 0.25));
+  Image image = with_foot(lit(scene.colours(&map), light, kMapAmbient), kFoot);
+  draw_legend(image, map, kFoot);
+  write_png(file, image);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,255 @@
+#include "loosefit/render/scene.h"
+
+#include <vtkActor.h>
+#include <vtkAutoInit.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+
+#include "loosefit/base/error.h"
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+VTK_MODULE_INIT(vtkInteractionStyle)
+
+namespace loosefit {
+namespace {
+constexpr Rgb kMannequin = {176, 176, 176};
+constexpr Rgb kLine = {35, 35, 35};
+constexpr double kMargin = 1.06;           // picture frame over garment extent
+constexpr double kAmbient = 0.25;          // of light()
+constexpr double kOcclusionRadius = 0.05;  // [m], about the size of a fold
+
+vtkNew<vtkPoints> points_of(const std::vector<Vec3>& positions) {
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
+  return points;
+}
+
+void set_surface(vtkPolyData* data, const std::vector<Vec3>& positions,
+                 const std::vector<Triangle>& triangles) {
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle& t : triangles)
+    cells->InsertNextCell({vtkIdType{t[0]}, vtkIdType{t[1]}, vtkIdType{t[2]}});
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (const Vec3& n : vertex_normals(positions, triangles)) normals->InsertNextTuple(n.data());
+  data->SetPoints(points_of(positions));
+  data->SetPolys(cells);
+  data->GetPointData()->SetNormals(normals);
+}
+
+void set_colour(vtkActor* actor, const Rgb& c) {
+  actor->GetProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+}
+
+Vec3 towards_camera(View view) {
+  switch (view) {
+    case View::front:
+      return {0, -1, 0};
+    case View::back:
+      return {0, 1, 0};
+    case View::left:
+      return {1, 0, 0};
+    case View::right:
+      return {-1, 0, 0};
+  }
+  return {0, -1, 0};
+}
+
+/// One window for the life of the process: an X server without clients resets itself and may refuse
+/// the next one, and a second OpenGL context costs half a second.
+vtkRenderWindow* shared_window() {
+  static vtkRenderWindow* window = vtkRenderWindow::New();
+  return window;
+}
+}  // namespace
+
+struct Scene::Window {
+  /// A surface or a set of lines with its mapper.
+  struct Part {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+    void connect() {
+      mapper->SetInputData(data);
+      mapper->ScalarVisibilityOff();
+      actor->SetMapper(mapper);
+    }
+  };
+  vtkRenderWindow* window = shared_window();
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLight> key, fill_light;
+  Part body, garment, lines, seams;
+  Vec3 lower, upper;          ///< box of the garment
+  Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of all
+  int width = 0, height = 0;
+  bool ambient_occlusion = false;
+
+  void add_lines(Part& part, const std::vector<Vec3>& positions,
+                 const std::vector<std::array<int, 2>>& edges, double pixels) {
+    vtkNew<vtkCellArray> cells;
+    for (const auto& e : edges) cells->InsertNextCell({vtkIdType{e[0]}, vtkIdType{e[1]}});
+    part.data->SetPoints(points_of(positions));
+    part.data->SetLines(cells);
+    part.connect();
+    part.mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    part.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4);
+    part.actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
+    part.actor->GetProperty()->LightingOff();
+    set_colour(part.actor, kLine);
+    renderer->AddActor(part.actor);
+  }
+
+  void set_lit(Part& part, bool lit) {
+    vtkProperty* p = part.actor->GetProperty();
+    p->SetLighting(lit);
+    p->SetAmbient(lit ? kAmbient : 1);
+    p->SetDiffuse(lit ? 1 - kAmbient : 0);
+    p->SetSpecular(0);
+    if (lit) p->SetColor(1, 1, 1);
+  }
+
+  Image draw() {
+    window->Render();
+    vtkNew<vtkUnsignedCharArray> raw;
+    window->GetPixelData(0, 0, width - 1, height - 1, 0, raw);
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+      std::copy_n(raw->GetPointer(vtkIdType{3} * width * (height - 1 - y)), 3 * width,
+                  &image.at(0, y)[0]);
+    return image;
+  }
+};
+
+Scene::Scene(const SceneContent& content, int width, int height, int supersampling,
+             bool ambient_occlusion) {
+  check_display();
+  window_ = std::make_unique<Window>();
+  Window& w = *window_;
+  w.width = width * supersampling;
+  w.height = height * supersampling;
+  w.ambient_occlusion = ambient_occlusion;
+  if (!w.window->IsA("vtkOpenGLRenderWindow"))
+    throw Error("pictures need VTK's OpenGL window, found " +
+                std::string(w.window->GetClassName()));
+  w.window->SetOffScreenRendering(1);
+  w.window->SetMultiSamples(0);
+  w.window->SetSize(w.width, w.height);
+  w.renderer->SetBackground(1, 1, 1);
+  w.renderer->SetAutomaticLightCreation(0);
+  w.window->AddRenderer(w.renderer);
+
+  set_surface(w.body.data, content.body.vertices, content.body.triangles);
+  set_surface(w.garment.data, content.positions, content.triangles);
+  for (Window::Part* part : {&w.body, &w.garment}) {
+    part->connect();
+    w.renderer->AddActor(part->actor);
+  }
+  w.garment.mapper->InterpolateScalarsBeforeMappingOn();
+  w.add_lines(w.lines, content.positions, content.lines, 2.0 * supersampling);
+  w.add_lines(w.seams, content.positions, content.seams, 1.2 * supersampling);
+
+  for (vtkLight* light : {w.key.Get(), w.fill_light.Get()}) {
+    light->SetLightTypeToCameraLight();
+    w.renderer->AddLight(light);
+  }
+  // Camera frame: x right, y up, z towards the camera. Grazing light from above shows folds.
+  w.key->SetPosition(-0.5, 0.8, 0.9);
+  w.key->SetIntensity(0.8);
+  w.fill_light->SetPosition(0.6, -0.1, 1.0);
+  w.fill_light->SetIntensity(0.42);
+
+  for (const Vec3& p : content.body.vertices) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
+  for (const Vec3& p : content.positions) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
+  w.lower = w.upper = content.positions.empty() ? Vec3::Zero() : content.positions[0];
+  for (const Vec3& p : content.positions) {
+    w.lower = w.lower.cwiseMin(p);
+    w.upper = w.upper.cwiseMax(p);
+  }
+}
+
+Scene::~Scene() { window_->window->RemoveRenderer(window_->renderer); }
+
+void Scene::look(View view) {
+  Window& w = *window_;
+  const Vec3 back = towards_camera(view);
+  // From as near as possible: ambient occlusion keeps positions relative to the eye in half
+  // precision, and contour lines of that rounding would show on the cloth.
+  const double near = 0.1 + (back.x() != 0 ? w.reach.x() : w.reach.y());
+  Vec3 centre = 0.5 * (w.lower + w.upper);
+  centre -= centre.dot(back) * back;
+  const Vec3 eye = centre + near * back;
+  vtkCamera* camera = w.renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(0, 0, 1);
+  // One scale for all views, so that pictures of a garment can be laid side by side.
+  const Vec3 size = w.upper - w.lower;
+  const double across = std::max(size.x(), size.y());
+  camera->SetParallelScale(0.5 * kMargin * std::max(size.z(), across * w.height / w.width));
+  w.renderer->ResetCameraClippingRange();
+}
+
+Image Scene::light() {
+  Window& w = *window_;
+  w.garment.mapper->ScalarVisibilityOff();
+  for (Window::Part* part : {&w.body, &w.garment}) w.set_lit(*part, true);
+  w.lines.actor->VisibilityOff();
+  w.seams.actor->VisibilityOff();
+  w.renderer->SetUseSSAO(w.ambient_occlusion);
+  w.renderer->SetSSAORadius(kOcclusionRadius);
+  w.renderer->SetSSAOBias(0.002);
+  w.renderer->SetSSAOKernelSize(32);
+  w.renderer->SSAOBlurOn();
+  return w.draw();
+}
+
+Image Scene::colours(const PerformanceMap* map, Rgb cloth) {
+  Window& w = *window_;
+  w.renderer->SetUseSSAO(false);
+  for (Window::Part* part : {&w.body, &w.garment}) w.set_lit(*part, false);
+  w.lines.actor->VisibilityOn();
+  w.seams.actor->VisibilityOn();
+  set_colour(w.body.actor, kMannequin);
+  set_colour(w.garment.actor, cloth);
+  if (map) {
+    vtkNew<vtkDoubleArray> scalars;
+    scalars->SetName(map->array.c_str());
+    for (double value : map->values) scalars->InsertNextValue(value);
+    vtkNew<vtkLookupTable> table;
+    table->SetNumberOfTableValues(256);
+    table->SetTableRange(map->range_low, map->range_high);
+    const ColourTable& colours = colours_of(*map);
+    for (int i = 0; i < 256; ++i)
+      table->SetTableValue(i, colours[i][0] / 255.0, colours[i][1] / 255.0, colours[i][2] / 255.0);
+    table->SetNanColor(kUndefinedColour[0] / 255.0, kUndefinedColour[1] / 255.0,
+                       kUndefinedColour[2] / 255.0, 1);
+    w.garment.data->GetPointData()->SetScalars(scalars);
+    w.garment.mapper->SetLookupTable(table);
+    w.garment.mapper->UseLookupTableScalarRangeOn();
+    w.garment.mapper->ScalarVisibilityOn();
+  } else {
+    w.garment.mapper->ScalarVisibilityOff();
+  }
+  return w.draw();
+}
+
+}  // namespace loosefit

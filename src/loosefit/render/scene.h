@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+#include "loosefit/render/image.h"
+#include "loosefit/render/render_pictures.h"
+
+namespace loosefit {
+
+/// What stands before the camera.
+struct SceneContent {
+  const TriangleMesh& body;
+  const std::vector<Vec3>& positions;      ///< garment
+  const std::vector<Triangle>& triangles;  ///< garment
+  std::vector<std::array<int, 2>> lines;   ///< dark lines on the garment (vertex pairs)
+  std::vector<std::array<int, 2>> seams;   ///< thinner lines
+};
+
+/// One VTK window that draws a garment on its mannequin. Light and colour are drawn apart, because
+/// shading that is mixed with colours falsifies a map, and because the costly shading then serves
+/// every map of a view. Parallel projection, the garment fills the frame.
+class Scene {
+ public:
+  /// \throws Error without a display.
+  Scene(const SceneContent& content, int width, int height, int supersampling,
+        bool ambient_occlusion);
+  ~Scene();
+  void look(View view);
+  /// Grey light of the scene as if all was white, 0..255; background 255. Not scaled down.
+  Image light();
+  /// Unlit colours: garment by `map` (plain `cloth` when null), mannequin, lines. Not scaled down.
+  Image colours(const PerformanceMap* map, Rgb cloth = {255, 255, 255});
+
+ private:
+  struct Window;
+  std::unique_ptr<Window> window_;
+};
+
+}  // namespace loosefit
