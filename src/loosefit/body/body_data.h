@@ -27,7 +27,7 @@ struct Bone {
 };
 
 /// The baked parametric body: everything needed to make a person, in our frame and in metres.
-/// A row is a body vertex (first `body_vertices` rows) or a corner of a joint marker behind them.
+/// A row is a body vertex (first `body_vertices` rows) or a point behind them that only joints use.
 struct BodyData {
   std::string source_sha256;  ///< of the targets file it was baked from
   int body_vertices = 0;

@@ -22,8 +22,7 @@ constexpr std::size_t kVertices = 19158;
 constexpr std::size_t kFaces = 18486;
 constexpr std::size_t kBodyFaces = 13378;
 constexpr int kBodyVertices = 13380;
-constexpr int kFirstMarker = 13606;  // corners of the joint cubes
-constexpr int kLastMarker = 14597;
+constexpr int kLastMarker = 14597;  // corner of the last joint cube that bones use
 constexpr std::size_t kTargets = 1258;
 constexpr std::size_t kBlockBytes = kVertices * 3 * sizeof(std::int16_t);
 constexpr const char* kHint = "run: make setup (fetches the files and verifies them)";
@@ -111,12 +110,8 @@ bool wanted(const std::string& name) {
          name.find("-foot-") == std::string::npos;
 }
 
-// Rows of the baked data: body vertices, then joint markers; the helper geometry between is dropped.
-int row_of(int vertex) {
-  if (vertex < kBodyVertices) return vertex;
-  if (vertex < kFirstMarker || vertex > kLastMarker) return -1;
-  return vertex - kFirstMarker + kBodyVertices;
-}
+// Rows of the baked data: body vertices, tongue, joint markers; the helper geometry behind is dropped.
+int row_of(int vertex) { return vertex <= kLastMarker ? vertex : -1; }
 
 // (x, y, z) y up, z forward → (x, -z, y) z up.
 template <class T>

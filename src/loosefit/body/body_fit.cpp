@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/body/body_model.h"
+#include "loosefit/body/body_tape.h"
+#include "loosefit/body/bounded_least_squares.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kHeightTolerance = 0.002;  // what counts as one unit of misfit [m]
+constexpr double kGirthTolerance = 0.003;
+constexpr double kResidualWarning = 0.005;
+constexpr double kStrainedDetail = 0.6;
+constexpr double kHeaviest = 1.6;
+
+// What living people of any age measure, with a margin [m].
+struct Plausible {
+  const char* name;
+  double low, high;
+};
+constexpr Plausible kPlausible[] = {
+    {"height", 0.50, 2.30},     {"chest", 0.35, 1.80},       {"underbust", 0.33, 1.70},
+    {"waist", 0.30, 1.90},      {"hip", 0.33, 1.90},         {"neck", 0.16, 0.62},
+    {"upper_arm", 0.10, 0.62},  {"forearm", 0.09, 0.48},     {"wrist", 0.07, 0.28},
+    {"thigh", 0.18, 1.00},      {"knee", 0.14, 0.70},        {"calf", 0.12, 0.65},
+    {"ankle", 0.09, 0.42},      {"shoulder_breadth", 0.15, 0.62}, {"arm_length", 0.18, 0.85},
+    {"back_length", 0.15, 0.62}, {"crotch_height", 0.18, 1.20}};
+
+struct Unknown {
+  std::string key;  ///< "height", "weight" or a detail
+  double start = 0, low = -1, high = 1, stiffness = 0.3;
+};
+
+// Local changes that a measure brings into the fit.
+const std::map<std::string, std::vector<std::string>> kDetailsOf = {
+    {"neck", {"neck"}},         {"upper_arm", {"upper_arm"}}, {"forearm", {"forearm"}},
+    {"wrist", {"wrist"}},       {"thigh", {"thigh"}},         {"knee", {"knee"}},
+    {"calf", {"calf"}},         {"ankle", {"ankle"}},         {"shoulder_breadth", {"shoulder"}},
+    {"arm_length", {"upper_arm_length", "forearm_length"}},
+    {"back_length", {"nape_to_waist"}},
+    {"crotch_height", {"thigh_length", "shank_length"}}};
+
+void check_spec(const BodySpec& spec) {
+  const auto check = [](const std::string& name, double value) {
+    const auto* range = std::find_if(std::begin(kPlausible), std::end(kPlausible),
+                                     [&](const Plausible& p) { return p.name == name; });
+    if (range == std::end(kPlausible)) {
+      throw InvalidInput({"", 0, "measurements"}, "\"" + printable(name) + "\"", "a known measure",
+                         did_you_mean(name, measure_names()));
+    }
+    if (!(value >= range->low && value <= range->high)) {
+      throw InvalidInput({"", 0, name}, fmt::format("{:g} m", value),
+                         fmt::format("{:g} to {:g} m", range->low, range->high),
+                         "measures are in metres");
+    }
+  };
+  if (spec.height != 0) check("height", spec.height);
+  for (const auto& [name, value] : spec.measurements) {
+    if (name == "height") {
+      throw InvalidInput({"", 0, "measurements"}, "\"height\"", "the stature as its own entry");
+    }
+    check(name, value);
+  }
+}
+
+std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
+  std::vector<Unknown> unknowns;
+  if (spec.height != 0) unknowns.push_back({"height", 0.5, 0, 1, 0.3});
+  const bool trunk = std::any_of(spec.measurements.begin(), spec.measurements.end(), [](const auto& m) {
+    return m.first == "chest" || m.first == "underbust" || m.first == "waist" || m.first == "hip";
+  });
+  if (trunk) {
+    unknowns.push_back({"weight", 0.5, 0, heaviest, 0.5});
+    unknowns.push_back({"bust", 0, -1, 1, 0.5});
+    unknowns.push_back({"underbust", 0, -1, 1, 0.6});
+    unknowns.push_back({"waist", 0, -1, 1, 0.5});
+    unknowns.push_back({"hips", 0, -1, 1, 0.5});
+    unknowns.push_back({"belly", 0, -0.3, 0.5, 0.6});
+  }
+  for (const auto& [measure, details] : kDetailsOf) {
+    if (!spec.measurements.contains(measure)) continue;
+    for (const auto& key : details) unknowns.push_back({key, 0, -1, 1, 0.3});
+  }
+  return unknowns;
+}
+
+}  // namespace
+
+BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
+  check_spec(spec);
+  BodyFit fit;
+  fit.parameters.sex = spec.sex;
+  fit.parameters.age = spec.age;
+  fit.parameters.muscle = spec.muscle;
+  fit.parameters.proportions = spec.proportions;
+  fit.parameters.cup = spec.cup;
+  fit.parameters.firmness = spec.firmness;
+  check_parameters(fit.parameters);
+
+  std::vector<MeasureRow> asked;
+  if (spec.height != 0) asked.push_back({"height", spec.height, 0});
+  for (const auto& name : measure_names()) {
+    const auto found = spec.measurements.find(name);
+    if (found != spec.measurements.end()) asked.push_back({name, found->second, 0});
+  }
+
+  const auto solve = [&](double heaviest) {
+    const auto unknowns = unknowns_of(spec, heaviest);
+    const auto parameters_at = [&](const Eigen::VectorXd& x) {
+      BodyParameters p = fit.parameters;
+      p.details.clear();
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const double value = x[Eigen::Index(i)];
+        if (unknowns[i].key == "height") {
+          p.height = value;
+        } else if (unknowns[i].key == "weight") {
+          p.weight = value;
+        } else {
+          p.details[unknowns[i].key] = value;
+        }
+      }
+      return p;
+    };
+    BoundedProblem problem;
+    const auto n = Eigen::Index(unknowns.size()), m = Eigen::Index(asked.size());
+    problem.start = problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Unknown& unknown = unknowns[std::size_t(i)];
+      problem.start[i] = unknown.start, problem.lower[i] = unknown.low, problem.upper[i] = unknown.high;
+    }
+    problem.residuals = [&](const Eigen::VectorXd& x) {
+      const RestBody rest = this->rest(parameters_at(x), detail);
+      const BodyTape tape(*data_, rest);
+      Eigen::VectorXd residual(m + n);
+      for (Eigen::Index k = 0; k < m; ++k) {
+        const MeasureRow& row = asked[std::size_t(k)];
+        residual[k] = (tape.measure(row.name) - row.asked) /
+                      (row.name == "height" ? kHeightTolerance : kGirthTolerance);
+      }
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const Unknown& unknown = unknowns[std::size_t(i)];
+        residual[m + i] = unknown.stiffness * (x[i] - unknown.start);
+      }
+      return residual;
+    };
+    const BoundedSolution found = bounded_gauss_newton(problem);
+    fit.evaluations += found.evaluations;
+    fit.parameters = parameters_at(found.x);
+    const RestBody rest = this->rest(fit.parameters, detail);
+    const BodyTape tape(*data_, rest);
+    double worst = 0;
+    for (auto& row : asked) {
+      row.measured = tape.measure(row.name);
+      worst = std::max(worst, std::abs(row.measured - row.asked));
+    }
+    return worst;
+  };
+
+  // Beyond weight 1 the model extrapolates; only bodies that need it go there.
+  constexpr double kAtBound = 1 - 1e-6;
+  if (solve(1) > kResidualWarning && fit.parameters.weight >= kAtBound) {
+    solve(kHeaviest);
+    fit.warnings.push_back(fmt::format(
+        "weight {:.2f}: the body model is extrapolated beyond its heaviest shape", fit.parameters.weight));
+  }
+  fit.table = asked;
+  if (spec.height == 0) {
+    fit.warnings.push_back("no height given: the model's own height for this age is too small for a child");
+  }
+  for (const auto& row : fit.table) {
+    if (std::abs(row.measured - row.asked) > kResidualWarning) {
+      fit.warnings.push_back(fmt::format("{}: asked {:.3f} m, got {:.3f} m", row.name, row.asked, row.measured));
+    }
+  }
+  for (const auto& [key, value] : fit.parameters.details) {
+    if (std::abs(value) > kStrainedDetail) {
+      fit.warnings.push_back(fmt::format("{}: local change {:+.2f} is beyond ±{:g}; look at the body",
+                                         key, value, kStrainedDetail));
+    }
+  }
+  return fit;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,132 @@
+#include "loosefit/body/body_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/body_tape.h"
+#include "loosefit/body/landmarks.h"
+#include "loosefit/body/skeleton_pose.h"
+
+namespace loosefit {
+namespace {
+
+Segment segment_of_bone(const std::string& bone) {
+  static const std::vector<std::pair<std::string, Segment>> kPrefixes = {
+      {"spine", Segment::torso},         {"clavicle", Segment::torso}, {"shoulder", Segment::torso},
+      {"breast", Segment::torso},        {"root", Segment::torso},     {"pelvis", Segment::torso},
+      {"neck", Segment::neck},           {"upperarm", Segment::upper_arm},
+      {"lowerarm", Segment::forearm},    {"wrist", Segment::hand},     {"metacarpal", Segment::hand},
+      {"finger", Segment::hand},         {"upperleg", Segment::thigh}, {"lowerleg", Segment::shank},
+      {"foot", Segment::foot},           {"toe", Segment::foot}};
+  for (const auto& [prefix, segment] : kPrefixes) {
+    if (bone.starts_with(prefix)) return segment;
+  }
+  return Segment::head;
+}
+
+bool is_limb(Segment s) { return s != Segment::head && s != Segment::neck && s != Segment::torso; }
+
+void check_posture(const Posture& posture) {
+  const auto check = [](const char* key, double value, double low, double high, const char* unit) {
+    if (!(value >= low && value <= high)) {
+      throw InvalidInput({"", 0, key}, fmt::format("{:g}{}", value, unit),
+                         fmt::format("{:g} to {:g}{}", low, high, unit));
+    }
+  };
+  check("arm_abduction", degrees(posture.arm_abduction), -10, 120, "°");
+  check("forward_bend", degrees(posture.forward_bend), -30, 90, "°");
+  check("sitting", posture.sitting, 0, 1, "");
+}
+
+double lowest(const std::vector<Vec3>& points) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const auto& p : points) low = std::min(low, p.z());
+  return low;
+}
+
+}  // namespace
+
+BodyModel::BodyModel(BodyData data)
+    : data_(std::make_shared<const BodyData>(std::move(data))),
+      morph_(*data_),
+      subdivision_(data_->body_vertices, data_->quads),
+      coarse_triangles_(triangulate(data_->quads)) {
+  for (int v = 0; v < subdivision_.fine_vertex_count(); ++v) {
+    std::map<int, double> sum;
+    double x = 0;
+    for (const auto& [coarse, share] : subdivision_.stencil(v)) {
+      x += share * data_->base[std::size_t(coarse)].x();
+      for (const auto& [bone, weight] : data_->skin[std::size_t(coarse)]) sum[bone] += share * weight;
+    }
+    const auto strongest = std::max_element(
+        sum.begin(), sum.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    segment_.push_back(segment_of_bone(data_->bones[std::size_t(strongest->first)].name));
+    side_.push_back(!is_limb(segment_.back()) ? 0 : x > 0 ? 1 : -1);
+    fine_skin_.emplace_back(sum.begin(), sum.end());
+  }
+}
+
+BodyModel BodyModel::load(const std::string& path) { return BodyModel(read_body_data(path)); }
+
+RestBody BodyModel::rest(const BodyParameters& parameters, BodyDetail detail) const {
+  std::vector<Vec3> rows = morph_.rows(parameters);
+  RestBody rest;
+  rest.joints = joint_positions(*data_, rows);
+  if (detail == BodyDetail::subdivided) {
+    rest.surface = {subdivision_.refine(rows), subdivision_.fine_triangles()};
+  } else {
+    rows.resize(std::size_t(data_->body_vertices));
+    rest.surface = {std::move(rows), coarse_triangles_};
+  }
+  return rest;
+}
+
+Posture BodyModel::rest_posture(const BodyParameters& parameters) const {
+  check_parameters(parameters);
+  const auto joints = joint_positions(*data_, morph_.rows(parameters));
+  return {rest_arm_abduction(*data_, joints), 0, 0};
+}
+
+Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) const {
+  check_parameters(parameters);
+  check_posture(posture);
+  const RestBody rest = this->rest(parameters);
+  const auto bones = pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture));
+
+  Body body;
+  body.segment = segment_;
+  body.side = side_;
+  body.measured = BodyTape(*data_, rest).all();
+  body.pose_from_rest = blend_bones(bones, fine_skin_);
+  body.surface.triangles = rest.surface.triangles;
+  body.surface.vertices.reserve(rest.surface.vertices.size());
+  for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v) {
+    body.surface.vertices.push_back(body.pose_from_rest[v] * rest.surface.vertices[v].homogeneous());
+  }
+
+  // Both ends of the map stand on the floor.
+  const Vec3 drop(0, 0, lowest(body.surface.vertices));
+  const Vec3 rest_drop(0, 0, lowest(rest.surface.vertices));
+  for (auto& p : body.surface.vertices) p -= drop;
+  for (auto& map : body.pose_from_rest) map.col(3) += map.leftCols<3>() * rest_drop - drop;
+
+  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  body.landmark_vertex = landmark_vertices(*data_, rest);
+  for (const auto& [name, v] : body.landmark_vertex) {
+    body.landmarks[name] = body.surface.vertices[std::size_t(v)];
+  }
+  // A joint moves with the bone that starts there; both bones of a joint agree on it.
+  for (const auto& [name, joint] : joint_indices(*data_)) {
+    const auto bone = std::find_if(data_->bones.begin(), data_->bones.end(), [&](const Bone& b) {
+      return b.head == joint || b.tail == joint;
+    });
+    const auto index = std::size_t(bone - data_->bones.begin());
+    body.joints[name] = bones[index] * rest.joints[std::size_t(joint)] - drop;
+  }
+  return body;
+}
+
+}  // namespace loosefit

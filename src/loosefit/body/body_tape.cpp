@@ -1,0 +1,199 @@
+#include "loosefit/body/body_tape.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/landmarks.h"
+#include "loosefit/body/rulers.h"
+#include "loosefit/body/section.h"
+
+namespace loosefit {
+namespace {
+
+constexpr int kC7 = 1491, kBackWaist = 4181, kCrotch = 4372;
+constexpr int kHpsLeft = 7478, kAcromionLeft = 8274, kAcromionRight = 1602;
+constexpr int kElbowEnd = 10037, kForearmStart = 10040, kWristOuter = 10548;
+constexpr double kUpperArmShare = 0.3, kForearmShare = 0.25;  // where these are usually fullest
+constexpr double kDensity = 985;  // kg/m³, whole body
+
+Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
+  const Vec3 centre = ruler_centre(vertices, name);
+  Mat3 spread = Mat3::Zero();
+  for (const int v : ruler(name)) {
+    const Vec3 d = vertices[std::size_t(v)] - centre;
+    spread += d * d.transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
+}
+
+}  // namespace
+
+const std::vector<std::string>& measure_names() {
+  static const std::vector<std::string> kNames = {
+      "height", "chest", "underbust", "waist", "hip",   "neck",             "upper_arm",  "forearm",
+      "wrist",  "thigh", "knee",      "calf",  "ankle", "shoulder_breadth", "arm_length", "back_length",
+      "crotch_height"};
+  return kNames;
+}
+
+const Vec3& BodyTape::joint(const std::string& bone) const {
+  return rest_.joints[std::size_t(data_.bones[std::size_t(data_.bone(bone))].head)];
+}
+
+double BodyTape::floor() const {
+  double low = std::numeric_limits<double>::infinity();
+  for (const auto& p : rest_.surface.vertices) low = std::min(low, p.z());
+  return low;
+}
+
+double BodyTape::trunk_girth(double z) const {
+  const auto loops = plane_section(rest_.surface, Vec3(0, 0, z), Vec3::UnitZ());
+  const SectionLoop* trunk = trunk_loop(loops);
+  if (!trunk) throw GeometryError("body: found no closed section round the trunk at this level");
+  return hull_perimeter(trunk->points, Vec3::UnitZ());
+}
+
+double BodyTape::section_girth(const Vec3& origin, const Vec3& normal) const {
+  for (const auto& loop : plane_section(rest_.surface, origin, normal)) {
+    if (loop_contains(loop, normal, origin)) return hull_perimeter(loop.points, normal);
+  }
+  throw GeometryError("body: found no closed section round this point");
+}
+
+double BodyTape::ring_girth(const std::string& ruler_name) const {
+  const auto& vertices = rest_.surface.vertices;
+  return section_girth(ruler_centre(vertices, ruler_name), ring_normal(vertices, ruler_name));
+}
+
+double BodyTape::limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const {
+  const Vec3 a = joint(bone_a), b = joint(bone_b);
+  return section_girth(a + t * (b - a), b - a);
+}
+
+// The lowest height at which the arm still belongs to the trunk section, from below the shoulder.
+double BodyTape::armpit_height() const {
+  double apart = ruler_centre(rest_.surface.vertices, "bust_circ").z();
+  double together = joint("upperarm01.L").z();
+  const double shoulder_x = vertex(kAcromionLeft).x();
+  const auto arm_is_apart = [&](double z) {
+    const SectionLoop* trunk = nullptr;
+    const auto loops = plane_section(rest_.surface, Vec3(0, 0, z), Vec3::UnitZ());
+    trunk = trunk_loop(loops);
+    if (!trunk) return false;
+    int beside = 0;
+    for (const auto& loop : loops) {
+      const bool left = std::all_of(loop.points.begin(), loop.points.end(),
+                                    [&](const Vec3& p) { return p.x() > 0.3 * shoulder_x; });
+      beside += left && &loop != trunk;
+    }
+    return beside > 0;
+  };
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (apart + together);
+    (arm_is_apart(middle) ? apart : together) = middle;
+  }
+  return apart;
+}
+
+// A tape from the neck-shoulder point down the back: hull of the sagittal section there.
+double BodyTape::back_length_beside_spine(double down_to) const {
+  const Vec3 hps = vertex(kHpsLeft);
+  std::vector<Vec2> back = {{hps.z(), hps.y()}};
+  for (const auto& loop : plane_section(rest_.surface, hps, Vec3::UnitX())) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3& a = loop.points[i];
+      const Vec3& b = loop.points[(i + 1) % loop.points.size()];
+      if (a.z() <= hps.z() && a.z() >= down_to) back.emplace_back(a.z(), a.y());
+      if ((a.z() - down_to) * (b.z() - down_to) < 0) {
+        const Vec3 end = a + (down_to - a.z()) / (b.z() - a.z()) * (b - a);
+        back.emplace_back(end.z(), end.y());
+      }
+    }
+  }
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const auto& p : back) {
+    if (p.x() <= down_to + 1e-9) deepest = std::max(deepest, p.y());
+  }
+  // Keep the chain of the hull that lies behind the line from start to end.
+  const Vec2 start(hps.z(), hps.y()), end(down_to, deepest);
+  const auto behind = [&](const Vec2& p) {
+    const Vec2 d = end - start, e = p - start;
+    return d.x() * e.y() - d.y() * e.x() <= 1e-12;
+  };
+  std::vector<Vec2> kept = {start, end};
+  for (const auto& p : back) {
+    if (behind(p)) kept.push_back(p);
+  }
+  const auto hull = convex_hull(kept);
+  double perimeter = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  return perimeter - (end - start).norm();
+}
+
+double BodyTape::measure(const std::string& name) const {
+  const auto& vertices = rest_.surface.vertices;
+  const auto level = [&](const char* ring) { return trunk_girth(ruler_centre(vertices, ring).z()); };
+  if (name == "height") {
+    const auto [low, high] = std::minmax_element(
+        vertices.begin(), vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+    return high->z() - low->z();
+  }
+  if (name == "chest") return level("bust_circ");
+  if (name == "underbust") return level("underbust_circ");
+  if (name == "waist") return level("waist_circ");
+  if (name == "hip") return level("hips_circ");
+  if (name == "neck") return ring_girth("neck_circ");
+  if (name == "upper_arm") return limb_girth("upperarm01.L", "lowerarm01.L", kUpperArmShare);
+  if (name == "forearm") return limb_girth("lowerarm01.L", "wrist.L", kForearmShare);
+  if (name == "wrist") return ring_girth("wrist_circ");
+  if (name == "thigh") return ring_girth("thigh_circ");
+  if (name == "knee") return ring_girth("knee_circ");
+  if (name == "calf") return ring_girth("calf_circ");
+  if (name == "ankle") return ring_girth("ankle_circ");
+  if (name == "shoulder_breadth") {
+    return (vertex(kAcromionLeft) - vertex(kC7)).norm() + (vertex(kC7) - vertex(kAcromionRight)).norm();
+  }
+  if (name == "arm_length") {
+    return (vertex(kAcromionLeft) - vertex(kElbowEnd)).norm() +
+           (vertex(kForearmStart) - vertex(kWristOuter)).norm();
+  }
+  if (name == "back_length") {
+    double length = 0;
+    const auto& line = back_line();
+    for (auto v = std::find(line.begin(), line.end(), kC7); *v != kBackWaist; ++v) {
+      length += (vertex(v[1]) - vertex(v[0])).norm();
+    }
+    return length;
+  }
+  if (name == "crotch_height") return vertex(kCrotch).z() - floor();
+  throw InvalidInput("the body has no measure named " + name);
+}
+
+std::map<std::string, double> BodyTape::all() const {
+  std::map<std::string, double> found;
+  for (const auto& name : measure_names()) found[name] = measure(name);
+  const auto& vertices = rest_.surface.vertices;
+  const double ground = floor(), armpit = armpit_height();
+  const Vec3 hps = vertex(kHpsLeft), acromion = vertex(kAcromionLeft);
+  const double waist = ruler_centre(vertices, "waist_circ").z();
+  const double hip = ruler_centre(vertices, "hips_circ").z();
+  found["chest_level"] = ruler_centre(vertices, "bust_circ").z() - ground;
+  found["underbust_level"] = ruler_centre(vertices, "underbust_circ").z() - ground;
+  found["waist_level"] = waist - ground;
+  found["hip_level"] = hip - ground;
+  found["armpit_level"] = armpit - ground;
+  found["shoulder_slope"] = std::atan2(hps.z() - acromion.z(), acromion.x() - hps.x());
+  found["shoulder_length"] = (acromion - hps).norm();
+  found["neck_width"] = 2 * hps.x();
+  found["scye_depth"] = acromion.z() - armpit;
+  found["hps_to_waist"] = back_length_beside_spine(waist);
+  found["hps_to_hip"] = back_length_beside_spine(hip);
+  found["volume"] = enclosed_volume(rest_.surface);
+  found["mass"] = kDensity * found["volume"];
+  return found;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,49 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "loosefit/body/rest_body.h"
+
+namespace loosefit {
+
+/// Takes measures [m] of a body in the rest posture. Girths are tape girths: perimeters of convex
+/// hulls of plane sections, at levels that follow the anatomy (body-model.md 8.2, 8.3).
+class BodyTape {
+ public:
+  /// Keeps references.
+  BodyTape(const BodyData& data, const RestBody& rest) : data_(data), rest_(rest) {}
+
+  /// One of measure_names(). \throws InvalidInput for an unknown name, GeometryError when a section
+  /// has no loop there.
+  double measure(const std::string& name) const;
+
+  /// Everything a pattern or a report wants, measure_names() included, and levels above the floor
+  /// ("chest_level", "waist_level", "hip_level", "armpit_level"), "shoulder_slope" [rad],
+  /// "volume" [m³] and "mass" [kg].
+  std::map<std::string, double> all() const;
+
+  /// Girth round the trunk at height z (not above the floor: in the frame of the rest body).
+  double trunk_girth(double z) const;
+  /// Girth of the limb round `bone_a`.head → `bone_b`.head at share t.
+  double limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const;
+
+ private:
+  double ring_girth(const std::string& ruler_name) const;
+  double section_girth(const Vec3& origin, const Vec3& normal) const;
+  double armpit_height() const;
+  double back_length_beside_spine(double down_to) const;
+  const Vec3& vertex(int index) const { return rest_.surface.vertices[std::size_t(index)]; }
+  const Vec3& joint(const std::string& bone) const;
+  double floor() const;
+
+  const BodyData& data_;
+  const RestBody& rest_;
+};
+
+/// What can be measured and asked for in a fit: "height", "chest", "underbust", "waist", "hip",
+/// "neck", "upper_arm", "forearm", "wrist", "thigh", "knee", "calf", "ankle", "shoulder_breadth",
+/// "arm_length", "back_length", "crotch_height".
+const std::vector<std::string>& measure_names();
+
+}  // namespace loosefit

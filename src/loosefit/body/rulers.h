@@ -1,0 +1,20 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+/// Vertex chain of a ruler: "bust_circ", "waist_circ", "upperarm_length", … (body-model.md 8.1).
+/// Limb rulers lie on the left. \throws InvalidInput for an unknown name.
+const std::vector<int>& ruler(const std::string& name);
+
+/// Length of the chain as a polyline [m]. Not a tape girth: see BodyTape.
+double ruler_length(const std::vector<Vec3>& vertices, const std::string& name);
+
+/// Mean of the chain's vertices.
+Vec3 ruler_centre(const std::vector<Vec3>& vertices, const std::string& name);
+
+}  // namespace loosefit

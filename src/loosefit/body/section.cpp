@@ -1,0 +1,165 @@
+#include "loosefit/body/section.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace loosefit {
+namespace {
+
+// A crossing of a mesh edge by the plane, and the two triangles' cut segments that meet there.
+struct Crossing {
+  std::uint64_t edge = 0;
+  int segment = 0;
+  int end = 0;
+};
+
+struct Segment {
+  std::uint64_t from = 0, to = 0;  ///< edge keys
+};
+
+std::uint64_t edge_key(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  return std::uint64_t(std::uint32_t(low)) << 32 | std::uint32_t(high);
+}
+
+std::pair<Vec3, Vec3> plane_axes(const Vec3& normal) {
+  const Vec3 other = std::abs(normal.x()) < 0.8 * normal.norm() ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 u = normal.cross(other).normalized();
+  return {u, normal.cross(u).normalized()};
+}
+
+double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
+  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
+}
+
+}  // namespace
+
+std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& origin,
+                                       const Vec3& normal) {
+  const Vec3 n = normal.normalized();
+  const double offset = n.dot(origin);
+  std::vector<double> height(mesh.vertices.size());
+  for (std::size_t v = 0; v < height.size(); ++v) height[v] = n.dot(mesh.vertices[v]) - offset;
+  const auto above = [&](int v) { return height[std::size_t(v)] >= 0; };
+
+  std::vector<Segment> segments;
+  std::vector<Crossing> crossings;
+  for (const auto& t : mesh.triangles) {
+    if (above(t[0]) == above(t[1]) && above(t[1]) == above(t[2])) continue;
+    // The corner alone on its side; its two edges are cut.
+    std::size_t lone = 0;
+    while (above(t[lone]) == above(t[(lone + 1) % 3]) || above(t[lone]) == above(t[(lone + 2) % 3])) {
+      ++lone;
+    }
+    const int a = t[lone], b = t[(lone + 1) % 3], c = t[(lone + 2) % 3];
+    const int index = int(segments.size());
+    segments.push_back({edge_key(a, b), edge_key(a, c)});
+    crossings.push_back({segments.back().from, index, 0});
+    crossings.push_back({segments.back().to, index, 1});
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& l, const Crossing& r) {
+    return std::pair(l.edge, l.segment) < std::pair(r.edge, r.segment);
+  });
+  // neighbour[segment][end]: the segment that shares this crossing, or -1.
+  std::vector<std::array<int, 2>> neighbour(segments.size(), {-1, -1});
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    if (crossings[i].edge != crossings[i + 1].edge) continue;
+    neighbour[std::size_t(crossings[i].segment)][std::size_t(crossings[i].end)] = crossings[i + 1].segment;
+    neighbour[std::size_t(crossings[i + 1].segment)][std::size_t(crossings[i + 1].end)] = crossings[i].segment;
+    ++i;
+  }
+  const auto point_of = [&](std::uint64_t edge) -> Vec3 {
+    const auto a = std::size_t(edge >> 32), b = std::size_t(edge & 0xffffffff);
+    const double share = height[a] / (height[a] - height[b]);
+    return mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]);
+  };
+
+  std::vector<SectionLoop> loops;
+  std::vector<char> used(segments.size(), 0);
+  for (std::size_t first = 0; first < segments.size(); ++first) {
+    if (used[first]) continue;
+    SectionLoop loop;
+    std::size_t at = first;
+    std::size_t leave = 1;
+    bool closed = false;
+    while (true) {
+      used[at] = 1;
+      const std::uint64_t edge = leave == 1 ? segments[at].to : segments[at].from;
+      loop.points.push_back(point_of(edge));
+      const int next = neighbour[at][leave];
+      if (next < 0) break;
+      if (std::size_t(next) == first) {
+        closed = true;
+        break;
+      }
+      if (used[std::size_t(next)]) break;
+      at = std::size_t(next);
+      leave = segments[at].from == edge ? 1 : 0;
+    }
+    if (!closed || loop.points.size() < 3) continue;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      loop.length += (loop.points[(i + 1) % loop.points.size()] - loop.points[i]).norm();
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+bool loop_contains(const SectionLoop& loop, const Vec3& normal, const Vec3& point) {
+  const auto [u, v] = plane_axes(normal);
+  const Vec2 p(u.dot(point), v.dot(point));
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Vec3& a3 = loop.points[i];
+    const Vec3& b3 = loop.points[(i + 1) % loop.points.size()];
+    const Vec2 a(u.dot(a3), v.dot(a3)), b(u.dot(b3), v.dot(b3));
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+  });
+  std::vector<Vec2> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t floor = hull.size();
+    for (const auto& p : points) {
+      while (hull.size() >= floor + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    if (!hull.empty()) hull.pop_back();  // the next pass starts here
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+double hull_perimeter(const std::vector<Vec3>& points, const Vec3& normal) {
+  const auto [u, v] = plane_axes(normal);
+  std::vector<Vec2> flat;
+  for (const auto& p : points) flat.emplace_back(u.dot(p), v.dot(p));
+  const auto hull = convex_hull(std::move(flat));
+  double length = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  return length;
+}
+
+const SectionLoop* trunk_loop(const std::vector<SectionLoop>& loops, double x) {
+  const SectionLoop* best = nullptr;
+  for (const auto& loop : loops) {
+    const auto [low, high] = std::minmax_element(
+        loop.points.begin(), loop.points.end(),
+        [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+    if (low->x() <= x && x <= high->x() && (!best || loop.length > best->length)) best = &loop;
+  }
+  return best;
+}
+
+}  // namespace loosefit

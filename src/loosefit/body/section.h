@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// A closed curve where a plane cuts a surface.
+struct SectionLoop {
+  std::vector<Vec3> points;  ///< in order; the last point joins the first
+  double length = 0;         ///< perimeter [m]
+};
+
+/// All closed loops of the cut by the plane through `origin` with normal `normal`. A vertex exactly
+/// on the plane counts as lying above it, so every loop of a closed surface closes. Loops are in
+/// the order of their first triangle; open chains of an open surface are left out.
+std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& origin,
+                                       const Vec3& normal);
+
+/// True when the polygon of the loop, seen along `normal`, contains `point`.
+bool loop_contains(const SectionLoop& loop, const Vec3& normal, const Vec3& point);
+
+/// Perimeter of the convex hull of points seen along `normal`: what a tape measures [m].
+double hull_perimeter(const std::vector<Vec3>& points, const Vec3& normal);
+
+/// Convex hull of plane points, counter-clockwise, no repeated end (Andrew 1979).
+std::vector<Vec2> convex_hull(std::vector<Vec2> points);
+
+/// The loop around the trunk: the longest whose x-range contains `x`. Null when there is none.
+const SectionLoop* trunk_loop(const std::vector<SectionLoop>& loops, double x = 0);
+
+}  // namespace loosefit

@@ -1,0 +1,81 @@
+#include "loosefit/body/skeleton_pose.h"
+
+#include <cmath>
+
+namespace loosefit {
+namespace {
+
+// Shares of the arm angle and of the bend, lowest spine bone first.
+constexpr double kClavicleShare = 0.15, kShoulderShare = 0.10, kUpperArmShare = 0.75;
+constexpr double kSpineShare[5] = {0.3, 0.3, 0.2, 0.1, 0.1};
+// Measured: bones turning by b together turn the line C7 - back waist by b / 1.09 for 10° … 60°.
+constexpr double kBendGain = 1.09;
+
+Mat3 about(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+
+}  // namespace
+
+double rest_arm_abduction(const BodyData& data, const std::vector<Vec3>& joints) {
+  const Bone& upper = data.bones[std::size_t(data.bone("upperarm01.L"))];
+  const Bone& lower = data.bones[std::size_t(data.bone("lowerarm01.L"))];
+  const Vec3 arm = joints[std::size_t(lower.head)] - joints[std::size_t(upper.head)];
+  return std::atan2(arm.x(), -arm.z());
+}
+
+BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& joints,
+                                const Posture& posture) {
+  BoneRotations rotations;
+  const double lift = posture.arm_abduction - rest_arm_abduction(data, joints);
+  const auto raise = [&](const std::string& bone, double share) {
+    // About -y (forward) a positive angle raises the left arm; the right arm mirrors it.
+    rotations[bone + ".L"] = about(-Vec3::UnitY(), share * lift);
+    rotations[bone + ".R"] = about(-Vec3::UnitY(), -share * lift);
+  };
+  raise("clavicle", kClavicleShare);
+  raise("shoulder01", kShoulderShare);
+  raise("upperarm01", kUpperArmShare);
+
+  for (int i = 0; i < 5; ++i) {
+    rotations["spine0" + std::to_string(5 - i)] =
+        about(Vec3::UnitX(), kSpineShare[i] * kBendGain * posture.forward_bend);
+  }
+  for (const char* side : {".L", ".R"}) {
+    rotations[std::string("upperleg01") + side] = about(Vec3::UnitX(), -posture.sitting * kPi / 2);
+    rotations[std::string("lowerleg01") + side] = about(Vec3::UnitX(), posture.sitting * kPi / 2);
+  }
+  return rotations;
+}
+
+std::vector<Eigen::Affine3d> pose_bones(const BodyData& data, const std::vector<Vec3>& joints,
+                                        const BoneRotations& rotations) {
+  std::vector<Eigen::Affine3d> maps;
+  maps.reserve(data.bones.size());
+  for (const Bone& bone : data.bones) {
+    Eigen::Affine3d map =
+        bone.parent < 0 ? Eigen::Affine3d::Identity() : maps[std::size_t(bone.parent)];
+    const auto turn = rotations.find(bone.name);
+    if (turn != rotations.end()) {
+      const Vec3& head = joints[std::size_t(bone.head)];
+      map = map * Eigen::Translation3d(head) * turn->second * Eigen::Translation3d(-head);
+    }
+    maps.push_back(map);
+  }
+  return maps;
+}
+
+std::vector<Eigen::Matrix<double, 3, 4>> blend_bones(
+    const std::vector<Eigen::Affine3d>& bones,
+    const std::vector<std::vector<std::pair<int, double>>>& skin) {
+  std::vector<Eigen::Matrix<double, 3, 4>> maps;
+  maps.reserve(skin.size());
+  for (const auto& influences : skin) {
+    Eigen::Matrix<double, 3, 4> map = Eigen::Matrix<double, 3, 4>::Zero();
+    for (const auto& [bone, weight] : influences) {
+      map += weight * bones[std::size_t(bone)].matrix().topRows<3>();
+    }
+    maps.push_back(map);
+  }
+  return maps;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,16 @@
+#pragma once
+#include "loosefit/body/body_model.h"
+
+namespace loosefit {
+
+/// The parametric body, loaded once per test binary. Throws (the test fails) when it is not baked:
+/// `make test` fetches and bakes it first.
+inline const BodyModel& body_model() {
+  static const BodyModel model = BodyModel::load();
+  return model;
+}
+
+/// A reference point of the source data (dm, y up, z forward) in our frame.
+inline Vec3 from_decimetres(double x, double y, double z) { return Vec3(x, -z, y) * 0.1; }
+
+}  // namespace loosefit
