@@ -1,5 +1,6 @@
 #include "loosefit/body/section.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <utility>
