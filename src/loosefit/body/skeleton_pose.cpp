@@ -56,7 +56,8 @@ std::vector<Eigen::Affine3d> pose_bones(const BodyData& data, const std::vector<
     const auto turn = rotations.find(bone.name);
     if (turn != rotations.end()) {
       const Vec3& head = joints[std::size_t(bone.head)];
-      map = map * Eigen::Translation3d(head) * turn->second * Eigen::Translation3d(-head);
+      const Eigen::Affine3d rotation(turn->second);
+      map = map * Eigen::Translation3d(head) * rotation * Eigen::Translation3d(-head);
     }
     maps.push_back(map);
   }
