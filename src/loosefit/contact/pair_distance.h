@@ -1,0 +1,26 @@
+#pragma once
+#include "loosefit/base/types.h"
+
+namespace loosefit {
+
+/// Nearest points of two mesh features: Σ weight_k x_k with weights summing to 0 is the vector from
+/// the second feature to the first; its length is the distance [m].
+struct PairDistance {
+  double distance = 0;
+  std::array<double, 4> weight{};
+  Vec3 normal = Vec3::Zero();  ///< unit vector from the second to the first; zero when they touch
+};
+
+/// Point x0 against triangle x1 x2 x3 (all regions: face, edges, corners).
+PairDistance point_triangle_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
+/// Segment x0 x1 against segment x2 x3 (Ericson 2005, 5.1.9), parallel ones included.
+PairDistance edge_edge_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
+
+/// First contact of two features moving linearly from x to x + dx, as a share of dx in [0, 1];
+/// 1 when they stay apart. Conservative: the features keep at least a tenth of their distance.
+/// Additive continuous collision detection, Li, Kaufman and Jiang 2021 (C-IPC), alg. 1.
+enum class PairKind { point_triangle, edge_edge };
+double time_of_impact(PairKind kind, const std::array<Vec3, 4>& x, const std::array<Vec3, 4>& dx,
+                      double upper = 1.0);
+
+}  // namespace loosefit
