@@ -39,6 +39,7 @@ name = "logger"
 panel = "back"
 at = [0.0, -0.12]
 size = [0.04, 0.03]
+angle_deg = 30
 mass = 0.012
 bending = 0.05
 [[attachment]]
@@ -46,7 +47,7 @@ kind = "cable"
 name = "lead"
 panel = "back"
 path = [[0.0, -0.15], [0.02, -0.40]]
-mass_per_length = 0.004
+linear_density = 0.004
 bending = 1e-6
 [[site]]
 name = "spine"
@@ -87,9 +88,10 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(s.material.material.areal_density, 0.187) << "from the card";
   EXPECT_EQ(s.material.material.bending_warp, 9e-6) << "overridden";
   ASSERT_EQ(s.attachments.size(), 2u);
-  EXPECT_EQ(s.attachments[0].size, Vec2(0.04, 0.03));
-  EXPECT_EQ(s.attachments[1].path.size(), 2u);
-  EXPECT_EQ(s.attachments[1].mass_per_length, 0.004);
+  EXPECT_EQ(std::get<Board>(s.attachments[0].part).size, Vec2(0.04, 0.03));
+  EXPECT_DOUBLE_EQ(std::get<Board>(s.attachments[0].part).angle, radians(30));
+  EXPECT_EQ(std::get<Cable>(s.attachments[1].part).path.size(), 2u);
+  EXPECT_EQ(std::get<Cable>(s.attachments[1].part).linear_density, 0.004);
   EXPECT_EQ(s.sites[1].landmark, "c7");
   EXPECT_EQ(s.simulation.seed, 7u);
   EXPECT_EQ(s.simulation.start_perturbation, 0.001) << "several repeats need different starts";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
+#include "loosefit/garment/attachment.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/pattern/shirt_draft.h"
 
@@ -30,22 +31,6 @@ struct ScenarioGarment {
   std::string file;  ///< pattern file instead of the draft; absolute
   std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
   ShirtFit fit{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
-};
-
-/// [[attachment]]: something sewn on that adds mass and stiffness.
-struct ScenarioAttachment {
-  enum class Kind { board, cable } kind = Kind::board;
-  std::string name;
-  std::string panel;
-  Vec2 at = Vec2::Zero();      ///< board: centre in pattern coordinates [m]
-  Vec2 size = Vec2::Zero();    ///< board: width, height [m]; zero when round
-  double radius = 0;           ///< round board [m]
-  std::vector<Vec2> path;      ///< cable: polyline in pattern coordinates [m]
-  double width = 0.004;        ///< cable: strip over which it is spread [m]
-  double mass = 0;             ///< board [kg]
-  double mass_per_length = 0;  ///< cable [kg/m]
-  double bending = 0;          ///< board: added sheet rigidity [N m]; cable: rod rigidity [N m²]
-  double membrane_factor = 1;  ///< board: in-plane stiffness multiplier
 };
 
 /// [[site]]: a place where a sensor may sit.
@@ -86,7 +71,7 @@ struct Scenario {
   ScenarioBody body;
   ScenarioGarment garment;
   MaterialCard material;
-  std::vector<ScenarioAttachment> attachments;
+  std::vector<Attachment> attachments;
   std::vector<ScenarioSite> sites;
   ScenarioSimulation simulation;
   ScenarioOutput output;

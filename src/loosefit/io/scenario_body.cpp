@@ -1,4 +1,5 @@
 #include "loosefit/base/text.h"
+#include "loosefit/body/body_tape.h"
 #include "loosefit/io/scenario_sections.h"
 
 namespace loosefit {
@@ -61,14 +62,6 @@ ScenarioBody read_body_file(ConfigReader& table) {
 
 }  // namespace
 
-const std::vector<std::string>& measurement_names() {
-  static const std::vector<std::string> kNames = {
-      "chest",     "underbust", "waist", "hip",        "neck",
-      "upper_arm", "wrist",     "thigh", "arm_length", "back_length",
-  };
-  return kNames;
-}
-
 ScenarioBody read_body_section(ConfigReader table) {
   if (table.has("file")) return read_body_file(table);
   if (table.has("units")) throw table.error("units", "units only beside file", {});
@@ -77,7 +70,8 @@ ScenarioBody read_body_section(ConfigReader table) {
   body.age = table.number("age", body.age, {3, 90, "years"});
   body.height = table.number("height", body.height, {0.7, 2.3, "metres"});
   ConfigReader wishes = table.table("measurements");
-  for (const std::string& name : measurement_names())
+  if (wishes.has("height")) throw wishes.error("height", "height as a key of [body] itself");
+  for (const std::string& name : measure_names())
     if (const auto wish = wishes.optional_number(name, {0.08, 2.0, "metres"}))
       body.measurements[name] = *wish;
   wishes.finish();

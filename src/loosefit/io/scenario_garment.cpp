@@ -22,6 +22,36 @@ ShirtFit read_fit(ConfigReader table, ShirtFit fit) {
   return fit;
 }
 
+std::string required_text(ConfigReader& table, const std::string& key, const std::string& what) {
+  if (!table.has(key)) throw table.error(key, what);
+  return table.text(key, "");
+}
+
+Board read_board(ConfigReader& table) {
+  Board board;
+  board.centre = table.point("at", kPatternPlace);
+  const bool disc = table.has("radius");
+  if (table.has("size") == disc)
+    throw table.error(disc ? "radius" : "size", "either size = [width, height] or radius");
+  if (!disc) board.size = table.point("size", {0.001, 0.5, "metres"});
+  board.radius = table.number("radius", 0, {0.001, 0.25, "metres"});
+  board.angle = radians(table.number("angle_deg", 0, {-360, 360, "degrees"}));
+  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"});
+  board.bending = table.number("bending", board.bending, {0, 10, "N m"});
+  board.membrane_factor =
+      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"});
+  return board;
+}
+
+Cable read_cable(ConfigReader& table) {
+  Cable cable;
+  cable.path = table.points("path", kPatternPlace, 2);
+  cable.width = table.number("width", cable.width, {0.0005, 0.1, "metres"});
+  cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"});
+  cable.bending = table.number("bending", 0, {0, 0.01, "N m²"});
+  return cable;
+}
+
 bool names_a_file(const std::string& pattern) {
   return pattern.find('/') != std::string::npos ||
          std::filesystem::path(pattern).extension() == ".json";
@@ -51,39 +81,22 @@ ScenarioGarment read_garment_section(ConfigReader table) {
   return garment;
 }
 
-ScenarioAttachment read_attachment_section(ConfigReader table) {
-  using Kind = ScenarioAttachment::Kind;
-  ScenarioAttachment a;
-  a.name = table.text("name", "");
-  if (a.name.empty()) throw table.error("name", "a name");
-  a.kind = table.choice("kind", "", {"board", "cable"}) == "cable" ? Kind::cable : Kind::board;
-  if (!table.has("kind")) throw table.error("kind", "\"board\" or \"cable\"");
-  a.panel = table.text("panel", "");
-  if (a.panel.empty()) throw table.error("panel", "the name of a panel of the pattern");
-  if (a.kind == Kind::board) {
-    a.at = table.point("at", kPatternPlace);
-    if (table.has("size") == table.has("radius"))
-      throw table.error(table.has("size") ? "radius" : "size",
-                        "either size = [width, height] or radius");
-    if (table.has("size")) a.size = table.point("size", {0.001, 0.5, "metres"});
-    a.radius = table.number("radius", 0, {0.001, 0.25, "metres"});
-    a.mass = table.number("mass", 0, {0, 2, "kilograms"});
-    a.bending = table.number("bending", 0, {0, 10, "N m"});
-    a.membrane_factor = table.number("membrane_factor", 1, {1, 1e4, "a factor"});
-  } else {
-    a.path = table.points("path", kPatternPlace, 2);
-    a.width = table.number("width", a.width, {0.0005, 0.1, "metres"});
-    a.mass_per_length = table.number("mass_per_length", 0, {0, 1, "kg/m"});
-    a.bending = table.number("bending", 0, {0, 0.01, "N m²"});
-  }
+Attachment read_attachment_section(ConfigReader table) {
+  Attachment a;
+  a.name = required_text(table, "name", "a name");
+  a.panel = required_text(table, "panel", "the name of a panel of the pattern");
+  required_text(table, "kind", "\"board\" or \"cable\"");
+  if (table.choice("kind", "", {"board", "cable"}) == "board")
+    a.part = read_board(table);
+  else
+    a.part = read_cable(table);
   table.finish();
   return a;
 }
 
 ScenarioSite read_site_section(ConfigReader table) {
   ScenarioSite site;
-  site.name = table.text("name", "");
-  if (site.name.empty()) throw table.error("name", "a name");
+  site.name = required_text(table, "name", "a name");
   site.landmark = table.text("landmark", "");
   site.panel = table.text("panel", "");
   if (site.landmark.empty() == site.panel.empty())

@@ -9,13 +9,10 @@ namespace loosefit {
 ScenarioBody read_body_section(ConfigReader table);
 ScenarioGarment read_garment_section(ConfigReader table);
 MaterialCard read_material_section(ConfigReader table);
-ScenarioAttachment read_attachment_section(ConfigReader table);
+Attachment read_attachment_section(ConfigReader table);
 ScenarioSite read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
 ScenarioOutput read_output_section(ConfigReader table);
-
-/// Names of body measurements a scenario may wish for.
-const std::vector<std::string>& measurement_names();
 
 /// Absolute form of a file named in the scenario, relative to the scenario's folder.
 /// \throws InvalidInput if it does not exist or is not a file.

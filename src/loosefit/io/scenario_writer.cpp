@@ -66,23 +66,28 @@ std::string garment_text(const ScenarioGarment& garment) {
                     shortest(fit.cap_ease));
 }
 
-std::string attachment_text(const ScenarioAttachment& a) {
-  const bool board = a.kind == ScenarioAttachment::Kind::board;
-  std::string text =
-      fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
-                  board ? "board" : "cable", toml_quoted(a.name), toml_quoted(a.panel));
-  if (board) {
-    text += "at = " + point_text(a.at) + "\n";
-    text += a.radius > 0 ? "radius = " + shortest(a.radius) + "\n"
-                         : "size = " + point_text(a.size) + "\n";
-    return text + fmt::format("mass = {}\nbending = {}\nmembrane_factor = {}\n", shortest(a.mass),
-                              shortest(a.bending), shortest(a.membrane_factor));
-  }
+std::string part_text(const Board& board) {
+  return "at = " + point_text(board.centre) + "\n" +
+         (board.radius > 0 ? "radius = " + shortest(board.radius)
+                           : "size = " + point_text(board.size)) +
+         fmt::format("\nangle_deg = {}\nmass = {}\nbending = {}\nmembrane_factor = {}\n",
+                     degrees_text(board.angle), shortest(board.mass), shortest(board.bending),
+                     shortest(board.membrane_factor));
+}
+
+std::string part_text(const Cable& cable) {
   std::vector<std::string> path;
-  for (const Vec2& p : a.path) path.push_back(point_text(p));
-  return text + fmt::format("path = [{}]\nwidth = {}\nmass_per_length = {}\nbending = {}\n",
-                            join(path), shortest(a.width), shortest(a.mass_per_length),
-                            shortest(a.bending));
+  for (const Vec2& p : cable.path) path.push_back(point_text(p));
+  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n", join(path),
+                     shortest(cable.width), shortest(cable.linear_density),
+                     shortest(cable.bending));
+}
+
+std::string attachment_text(const Attachment& a) {
+  return fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
+                     std::holds_alternative<Board>(a.part) ? "board" : "cable", toml_quoted(a.name),
+                     toml_quoted(a.panel)) +
+         std::visit([](const auto& part) { return part_text(part); }, a.part);
 }
 
 std::string site_text(const ScenarioSite& site) {
@@ -115,7 +120,7 @@ std::string scenario_toml(const Scenario& scenario) {
   std::string text = body_text(scenario.body) + "\n" + garment_text(scenario.garment) +
                      "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
                      material_toml(material);
-  for (const ScenarioAttachment& a : scenario.attachments) text += "\n" + attachment_text(a);
+  for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const ScenarioSite& site : scenario.sites) text += "\n" + site_text(site);
   return text + "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
 }

