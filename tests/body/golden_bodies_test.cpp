@@ -16,7 +16,8 @@ struct Golden {
   BodyParameters parameters;
   int targets;
   double stature;  ///< [cm], like the rest
-  std::vector<double> rulers;  ///< bust, underbust, waist, hips, neck, upperarm, wrist; empty: not given
+  std::vector<double>
+      rulers;  ///< bust, underbust, waist, hips, neck, upperarm, wrist; empty: not given
   double chest, waist, hip;
   double litres;
 };
@@ -36,20 +37,69 @@ std::vector<Golden> golden_bodies() {
   BodyParameters g = person(0, 14);
   g.weight = 0.3, g.cup = 0.7;
   return {
-      {"A", person(0.5, 25), 8, 165.938, {87.96, 73.88, 72.73, 92.83, 32.85, 24.95, 13.59},
-       86.79, 72.40, 92.46, 54.908},
-      {"B", person(0, 25), 4, 158.979, {82.51, 65.90, 71.16, 94.16, 28.57, 22.94, 12.31},
-       81.90, 70.92, 93.33, 47.969},
-      {"C", person(1, 25), 4, 173.040, {96.26, 83.96, 76.79, 93.31, 37.37, 27.06, 14.90},
-       92.65, 75.11, 92.65, 63.320},
-      {"D", person(0.4, 10), 8, 129.923, {65.16, 55.73, 57.87, 71.67, 27.16, 18.48, 10.34},
-       64.28, 57.75, 71.39, 26.198},
-      {"E", e, 10, 139.980, {68.64, 58.82, 60.86, 75.44, 28.51, 19.52, 11.07},
-       67.71, 60.71, 75.15, 31.232},
-      {"F", f, 18, 188.531, {109.71, 98.35, 99.32, 110.47, 42.07, 31.32, 18.23},
-       106.96, 98.35, 109.98, 94.856},
-      {"G", g, 14, 134.885, {68.75, 54.41, 59.00, 76.91, 26.00, 18.67, 10.67},
-       68.86, 59.02, 76.11, 28.029},
+      {"A",
+       person(0.5, 25),
+       8,
+       165.938,
+       {87.96, 73.88, 72.73, 92.83, 32.85, 24.95, 13.59},
+       86.79,
+       72.40,
+       92.46,
+       54.908},
+      {"B",
+       person(0, 25),
+       4,
+       158.979,
+       {82.51, 65.90, 71.16, 94.16, 28.57, 22.94, 12.31},
+       81.90,
+       70.92,
+       93.33,
+       47.969},
+      {"C",
+       person(1, 25),
+       4,
+       173.040,
+       {96.26, 83.96, 76.79, 93.31, 37.37, 27.06, 14.90},
+       92.65,
+       75.11,
+       92.65,
+       63.320},
+      {"D",
+       person(0.4, 10),
+       8,
+       129.923,
+       {65.16, 55.73, 57.87, 71.67, 27.16, 18.48, 10.34},
+       64.28,
+       57.75,
+       71.39,
+       26.198},
+      {"E",
+       e,
+       10,
+       139.980,
+       {68.64, 58.82, 60.86, 75.44, 28.51, 19.52, 11.07},
+       67.71,
+       60.71,
+       75.15,
+       31.232},
+      {"F",
+       f,
+       18,
+       188.531,
+       {109.71, 98.35, 99.32, 110.47, 42.07, 31.32, 18.23},
+       106.96,
+       98.35,
+       109.98,
+       94.856},
+      {"G",
+       g,
+       14,
+       134.885,
+       {68.75, 54.41, 59.00, 76.91, 26.00, 18.67, 10.67},
+       68.86,
+       59.02,
+       76.11,
+       28.029},
   };
 }
 
@@ -64,7 +114,8 @@ TEST(GoldenBodies, AToGAgreeWithTheReference) {
     const BodyTape tape(model.data(), rest);
     EXPECT_NEAR(tape.measure("height") * 100, golden.stature, 0.001);
     for (std::size_t i = 0; i < rulers.size(); ++i) {
-      EXPECT_NEAR(ruler_length(rest.surface.vertices, rulers[i]) * 100, golden.rulers[i], 0.01) << rulers[i];
+      EXPECT_NEAR(ruler_length(rest.surface.vertices, rulers[i]) * 100, golden.rulers[i], 0.01)
+          << rulers[i];
     }
     EXPECT_NEAR(tape.measure("chest") * 100, golden.chest, 0.01);
     EXPECT_NEAR(tape.measure("waist") * 100, golden.waist, 0.01);

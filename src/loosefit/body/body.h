@@ -20,11 +20,12 @@ struct Posture {
 
 /// A closed body surface in one posture, z up, facing -y, +x the wearer's left, floor at z = 0.
 struct Body {
-  TriangleMesh surface;             ///< closed, outward oriented [m]
-  std::vector<Vec3> normals;        ///< smooth unit normal per surface vertex
-  std::vector<Segment> segment;     ///< per surface vertex
-  std::vector<int> side;            ///< per vertex: +1 wearer's left, -1 right, 0 trunk/head
-  std::map<std::string, Vec3> joints;     ///< "shoulder_L", "elbow_L", "wrist_L", "neck", "hip_L", … [m]
+  TriangleMesh surface;          ///< closed, outward oriented [m]
+  std::vector<Vec3> normals;     ///< smooth unit normal per surface vertex
+  std::vector<Segment> segment;  ///< per surface vertex
+  std::vector<int> side;         ///< per vertex: +1 wearer's left, -1 right, 0 trunk/head
+  std::map<std::string, Vec3>
+      joints;  ///< "shoulder_L", "elbow_L", "wrist_L", "neck", "hip_L", … [m]
   std::map<std::string, Vec3> landmarks;  ///< "c7", "acromion_L", "back_waist", "scapula_L", … [m]
   std::map<std::string, int> landmark_vertex;  ///< the same as surface vertex indices
   /// Measured on this surface in rest posture [m] (slopes in rad): height, chest, underbust, waist,

@@ -108,7 +108,8 @@ BodyField get_field(Reader& in, std::size_t row_count) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     std::int16_t value = 0;
-    for (auto& shift : field.shift) shift[axis] = value = std::int16_t(value + in.get<std::int16_t>());
+    for (auto& shift : field.shift)
+      shift[axis] = value = std::int16_t(value + in.get<std::int16_t>());
   }
   return field;
 }
@@ -235,7 +236,8 @@ void write_body_data(const std::string& path, const BodyData& data) {
   if (!file || error) {
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
-    throw IoError(path + ": cannot write the baked body", "is the folder there, writable, and not full?");
+    throw IoError(path + ": cannot write the baked body",
+                  "is the folder there, writable, and not full?");
   }
 }
 

@@ -12,7 +12,7 @@ namespace loosefit {
 
 /// One morph target: displacements of the rows it touches, in units of 0.1 mm (times its weight).
 struct BodyField {
-  std::vector<std::uint16_t> rows;                ///< ascending
+  std::vector<std::uint16_t> rows;                 ///< ascending
   std::vector<std::array<std::int16_t, 3>> shift;  ///< per entry of rows
 
   bool operator==(const BodyField&) const = default;
@@ -31,14 +31,16 @@ struct Bone {
 struct BodyData {
   std::string source_sha256;  ///< of the targets file it was baked from
   int body_vertices = 0;
-  std::vector<Vec3> base;               ///< per row [m]; not itself a person: always add macro fields
+  std::vector<Vec3> base;  ///< per row [m]; not itself a person: always add macro fields
   std::vector<std::array<int, 4>> quads;  ///< body skin, closed, outward
-  std::vector<int> mirror;              ///< row → row at (-x, y, z)
-  std::vector<std::vector<int>> joints;  ///< joint position = mean of these rows
+  std::vector<int> mirror;                ///< row → row at (-x, y, z)
+  std::vector<std::vector<int>> joints;   ///< joint position = mean of these rows
   std::vector<Bone> bones;
-  std::vector<std::vector<std::pair<int, double>>> skin;  ///< per body vertex: (bone, weight), sum 1
-  std::vector<BodyField> fields;                          ///< distinct and not zero
-  std::map<std::string, int> field_of_name;  ///< "measure/measure-bust-increase" → field; -1: all zero
+  std::vector<std::vector<std::pair<int, double>>>
+      skin;                       ///< per body vertex: (bone, weight), sum 1
+  std::vector<BodyField> fields;  ///< distinct and not zero
+  std::map<std::string, int>
+      field_of_name;  ///< "measure/measure-bust-increase" → field; -1: all zero
 
   /// Index of the bone. \throws InvalidInput when there is none of that name.
   int bone(const std::string& name) const;
@@ -48,7 +50,8 @@ struct BodyData {
 /// var/body/body.lfb of the source tree.
 std::string default_body_data_path();
 
-/// Reads a baked file. \throws IoError when missing (says how to make it), damaged or of another version.
+/// Reads a baked file. \throws IoError when missing (says how to make it), damaged or of another
+/// version.
 BodyData read_body_data(const std::string& path);
 
 /// Writes a baked file (zlib-compressed, little-endian). \throws IoError.

@@ -10,7 +10,8 @@ std::string default_body_data_path() {
   if (asked && *asked) {
     const std::filesystem::path path(asked);
     std::error_code ignored;
-    return std::filesystem::is_directory(path, ignored) ? (path / "body.lfb").string() : path.string();
+    return std::filesystem::is_directory(path, ignored) ? (path / "body.lfb").string()
+                                                        : path.string();
   }
   return LOOSEFIT_REPOSITORY "/var/body/body.lfb";
 }

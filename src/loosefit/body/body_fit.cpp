@@ -25,11 +25,11 @@ struct Plausible {
 };
 constexpr Plausible kPlausible[] = {
     {"height", 0.50, 2.30},     {"chest", 0.35, 1.80},       {"underbust", 0.33, 1.70},
-    {"waist", 0.30, 1.90},      {"hip", 0.33, 1.90},         {"neck", 0.16, 0.62},
-    {"upper_arm", 0.10, 0.62},  {"forearm", 0.09, 0.48},     {"wrist", 0.07, 0.28},
-    {"thigh", 0.18, 1.00},      {"knee", 0.14, 0.70},        {"calf", 0.12, 0.65},
-    {"ankle", 0.09, 0.42},      {"shoulder_breadth", 0.15, 0.62}, {"arm_length", 0.18, 0.85},
-    {"back_length", 0.15, 0.62}, {"crotch_height", 0.18, 1.20}};
+    {"waist", 0.30, 1.90},      {"hip", 0.33, 1.90},         {"neck", 0.18, 0.65},
+    {"mid_neck", 0.16, 0.62},   {"upper_arm", 0.10, 0.62},   {"forearm", 0.09, 0.48},
+    {"wrist", 0.07, 0.28},      {"thigh", 0.18, 1.00},       {"knee", 0.14, 0.70},
+    {"calf", 0.12, 0.65},       {"ankle", 0.09, 0.42},       {"shoulder_breadth", 0.15, 0.62},
+    {"arm_length", 0.18, 0.85}, {"back_length", 0.15, 0.62}, {"crotch_height", 0.18, 1.20}};
 
 struct Unknown {
   std::string key;  ///< "height", "weight" or a detail
@@ -38,9 +38,16 @@ struct Unknown {
 
 // Local changes that a measure brings into the fit.
 const std::map<std::string, std::vector<std::string>> kDetailsOf = {
-    {"neck", {"neck"}},         {"upper_arm", {"upper_arm"}}, {"forearm", {"forearm"}},
-    {"wrist", {"wrist"}},       {"thigh", {"thigh"}},         {"knee", {"knee"}},
-    {"calf", {"calf"}},         {"ankle", {"ankle"}},         {"shoulder_breadth", {"shoulder"}},
+    {"neck", {"neck"}},
+    {"mid_neck", {"neck"}},
+    {"upper_arm", {"upper_arm"}},
+    {"forearm", {"forearm"}},
+    {"wrist", {"wrist"}},
+    {"thigh", {"thigh"}},
+    {"knee", {"knee"}},
+    {"calf", {"calf"}},
+    {"ankle", {"ankle"}},
+    {"shoulder_breadth", {"shoulder"}},
     {"arm_length", {"upper_arm_length", "forearm_length"}},
     {"back_length", {"nape_to_waist"}},
     {"crotch_height", {"thigh_length", "shank_length"}}};
@@ -71,9 +78,11 @@ void check_spec(const BodySpec& spec) {
 std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
   std::vector<Unknown> unknowns;
   if (spec.height != 0) unknowns.push_back({"height", 0.5, 0, 1, 0.3});
-  const bool trunk = std::any_of(spec.measurements.begin(), spec.measurements.end(), [](const auto& m) {
-    return m.first == "chest" || m.first == "underbust" || m.first == "waist" || m.first == "hip";
-  });
+  const bool trunk =
+      std::any_of(spec.measurements.begin(), spec.measurements.end(), [](const auto& m) {
+        return m.first == "chest" || m.first == "underbust" || m.first == "waist" ||
+               m.first == "hip";
+      });
   if (trunk) {
     unknowns.push_back({"weight", 0.5, 0, heaviest, 0.5});
     unknowns.push_back({"bust", 0, -1, 1, 0.5});
@@ -84,7 +93,11 @@ std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
   }
   for (const auto& [measure, details] : kDetailsOf) {
     if (!spec.measurements.contains(measure)) continue;
-    for (const auto& key : details) unknowns.push_back({key, 0, -1, 1, 0.3});
+    for (const auto& key : details) {
+      const bool known = std::any_of(unknowns.begin(), unknowns.end(),
+                                     [&](const Unknown& u) { return u.key == key; });
+      if (!known) unknowns.push_back({key, 0, -1, 1, 0.3});
+    }
   }
   return unknowns;
 }
@@ -131,7 +144,8 @@ BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
     problem.start = problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Unknown& unknown = unknowns[std::size_t(i)];
-      problem.start[i] = unknown.start, problem.lower[i] = unknown.low, problem.upper[i] = unknown.high;
+      problem.start[i] = unknown.start, problem.lower[i] = unknown.low,
+      problem.upper[i] = unknown.high;
     }
     problem.residuals = [&](const Eigen::VectorXd& x) {
       const RestBody rest = this->rest(parameters_at(x), detail);
@@ -165,22 +179,26 @@ BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
   constexpr double kAtBound = 1 - 1e-6;
   if (solve(1) > kResidualWarning && fit.parameters.weight >= kAtBound) {
     solve(kHeaviest);
-    fit.warnings.push_back(fmt::format(
-        "weight {:.2f}: the body model is extrapolated beyond its heaviest shape", fit.parameters.weight));
+    fit.warnings.push_back(
+        fmt::format("weight {:.2f}: the body model is extrapolated beyond its heaviest shape",
+                    fit.parameters.weight));
   }
   fit.table = asked;
   if (spec.height == 0) {
-    fit.warnings.push_back("no height given: the model's own height for this age is too small for a child");
+    fit.warnings.push_back(
+        "no height given: the model's own height for this age is too small for a child");
   }
   for (const auto& row : fit.table) {
     if (std::abs(row.measured - row.asked) > kResidualWarning) {
-      fit.warnings.push_back(fmt::format("{}: asked {:.3f} m, got {:.3f} m", row.name, row.asked, row.measured));
+      fit.warnings.push_back(
+          fmt::format("{}: asked {:.3f} m, got {:.3f} m", row.name, row.asked, row.measured));
     }
   }
   for (const auto& [key, value] : fit.parameters.details) {
     if (std::abs(value) > kStrainedDetail) {
-      fit.warnings.push_back(fmt::format("{}: local change {:+.2f} is beyond ±{:g}; look at the body",
-                                         key, value, kStrainedDetail));
+      fit.warnings.push_back(
+          fmt::format("{}: local change {:+.2f} is beyond ±{:g}; look at the body", key, value,
+                      kStrainedDetail));
     }
   }
   return fit;

@@ -15,12 +15,14 @@ namespace {
 
 Segment segment_of_bone(const std::string& bone) {
   static const std::vector<std::pair<std::string, Segment>> kPrefixes = {
-      {"spine", Segment::torso},         {"clavicle", Segment::torso}, {"shoulder", Segment::torso},
-      {"breast", Segment::torso},        {"root", Segment::torso},     {"pelvis", Segment::torso},
-      {"neck", Segment::neck},           {"upperarm", Segment::upper_arm},
-      {"lowerarm", Segment::forearm},    {"wrist", Segment::hand},     {"metacarpal", Segment::hand},
-      {"finger", Segment::hand},         {"upperleg", Segment::thigh}, {"lowerleg", Segment::shank},
-      {"foot", Segment::foot},           {"toe", Segment::foot}};
+      {"spine", Segment::torso},      {"clavicle", Segment::torso},
+      {"shoulder", Segment::torso},   {"breast", Segment::torso},
+      {"root", Segment::torso},       {"pelvis", Segment::torso},
+      {"neck", Segment::neck},        {"upperarm", Segment::upper_arm},
+      {"lowerarm", Segment::forearm}, {"wrist", Segment::hand},
+      {"metacarpal", Segment::hand},  {"finger", Segment::hand},
+      {"upperleg", Segment::thigh},   {"lowerleg", Segment::shank},
+      {"foot", Segment::foot},        {"toe", Segment::foot}};
   for (const auto& [prefix, segment] : kPrefixes) {
     if (bone.starts_with(prefix)) return segment;
   }
@@ -59,7 +61,8 @@ BodyModel::BodyModel(BodyData data)
     double x = 0;
     for (const auto& [coarse, share] : subdivision_.stencil(v)) {
       x += share * data_->base[std::size_t(coarse)].x();
-      for (const auto& [bone, weight] : data_->skin[std::size_t(coarse)]) sum[bone] += share * weight;
+      for (const auto& [bone, weight] : data_->skin[std::size_t(coarse)])
+        sum[bone] += share * weight;
     }
     const auto strongest = std::max_element(
         sum.begin(), sum.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -94,7 +97,8 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   check_parameters(parameters);
   check_posture(posture);
   const RestBody rest = this->rest(parameters);
-  const auto bones = pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture));
+  const auto bones =
+      pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture));
 
   Body body;
   body.segment = segment_;
@@ -104,7 +108,8 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   body.surface.triangles = rest.surface.triangles;
   body.surface.vertices.reserve(rest.surface.vertices.size());
   for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v) {
-    body.surface.vertices.push_back(body.pose_from_rest[v] * rest.surface.vertices[v].homogeneous());
+    body.surface.vertices.push_back(body.pose_from_rest[v] *
+                                    rest.surface.vertices[v].homogeneous());
   }
 
   // Both ends of the map stand on the floor.

@@ -14,8 +14,8 @@ namespace loosefit {
 
 /// The wearer as asked for, in metres. `measurements` takes any of measure_names() but "height".
 struct BodySpec {
-  double sex = 0.5;  ///< 0 female … 1 male; 0.3 … 0.5 for a child before puberty
-  double age = 25;   ///< years
+  double sex = 0.5;   ///< 0 female … 1 male; 0.3 … 0.5 for a child before puberty
+  double age = 25;    ///< years
   double height = 0;  ///< stature [m]; 0: what the model gives for sex and age
   std::map<std::string, double> measurements;
   double muscle = 0.5;

@@ -45,7 +45,8 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 DetailTarget measure(const std::string& key, const std::string& stem) {
-  return {key, {"measure/measure-" + stem + "-decrease"}, {"measure/measure-" + stem + "-increase"}};
+  return {
+      key, {"measure/measure-" + stem + "-decrease"}, {"measure/measure-" + stem + "-increase"}};
 }
 
 DetailTarget pair(const std::string& key, const std::string& stem, const std::string& less = "decr",
@@ -142,7 +143,8 @@ void check_parameters(const BodyParameters& p) {
   for (const double share : p.ancestry) check("ancestry", share, 0, 1);
   const double sum = p.ancestry[0] + p.ancestry[1] + p.ancestry[2];
   if (std::abs(sum - 1) > 1e-9) {
-    throw InvalidInput({"", 0, "ancestry"}, fmt::format("a sum of {:g}", sum), "shares that sum to 1");
+    throw InvalidInput({"", 0, "ancestry"}, fmt::format("a sum of {:g}", sum),
+                       "shares that sum to 1");
   }
   std::vector<std::string> known;
   for (const auto& target : detail_targets()) known.push_back(target.key);

@@ -10,8 +10,8 @@ namespace loosefit {
 /// The knobs of the parametric body. All but age lie in [0,1] with 0.5 as the average; `height` is
 /// a level, not metres: BodyModel::fit finds it for a stature. `weight` may go up to 1.6.
 struct BodyParameters {
-  double sex = 0.5;   ///< 0 female … 1 male
-  double age = 25;    ///< years, 1 … 90
+  double sex = 0.5;  ///< 0 female … 1 male
+  double age = 25;   ///< years, 1 … 90
   double muscle = 0.5;
   double weight = 0.5;
   double height = 0.5;

@@ -1,9 +1,10 @@
 #include "loosefit/body/body_tape.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/landmarks.h"
@@ -14,10 +15,10 @@ namespace loosefit {
 namespace {
 
 constexpr int kC7 = 1491, kBackWaist = 4181, kCrotch = 4372;
-constexpr int kHpsLeft = 7478, kAcromionLeft = 8274, kAcromionRight = 1602;
+constexpr int kHpsLeft = 7539, kNeckPit = 1522, kAcromionLeft = 8274, kAcromionRight = 1602;
 constexpr int kElbowEnd = 10037, kForearmStart = 10040, kWristOuter = 10548;
 constexpr double kUpperArmShare = 0.3, kForearmShare = 0.25;  // where these are usually fullest
-constexpr double kDensity = 985;  // kg/m³, whole body
+constexpr double kDensity = 985;                              // kg/m³, whole body
 
 Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
   const Vec3 centre = ruler_centre(vertices, name);
@@ -29,13 +30,19 @@ Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
 }
 
+// Half the perimeter of an ellipse (Ramanujan 1914).
+double half_ellipse(double a, double b) {
+  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+  return 0.5 * kPi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+}
+
 }  // namespace
 
 const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> kNames = {
-      "height", "chest", "underbust", "waist", "hip",   "neck",             "upper_arm",  "forearm",
-      "wrist",  "thigh", "knee",      "calf",  "ankle", "shoulder_breadth", "arm_length", "back_length",
-      "crotch_height"};
+      "height",   "chest",     "underbust",        "waist",      "hip",         "neck",
+      "mid_neck", "upper_arm", "forearm",          "wrist",      "thigh",       "knee",
+      "calf",     "ankle",     "shoulder_breadth", "arm_length", "back_length", "crotch_height"};
   return kNames;
 }
 
@@ -73,15 +80,34 @@ double BodyTape::limb_girth(const std::string& bone_a, const std::string& bone_b
   return section_girth(a + t * (b - a), b - a);
 }
 
+// The neck base is a saddle-shaped curve that no plane cuts out: behind it runs through C7, in
+// front through the pit of the neck, at the sides through the neck-shoulder points. Each half is
+// close to half an ellipse on its own slanted plane.
+double BodyTape::neck_base_girth() const {
+  const Vec3 left = vertex(kHpsLeft), right = vertex(data_.mirror[std::size_t(kHpsLeft)]);
+  const Vec3 middle = 0.5 * (left + right);
+  const double half_width = 0.5 * (left - right).norm();
+  return half_ellipse(half_width, (vertex(kC7) - middle).norm()) +
+         half_ellipse(half_width, (vertex(kNeckPit) - middle).norm());
+}
+
+// The shoulder as cloth meets it: the top of the body above the acromion.
+double BodyTape::shoulder_height() const {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const auto& loop : plane_section(rest_.surface, vertex(kAcromionLeft), Vec3::UnitX())) {
+    for (const auto& p : loop.points) top = std::max(top, p.z());
+  }
+  return top;
+}
+
 // The lowest height at which the arm still belongs to the trunk section, from below the shoulder.
 double BodyTape::armpit_height() const {
   double apart = ruler_centre(rest_.surface.vertices, "bust_circ").z();
   double together = joint("upperarm01.L").z();
   const double shoulder_x = vertex(kAcromionLeft).x();
   const auto arm_is_apart = [&](double z) {
-    const SectionLoop* trunk = nullptr;
     const auto loops = plane_section(rest_.surface, Vec3(0, 0, z), Vec3::UnitZ());
-    trunk = trunk_loop(loops);
+    const SectionLoop* trunk = trunk_loop(loops);
     if (!trunk) return false;
     int beside = 0;
     for (const auto& loop : loops) {
@@ -129,23 +155,28 @@ double BodyTape::back_length_beside_spine(double down_to) const {
   }
   const auto hull = convex_hull(kept);
   double perimeter = 0;
-  for (std::size_t i = 0; i < hull.size(); ++i) perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   return perimeter - (end - start).norm();
 }
 
 double BodyTape::measure(const std::string& name) const {
   const auto& vertices = rest_.surface.vertices;
-  const auto level = [&](const char* ring) { return trunk_girth(ruler_centre(vertices, ring).z()); };
+  const auto level = [&](const char* ring) {
+    return trunk_girth(ruler_centre(vertices, ring).z());
+  };
   if (name == "height") {
-    const auto [low, high] = std::minmax_element(
-        vertices.begin(), vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+    const auto [low, high] =
+        std::minmax_element(vertices.begin(), vertices.end(),
+                            [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
     return high->z() - low->z();
   }
   if (name == "chest") return level("bust_circ");
   if (name == "underbust") return level("underbust_circ");
   if (name == "waist") return level("waist_circ");
   if (name == "hip") return level("hips_circ");
-  if (name == "neck") return ring_girth("neck_circ");
+  if (name == "neck") return neck_base_girth();
+  if (name == "mid_neck") return ring_girth("neck_circ");
   if (name == "upper_arm") return limb_girth("upperarm01.L", "lowerarm01.L", kUpperArmShare);
   if (name == "forearm") return limb_girth("lowerarm01.L", "wrist.L", kForearmShare);
   if (name == "wrist") return ring_girth("wrist_circ");
@@ -154,7 +185,8 @@ double BodyTape::measure(const std::string& name) const {
   if (name == "calf") return ring_girth("calf_circ");
   if (name == "ankle") return ring_girth("ankle_circ");
   if (name == "shoulder_breadth") {
-    return (vertex(kAcromionLeft) - vertex(kC7)).norm() + (vertex(kC7) - vertex(kAcromionRight)).norm();
+    return (vertex(kAcromionLeft) - vertex(kC7)).norm() +
+           (vertex(kC7) - vertex(kAcromionRight)).norm();
   }
   if (name == "arm_length") {
     return (vertex(kAcromionLeft) - vertex(kElbowEnd)).norm() +
@@ -185,10 +217,10 @@ std::map<std::string, double> BodyTape::all() const {
   found["waist_level"] = waist - ground;
   found["hip_level"] = hip - ground;
   found["armpit_level"] = armpit - ground;
-  found["shoulder_slope"] = std::atan2(hps.z() - acromion.z(), acromion.x() - hps.x());
+  found["shoulder_slope"] = std::atan2(hps.z() - shoulder_height(), acromion.x() - hps.x());
   found["shoulder_length"] = (acromion - hps).norm();
   found["neck_width"] = 2 * hps.x();
-  found["scye_depth"] = acromion.z() - armpit;
+  found["scye_depth"] = shoulder_height() - armpit;
   found["hps_to_waist"] = back_length_beside_spine(waist);
   found["hps_to_hip"] = back_length_beside_spine(hip);
   found["volume"] = enclosed_volume(rest_.surface);

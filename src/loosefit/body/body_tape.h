@@ -31,6 +31,8 @@ class BodyTape {
  private:
   double ring_girth(const std::string& ruler_name) const;
   double section_girth(const Vec3& origin, const Vec3& normal) const;
+  double neck_base_girth() const;
+  double shoulder_height() const;
   double armpit_height() const;
   double back_length_beside_spine(double down_to) const;
   const Vec3& vertex(int index) const { return rest_.surface.vertices[std::size_t(index)]; }
@@ -42,8 +44,9 @@ class BodyTape {
 };
 
 /// What can be measured and asked for in a fit: "height", "chest", "underbust", "waist", "hip",
-/// "neck", "upper_arm", "forearm", "wrist", "thigh", "knee", "calf", "ankle", "shoulder_breadth",
-/// "arm_length", "back_length", "crotch_height".
+/// "neck" (round the neck base, what a draft needs), "mid_neck" (collar), "upper_arm", "forearm",
+/// "wrist", "thigh", "knee", "calf", "ankle", "shoulder_breadth", "arm_length", "back_length",
+/// "crotch_height".
 const std::vector<std::string>& measure_names();
 
 }  // namespace loosefit

@@ -32,7 +32,8 @@ VectorXd boxed_step(const MatrixXd& jacobian, const VectorXd& residual, const Ve
     }
     if (free.empty()) break;
     MatrixXd columns(residual.size(), Eigen::Index(free.size()));
-    for (std::size_t k = 0; k < free.size(); ++k) columns.col(Eigen::Index(k)) = jacobian.col(free[k]);
+    for (std::size_t k = 0; k < free.size(); ++k)
+      columns.col(Eigen::Index(k)) = jacobian.col(free[k]);
     const VectorXd solved = columns.colPivHouseholderQr().solve(right);
     bool inside = true;
     for (std::size_t k = 0; k < free.size(); ++k) {

@@ -34,7 +34,8 @@ CatmullClark::CatmullClark(int vertex_count, const std::vector<std::array<int, 4
       const auto [found, added] = edge_of.emplace(std::minmax(a, b), int(edges.size()));
       if (added) edges.push_back({a, b, {-1, -1}});
       Edge& edge = edges[std::size_t(found->second)];
-      if (!once || edge.faces[1] >= 0) throw GeometryError("subdivision: found a non-manifold quad mesh");
+      if (!once || edge.faces[1] >= 0)
+        throw GeometryError("subdivision: found a non-manifold quad mesh");
       edge.faces[edge.faces[0] < 0 ? 0 : 1] = int(f);
       face_edges[f][c] = found->second;
     }

@@ -9,14 +9,15 @@ namespace loosefit {
 namespace {
 
 const std::map<std::string, int> kMiddle = {
-    {"crown", 881},       {"c7", 1491},      {"back_waist", 4181}, {"front_waist", 4121},
-    {"crotch", 4372},     {"upper_back", 1597}, {"mid_back", 3946},  {"lower_back", 4030},
+    {"crown", 881},        {"c7", 1491},         {"back_waist", 4181},
+    {"front_waist", 4121}, {"crotch", 4372},     {"upper_back", 1597},
+    {"mid_back", 3946},    {"lower_back", 4030}, {"neck_pit", 1522},
 };
 
 // Left vertex; the right one is its mirror image.
 const std::map<std::string, int> kPairs = {
-    {"hps", 7478},        {"acromion", 8274}, {"nipple", 8451},       {"elbow", 10037},
-    {"wrist", 10548},     {"armpit_front", 8125}, {"scapula", 8246}, {"scapula_lower", 10592},
+    {"hps", 7539},    {"acromion", 8274},     {"nipple", 8451},  {"elbow", 10037},
+    {"wrist", 10548}, {"armpit_front", 8125}, {"scapula", 8246}, {"scapula_lower", 10592},
 };
 
 // The foremost vertex of the mid-sagittal line at a height: breast bone, pit of the neck.
@@ -46,10 +47,13 @@ std::map<std::string, int> landmark_vertices(const BodyData& data, const RestBod
 }
 
 std::map<std::string, int> joint_indices(const BodyData& data) {
-  const auto head = [&](const std::string& bone) { return data.bones[std::size_t(data.bone(bone))].head; };
-  std::map<std::string, int> joints = {{"neck", head("neck01")}, {"head", head("head")},
-                                       {"pelvis", head("spine05")}};
-  for (int i = 1; i <= 5; ++i) joints["spine_" + std::to_string(i)] = head("spine0" + std::to_string(i));
+  const auto head = [&](const std::string& bone) {
+    return data.bones[std::size_t(data.bone(bone))].head;
+  };
+  std::map<std::string, int> joints = {
+      {"neck", head("neck01")}, {"head", head("head")}, {"pelvis", head("spine05")}};
+  for (int i = 1; i <= 5; ++i)
+    joints["spine_" + std::to_string(i)] = head("spine0" + std::to_string(i));
   for (const char* side : {"L", "R"}) {
     const std::string dot = std::string(".") + side, under = std::string("_") + side;
     joints["clavicle" + under] = head("clavicle" + dot);

@@ -69,7 +69,8 @@ std::vector<std::pair<int, double>> Morph::weights(const BodyParameters& paramet
   std::map<int, double> sum;
   const auto macro = macro_weights(parameters);
   for (std::size_t i = 0; i < macros_.size(); ++i) {
-    if (macros_[i].field >= 0 && std::abs(macro[i]) > kNegligible) sum[macros_[i].field] += macro[i];
+    if (macros_[i].field >= 0 && std::abs(macro[i]) > kNegligible)
+      sum[macros_[i].field] += macro[i];
   }
   for (const auto& detail : details_) {
     const auto asked = parameters.details.find(detail.key);

@@ -82,11 +82,13 @@ std::vector<int> mirror_map(const std::vector<std::array<std::int32_t, 3>>& base
 std::string group_of(const std::string& name) { return name.substr(0, name.find('/')); }
 
 bool right_half_is_good(const std::string& name) {
-  static const std::set<std::string> kNames = {
-      "measure/measure-hips-decrease",           "measure/measure-hips-increase",
-      "measure/measure-upperlegheight-decrease", "measure/measure-waisttohip-decrease",
-      "torso/torso-scale-depth-decr",            "torso/torso-scale-depth-incr",
-      "torso/torso-scale-vert-incr"};
+  static const std::set<std::string> kNames = {"measure/measure-hips-decrease",
+                                               "measure/measure-hips-increase",
+                                               "measure/measure-upperlegheight-decrease",
+                                               "measure/measure-waisttohip-decrease",
+                                               "torso/torso-scale-depth-decr",
+                                               "torso/torso-scale-depth-incr",
+                                               "torso/torso-scale-vert-incr"};
   return kNames.contains(name);
 }
 
@@ -98,8 +100,8 @@ bool one_sided_on_purpose(const std::string& name) {
 }
 
 const std::set<std::string>& symmetric_groups() {
-  static const std::set<std::string> kGroups = {"macrodetails", "breast",    "measure", "torso",
-                                                "hip",          "stomach",   "pelvis",  "buttocks",
+  static const std::set<std::string> kGroups = {"macrodetails", "breast",  "measure", "torso",
+                                                "hip",          "stomach", "pelvis",  "buttocks",
                                                 "neck",         "legs"};
   return kGroups;
 }
@@ -110,7 +112,8 @@ bool wanted(const std::string& name) {
          name.find("-foot-") == std::string::npos;
 }
 
-// Rows of the baked data: body vertices, tongue, joint markers; the helper geometry behind is dropped.
+// Rows of the baked data: body vertices, tongue, joint markers; the helper geometry behind is
+// dropped.
 int row_of(int vertex) { return vertex <= kLastMarker ? vertex : -1; }
 
 // (x, y, z) y up, z forward → (x, -z, y) z up.
@@ -146,7 +149,8 @@ void add_skeleton(const std::string& folder, const json& mesh, BodyData& data) {
     return found->second;
   };
 
-  // Odd entries of the mesh file's bones are the bones in the order the skin indices use (index / 2).
+  // Odd entries of the mesh file's bones are the bones in the order the skin indices use (index /
+  // 2).
   std::map<std::string, int> number;
   const json& twice = mesh.at("bones");
   for (std::size_t i = 1; i < twice.size(); i += 2) {
@@ -177,7 +181,8 @@ int mirror_bone(const BodyData& data, int bone) {
   return data.bone(name);
 }
 
-// The weights of the package are lopsided (up to 0.26) and cut to four: average with the mirror image.
+// The weights of the package are lopsided (up to 0.26) and cut to four: average with the mirror
+// image.
 void add_skin(const json& mesh, BodyData& data) {
   const auto index = mesh.at("skinIndices").get<std::vector<int>>();
   const auto weight = mesh.at("skinWeights").get<std::vector<double>>();
@@ -199,7 +204,8 @@ void add_skin(const json& mesh, BodyData& data) {
     std::stable_sort(largest.begin(), largest.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     std::size_t keep = std::min(kKeep, largest.size());
-    while (keep < largest.size() && keep > 1 && largest[keep].second == largest[keep - 1].second) --keep;
+    while (keep < largest.size() && keep > 1 && largest[keep].second == largest[keep - 1].second)
+      --keep;
     largest.resize(keep);
     double total = 0;
     for (const auto& entry : largest) total += entry.second;
@@ -215,8 +221,8 @@ RawBodyData read_raw_body_data(const std::string& folder) {
   const std::string mesh_path = folder + "/human_full_size.json";
   const json mesh = read_json(mesh_path);
   const auto flat = mesh.at("vertices").get<std::vector<double>>();
-  require(flat.size() == 3 * kVertices, mesh_path, "vertices", std::to_string(flat.size()) + " numbers",
-          std::to_string(3 * kVertices));
+  require(flat.size() == 3 * kVertices, mesh_path, "vertices",
+          std::to_string(flat.size()) + " numbers", std::to_string(3 * kVertices));
   for (std::size_t i = 0; i < flat.size(); i += 3) {
     raw.base.push_back({std::int32_t(std::lround(flat[i] * 1e4)),
                         std::int32_t(std::lround(flat[i + 1] * 1e4)),
@@ -253,7 +259,8 @@ TargetBlock read_target_block(const RawBodyData& raw, int index) {
   TargetBlock block(kVertices);
   file.seekg(std::streamoff(std::size_t(index) * kBlockBytes));
   file.read(reinterpret_cast<char*>(block.data()), std::streamsize(kBlockBytes));
-  if (!file) throw IoError(raw.targets_path + ": cannot read block " + std::to_string(index), kHint);
+  if (!file)
+    throw IoError(raw.targets_path + ": cannot read block " + std::to_string(index), kHint);
   return block;
 }
 
@@ -298,7 +305,8 @@ BodyData bake_body_data(const std::string& folder) {
     BodyField field = field_of(block);
     int index = -1;
     if (!field.rows.empty()) {
-      const auto [found, added] = known.emplace(Key(field.rows, field.shift), int(data.fields.size()));
+      const auto [found, added] =
+          known.emplace(Key(field.rows, field.shift), int(data.fields.size()));
       if (added) data.fields.push_back(std::move(field));
       index = found->second;
     }

@@ -50,7 +50,8 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
     if (above(t[0]) == above(t[1]) && above(t[1]) == above(t[2])) continue;
     // The corner alone on its side; its two edges are cut.
     std::size_t lone = 0;
-    while (above(t[lone]) == above(t[(lone + 1) % 3]) || above(t[lone]) == above(t[(lone + 2) % 3])) {
+    while (above(t[lone]) == above(t[(lone + 1) % 3]) ||
+           above(t[lone]) == above(t[(lone + 2) % 3])) {
       ++lone;
     }
     const int a = t[lone], b = t[(lone + 1) % 3], c = t[(lone + 2) % 3];
@@ -66,8 +67,10 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
   std::vector<std::array<int, 2>> neighbour(segments.size(), {-1, -1});
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     if (crossings[i].edge != crossings[i + 1].edge) continue;
-    neighbour[std::size_t(crossings[i].segment)][std::size_t(crossings[i].end)] = crossings[i + 1].segment;
-    neighbour[std::size_t(crossings[i + 1].segment)][std::size_t(crossings[i + 1].end)] = crossings[i].segment;
+    neighbour[std::size_t(crossings[i].segment)][std::size_t(crossings[i].end)] =
+        crossings[i + 1].segment;
+    neighbour[std::size_t(crossings[i + 1].segment)][std::size_t(crossings[i + 1].end)] =
+        crossings[i].segment;
     ++i;
   }
   const auto point_of = [&](std::uint64_t edge) -> Vec3 {
@@ -148,16 +151,17 @@ double hull_perimeter(const std::vector<Vec3>& points, const Vec3& normal) {
   for (const auto& p : points) flat.emplace_back(u.dot(p), v.dot(p));
   const auto hull = convex_hull(std::move(flat));
   double length = 0;
-  for (std::size_t i = 0; i < hull.size(); ++i) length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   return length;
 }
 
 const SectionLoop* trunk_loop(const std::vector<SectionLoop>& loops, double x) {
   const SectionLoop* best = nullptr;
   for (const auto& loop : loops) {
-    const auto [low, high] = std::minmax_element(
-        loop.points.begin(), loop.points.end(),
-        [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+    const auto [low, high] =
+        std::minmax_element(loop.points.begin(), loop.points.end(),
+                            [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
     if (low->x() <= x && x <= high->x() && (!best || loop.length > best->length)) best = &loop;
   }
   return best;

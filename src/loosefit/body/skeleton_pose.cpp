@@ -11,7 +11,9 @@ constexpr double kSpineShare[5] = {0.3, 0.3, 0.2, 0.1, 0.1};
 // Measured: bones turning by b together turn the line C7 - back waist by b / 1.09 for 10° … 60°.
 constexpr double kBendGain = 1.09;
 
-Mat3 about(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+Mat3 about(const Vec3& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
 
 }  // namespace
 
