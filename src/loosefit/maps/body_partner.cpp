@@ -1,0 +1,111 @@
+#include "loosefit/maps/body_partner.h"
+
+#include <array>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+TriangleMesh point_mesh(const std::vector<Vec3>& vertices) {
+  TriangleMesh mesh;
+  mesh.vertices = vertices;
+  for (int v = 0; v < static_cast<int>(vertices.size()); ++v) mesh.triangles.push_back({v, v, v});
+  return mesh;
+}
+
+BodyPart part_of_vertex(const Body& body, int vertex) {
+  switch (body.segment[vertex]) {
+    case Segment::upper_arm:
+    case Segment::forearm:
+    case Segment::hand:
+      return body.side[vertex] >= 0 ? BodyPart::arm_left : BodyPart::arm_right;
+    case Segment::thigh:
+    case Segment::shank:
+    case Segment::foot:
+      return body.side[vertex] >= 0 ? BodyPart::leg_left : BodyPart::leg_right;
+    default:
+      return BodyPart::trunk;
+  }
+}
+}  // namespace
+
+PartnerFinder::PartnerFinder(const Body& body)
+    : body_(body),
+      tree_(body.surface),
+      faces_of_vertex_(body.surface.vertices.size()),
+      vertices_as_mesh_(point_mesh(body.surface.vertices)),
+      particle_tree_(vertices_as_mesh_) {
+  if (body.segment.size() != body.surface.vertices.size() ||
+      body.side.size() != body.segment.size() || body.normals.size() != body.segment.size())
+    throw InvalidInput("maps need a body with a segment, a side and a normal for every vertex");
+  const auto& triangles = body.surface.triangles;
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    const Triangle& c = triangles[t];
+    face_normals_.push_back(triangle_normal(
+        body.surface.vertices[c[0]], body.surface.vertices[c[1]], body.surface.vertices[c[2]]));
+    for (int v : c) faces_of_vertex_[v].push_back(t);
+  }
+}
+
+bool PartnerFinder::belongs(int vertex, BodyPart part) const {
+  const BodyPart own = part_of_vertex(body_, vertex);
+  if (own == part) return true;
+  const Segment segment = body_.segment[vertex];
+  switch (part) {
+    case BodyPart::trunk:
+      return segment == Segment::upper_arm || segment == Segment::thigh;
+    case BodyPart::leg_left:
+    case BodyPart::leg_right:
+      return segment == Segment::torso || segment == Segment::thigh;
+    default:
+      return segment == Segment::torso;
+  }
+}
+
+BodyPart PartnerFinder::part_of(const std::vector<Vec3>& points) const {
+  std::array<int, 5> votes{};
+  for (const Vec3& p : points)
+    ++votes[static_cast<int>(part_of_vertex(body_, particle_tree_.query(p).triangle))];
+  return static_cast<BodyPart>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+}
+
+BodyPartner PartnerFinder::find(const Vec3& point, const Vec3& garment_normal,
+                                BodyPart part) const {
+  const auto on_part = [&](int t) { return belongs(body_.surface.triangles[t][0], part); };
+  const auto faces_alike = [&](int t) {
+    return on_part(t) && face_normals_[t].dot(garment_normal) > 0;
+  };
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  BodyPartner partner;
+  const ClosestPoint nearest = tree_.query(point, kFar, on_part);
+  const bool any = nearest.triangle >= 0;  // a scan may lack the part altogether
+  partner.exact =
+      any ? tree_.query(point, nearest.distance + kFoldReach, faces_alike) : tree_.query(point);
+  const bool alike = partner.exact.triangle >= 0 && any;
+  if (!alike && any) partner.exact = nearest;
+
+  const Triangle& corner = body_.surface.triangles[partner.exact.triangle];
+  for (int k = 0; k < 3; ++k)
+    partner.normal += partner.exact.barycentric[k] * body_.normals[corner[k]];
+  partner.normal.normalize();
+
+  const auto has_face = [&](int vertex) {
+    for (int t : faces_of_vertex_[vertex])
+      if (!any || (alike ? faces_alike(t) : on_part(t))) return true;
+    return false;
+  };
+  partner.particle_distance = particle_tree_.query(point, kFar, has_face).distance;
+  return partner;
+}
+
+std::vector<BodyPartner> find_partners(const PartnerFinder& finder,
+                                       const std::vector<Vec3>& positions,
+                                       const std::vector<Vec3>& normals,
+                                       const std::vector<BodyPart>& part) {
+  std::vector<BodyPartner> partners(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    partners[i] = finder.find(positions[i], normals[i], part[i]);
+  return partners;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,114 @@
+#include "loosefit/maps/compute_maps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/maps/strain.h"
+
+namespace loosefit {
+namespace {
+// Fixed ranges, so that pictures of different garments and people can be compared.
+constexpr double kStrainRange = 0.05;   // [–], both signs
+constexpr double kDistanceRange = 40;   // [mm]
+constexpr double kDeviationRange = 45;  // [deg]
+
+PerformanceMap strain_map(const std::string& array, const std::string& title, bool pictured,
+                          std::vector<double> values) {
+  const std::string map = pictured ? "strain" : "strain-" + array.substr(array.find('_') + 1);
+  return {array, title, "–", -kStrainRange, kStrainRange, std::move(values), map, pictured, true};
+}
+
+void add_strain(const Garment& garment, const Drape& drape, std::vector<PerformanceMap>& maps) {
+  const auto strains = triangle_strains(garment, drape.positions);
+  const auto averaged = [&](double TriangleStrain::*part) {
+    std::vector<double> values;
+    for (const TriangleStrain& s : strains) values.push_back(s.*part);
+    return to_vertices(garment, values);
+  };
+  maps.push_back(strain_map("strain_vertical", "Vertical strain", true,
+                            vertical_strain(garment, drape.positions)));
+  maps.push_back(
+      strain_map("strain_warp", "Strain along warp", false, averaged(&TriangleStrain::warp)));
+  maps.push_back(
+      strain_map("strain_weft", "Strain along weft", false, averaged(&TriangleStrain::weft)));
+  maps.push_back(
+      strain_map("strain_max", "Greatest principal strain", false, averaged(&TriangleStrain::max)));
+}
+
+void add_distance(const WornGarment& worn, std::vector<PerformanceMap>& maps) {
+  PerformanceMap exact{"distance_mm", "Body-garment distance", "mm", 0, kDistanceRange, {},
+                       "distance"};
+  PerformanceMap particle{"distance_particle_mm",
+                          "Distance to nearest body particle",
+                          "mm",
+                          0,
+                          kDistanceRange,
+                          {},
+                          "distance-particle",
+                          false};
+  for (const BodyPartner& partner : worn.partners) {
+    exact.values.push_back(1000 * partner.exact.distance);
+    particle.values.push_back(1000 * partner.particle_distance);
+  }
+  maps.push_back(std::move(exact));
+  maps.push_back(std::move(particle));
+}
+
+void add_angular_deviation(const WornGarment& worn, std::vector<PerformanceMap>& maps) {
+  PerformanceMap map{"angular_deviation_deg", "Angular deviation", "deg", 0, kDeviationRange, {},
+                     "angular-deviation"};
+  for (std::size_t v = 0; v < worn.partners.size(); ++v)
+    map.values.push_back(angle_deg(worn.normals[v], worn.partners[v].normal));
+  maps.push_back(std::move(map));
+}
+}  // namespace
+
+const std::vector<std::string>& map_names() {
+  static const std::vector<std::string> names = {"strain", "distance", "angular-deviation"};
+  return names;
+}
+
+double angle_deg(const Vec3& a, const Vec3& b) {
+  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
+
+void require_settled(const Certificate& c) {
+  if (c.settled()) return;
+  throw Error("the drape is not settled (residual " + shortest(c.residual) +
+                  ", intersections with body " + std::to_string(c.intersections_body) +
+                  ", with itself " + std::to_string(c.intersections_self) +
+                  "; stopped: " + c.stop_reason + ") and maps of it would mislead",
+              "a longer time budget may settle it; --allow-unsettled makes maps all the same");
+}
+
+std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,
+                                         const WornGarment& worn,
+                                         const std::vector<std::string>& names,
+                                         const MapOptions& options) {
+  for (const std::string& name : names)
+    if (std::find(map_names().begin(), map_names().end(), name) == map_names().end())
+      throw InvalidInput("unknown map '" + printable(name) + "'", did_you_mean(name, map_names()));
+  if (!options.allow_unsettled) require_settled(drape.certificate);
+
+  const auto asked = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<PerformanceMap> maps;
+  if (asked("strain")) add_strain(garment, drape, maps);
+  if (asked("distance")) add_distance(worn, maps);
+  if (asked("angular-deviation")) add_angular_deviation(worn, maps);
+  return maps;
+}
+
+std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,
+                                         const Body& body, const std::vector<std::string>& names,
+                                         const MapOptions& options) {
+  if (!options.allow_unsettled) require_settled(drape.certificate);
+  return compute_maps(garment, drape, relate(garment, drape.positions, body), names, options);
+}
+
+}  // namespace loosefit

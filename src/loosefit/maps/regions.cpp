@@ -1,0 +1,163 @@
+#include "loosefit/maps/regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loosefit {
+namespace {
+
+/// Levels and places that separate the regions of the trunk, in rest posture.
+struct Anchors {
+  double c7, waist, underbust, armpit, hip;  ///< heights [m]
+  Vec3 scapula_left, scapula_right;
+  double scapula_radius;
+};
+
+std::vector<Vec3> in_rest(const Body& body, const std::vector<Vec3>& posed) {
+  if (body.pose_from_rest.size() != posed.size()) return posed;
+  std::vector<Vec3> rest(posed.size());
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    const auto& pose = body.pose_from_rest[v];
+    rest[v] = pose.leftCols<3>().inverse() * (posed[v] - pose.col(3));
+  }
+  return rest;
+}
+
+Anchors find_anchors(const Body& body, const std::vector<Vec3>& rest) {
+  double floor = rest[0].z(), top = rest[0].z();
+  for (const Vec3& p : rest) {
+    floor = std::min(floor, p.z());
+    top = std::max(top, p.z());
+  }
+  const double height = top - floor;
+  const auto level = [&](const char* key, double share) {
+    const auto found = body.measured.find(key);
+    return floor + (found != body.measured.end() ? found->second : share * height);
+  };
+  const auto landmark = [&](const char* key, const Vec3& otherwise) -> Vec3 {
+    const auto found = body.landmark_vertex.find(key);
+    return found != body.landmark_vertex.end() ? rest[found->second] : otherwise;
+  };
+  // Shares of stature: Drillis and Contini 1966 and body-model means.
+  Anchors a{};
+  a.c7 = landmark("c7", {0, 0, floor + 0.85 * height}).z();
+  a.waist = landmark("back_waist", {0, 0, level("waist_level", 0.62)}).z();
+  a.underbust = level("underbust_level", 0.69);
+  a.armpit = level("armpit_level", 0.75);
+  a.hip = level("hip_level", 0.51);
+  const double back = a.c7 - a.waist;
+  const double behind = 0.06 * height, beside = 0.045 * height, blade = a.c7 - 0.25 * back;
+  a.scapula_left = landmark("scapula_L", {beside, behind, blade});
+  a.scapula_right = landmark("scapula_R", {-beside, behind, blade});
+  a.scapula_radius = back / 6;
+  return a;
+}
+
+Region trunk_region(const Vec3& p, const Vec3& normal, const Anchors& a) {
+  if (p.z() < a.hip) return Region::hips;
+  const bool left = p.x() >= 0, behind = normal.y() > 0;
+  if (p.z() > a.armpit && normal.z() > 0.6)
+    return left ? Region::shoulder_left : Region::shoulder_right;
+  if (behind) {
+    if ((p - a.scapula_left).norm() < a.scapula_radius) return Region::scapula_left;
+    if ((p - a.scapula_right).norm() < a.scapula_radius) return Region::scapula_right;
+  }
+  if (p.z() < a.armpit && std::abs(normal.x()) > std::abs(normal.y()))
+    return left ? Region::side_left : Region::side_right;
+  if (!behind) return p.z() > a.underbust ? Region::chest : Region::abdomen;
+  const double down = (a.c7 - p.z()) / (a.c7 - a.waist);
+  return down < 1.0 / 3   ? Region::upper_back
+         : down < 2.0 / 3 ? Region::mid_back
+                          : Region::lower_back;
+}
+
+}  // namespace
+
+const std::vector<Region>& all_regions() {
+  static const std::vector<Region> regions = [] {
+    std::vector<Region> all;
+    for (int r = 0; r <= static_cast<int>(Region::neck); ++r) all.push_back(static_cast<Region>(r));
+    return all;
+  }();
+  return regions;
+}
+
+std::string name(Region region) {
+  switch (region) {
+    case Region::upper_back:
+      return "upper_back";
+    case Region::mid_back:
+      return "mid_back";
+    case Region::lower_back:
+      return "lower_back";
+    case Region::scapula_left:
+      return "scapula_L";
+    case Region::scapula_right:
+      return "scapula_R";
+    case Region::chest:
+      return "chest";
+    case Region::abdomen:
+      return "abdomen";
+    case Region::side_left:
+      return "side_L";
+    case Region::side_right:
+      return "side_R";
+    case Region::shoulder_left:
+      return "shoulder_L";
+    case Region::shoulder_right:
+      return "shoulder_R";
+    case Region::hips:
+      return "hips";
+    case Region::upper_sleeve_left:
+      return "upper_sleeve_L";
+    case Region::upper_sleeve_right:
+      return "upper_sleeve_R";
+    case Region::forearm_sleeve_left:
+      return "forearm_sleeve_L";
+    case Region::forearm_sleeve_right:
+      return "forearm_sleeve_R";
+    case Region::neck:
+      return "neck";
+  }
+  return "neck";
+}
+
+std::vector<Region> body_regions(const Body& body) {
+  const std::vector<Vec3>& posed = body.surface.vertices;
+  if (posed.empty()) return {};
+  const std::vector<Vec3> rest = in_rest(body, posed);
+  const std::vector<Vec3> normals = vertex_normals(rest, body.surface.triangles);
+  const Anchors anchors = find_anchors(body, rest);
+  std::vector<Region> regions(posed.size());
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    const bool left = body.side[v] >= 0;
+    switch (body.segment[v]) {
+      case Segment::head:
+      case Segment::neck:
+        regions[v] = Region::neck;
+        break;
+      case Segment::upper_arm:
+        regions[v] = left ? Region::upper_sleeve_left : Region::upper_sleeve_right;
+        break;
+      case Segment::forearm:
+      case Segment::hand:
+        regions[v] = left ? Region::forearm_sleeve_left : Region::forearm_sleeve_right;
+        break;
+      case Segment::torso:
+        regions[v] = trunk_region(rest[v], normals[v], anchors);
+        break;
+      default:
+        regions[v] = Region::hips;
+    }
+  }
+  return regions;
+}
+
+Region region_of(const std::vector<Region>& body_regions, const TriangleMesh& surface,
+                 const ClosestPoint& partner) {
+  int corner = 0;
+  partner.barycentric.maxCoeff(&corner);
+  return body_regions[surface.triangles[partner.triangle][corner]];
+}
+
+}  // namespace loosefit

@@ -1,0 +1,30 @@
+#include "loosefit/maps/worn_garment.h"
+
+#include "loosefit/base/error.h"
+#include "loosefit/maps/strain.h"
+
+namespace loosefit {
+
+WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, const Body& body) {
+  if (static_cast<int>(positions.size()) != garment.vertex_count)
+    throw InvalidInput("maps: " + std::to_string(positions.size()) + " positions for " +
+                       std::to_string(garment.vertex_count) + " garment vertices");
+  const PartnerFinder finder(body);
+  WornGarment worn;
+  worn.normals = vertex_normals(positions, garment.triangles);
+  worn.areas = vertex_areas(garment);
+
+  std::vector<std::vector<Vec3>> panel_points(garment.panel_names.size());
+  for (int v = 0; v < garment.vertex_count; ++v)
+    panel_points[garment.vertex_panel[v]].push_back(positions[v]);
+  for (const auto& points : panel_points) worn.panel_part.push_back(finder.part_of(points));
+  for (int panel : garment.vertex_panel) worn.vertex_part.push_back(worn.panel_part[panel]);
+
+  worn.partners = find_partners(finder, positions, worn.normals, worn.vertex_part);
+  const std::vector<Region> regions = body_regions(body);
+  for (const BodyPartner& partner : worn.partners)
+    worn.regions.push_back(region_of(regions, body.surface, partner.exact));
+  return worn;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/maps/body_partner.h"
+#include "loosefit/maps/regions.h"
+
+namespace loosefit {
+
+/// The geometry between a garment and its wearer that all maps, regions and sites share.
+struct WornGarment {
+  std::vector<Vec3> normals;          ///< garment unit vertex normals, outwards
+  std::vector<BodyPart> panel_part;   ///< per panel, by vote of its vertices
+  std::vector<BodyPart> vertex_part;  ///< per vertex: that of vertex_panel
+  std::vector<BodyPartner> partners;  ///< per vertex
+  std::vector<Region> regions;        ///< per vertex: region of its partner
+  std::vector<double> areas;          ///< flat area of each vertex [m²], weights of statistics
+};
+
+/// \throws InvalidInput when positions do not fit the garment or the body lacks segments.
+WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, const Body& body);
+
+}  // namespace loosefit
