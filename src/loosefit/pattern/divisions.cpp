@@ -19,6 +19,54 @@ bool usable(const std::vector<Vec2>& polygon) {
   return polygon.size() >= 3 && signed_area(polygon) > 0 && first_self_crossing(polygon).first < 0;
 }
 
+/// Corners that the seams bring together, as one number each: [panel][vertex].
+std::vector<std::vector<int>> sewn_corners(const Pattern& pattern) {
+  std::vector<std::vector<int>> corner;
+  int count = 0;
+  for (const Panel& panel : pattern.panels) {
+    corner.emplace_back();
+    for (std::size_t v = 0; v < panel.vertices.size(); ++v) corner.back().push_back(count++);
+  }
+  const auto join = [&](int a, int b) {
+    for (std::vector<int>& of_panel : corner)
+      for (int& c : of_panel)
+        if (c == std::max(a, b)) c = std::min(a, b);
+  };
+  for (const Stitch& s : pattern.stitches) {
+    const auto& first = corner[s.first.panel];
+    const auto& second = corner[s.second.panel];
+    const PanelEdge& a = pattern.panels[s.first.panel].edges[s.first.edge];
+    const PanelEdge& b = pattern.panels[s.second.panel].edges[s.second.edge];
+    join(first[a.start], second[s.right_wrong ? b.start : b.end]);
+    join(first[a.end], second[s.right_wrong ? b.end : b.start]);
+  }
+  return corner;
+}
+
+/// Two undivided edges between the same sewn corners would become one mesh edge (both halves of a
+/// narrow cuff, say) and close an opening: they get a point in their middle.
+void part_coinciding_edges(const Pattern& pattern, std::vector<std::vector<int>>& divisions) {
+  const std::vector<std::vector<int>> corner = sewn_corners(pattern);
+  std::map<std::pair<int, int>, std::pair<int, int>> partner;
+  for (const Stitch& s : pattern.stitches) {
+    partner[{s.first.panel, s.first.edge}] = {s.second.panel, s.second.edge};
+    partner[{s.second.panel, s.second.edge}] = {s.first.panel, s.first.edge};
+  }
+  std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> between;  // corners → edges
+  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p)
+    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
+      const PanelEdge& edge = pattern.panels[p].edges[e];
+      if (divisions[p][e] == 1)
+        between[std::minmax(corner[p][edge.start], corner[p][edge.end])].push_back({p, e});
+    }
+  for (const auto& [corners, edges] : between) {
+    const bool one_seam =
+        edges.size() == 2 && partner.contains(edges[0]) && partner.at(edges[0]) == edges[1];
+    if (edges.size() < 2 || one_seam) continue;
+    for (const auto& [p, e] : edges) divisions[p][e] = 2;
+  }
+}
+
 }  // namespace
 
 std::vector<Vec2> divided_outline(const Panel& panel, const std::vector<int>& divisions) {
@@ -56,17 +104,13 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
                        fmt::format("at least {:.3g} m for a garment of {:.3g} m²",
                                    std::sqrt(area / 0.87 / kMostVertices), area));
 
-  std::map<std::pair<int, int>, std::pair<int, int>> partner;
   const auto join = [&](const Stitch& s) {
-    int& a = divisions[s.first.panel][s.first.edge];
-    int& b = divisions[s.second.panel][s.second.edge];
-    a = b = std::max(a, b);
+    int& first = divisions[s.first.panel][s.first.edge];
+    int& second = divisions[s.second.panel][s.second.edge];
+    first = second = std::max(first, second);
   };
-  for (const Stitch& s : pattern.stitches) {
-    join(s);
-    partner[{s.first.panel, s.first.edge}] = {s.second.panel, s.second.edge};
-    partner[{s.second.panel, s.second.edge}] = {s.first.panel, s.first.edge};
-  }
+  for (const Stitch& s : pattern.stitches) join(s);
+  part_coinciding_edges(pattern, divisions);
   // Coarsely divided narrow or strongly curved pieces may cross themselves: double their counts.
   for (int round = 0; round < 12; ++round) {
     bool changed = false;

@@ -126,7 +126,12 @@ std::optional<CapFit> fit_caps(double front_length, double back_length, double g
     (cap_length(split(h) * girth, h) < front_length ? low : high) = h;
   }
   const double h = 0.5 * (low + high);
-  return CapFit{h, split(h)};
+  const double q = split(h);
+  // Very unequal armholes would need a split beyond the limits of q.
+  if (std::abs(cap_length(q * girth, h) - front_length) > 1e-7 ||
+      std::abs(cap_length((1 - q) * girth, h) - back_length) > 1e-7)
+    return std::nullopt;
+  return CapFit{h, q};
 }
 
 }  // namespace loosefit

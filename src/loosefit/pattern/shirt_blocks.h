@@ -38,7 +38,8 @@ CurveChain draft_cap(double width, double height);
 struct CapFit {
   double height = 0, front_share = 0.5;
 };
-/// Empty when even a flat cap of girth `girth` is longer than the armhole.
+/// Empty when even a flat cap of girth `girth` is longer than the armhole, or the two armholes are
+/// too unequal for a front share between 0.3 and 0.7.
 std::optional<CapFit> fit_caps(double front_length, double back_length, double girth);
 
 }  // namespace loosefit

@@ -52,6 +52,26 @@ void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double a
                      "narrow the sleeve, loosen the chest or raise fit.scye_ease");
 }
 
+void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shoulder_y,
+                        double underarm_y) {
+  constexpr double kLeast = 0.03;  // between two levels of the torso [m]
+  if (underarm_y > shoulder_y - kLeast)
+    throw InvalidInput(
+        InputPlace{{}, 0, "measures.shoulder_slope"}, fmt::format("{:.4g} rad", m.shoulder_slope),
+        "a slope that leaves the garment's shoulder 0.03 m above the underarm",
+        "a chest this loose drops the shoulder too far; lower fit.chest or fit.shoulder_follow");
+  const auto level = [&](const char* key, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    throw InvalidInput(InputPlace{{}, 0, key}, fmt::format("{:.4g} m", value),
+                       high < 10
+                           ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", low, high)
+                           : fmt::format("at least {:.3f} m, below the underarm", low));
+  };
+  level("measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
+  if (fit.waist)
+    level("measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast, m.hps_to_hem - kLeast);
+}
+
 void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit,
                           double shoulder_x, double under_length) {
   const double neck_x = (1 + fit.neck_ease) * m.neck / 5;

@@ -134,6 +134,8 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
   const Draft d = balance(m, fit, result);
   if (!d.cap) throw_sleeve_too_wide(m, fit, d.front.armhole.length() + d.back.armhole.length());
 
+  check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
+
   const double upper = (1 + fit.sleeve) * m.upper_arm, wrist = (1 + fit.wrist) * m.wrist;
   const double front_width = d.cap->front_share * upper, back_width = upper - front_width;
   // A dropped shoulder is taken off the sleeve.
