@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// A surface as a file has it: file units and file axes, polygons cut into triangles.
+struct MeshFile {
+  TriangleMesh mesh;
+  std::vector<std::string> warnings;  ///< what had to be repaired: corners welded, slivers dropped
+};
+
+/// Reads OBJ, PLY (ascii, binary little-endian) or STL (ascii, binary) by what the file holds; the
+/// extension only decides when the content does not. STL corners at one place become one vertex.
+/// \throws IoError when unreadable; InvalidInput naming file, line (text) and what was expected.
+MeshFile read_mesh(const std::string& path);
+
+/// Writes OBJ (metres, our axes) with normals when given. \throws IoError.
+void write_obj(const std::string& path, const TriangleMesh& mesh,
+               const std::vector<Vec3>& normals = {});
+/// Writes a binary little-endian PLY with double coordinates. \throws IoError.
+void write_ply(const std::string& path, const TriangleMesh& mesh);
+/// Writes a binary STL. \throws IoError.
+void write_stl(const std::string& path, const TriangleMesh& mesh);
+
+}  // namespace loosefit

@@ -1,0 +1,202 @@
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/mesh_text.h"
+
+namespace loosefit::mesh_text {
+namespace {
+
+enum class Kind { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+  std::string name;
+  Kind kind = Kind::float32;
+  bool list = false;
+  Kind count_kind = Kind::uint8;
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  bool binary = false;
+  std::vector<Element> elements;
+};
+
+Kind kind_of(const Lines& lines, std::string_view word) {
+  static const std::array<std::pair<const char*, Kind>, 16> kNames = {{{"char", Kind::int8},
+                                                                       {"int8", Kind::int8},
+                                                                       {"uchar", Kind::uint8},
+                                                                       {"uint8", Kind::uint8},
+                                                                       {"short", Kind::int16},
+                                                                       {"int16", Kind::int16},
+                                                                       {"ushort", Kind::uint16},
+                                                                       {"uint16", Kind::uint16},
+                                                                       {"int", Kind::int32},
+                                                                       {"int32", Kind::int32},
+                                                                       {"uint", Kind::uint32},
+                                                                       {"uint32", Kind::uint32},
+                                                                       {"float", Kind::float32},
+                                                                       {"float32", Kind::float32},
+                                                                       {"double", Kind::float64},
+                                                                       {"float64", Kind::float64}}};
+  for (const auto& [name, kind] : kNames) {
+    if (word == name) return kind;
+  }
+  lines.fail("type \"" + printable(std::string(word)) + "\"", "a PLY number type");
+}
+
+Header read_header(Lines& lines) {
+  Header header;
+  bool has_format = false;
+  while (lines.next()) {
+    const auto words = lines.words();
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info" || words[0] == "ply")
+      continue;
+    if (words[0] == "end_header") {
+      if (!has_format) lines.fail("no format line", "format ascii or binary_little_endian");
+      return header;
+    }
+    if (words[0] == "format" && words.size() >= 2) {
+      has_format = true;
+      header.binary = words[1] == "binary_little_endian";
+      if (!header.binary && words[1] != "ascii") {
+        lines.fail("format " + printable(std::string(words[1])), "ascii or binary_little_endian");
+      }
+    } else if (words[0] == "element" && words.size() == 3) {
+      const long count = lines.integer_of(words[2]);
+      if (count < 0 || count > 100'000'000) lines.fail(std::string(words[2]), "a count up to 1e8");
+      header.elements.push_back({std::string(words[1]), std::size_t(count), {}});
+    } else if (words[0] == "property" && !header.elements.empty() && words.size() == 3) {
+      header.elements.back().properties.push_back(
+          {std::string(words[2]), kind_of(lines, words[1]), false, Kind::uint8});
+    } else if (words[0] == "property" && !header.elements.empty() && words.size() == 5 &&
+               words[1] == "list") {
+      header.elements.back().properties.push_back(
+          {std::string(words[4]), kind_of(lines, words[3]), true, kind_of(lines, words[2])});
+    } else {
+      lines.fail("\"" + printable(std::string(words[0])) + "\"", "a PLY header line");
+    }
+  }
+  lines.fail("the end of the file", "end_header");
+}
+
+/// Hands out the numbers of the body one by one, from text or bytes.
+class Values {
+ public:
+  Values(Lines& lines, std::string_view bytes, bool binary)
+      : lines_(lines), bytes_(bytes), at_(lines.offset()), binary_(binary) {}
+
+  double next(Kind kind) {
+    if (!binary_) return next_word();
+    switch (kind) {
+      case Kind::int8:
+        return take<std::int8_t>();
+      case Kind::uint8:
+        return take<std::uint8_t>();
+      case Kind::int16:
+        return take<std::int16_t>();
+      case Kind::uint16:
+        return take<std::uint16_t>();
+      case Kind::int32:
+        return take<std::int32_t>();
+      case Kind::uint32:
+        return take<std::uint32_t>();
+      case Kind::float32:
+        return take<float>();
+      case Kind::float64:
+        return take<double>();
+    }
+    return 0;
+  }
+
+ private:
+  template <class T>
+  double take() {
+    if (bytes_.size() - at_ < sizeof(T)) lines_.fail("the end of the file", "more data");
+    T value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return double(value);
+  }
+  double next_word() {
+    while (word_ >= words_.size()) {
+      if (!lines_.next()) lines_.fail("the end of the file", "more data");
+      words_ = lines_.words();
+      word_ = 0;
+    }
+    return lines_.number_of(words_[word_++]);
+  }
+
+  Lines& lines_;
+  std::string_view bytes_;
+  std::size_t at_;
+  bool binary_;
+  std::vector<std::string_view> words_;
+  std::size_t word_ = 0;
+};
+
+void check_coordinate(const Lines& lines, double value) {
+  if (!(value > -1e9 && value < 1e9)) lines.fail("a coordinate that is not finite", "a number");
+}
+
+void read_face(const Lines& lines, const std::vector<double>& written, std::size_t vertex_count,
+               TriangleMesh& mesh) {
+  std::vector<int> corners;
+  for (const double index : written) {
+    if (!(index >= 0 && index < double(vertex_count)) || index != double(int(index))) {
+      lines.fail("a face with vertex " + shortest(index),
+                 "vertices from 0 to " + std::to_string(vertex_count) + " - 1");
+    }
+    corners.push_back(int(index));
+  }
+  add_polygon(corners, mesh);
+}
+
+}  // namespace
+
+MeshFile read_ply(std::string_view bytes, const std::string& path) {
+  Lines lines(bytes, path);
+  const Header header = read_header(lines);
+  MeshFile file;
+  Values values(lines, bytes, header.binary);
+  std::size_t vertex_count = 0;
+  for (const auto& element : header.elements) {
+    if (element.name == "vertex") vertex_count = element.count;
+  }
+  for (const auto& element : header.elements) {
+    if (element.properties.empty()) continue;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+      for (const auto& property : element.properties) {
+        if (!property.list) {
+          const double value = values.next(property.kind);
+          for (int axis = 0; axis < 3; ++axis) {
+            if (property.name == std::string(1, char('x' + axis))) point[axis] = value;
+          }
+          continue;
+        }
+        const double count = values.next(property.count_kind);
+        if (!(count >= 0 && count <= 1000))
+          lines.fail(shortest(count) + " list entries", "0 to 1000");
+        std::vector<double> list;
+        for (int k = 0; k < int(count); ++k) list.push_back(values.next(property.kind));
+        const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
+        if (element.name == "face" && corners) read_face(lines, list, vertex_count, file.mesh);
+      }
+      if (element.name == "vertex") {
+        for (int axis = 0; axis < 3; ++axis) check_coordinate(lines, point[axis]);
+        file.mesh.vertices.push_back(point);
+      }
+    }
+  }
+  return file;
+}
+
+}  // namespace loosefit::mesh_text
