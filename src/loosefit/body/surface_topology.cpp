@@ -1,0 +1,183 @@
+#include "loosefit/body/surface_topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace loosefit {
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (parent_[std::size_t(i)] != i) {
+      i = parent_[std::size_t(i)] = parent_[std::size_t(parent_[std::size_t(i)])];
+    }
+    return i;
+  }
+  void unite(int a, int b) {
+    const auto [low, high] = std::minmax(find(a), find(b));
+    parent_[std::size_t(high)] = low;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+struct EdgeUse {
+  int low, high;  ///< vertices
+  int triangle;
+  bool forward;  ///< the triangle runs low → high
+  bool operator<(const EdgeUse& o) const {
+    return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle);
+  }
+};
+
+std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int a = mesh.triangles[t][c], b = mesh.triangles[t][(c + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), int(t), a < b});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
+
+void drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<int> number(mesh.vertices.size(), -1);
+  std::vector<Vec3> kept;
+  for (auto& t : mesh.triangles) {
+    for (auto& corner : t) {
+      int& n = number[std::size_t(corner)];
+      if (n < 0) {
+        n = int(kept.size());
+        kept.push_back(mesh.vertices[std::size_t(corner)]);
+      }
+      corner = n;
+    }
+  }
+  mesh.vertices = std::move(kept);
+}
+
+}  // namespace
+
+void weld(TriangleMesh& mesh, double distance) {
+  std::map<std::array<long long, 3>, int> at;
+  std::vector<int> target(mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Vec3& p = mesh.vertices[v];
+    const std::array<long long, 3> cell = {std::llround(p.x() / distance), std::llround(p.y() / distance),
+                                           std::llround(p.z() / distance)};
+    target[v] = at.emplace(cell, int(v)).first->second;
+  }
+  for (auto& t : mesh.triangles) {
+    for (auto& corner : t) corner = target[std::size_t(corner)];
+  }
+  std::erase_if(mesh.triangles, [](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  drop_unused_vertices(mesh);
+}
+
+std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
+  UnionFind sets(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) sets.unite(t[0], t[1]), sets.unite(t[1], t[2]);
+  std::map<int, Piece> pieces;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    Piece& piece = pieces[sets.find(t[0])];
+    piece.triangles.push_back(int(i));
+    piece.area += triangle_area(mesh.vertices[std::size_t(t[0])], mesh.vertices[std::size_t(t[1])],
+                                mesh.vertices[std::size_t(t[2])]);
+  }
+  std::vector<Piece> sorted;
+  for (auto& [root, piece] : pieces) sorted.push_back(std::move(piece));
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Piece& a, const Piece& b) { return a.area > b.area; });
+  return sorted;
+}
+
+void keep_piece(TriangleMesh& mesh, const Piece& piece) {
+  std::vector<Triangle> kept;
+  for (const int t : piece.triangles) kept.push_back(mesh.triangles[std::size_t(t)]);
+  mesh.triangles = std::move(kept);
+  drop_unused_vertices(mesh);
+}
+
+EdgeReport inspect_edges(const TriangleMesh& mesh) {
+  EdgeReport report;
+  const auto uses = edge_uses(mesh);
+  std::vector<EdgeUse> open;
+  for (std::size_t i = 0; i < uses.size();) {
+    std::size_t end = i + 1;
+    while (end < uses.size() && same_edge(uses[i], uses[end])) ++end;
+    if (end - i == 1) open.push_back(uses[i]);
+    if (end - i > 2) {
+      ++report.crowded;
+      report.place = mesh.vertices[std::size_t(uses[i].low)];
+    }
+    i = end;
+  }
+  report.open = int(open.size());
+  UnionFind sets(mesh.vertices.size());
+  for (const auto& e : open) sets.unite(e.low, e.high);
+  std::map<int, int> size;
+  for (const auto& e : open) ++size[sets.find(e.low)];
+  report.holes = int(size.size());
+  int largest = 0;
+  for (const auto& [root, count] : size) {
+    if (count > largest) largest = count, report.place = mesh.vertices[std::size_t(root)];
+  }
+  return report;
+}
+
+Orientation orient_consistently(TriangleMesh& mesh) {
+  const auto uses = edge_uses(mesh);
+  struct Link {
+    int other;
+    bool agrees;
+  };
+  std::vector<std::vector<Link>> links(mesh.triangles.size());
+  for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
+    if (!same_edge(uses[i], uses[i + 1])) continue;
+    const bool agrees = uses[i].forward != uses[i + 1].forward;
+    links[std::size_t(uses[i].triangle)].push_back({uses[i + 1].triangle, agrees});
+    links[std::size_t(uses[i + 1].triangle)].push_back({uses[i].triangle, agrees});
+  }
+  std::vector<int> turn(mesh.triangles.size(), -1);
+  bool any = false;
+  for (std::size_t first = 0; first < turn.size(); ++first) {
+    if (turn[first] >= 0) continue;
+    turn[first] = 0;
+    std::vector<int> stack = {int(first)};
+    while (!stack.empty()) {
+      const auto t = std::size_t(stack.back());
+      stack.pop_back();
+      for (const auto& link : links[t]) {
+        const int wanted = link.agrees ? turn[t] : 1 - turn[t];
+        int& other = turn[std::size_t(link.other)];
+        if (other < 0) {
+          other = wanted;
+          stack.push_back(link.other);
+        } else if (other != wanted) {
+          return Orientation::impossible;
+        }
+      }
+    }
+  }
+  for (std::size_t t = 0; t < turn.size(); ++t) {
+    if (turn[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]), any = true;
+  }
+  return any ? Orientation::repaired : Orientation::consistent;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// Unites vertices nearer than about `distance` (equal rounded coordinates) and drops triangles and
+/// vertices that vanish by it.
+void weld(TriangleMesh& mesh, double distance);
+
+/// A connected part: its triangles and area [m²].
+struct Piece {
+  std::vector<int> triangles;
+  double area = 0;
+};
+
+/// Connected parts (by shared vertices), largest area first.
+std::vector<Piece> connected_pieces(const TriangleMesh& mesh);
+
+/// Keeps one part and its vertices.
+void keep_piece(TriangleMesh& mesh, const Piece& piece);
+
+/// Edges that keep a surface from being closed, and a place to look at.
+struct EdgeReport {
+  int open = 0;     ///< one face
+  int crowded = 0;  ///< more than two faces
+  int holes = 0;    ///< connected groups of open edges
+  Vec3 place = Vec3::Zero();  ///< on the largest hole, or else on a crowded edge
+};
+EdgeReport inspect_edges(const TriangleMesh& mesh);
+
+enum class Orientation { consistent, repaired, impossible };
+
+/// Turns triangles so that neighbours agree with the first of their part.
+Orientation orient_consistently(TriangleMesh& mesh);
+
+}  // namespace loosefit
