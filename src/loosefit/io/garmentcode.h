@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// A pattern read from a file and what had to be assumed for it.
+struct PatternFile {
+  Pattern pattern;
+  std::vector<std::string> warnings;
+};
+
+/// GarmentCode specification JSON (Korosteleva and Sorkine-Hornung 2023; pygarment 2.0.2).
+/// Read in full: straight, quadratic, cubic and circle edges, the old list form and absolute
+/// coordinates; units_in_meter; pose X = Rz Ry Rx x + t; loops closed by index or by position;
+/// either winding (a clockwise piece is mirrored and turned round so that its outside stays
+/// outside); right_wrong, darts, gathers; panel_order or its rule. y-up file frame → our frame.
+/// Missing keys that have a usual value are warnings. Consecutive edges of one panel with the same
+/// extra key "name" are one seam unit (our writer splits chains of curves).
+/// `file` only appears in messages.
+/// \throws InvalidInput with file and line (syntax) or JSON path, GeometryError for outlines that
+///         cannot be cloth.
+PatternFile parse_garmentcode(const std::string& text, const std::string& file);
+/// \throws IoError if the file cannot be read, and as parse_garmentcode.
+PatternFile read_garmentcode(const std::filesystem::path& path);
+
+/// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
+/// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
+/// \throws GeometryError for an invalid pattern.
+std::string garmentcode_text(const Pattern& pattern);
+/// \throws IoError if the file cannot be written.
+void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern);
+
+}  // namespace loosefit

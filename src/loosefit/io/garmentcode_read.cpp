@@ -1,0 +1,308 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/io/garmentcode_steps.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/pattern/divisions.h"
+
+namespace loosefit {
+namespace {
+
+using Json = nlohmann::ordered_json;  // panels stay in the order of the file
+
+constexpr std::size_t kLargestFile = 32u << 20;  // bytes
+constexpr std::size_t kMostPanels = 500, kMostEdges = 500, kMostEdgesInAll = 5000;
+constexpr double kLargestNumber = 1e7;
+
+/// A JSON value with its path, so that every complaint can say where it stands.
+struct Node {
+  const Json& value;
+  std::string path;
+  const std::string& file;
+
+  [[noreturn]] void fail(const std::string& found, const std::string& expected,
+                         const std::string& hint = {}) const {
+    throw InvalidInput(InputPlace{file, 0, path}, found, expected, hint);
+  }
+  std::string describe() const {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return fmt::format("an array of {}", value.size());
+    return printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40);
+  }
+  const Node& object() const {
+    if (!value.is_object()) fail(describe(), "an object");
+    return *this;
+  }
+  const Node& array(std::size_t low, std::size_t high) const {
+    if (!value.is_array() || value.size() < low || value.size() > high)
+      fail(describe(), low == high ? fmt::format("an array of {}", low)
+                                   : fmt::format("an array of {} to {}", low, high));
+    return *this;
+  }
+  bool has(const std::string& key) const {
+    return value.is_object() && value.contains(key) && !value.at(key).is_null();
+  }
+  Node at(const std::string& key) const {
+    object();
+    const auto it = value.find(key);
+    if (it == value.end())
+      throw InvalidInput(InputPlace{file, 0, path.empty() ? key : path + "." + key}, "nothing",
+                         "this key");
+    return {*it, path.empty() ? key : path + "." + key, file};
+  }
+  Node item(std::size_t i) const { return {value[i], fmt::format("{}[{}]", path, i), file}; }
+  double number() const {
+    if (!value.is_number()) fail(describe(), "a number");
+    const double x = value.get<double>();
+    if (!std::isfinite(x) || std::abs(x) > kLargestNumber)
+      fail(describe(), fmt::format("a number of at most {:g}", kLargestNumber));
+    return x;
+  }
+  int index(int count, const std::string& of) const {
+    const double x = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(x >= 0 && x < count && x == std::floor(x)))
+      fail(describe(), fmt::format("an index of {} from 0 to {}", of, count - 1));
+    return static_cast<int>(x);
+  }
+  bool flag() const {
+    if (value.is_boolean()) return value.get<bool>();
+    const double x = number();
+    if (x != 0 && x != 1) fail(describe(), "0 or 1");
+    return x == 1;
+  }
+  std::string text() const {
+    if (!value.is_string()) fail(describe(), "a text");
+    const std::string s = value.get<std::string>();
+    if (s.size() > 200) fail(fmt::format("a text of {} bytes", s.size()), "at most 200");
+    return s;
+  }
+  std::string optional_text(const std::string& key) const {
+    return has(key) ? at(key).text() : std::string();
+  }
+  Vec2 pair() const {
+    array(2, 2);
+    return {item(0).number(), item(1).number()};
+  }
+  Vec3 triple() const {
+    array(3, 3);
+    return {item(0).number(), item(1).number(), item(2).number()};
+  }
+};
+
+/// Units and conventions of one file.
+struct FileRules {
+  double metre = 0.01;  // file unit in metres
+  bool absolute_curves = false;
+};
+
+EdgeCurve read_curve(const Node& node, const Vec2& a, const Vec2& b, const FileRules& rules) {
+  EdgeCurve curve;
+  const Vec2 chord = b - a, left(-chord.y(), chord.x());
+  const auto relative = [&](const Vec2& uv) -> Vec2 { return a + uv.x() * chord + uv.y() * left; };
+  if (node.value.is_array()) {  // old files
+    const Vec2 control = node.pair();
+    curve.kind = EdgeCurve::Kind::quadratic;
+    curve.control = {rules.absolute_curves ? Vec2(control * rules.metre) : relative(control)};
+    return curve;
+  }
+  const Node type = node.object().at("type"), params = node.at("params");
+  const std::string kind = type.text();
+  if (kind == "quadratic") {
+    curve.kind = EdgeCurve::Kind::quadratic;
+    params.array(1, 1);
+  } else if (kind == "cubic") {
+    curve.kind = EdgeCurve::Kind::cubic;
+    params.array(2, 2);
+  } else if (kind == "circle") {
+    curve.kind = EdgeCurve::Kind::circle;
+    params.array(3, 3);
+    curve.radius = params.item(0).number() * rules.metre;
+    if (!(curve.radius > 0)) params.item(0).fail(params.item(0).describe(), "a positive radius");
+    curve.large_arc = params.item(1).flag();
+    curve.sweep = params.item(2).flag();
+    return curve;
+  } else {
+    type.fail('"' + printable(kind) + '"', "quadratic, cubic or circle",
+              did_you_mean(kind, {"quadratic", "cubic", "circle"}));
+  }
+  for (std::size_t i = 0; i < params.value.size(); ++i)
+    curve.control.push_back(relative(params.item(i).pair()));
+  return curve;
+}
+
+Panel read_panel(const std::string& name, const Node& node, const FileRules& rules,
+                 std::vector<std::string>& warnings) {
+  Panel panel;
+  panel.name = name;
+  node.object();
+  panel.label = node.optional_text("label");
+  const Node vertices = node.at("vertices").array(2, 2 * kMostEdges);
+  for (std::size_t i = 0; i < vertices.value.size(); ++i)
+    panel.vertices.push_back(vertices.item(i).pair() * rules.metre);
+  const Node edges = node.at("edges").array(2, kMostEdges);
+  for (std::size_t i = 0; i < edges.value.size(); ++i) {
+    const Node item = edges.item(i);
+    const Node ends = item.object().at("endpoints").array(2, 2);
+    PanelEdge edge;
+    const int count = static_cast<int>(panel.vertices.size());
+    edge.start = ends.item(0).index(count, "a vertex");
+    edge.end = ends.item(1).index(count, "a vertex");
+    edge.name = item.optional_text("name");
+    edge.label = item.optional_text("label");
+    if (item.has("curvature"))
+      edge.curves = {read_curve(item.at("curvature"), panel.vertices[edge.start],
+                                panel.vertices[edge.end], rules)};
+    panel.edges.push_back(edge);
+  }
+  const auto pose = [&](const char* key) -> Vec3 {
+    if (node.has(key)) return node.at(key).triple();
+    warnings.push_back(fmt::format("{}.{}: missing, taken as [0, 0, 0]", node.path, key));
+    return Vec3::Zero();
+  };
+  panel.translation = frame_from_y_up() * pose("translation") * rules.metre;
+  panel.rotation = frame_from_y_up() * rotation_from_euler_deg(pose("rotation"));
+  return panel;
+}
+
+Stitch read_stitch(const Node& node, const Pattern& pattern) {
+  node.array(2, 3);
+  Stitch stitch;
+  for (int side = 0; side < 2; ++side) {
+    const Node item = node.item(side).object();
+    Stitch::Side& target = side == 0 ? stitch.first : stitch.second;
+    const Node panel = item.at("panel");
+    target.panel = pattern.find_panel(panel.text());
+    if (target.panel < 0) {
+      std::vector<std::string> names;
+      for (const Panel& p : pattern.panels) names.push_back(p.name);
+      panel.fail(panel.describe(), "the name of a panel", did_you_mean(panel.text(), names));
+    }
+    const int edges = static_cast<int>(pattern.panels[target.panel].edges.size());
+    target.edge = item.at("edge").index(edges, "an edge");
+    if (side == 0) stitch.name = item.optional_text("name");
+  }
+  if (node.value.size() == 3) {
+    const Node third = node.item(2);
+    if (third.text() != "right_wrong") third.fail(third.describe(), "\"right_wrong\"");
+    stitch.right_wrong = true;
+  }
+  return stitch;
+}
+
+FileRules read_rules(const Node& root, std::vector<std::string>& warnings) {
+  FileRules rules;
+  if (!root.has("properties")) {
+    warnings.push_back(
+        "properties: missing, units taken as centimetres, curve coordinates as relative");
+    return rules;
+  }
+  const Node properties = root.at("properties").object();
+  if (properties.has("units_in_meter")) {
+    const Node units = properties.at("units_in_meter");
+    const double per_metre = units.number();
+    if (!(per_metre >= 1e-3 && per_metre <= 1e6))
+      units.fail(units.describe(), "units in a metre, 0.001 to 1e6");
+    rules.metre = 1 / per_metre;
+  } else {
+    warnings.push_back("properties.units_in_meter: missing, taken as 100 (centimetres)");
+  }
+  if (properties.has("curvature_coords")) {
+    const Node coords = properties.at("curvature_coords");
+    if (coords.text() != "relative" && coords.text() != "absolute")
+      coords.fail(coords.describe(), "\"relative\" or \"absolute\"");
+    rules.absolute_curves = coords.text() == "absolute";
+  } else {
+    warnings.push_back("properties.curvature_coords: missing, taken as relative");
+  }
+  return rules;
+}
+
+std::vector<std::string> read_panel_order(const Node& pattern, const Pattern& panels,
+                                          std::vector<std::string>& warnings) {
+  std::vector<std::string> order;
+  if (!pattern.has("panel_order")) return order;
+  const Node names = pattern.at("panel_order").array(0, kMostPanels);
+  for (std::size_t i = 0; i < names.value.size(); ++i) {
+    const Node name = names.item(i);
+    if (panels.find_panel(name.text()) >= 0)
+      order.push_back(name.text());
+    else
+      warnings.push_back(fmt::format("{}: no panel {}, left out", name.path, name.describe()));
+  }
+  return order;
+}
+
+Json parse_json(const std::string& text, const std::string& file) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& e) {
+    const std::size_t at = std::min(e.byte, text.size());
+    const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + at, '\n'));
+    std::string what = e.what();  // "[json.exception.…] parse error at line …: syntax error …"
+    const std::size_t detail = what.find("syntax error");
+    what = detail == std::string::npos ? "text that is not JSON" : what.substr(detail);
+    throw InvalidInput(InputPlace{file, line, {}}, printable(what, 160), "JSON");
+  } catch (const Json::exception&) {
+    throw InvalidInput(InputPlace{file, 0, {}}, "a number that is out of range", "JSON");
+  }
+}
+
+}  // namespace
+
+PatternFile parse_garmentcode(const std::string& text, const std::string& file) {
+  PatternFile result;
+  const Json json = parse_json(text, file);
+  const Node root{json, "", file};
+  const FileRules rules = read_rules(root.object(), result.warnings);
+  const Node pattern = root.at("pattern"), panels = pattern.object().at("panels").object();
+  if (panels.value.empty() || panels.value.size() > kMostPanels)
+    panels.fail(fmt::format("{} panels", panels.value.size()), fmt::format("1 to {}", kMostPanels));
+  std::size_t edges = 0;
+  for (const auto& [name, value] : panels.value.items()) {
+    const std::string safe = printable(name, 200);
+    if (result.pattern.find_panel(name) >= 0)
+      panels.fail("panel " + safe + " twice", "different names");
+    result.pattern.panels.push_back(
+        read_panel(name, {value, panels.path + "." + safe, file}, rules, result.warnings));
+    edges += result.pattern.panels.back().edges.size();
+    if (edges > kMostEdgesInAll)
+      panels.fail("more edges", fmt::format("at most {} in all", kMostEdgesInAll));
+  }
+  if (pattern.has("stitches")) {
+    const Node stitches = pattern.at("stitches").array(0, kMostEdgesInAll);
+    for (std::size_t i = 0; i < stitches.value.size(); ++i)
+      result.pattern.stitches.push_back(read_stitch(stitches.item(i), result.pattern));
+  } else {
+    result.warnings.push_back("pattern.stitches: missing, nothing is sewn");
+  }
+  const auto order = read_panel_order(pattern, result.pattern, result.warnings);
+  try {
+    close_loops(result.pattern);
+    for (Panel& panel : result.pattern.panels) make_counter_clockwise(panel);
+    merge_named_edges(result.pattern);
+    check_pattern(result.pattern);
+  } catch (const GeometryError& e) {
+    throw GeometryError(file + ": " + e.what(), e.hint());
+  }
+  set_panel_order(result.pattern, order);
+  return result;
+}
+
+PatternFile read_garmentcode(const std::filesystem::path& path) {
+  PatternFile result =
+      parse_garmentcode(read_text_file(path.string(), kLargestFile), path.string());
+  result.pattern.name = path.stem().string();
+  const std::string suffix = "_specification";
+  if (result.pattern.name.ends_with(suffix))
+    result.pattern.name.resize(result.pattern.name.size() - suffix.size());
+  return result;
+}
+
+}  // namespace loosefit

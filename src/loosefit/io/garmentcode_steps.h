@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// Edges must follow each other by vertex index; where a file lists a position twice, the second
+/// index is replaced by the first. \throws GeometryError naming panel and edge where a loop is
+/// open.
+void close_loops(Pattern& pattern);
+
+/// A clockwise panel is mirrored (x → −x) and turned half round y, which leaves it where it is in
+/// space and its outside outside.
+void make_counter_clockwise(Panel& panel);
+
+/// Consecutive edges of the same non-empty name become one edge if their seams allow it: all parts
+/// sewn, in order, to all parts of one other edge, or none sewn. Otherwise they stay apart as
+/// name_1, name_2, …. Afterwards every edge and stitch has a unique name.
+void merge_named_edges(Pattern& pattern);
+
+/// Order by the names given; the rest by GarmentCode's rule: 3D top-middle point by x, y, z (file
+/// frame), values closer than 10 cm counting as equal.
+void set_panel_order(Pattern& pattern, const std::vector<std::string>& names);
+
+}  // namespace loosefit

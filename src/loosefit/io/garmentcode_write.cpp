@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/pattern/curve.h"
+#include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kPerMetre = 100;  // centimetres
+constexpr double kSameCut = 1e-7;  // of the arc length
+
+/// One file edge: a single curve.
+struct Part {
+  Vec2 start, end;
+  EdgeCurve curve;
+};
+
+void add_cuts(std::vector<double>& cuts, const std::vector<double>& more) {
+  for (const double f : more)
+    if (std::none_of(cuts.begin(), cuts.end(),
+                     [f](double known) { return std::abs(known - f) < kSameCut; }))
+      cuts.push_back(f);
+  std::sort(cuts.begin(), cuts.end());
+}
+
+/// The edge cut at its own joints and at `cuts` (fractions of its arc length).
+std::vector<Part> parts_of(const EdgePath& path, const std::vector<double>& cuts) {
+  std::vector<Part> parts;
+  std::vector<std::vector<double>> inner(path.curves().size());
+  const std::vector<double> joints = path.joint_fractions();
+  for (const double f : cuts) {
+    const bool joint = std::any_of(joints.begin(), joints.end(),
+                                   [f](double known) { return std::abs(known - f) < kSameCut; });
+    if (joint || f < kSameCut || f > 1 - kSameCut) continue;
+    const auto [c, t] = path.locate(f);
+    inner[c].push_back(t);
+  }
+  for (std::size_t c = 0; c < path.curves().size(); ++c) {
+    EdgeCurve rest = path.curves()[c];
+    Vec2 from = path.knot(static_cast<int>(c));
+    const Vec2 to = path.knot(static_cast<int>(c) + 1);
+    double done = 0;
+    for (const double t : inner[c]) {
+      const double local = (t - done) / (1 - done);
+      const Vec2 middle = curve_point(rest, from, to, local);
+      const auto [left, right] = split_curve(rest, from, to, local);
+      parts.push_back({from, middle, left});
+      from = middle;
+      rest = right;
+      done = t;
+    }
+    parts.push_back({from, to, rest});
+  }
+  return parts;
+}
+
+Json curvature_of(const Part& part, const std::string& where) {
+  const Vec2 chord = part.end - part.start;
+  const double squared = chord.squaredNorm();
+  if (!(squared > 1e-16))
+    throw GeometryError(InputPlace{{}, 0, where}, "a curve that ends where it starts",
+                        "different end points");
+  const auto relative = [&](const Vec2& p) {
+    const Vec2 d = p - part.start;
+    return Json::array({d.dot(chord) / squared, (chord.x() * d.y() - chord.y() * d.x()) / squared});
+  };
+  Json params = Json::array();
+  if (part.curve.kind == EdgeCurve::Kind::circle) {
+    params = {part.curve.radius * kPerMetre, part.curve.large_arc ? 1 : 0,
+              part.curve.sweep ? 1 : 0};
+    return {{"type", "circle"}, {"params", params}};
+  }
+  for (const Vec2& c : part.curve.control) params.push_back(relative(c));
+  return {{"type", part.curve.kind == EdgeCurve::Kind::quadratic ? "quadratic" : "cubic"},
+          {"params", params}};
+}
+
+Json numbers(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+std::string list_lines(const std::vector<Json>& items, const std::string& indent) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i ? ",\n" : "\n") + indent + "  " + items[i].dump();
+  return text + (items.empty() ? "]" : "\n" + indent + "]");
+}
+
+}  // namespace
+
+std::string garmentcode_text(const Pattern& pattern) {
+  check_pattern(pattern);
+  std::vector<std::vector<EdgePath>> paths;
+  std::vector<std::vector<std::vector<double>>> cuts;  // [panel][edge]
+  for (const Panel& panel : pattern.panels) {
+    paths.emplace_back();
+    cuts.emplace_back();
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+      paths.back().emplace_back(panel, static_cast<int>(e));
+      cuts.back().push_back(paths.back().back().joint_fractions());
+    }
+  }
+  for (const Stitch& s : pattern.stitches) {
+    auto& a = cuts[s.first.panel][s.first.edge];
+    auto& b = cuts[s.second.panel][s.second.edge];
+    const auto across = [&](std::vector<double> fractions) {
+      if (!s.right_wrong)
+        for (double& f : fractions) f = 1 - f;
+      return fractions;
+    };
+    add_cuts(a, across(b));
+    b = across(a);
+    std::sort(b.begin(), b.end());
+  }
+
+  std::string panels;
+  std::vector<std::vector<std::pair<int, int>>> range(pattern.panels.size());  // first, count
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const Panel& panel = pattern.panels[p];
+    std::vector<Json> vertices, edges;
+    std::vector<std::pair<Part, const PanelEdge*>> parts;
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+      const std::vector<Part> pieces = parts_of(paths[p][e], cuts[p][e]);
+      range[p].push_back({static_cast<int>(parts.size()), static_cast<int>(pieces.size())});
+      for (const Part& piece : pieces) parts.push_back({piece, &panel.edges[e]});
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto& [part, edge] = parts[i];
+      vertices.push_back(Json::array({part.start.x() * kPerMetre, part.start.y() * kPerMetre}));
+      Json item = {{"endpoints", Json::array({i, (i + 1) % parts.size()})}};
+      if (part.curve.kind != EdgeCurve::Kind::line)
+        item["curvature"] = curvature_of(part, "panel " + panel.name + " edge " + edge->name);
+      if (!edge->label.empty()) item["label"] = edge->label;
+      item["name"] = edge->name;
+      edges.push_back(item);
+    }
+    const Mat3 to_file = frame_from_y_up().transpose();
+    const Vec3 translation = to_file * panel.translation * kPerMetre;
+    panels += fmt::format(
+        "{}\n      {}: {{\n        \"label\": {},\n        \"translation\": {},\n"
+        "        \"rotation\": {},\n        \"vertices\": {},\n        \"edges\": {}\n      }}",
+        p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(),
+        numbers(translation).dump(),
+        numbers(euler_deg_from_rotation(to_file * panel.rotation)).dump(),
+        list_lines(vertices, "        "), list_lines(edges, "        "));
+  }
+
+  std::vector<Json> stitches;
+  for (const Stitch& s : pattern.stitches) {
+    const auto [first_a, count] = range[s.first.panel][s.first.edge];
+    const auto [first_b, count_b] = range[s.second.panel][s.second.edge];
+    for (int i = 0; i < count; ++i) {
+      Json first = {{"panel", pattern.panels[s.first.panel].name}, {"edge", first_a + i}};
+      if (!s.name.empty()) first["name"] = s.name;
+      Json item = Json::array({first,
+                               {{"panel", pattern.panels[s.second.panel].name},
+                                {"edge", first_b + (s.right_wrong ? i : count_b - 1 - i)}}});
+      if (s.right_wrong) item.push_back("right_wrong");
+      stitches.push_back(item);
+    }
+  }
+  Json order = Json::array();
+  for (const int p : pattern.panel_order) order.push_back(pattern.panels[p].name);
+  return fmt::format(
+      "{{\n  \"pattern\": {{\n    \"panels\": {{{}\n    }},\n    \"stitches\": {},\n"
+      "    \"panel_order\": {}\n  }},\n  \"properties\": {{\n"
+      "    \"curvature_coords\": \"relative\",\n    \"normalize_panel_translation\": false,\n"
+      "    \"normalized_edge_loops\": true,\n    \"units_in_meter\": {:g}\n  }}\n}}\n",
+      panels, list_lines(stitches, "    "), order.dump(), kPerMetre);
+}
+
+void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern) {
+  write_text_file(path.string(), garmentcode_text(pattern));
+}
+
+}  // namespace loosefit

@@ -1,0 +1,324 @@
+#include "loosefit/io/garmentcode.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "loosefit/base/error.h"
+#include "loosefit/garment/assemble.h"
+#include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/shirt_draft.h"
+
+namespace loosefit {
+namespace {
+
+const std::string kData = std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/";
+
+Vec3 placed(const Panel& p, const Vec2& x) {
+  return p.rotation * Vec3(x.x(), x.y(), 0) + p.translation;
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(kData + file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Pattern read(const std::string& file) { return read_garmentcode(kData + file).pattern; }
+
+TEST(GarmentCode, DraftedShirtSurvivesTheRoundTrip) {
+  ShirtFit fit;
+  fit.waist = 0.1;
+  const Pattern shirt = draft_shirt({}, fit);
+  const std::string text = garmentcode_text(shirt);
+  const PatternFile again = parse_garmentcode(text, "shirt.json");
+  EXPECT_TRUE(again.warnings.empty());
+  const Pattern& back = again.pattern;
+  ASSERT_EQ(back.panels.size(), shirt.panels.size());
+  ASSERT_EQ(back.stitches.size(), 12u) << "twelve seams stay twelve";
+  EXPECT_EQ(back.panel_order, shirt.panel_order);
+  for (std::size_t p = 0; p < shirt.panels.size(); ++p) {
+    const Panel &a = shirt.panels[p], &b = back.panels[p];
+    SCOPED_TRACE(a.name);
+    EXPECT_EQ(b.name, a.name);
+    EXPECT_EQ(b.label, a.label);
+    EXPECT_LT((b.translation - a.translation).norm(), 1e-12);
+    EXPECT_LT((b.rotation - a.rotation).norm(), 1e-9);
+    ASSERT_EQ(b.edges.size(), a.edges.size());
+    for (std::size_t e = 0; e < a.edges.size(); ++e) {
+      EXPECT_EQ(b.edges[e].name, a.edges[e].name);
+      const EdgePath before(a, static_cast<int>(e)), after(b, static_cast<int>(e));
+      EXPECT_NEAR(after.length(), before.length(), 1e-10);
+      for (const double f : {0., .13, .5, .77, 1.})
+        EXPECT_LT((after.at(f) - before.at(f)).norm(), 1e-10);
+    }
+  }
+  for (std::size_t s = 0; s < 12; ++s) {
+    EXPECT_EQ(back.stitches[s].name, shirt.stitches[s].name);
+    EXPECT_EQ(back.stitches[s].first.edge, shirt.stitches[s].first.edge);
+    EXPECT_EQ(back.stitches[s].second.edge, shirt.stitches[s].second.edge);
+  }
+  // Rounding in the last bit may move the mesher to another, equally good mesh.
+  EXPECT_NEAR(assemble(back, .02, {}).area, assemble(shirt, .02, {}).area, 1e-9);
+}
+
+TEST(GarmentCode, OtherToolsSeeOneCurveAnEdgeAndEqualStitches) {
+  // Without our extra names every file edge is its own seam unit, as other programs read it.
+  std::string text = garmentcode_text(draft_shirt({}));
+  for (std::size_t at; (at = text.find(",\"name\":\"")) != std::string::npos;)
+    text.erase(at, text.find('"', at + 9) + 1 - at);
+  const Pattern plain = parse_garmentcode(text, "plain.json").pattern;
+  EXPECT_EQ(plain.stitches.size(), 4u + 4u + 4u * 3u) << "armhole seams in three parts each";
+  for (const Stitch& s : plain.stitches) {
+    const double a = EdgePath(plain.panels[s.first.panel], s.first.edge).length();
+    const double b = EdgePath(plain.panels[s.second.panel], s.second.edge).length();
+    EXPECT_NEAR(a, b, 1e-6);
+  }
+  for (const Panel& panel : plain.panels)
+    for (const PanelEdge& edge : panel.edges) EXPECT_EQ(edge.curves.size(), 1u);
+  const Garment g = assemble(plain, .02, {});
+  EXPECT_NEAR(g.area, .8145, .002);
+}
+
+TEST(GarmentCode, EveryCurveTypeHasItsLength) {
+  const Pattern p = read("curves.json");
+  const Panel& panel = p.panels[0];
+  const auto length = [&](const char* name) {
+    return EdgePath(panel, find_edge(panel, name)).length();
+  };
+  // Chord 20 cm, control point at (.5, -.5): a parabola of closed-form length.
+  const double parabola = .1 * (std::sqrt(2) + std::asinh(1));
+  EXPECT_NEAR(length("edge_0"), parabola, 1e-9) << "quadratic, old list form";
+  EXPECT_NEAR(length("edge_1"), parabola, 1e-9) << "quadratic, dictionary";
+  EXPECT_NEAR(length("edge_2"), kPi * .1, 1e-9) << "half circle";
+  EXPECT_NEAR(length("edge_4"), .2, 1e-12) << "cubic whose control points lie on the chord";
+  EXPECT_NEAR(length("edge_3"), 2.0 / 3 * kPi * .2 / std::sqrt(3.0), 1e-9) << "120 degree arc";
+  // All bulge outwards except edge_3, which is an arc with the other sweep.
+  EXPECT_LT(EdgePath(panel, 0).at(.5).y(), -.04);
+  EXPECT_GT(EdgePath(panel, 2).at(.5).x(), .4);
+}
+
+TEST(GarmentCode, AbsoluteCoordinatesEqualRelativeOnes) {
+  const Pattern relative = read("quadratic_relative.json"),
+                absolute = read("quadratic_absolute.json");
+  for (int e = 0; e < 4; ++e)
+    for (const double f : {.2, .5, .9})
+      EXPECT_LT(
+          (EdgePath(relative.panels[0], e).at(f) - EdgePath(absolute.panels[0], e).at(f)).norm(),
+          1e-12);
+}
+
+TEST(GarmentCode, UnitsOf300InAMetreGiveTheSameSize) {
+  const Pattern cm = read("tube_cm.json"), third = read("tube_300.json");
+  ASSERT_EQ(cm.panels.size(), third.panels.size());
+  for (std::size_t p = 0; p < cm.panels.size(); ++p) {
+    for (std::size_t v = 0; v < cm.panels[p].vertices.size(); ++v)
+      EXPECT_LT((cm.panels[p].vertices[v] - third.panels[p].vertices[v]).norm(), 1e-12);
+    EXPECT_LT((cm.panels[p].translation - third.panels[p].translation).norm(), 1e-12);
+  }
+  EXPECT_NEAR(2 * cm.panels[0].vertices[1].x(), .46, 1e-12);
+}
+
+TEST(GarmentCode, ClockwiseBackPanelKeepsPlaceAndOutside) {
+  const Pattern p = read("tube_cm.json");
+  ASSERT_EQ(p.panels[1].name, "back");
+  for (const Panel& panel : p.panels) {
+    EXPECT_GT(signed_area(outline_polygon(panel)), 0);
+    EXPECT_NEAR(panel.rotation.determinant(), 1, 1e-12);
+  }
+  // Front outside faces -y (forwards), back outside +y; both seams close without crossing.
+  EXPECT_NEAR(p.panels[0].rotation.col(2).y(), -1, 1e-12);
+  EXPECT_NEAR(p.panels[1].rotation.col(2).y(), 1, 1e-12);
+  for (const Stitch& s : p.stitches) {
+    const EdgePath a(p.panels[s.first.panel], s.first.edge),
+        b(p.panels[s.second.panel], s.second.edge);
+    const Vec3 a0 = placed(p.panels[s.first.panel], a.at(0)),
+               b1 = placed(p.panels[s.second.panel], b.at(1));
+    EXPECT_NEAR((a0 - b1).norm(), .45, 1e-9);  // only the gap between front and back
+    EXPECT_NEAR(a0.x(), b1.x(), 1e-9);
+    EXPECT_NEAR(a0.z(), b1.z(), 1e-9);
+  }
+  const Garment g = assemble(p, .02, {});
+  EXPECT_EQ(g.find_chain("front", "edge_1")->vertices.size(), 16u);
+}
+
+TEST(GarmentCode, FrameTurnsYUpIntoZUp) {
+  EXPECT_EQ(frame_from_y_up() * Vec3(1, 2, 3), Vec3(1, -3, 2));
+}
+
+TEST(GarmentCode, RotationOrderIsRzRyRx) {
+  // x axis about fixed x by 90° stays; then fixed y by 90° → −z; then fixed z leaves it.
+  EXPECT_LT((rotation_from_euler_deg({90, 90, 0}) * Vec3(1, 0, 0) - Vec3(0, 0, -1)).norm(), 1e-12);
+  EXPECT_LT((rotation_from_euler_deg({90, 90, 0}) * Vec3(0, 1, 0) - Vec3(1, 0, 0)).norm(), 1e-12);
+  for (const Vec3& angles : {Vec3(10, 20, 30), Vec3(-170, -80, 95), Vec3(33, 90, 0),
+                             Vec3(12, -90, 0), Vec3(0, 0, 0), Vec3(180, 0, 0), Vec3(0, 180, 0)}) {
+    const Mat3 r = rotation_from_euler_deg(angles);
+    EXPECT_LT((rotation_from_euler_deg(euler_deg_from_rotation(r)) - r).norm(), 1e-7) << angles;
+  }
+  const Vec3 back = euler_deg_from_rotation(rotation_from_euler_deg({10, 20, 30}));
+  EXPECT_LT((back - Vec3(10, 20, 30)).norm(), 1e-9);
+}
+
+TEST(GarmentCode, ObliquePanelsLandWhereTheFileMeansThem) {
+  const Pattern p = read("oblique.json");
+  // Point (10, 0) cm turned by (0, 90, 45): first about y to (0, 0, −10), then z leaves it.
+  const Vec3 file = frame_from_y_up().transpose() * placed(p.panels[0], {.10, 0});
+  EXPECT_LT((file - Vec3(.05, 1.0, -.10)).norm(), 1e-12);
+  // Point (0, 10): about y unchanged, then about z by 45° → (−7.07, 7.07, 0).
+  const Vec3 other = frame_from_y_up().transpose() * placed(p.panels[0], {0, .10});
+  EXPECT_LT((other - Vec3(.05 - .10 * std::sqrt(.5), 1.0 + .10 * std::sqrt(.5), 0)).norm(), 1e-12);
+}
+
+TEST(GarmentCode, RightWrongDartAndGatherAreRead) {
+  const PatternFile file = read_garmentcode(kData + "lapel_dart_gather.json");
+  const Pattern& p = file.pattern;
+  ASSERT_EQ(p.stitches.size(), 3u);
+  EXPECT_FALSE(p.stitches[0].right_wrong);
+  EXPECT_EQ(p.stitches[0].first.panel, p.stitches[0].second.panel) << "dart";
+  EXPECT_TRUE(p.stitches[1].right_wrong);
+  const Garment g = assemble(p, .01, {});
+  EXPECT_EQ(g.find_chain("body", "edge_4")->vertices, g.find_chain("lapel", "edge_2")->vertices);
+  const Stitch& gather = p.stitches[2];
+  const double a = EdgePath(p.panels[gather.first.panel], gather.first.edge).length();
+  const double b = EdgePath(p.panels[gather.second.panel], gather.second.edge).length();
+  EXPECT_NEAR(std::max(a, b) / std::min(a, b), 1.54, 1e-9);
+  EXPECT_EQ(p.panel_order, (std::vector<int>{2, 0, 1})) << "as listed, the rest by position";
+}
+
+TEST(GarmentCode, LoopsMayCloseByPosition) {
+  const Pattern p = read("repeated_vertex.json");
+  EXPECT_EQ(p.panels[0].edges.size(), 4u);
+  EXPECT_EQ(p.panels[0].vertices.size(), 4u);
+  EXPECT_NEAR(signed_area(outline_polygon(p.panels[0])), .01, 1e-12);
+}
+
+TEST(GarmentCode, MissingKeysAreWarnings) {
+  const PatternFile file = parse_garmentcode(
+      R"({"pattern": {"panels": {"p": {"vertices": [[0,0],[10,0],[10,10]],
+          "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,0]}]}}}})",
+      "bare.json");
+  EXPECT_EQ(file.warnings.size(), 4u);  // properties, translation, rotation, stitches
+  EXPECT_NEAR(file.pattern.panels[0].vertices[1].x(), .1, 1e-15);
+}
+
+TEST(GarmentCode, PanelOrderIsComputedWhenMissing) {
+  // Top-middle points in the file frame: c at x 0, y 1.0; a at x 0.05 (equal), y 1.2; b at x 0.5.
+  const Pattern p = parse_garmentcode(R"({"pattern": {"panels": {
+      "a": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [0,100,0], "rotation": [0,0,0],
+            "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]},
+      "b": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [50,100,0], "rotation": [0,0,0],
+            "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]},
+      "c": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [-5,80,0], "rotation": [0,0,0],
+            "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]}},
+      "stitches": []}, "properties": {"units_in_meter": 100, "curvature_coords": "relative"}})",
+                                      "order.json")
+                        .pattern;
+  EXPECT_EQ(p.panel_order, (std::vector<int>{2, 0, 1}));
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_garmentcode(text, "bad.json");
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(GarmentCode, ErrorsNameFileAndPath) {
+  const std::string good = text_of("tube_cm.json");
+  ASSERT_EQ(error_of(good), "accepted");
+  EXPECT_EQ(error_of(replaced(good, "[23, 0]", "[23, \"x\"]")),
+            "bad.json: pattern.panels.front.vertices[1][1]: found \"x\", expected a number");
+  EXPECT_EQ(
+      error_of(replaced(good, "\"endpoints\": [0, 1]", "\"endpoints\": [0, 99999999999999]")),
+      "bad.json: pattern.panels.front.edges[0].endpoints[1]: found 99999999999999, expected an "
+      "index of a vertex from 0 to 3");
+  EXPECT_EQ(error_of(replaced(good, "\"panel\": \"back\"", "\"panel\": \"bakc\"")),
+            "bad.json: pattern.stitches[0][1].panel: found \"bakc\", expected the name of a panel");
+  EXPECT_EQ(
+      error_of(replaced(good, "\"units_in_meter\": 100", "\"units_in_meter\": 0")),
+      "bad.json: properties.units_in_meter: found 0, expected units in a metre, 0.001 to 1e6");
+  EXPECT_NE(error_of(good.substr(0, good.size() / 2)).find("bad.json:"), std::string::npos);
+  EXPECT_NE(error_of(replaced(good, "[23, 0]", "[1e9, 0]")).find("a number of at most"),
+            std::string::npos);
+  EXPECT_NE(error_of(replaced(good, "[23, 0]", "[1e999, 0]")).find("bad.json"), std::string::npos);
+  EXPECT_NE(error_of(replaced(good, "[23, 0]", "[NaN, 0]")).find("bad.json:5: found"),
+            std::string::npos)
+      << error_of(replaced(good, "[23, 0]", "[NaN, 0]"));
+  EXPECT_NE(error_of(replaced(good, "[23, 0]", "[0, 0]")).find("length 0 m"), std::string::npos)
+      << error_of(replaced(good, "[23, 0]", "[0, 0]"));
+  EXPECT_NE(
+      error_of(replaced(good, "[23, 30], [0, 30]", "[0, 30], [23, 30]")).find("crosses itself"),
+      std::string::npos);
+  EXPECT_NE(error_of(replaced(good, "[23, 0]", "[9000, 0]"))
+                .find("a piece of 90 m, expected at most 20 m"),
+            std::string::npos);
+  EXPECT_NE(error_of(replaced(good, "\"endpoints\": [2, 3]", "\"endpoints\": [3, 2]"))
+                .find("panel front edge 1: found end at vertex 2"),
+            std::string::npos);
+  EXPECT_EQ(error_of("[1, 2]"), "bad.json: found an array of 2, expected an object");
+  EXPECT_EQ(error_of("{}"), "bad.json: pattern: found nothing, expected this key");
+}
+
+TEST(GarmentCode, NoMutilatedFileCrashesOrHangs) {
+  std::string good = text_of("lapel_dart_gather.json");
+  ASSERT_EQ(error_of(good), "accepted");
+  unsigned state = 12345;
+  const auto next = [&](std::size_t below) {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % below;
+  };
+  const std::vector<std::string> shards = {
+      "null", "[]",       "{}", "-1", "1e9", "1e308", "\"x\"", "true", "0", "99999999999999999999",
+      "[[[[", "\xff\xfe", ",",  "}",  "NaN", "0.5",   "[0,0]"};
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = good;
+    switch (next(4)) {
+      case 0:
+        text.resize(next(text.size()));
+        break;
+      case 1:
+        text.insert(next(text.size()), shards[next(shards.size())]);
+        break;
+      case 2:
+        text.erase(next(text.size() - 40), 1 + next(40));
+        break;
+      default: {  // replace a number
+        std::size_t at = next(text.size());
+        at = text.find_first_of("0123456789", at);
+        if (at == std::string::npos) continue;
+        const std::size_t end = text.find_first_not_of("0123456789.", at);
+        text.replace(at, end - at, shards[next(shards.size())]);
+      }
+    }
+    try {
+      const Pattern p = parse_garmentcode(text, "fuzz.json").pattern;
+      assemble(p, .03, {});
+    } catch (const InvalidInput&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_LT(refused, 2000);
+}
+
+TEST(GarmentCode, DeepNestingAndManyEdgesAreRefusedQuickly) {
+  EXPECT_NE(error_of(std::string(1000000, '[')), "accepted");
+  std::string many = R"({"pattern": {"panels": {"p": {"vertices": [[0,0],[1,0],[1,1]], "edges": [)";
+  for (int i = 0; i < 10000; ++i) many += R"({"endpoints": [0, 1]},)";
+  many += R"({"endpoints": [0, 1]}]}}}})";
+  EXPECT_NE(error_of(many).find("an array of 2 to 500"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace loosefit
