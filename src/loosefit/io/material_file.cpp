@@ -117,8 +117,6 @@ MaterialCard read_material_file(const std::filesystem::path& path) {
                       "a card states every constant");
   }
   table.finish();
-  card.notes.push_back(
-      fmt::format("bending length {:.1f} mm", bending_length(card.material) * 1e3));
   return card;
 }
 

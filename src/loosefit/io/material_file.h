@@ -14,7 +14,7 @@ struct MaterialCard {
   Material material;
   std::string title;
   std::string status;              ///< how far the numbers can be trusted
-  std::vector<std::string> notes;  ///< said to the user: derived quantities, contradictions
+  std::vector<std::string> notes;  ///< said to the user: an isotropic E and its contradiction
 };
 
 /// Names of the shipped cards (data/materials/NAME.toml), sorted.

@@ -9,6 +9,7 @@
 #include "loosefit/garment/attachment.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/placement/sites.h"
 
 namespace loosefit {
 
@@ -31,14 +32,6 @@ struct ScenarioGarment {
   std::string file;  ///< pattern file instead of the draft; absolute
   std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
   ShirtFit fit{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
-};
-
-/// [[site]]: a place where a sensor may sit.
-struct ScenarioSite {
-  std::string name;
-  std::string panel;  ///< with `at`; or
-  Vec2 at = Vec2::Zero();
-  std::string landmark;  ///< nearest garment point to a body landmark
 };
 
 /// [simulation]
@@ -72,7 +65,7 @@ struct Scenario {
   ScenarioGarment garment;
   MaterialCard material;
   std::vector<Attachment> attachments;
-  std::vector<ScenarioSite> sites;
+  std::vector<SiteSpec> sites;
   ScenarioSimulation simulation;
   ScenarioOutput output;
 };

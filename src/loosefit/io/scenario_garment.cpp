@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "loosefit/io/scenario_sections.h"
+#include "loosefit/pattern/garment_size.h"
 
 namespace loosefit {
 namespace {
@@ -71,7 +72,7 @@ ScenarioGarment read_garment_section(ConfigReader table) {
                           "a pattern file is taken at the size it has");
   } else {
     garment.pattern = table.choice("pattern", garment.pattern, {"long-sleeve-shirt"});
-    garment.size = table.text("size", "");
+    garment.size = table.choice("size", "", garment_size_names());
     if (!garment.size.empty() && table.has("fit"))
       throw table.error("fit", "either fit or size",
                         "a size fixes the garment; a fit follows the body");
@@ -94,8 +95,8 @@ Attachment read_attachment_section(ConfigReader table) {
   return a;
 }
 
-ScenarioSite read_site_section(ConfigReader table) {
-  ScenarioSite site;
+SiteSpec read_site_section(ConfigReader table) {
+  SiteSpec site;
   site.name = required_text(table, "name", "a name");
   site.landmark = table.text("landmark", "");
   site.panel = table.text("panel", "");

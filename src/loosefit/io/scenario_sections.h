@@ -10,7 +10,7 @@ ScenarioBody read_body_section(ConfigReader table);
 ScenarioGarment read_garment_section(ConfigReader table);
 MaterialCard read_material_section(ConfigReader table);
 Attachment read_attachment_section(ConfigReader table);
-ScenarioSite read_site_section(ConfigReader table);
+SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
 ScenarioOutput read_output_section(ConfigReader table);
 

@@ -90,7 +90,7 @@ std::string attachment_text(const Attachment& a) {
          std::visit([](const auto& part) { return part_text(part); }, a.part);
 }
 
-std::string site_text(const ScenarioSite& site) {
+std::string site_text(const SiteSpec& site) {
   std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n";
   if (!site.landmark.empty()) return text + "landmark = " + toml_quoted(site.landmark) + "\n";
   return text + "panel = " + toml_quoted(site.panel) + "\nat = " + point_text(site.at) + "\n";
@@ -121,7 +121,7 @@ std::string scenario_toml(const Scenario& scenario) {
                      "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
                      material_toml(material);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
-  for (const ScenarioSite& site : scenario.sites) text += "\n" + site_text(site);
+  for (const SiteSpec& site : scenario.sites) text += "\n" + site_text(site);
   return text + "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
 }
 

@@ -2,6 +2,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode.h"
+#include "loosefit/pattern/garment_size.h"
 
 namespace loosefit {
 namespace {
@@ -60,6 +61,8 @@ CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
     PatternFile file = read_garmentcode(wished.file);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
+  } else if (const auto size = garment_size(wished.size)) {
+    result.pattern = draft_shirt(size->body, size->fit);
   } else {
     result.pattern = draft_shirt(shirt_measures(body), wished.fit);
   }

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace loosefit {
+
+/// What the process returns to the shell.
+enum ExitCode {
+  kGood = 0,
+  kNotSettled = 1,  ///< ran, but the drape did not settle; also a numerical method that gave up
+  kBadInput = 2,    ///< bad input or usage, unreadable or unwritable files
+  kInterrupted = 130
+};
+
+}  // namespace loosefit

@@ -1,0 +1,92 @@
+#include "terminal_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+namespace loosefit {
+namespace {
+
+std::atomic<Progress*> interrupted{nullptr};
+static_assert(std::atomic<Progress*>::is_always_lock_free, "used in a signal handler");
+
+extern "C" void on_interrupt(int) {
+  if (Progress* progress = interrupted.load()) progress->request_cancel();
+}
+
+std::string bar(double fraction) {
+  constexpr int kWidth = 24;
+  const int full = static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * kWidth));
+  return std::string(full, '#') + std::string(kWidth - full, '.');
+}
+
+}  // namespace
+
+TerminalProgress::TerminalProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+
+TerminalProgress::~TerminalProgress() { clear(); }
+
+double TerminalProgress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void TerminalProgress::stage(const std::string& name) {
+  stage_ = name;
+  last_ = Clock::now();
+  if (quiet_) return;
+  if (terminal_)
+    draw(0, "");
+  else
+    fmt::print(stderr, "{:6.1f} s  {}\n", seconds(), name);
+}
+
+void TerminalProgress::update(double fraction, const std::string& note) {
+  if (quiet_) return;
+  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(10);
+  if (Clock::now() - last_ < pause) return;
+  last_ = Clock::now();
+  if (terminal_)
+    draw(fraction, note);
+  else
+    fmt::print(stderr, "{:6.1f} s  {} {:3.0f} %  {}\n", seconds(), stage_, 100 * fraction, note);
+}
+
+void TerminalProgress::draw(double fraction, const std::string& note) {
+  fmt::print(stderr, "\r\033[K{:9} [{}] {:3.0f} %  {:.0f} s  {}", stage_, bar(fraction),
+             100 * fraction, seconds(), note.substr(0, 36));
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void TerminalProgress::line(const std::string& text) {
+  clear();
+  if (!quiet_) fmt::print(stderr, "{}\n", text);
+}
+
+void TerminalProgress::clear() {
+  if (!drawn_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  drawn_ = false;
+}
+
+InterruptGuard::InterruptGuard(Progress& progress) {
+  interrupted.store(&progress);
+  struct sigaction action = {};
+  action.sa_handler = on_interrupt;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+InterruptGuard::~InterruptGuard() {
+  for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  interrupted.store(nullptr);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,42 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "loosefit/base/progress.h"
+
+namespace loosefit {
+
+/// Progress on standard error: one line that is redrawn on a terminal, plain lines (one per stage,
+/// and one every ten seconds) otherwise.
+class TerminalProgress : public Progress {
+ public:
+  explicit TerminalProgress(bool quiet);
+  ~TerminalProgress() override;
+  void stage(const std::string& name) override;
+  void update(double fraction, const std::string& note) override;
+  /// Prints a line of its own, above the bar.
+  void line(const std::string& text);
+  /// Removes the bar.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw(double fraction, const std::string& note);
+  double seconds() const;
+
+  bool quiet_, terminal_, drawn_ = false;
+  std::string stage_;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+/// While it lives, Ctrl-C (and SIGTERM) asks `progress` to stop instead of ending the process, so
+/// that the work can leave nothing half-written.
+class InterruptGuard {
+ public:
+  explicit InterruptGuard(Progress& progress);
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+}  // namespace loosefit

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+/// Writes drape.vtp, body.vtp, pattern.json, sites.csv (when there are maps) and scenario.toml.
+/// \throws IoError.
+void write_case_files(const std::filesystem::path& folder, const CaseResult& result);
+
+/// Writes summary.json; last, so that its seconds are complete and a folder that has one is whole.
+void write_summary_file(const std::filesystem::path& folder, const CaseResult& result);
+
+}  // namespace loosefit

@@ -1,0 +1,59 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/stage_clock.h"
+#include "loosefit/drape/drape.h"
+#include "loosefit/garment/hierarchy.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/maps/compute_maps.h"
+#include "loosefit/maps/girth.h"
+#include "loosefit/maps/statistics.h"
+#include "loosefit/placement/sites.h"
+#include "loosefit/study/case_body.h"
+#include "loosefit/study/case_pattern.h"
+
+namespace loosefit {
+
+/// One map with its summary over the garment and per body region.
+struct CaseMap {
+  PerformanceMap map;
+  MapStatistics overall;
+  std::map<Region, MapStatistics> regional;
+};
+
+/// Stage "maps".
+struct CaseMaps {
+  WornGarment worn;
+  std::vector<CaseMap> maps;
+  GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
+};
+
+/// Spread of one number over the repeats of a case.
+struct Spread {
+  double mean = 0, deviation = 0;  ///< sample standard deviation
+  int count = 0;
+};
+
+/// Everything one case yields, stage by stage. A drape that is not settled is sealed: `maps` and
+/// `sites` stay empty unless they were asked for all the same.
+struct CaseResult {
+  Scenario scenario;
+  CaseBody body;
+  CasePattern pattern;
+  GarmentHierarchy garment;
+  Drape drape;
+  CaseMaps maps;
+  std::vector<Site> sites;
+  /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
+  std::map<std::string, Spread> repeats;
+  std::vector<StageClock::Entry> seconds;  ///< per stage, in order
+  double peak_memory_mb = 0;
+  std::vector<std::string> warnings;
+
+  bool sealed() const { return maps.maps.empty(); }
+  const Garment& mesh() const { return garment.finest(); }
+};
+
+}  // namespace loosefit

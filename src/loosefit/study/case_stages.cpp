@@ -1,0 +1,78 @@
+#include "loosefit/study/case_stages.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+IntegratorKind integrator_kind(const std::string& word) {
+  if (word == "semi-implicit-euler") return IntegratorKind::semi_implicit_euler;
+  if (word == "implicit-euler") return IntegratorKind::implicit_euler;
+  if (word == "quasi-static") return IntegratorKind::quasi_static;
+  throw InvalidInput({"", 0, "simulation.integrator"}, "\"" + word + "\"",
+                     "semi-implicit-euler, implicit-euler or quasi-static");
+}
+
+std::vector<PerformanceMap> plain_maps(const CaseMaps& maps) {
+  std::vector<PerformanceMap> plain;
+  for (const CaseMap& entry : maps.maps) plain.push_back(entry.map);
+  return plain;
+}
+
+}  // namespace
+
+DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
+  return {.integrator = integrator_kind(simulation.integrator),
+          .residual_tolerance = simulation.residual_tolerance,
+          .gravity = simulation.gravity,
+          .time_budget = simulation.time_budget,
+          .max_iterations = simulation.max_iterations,
+          .threads = simulation.threads,
+          .seed = simulation.seed + static_cast<std::uint64_t>(repeat),
+          .start_perturbation = simulation.start_perturbation};
+}
+
+CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
+  const Garment& garment = result.mesh();
+  const std::vector<Vec3>& positions = result.drape.positions;
+  CaseMaps made;
+  made.worn = relate(garment, positions, result.body.body);
+  for (PerformanceMap& map : compute_maps(garment, result.drape, made.worn,
+                                          result.scenario.output.maps, {allow_unsettled})) {
+    CaseMap entry;
+    entry.overall = statistics(map.values, made.worn.areas);
+    entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
+    entry.map = std::move(map);
+    made.maps.push_back(std::move(entry));
+  }
+  made.chest = torso_girth(garment, positions, made.worn, chest_height(result.body.body));
+  return made;
+}
+
+std::vector<Site> make_sites(const CaseResult& result) {
+  return find_sites(result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
+                    plain_maps(result.maps), result.scenario.sites,
+                    result.scenario.output.preset_sites);
+}
+
+std::vector<std::string> collected_warnings(const CaseResult& result) {
+  std::vector<std::string> all = result.warnings;
+  const auto add = [&all](const std::string& stage, const std::vector<std::string>& warnings) {
+    for (const std::string& text : warnings) all.push_back(stage + ": " + text);
+  };
+  add("body", result.body.warnings);
+  add("pattern", result.pattern.warnings);
+  add("material", result.scenario.material.notes);
+  const Certificate& certificate = result.drape.certificate;
+  if (!certificate.settled())
+    all.push_back(
+        fmt::format("settle: not settled ({}): residual {:.2e}, intersections with the "
+                    "body {}, with itself {}",
+                    certificate.stop_reason, certificate.residual, certificate.intersections_body,
+                    certificate.intersections_self));
+  return all;
+}
+
+}  // namespace loosefit

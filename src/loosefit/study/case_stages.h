@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/study/case_result.h"
+
+// The parts of run_case that are more than one call.
+namespace loosefit {
+
+/// What the drape stage needs of [simulation]; `repeat` shifts the seed.
+DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat = 0);
+
+/// Stage "maps" for the drape of `result`. \throws Error if it is sealed and not allowed.
+CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
+
+/// Stage "placement": preset sites and those of the scenario, with what the maps say there.
+/// \throws InvalidInput naming a site whose panel or landmark is unknown.
+std::vector<Site> make_sites(const CaseResult& result);
+
+/// Drapes again from other starts, as often as the scenario's `repeats` asks beyond the first, and
+/// gathers the spread of every area mean and every site value in result.repeats. A repeat that does
+/// not settle is left out of the spread and named in the warnings.
+void repeat_drapes(CaseResult& result, Progress& progress);
+
+/// Everything the user should know, in stage order.
+std::vector<std::string> collected_warnings(const CaseResult& result);
+
+}  // namespace loosefit

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+/// An earlier output taken up again: body, pattern and garment are made anew from its scenario.toml
+/// (the same bits), positions and certificate come from its drape.vtp, the seconds of dress and
+/// settle from its summary.json. Maps and sites are empty.
+/// \throws IoError, InvalidInput when a file is missing, damaged, or does not belong to the
+/// scenario.
+CaseResult load_case(const std::filesystem::path& folder, Progress& progress);
+
+}  // namespace loosefit

@@ -1,0 +1,43 @@
+#include "loosefit/study/run_case.h"
+
+#include "loosefit/base/resources.h"
+#include "loosefit/study/case_stages.h"
+
+namespace loosefit {
+
+CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) {
+  StageClock clock(progress);
+  CaseResult result;
+  result.scenario = scenario;
+
+  clock.stage("body");
+  result.body = make_body(scenario.body);
+
+  clock.stage("pattern");
+  result.pattern = make_pattern(scenario.garment, result.body.body);
+
+  clock.stage("garment");
+  result.garment = build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
+                                   scenario.material.material, scenario.attachments);
+
+  result.drape = drape_garment(result.garment, scenario.material.material, result.body.path,
+                               drape_options(scenario.simulation), clock);  // dress, settle
+
+  const bool open = result.drape.certificate.settled() || options.allow_unsettled;
+  if (open && !options.only_drape) {
+    clock.stage("maps");
+    result.maps = make_maps(result, options.allow_unsettled);
+
+    clock.stage("placement");
+    result.sites = make_sites(result);
+
+    repeat_drapes(result, clock);
+  }
+  clock.stop();
+  result.seconds = clock.entries();
+  result.peak_memory_mb = peak_memory_mb();
+  result.warnings = collected_warnings(result);
+  return result;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,117 @@
+#include "loosefit/study/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/sha256.h"
+#include "loosefit/base/version.h"
+
+namespace loosefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json statistics_json(const MapStatistics& s) {
+  return {{"min", s.min}, {"p5", s.p5},   {"median", s.median},
+          {"p95", s.p95}, {"max", s.max}, {"area_mean", s.area_mean}};
+}
+
+Json maps_json(const std::vector<CaseMap>& maps) {
+  Json json = Json::object();
+  for (const CaseMap& map : maps) {
+    Json& entry = json[map.map.array] = statistics_json(map.overall);
+    entry["undefined_vertices"] = map.overall.undefined;
+    for (const auto& [region, statistics] : map.regional)
+      entry["regions"][name(region)] = statistics_json(statistics);
+  }
+  return json;
+}
+
+Json body_json(const CaseBody& body) {
+  Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
+  for (const auto& [key, value] : body.body.measured) json["measured"][key] = value;
+  for (const MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
+  return json;
+}
+
+Json fit_json(const CaseResult& result) {
+  Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
+  for (const auto& [level, mobility] : result.pattern.fit) json["measured"][level] = mobility;
+  for (const auto& [level, girth] : result.pattern.girths) json["girths"][level] = girth;
+  if (!result.sealed()) {
+    const GarmentGirth& chest = result.maps.chest;
+    json["chest_cut"] = {{"level", chest.level},
+                         {"draped", chest.draped},
+                         {"flat", chest.flat},
+                         {"hoop_strain", chest.hoop_strain()}};
+  }
+  return json;
+}
+
+Json site_json(const Site& site) {
+  Json json = {{"panel", site.panel},
+               {"u_m", site.at.x()},
+               {"v_m", site.at.y()},
+               {"position_m", {site.position.x(), site.position.y(), site.position.z()}},
+               {"region", name(site.region)}};
+  for (const auto& [array, value] : site.values) {
+    json[array] = value.mean;
+    json[array + "_worst"] = value.worst;
+  }
+  return json;
+}
+
+Json seconds_json(const std::vector<StageClock::Entry>& entries) {
+  Json json = Json::object();
+  double total = 0;
+  for (const StageClock::Entry& entry : entries) {
+    json[entry.stage] = entry.seconds;
+    total += entry.seconds;
+  }
+  json["total"] = total;
+  return json;
+}
+
+Json settle_json(const SettleReport& report) {
+  return {{"iterations", report.iterations},
+          {"factorisations", report.factorisations},
+          {"ccd_queries", report.ccd_queries},
+          {"contacts_body", report.contacts_body},
+          {"contacts_self", report.contacts_self}};
+}
+
+}  // namespace
+
+std::string summary_json(const CaseResult& result) {
+  const Certificate& certificate = result.drape.certificate;
+  Json json;
+  json["settled"] = certificate.settled();
+  json["sealed"] = result.sealed();
+  json["residual"] = certificate.residual;
+  json["residual_max"] = certificate.residual_max;
+  json["intersections"] = {{"body", certificate.intersections_body},
+                           {"self", certificate.intersections_self}};
+  json["stop_reason"] = certificate.stop_reason;
+  json["vertices"] = result.mesh().vertex_count;
+  json["triangles"] = result.mesh().triangles.size();
+  json["seconds"] = seconds_json(result.seconds);
+  json["peak_memory_mb"] = result.peak_memory_mb;
+  json["settle"] = settle_json(result.drape.report);
+  json["body"] = body_json(result.body);
+  json["fit"] = fit_json(result);
+  json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
+  json["material"] = {{"name", result.scenario.material.material.name},
+                      {"source", result.scenario.material.material.source},
+                      {"bending_length_m", bending_length(result.scenario.material.material)}};
+  json["maps"] = maps_json(result.maps.maps);
+  json["sites"] = Json::object();
+  for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
+  for (const auto& [key, spread] : result.repeats)
+    json["repeats"][key] = {
+        {"mean", spread.mean}, {"deviation", spread.deviation}, {"count", spread.count}};
+  json["warnings"] = result.warnings;
+  for (const auto& [library, number] : versions()) json["versions"][library] = number;
+  json["scenario_sha256"] = sha256_hex(scenario_toml(result.scenario));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace loosefit
