@@ -206,7 +206,7 @@ std::string pattern_svg(const Pattern& pattern) {
     const Vec2 name_at = piece.on_sheet(inner_point(piece));
     const double name_size = std::clamp(piece.size().x() / 14, 4.0, 14.0);
     const double arrow = std::min(120.0, piece.size().y() / 4);
-    out += grain_arrow(name_at - Vec2(0, arrow / 2 + name_size), arrow);
+    out += grain_arrow(name_at + Vec2(0, arrow / 2 + 3 * name_size), arrow);
     out += text(name_at + Vec2(0, name_size), name_size, piece.panel->name);
     out += text(name_at + Vec2(0, 2.2 * name_size), name_size / 2,
                 fmt::format("{:.0f} x {:.0f} mm", piece.size().x(), piece.size().y()));
