@@ -37,11 +37,13 @@ double metres_per_unit(const std::string& units, const InputPlace& place) {
   static const std::map<std::string, double> kUnits = {
       {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
   const auto found = kUnits.find(units);
-  if (found == kUnits.end()) throw InvalidInput(place, "units \"" + units + "\"", "m, cm, mm or in");
+  if (found == kUnits.end())
+    throw InvalidInput(place, "units \"" + units + "\"", "m, cm, mm or in");
   return found->second;
 }
 
-void scale_to_metres(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
+void scale_to_metres(TriangleMesh& mesh, const ScanOptions& options,
+                     std::vector<std::string>& warnings) {
   const InputPlace place{options.file, 0, "units"};
   const Box box = box_of(mesh.vertices);
   const double extent = (box.upper - box.lower).maxCoeff();
@@ -53,7 +55,8 @@ void scale_to_metres(TriangleMesh& mesh, const ScanOptions& options, std::vector
       const double metres = extent * metres_per_unit(guess, place);
       if (metres < kShortest || metres > kTallest) continue;
       scale = metres_per_unit(guess, place);
-      warnings.push_back(fmt::format("no units given: the longest extent {:.4g} is taken as {}", extent, guess));
+      warnings.push_back(
+          fmt::format("no units given: the longest extent {:.4g} is taken as {}", extent, guess));
       break;
     }
   }
@@ -113,7 +116,8 @@ void face_forward(TriangleMesh& mesh, std::vector<std::string>& warnings) {
   }
 }
 
-void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
+void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options,
+                        std::vector<std::string>& warnings) {
   const auto pieces = connected_pieces(mesh);
   if (pieces.size() <= 1) return;
   double total = 0;
@@ -132,17 +136,19 @@ void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options, std::vec
 void require_closed(const TriangleMesh& mesh, const ScanOptions& options) {
   const EdgeReport edges = inspect_edges(mesh);
   if (edges.open > 0) {
-    throw GeometryError({options.file, 0, ""},
-                        fmt::format("an open surface: {} edges without a neighbour in {} holes, the "
-                                    "largest near ({:.2f}, {:.2f}, {:.2f}) m",
-                                    edges.open, edges.holes, edges.place.x(), edges.place.y(), edges.place.z()),
-                        "a closed surface", "fill the holes first (soles, crotch, armpits, crown)");
+    throw GeometryError(
+        {options.file, 0, ""},
+        fmt::format("an open surface: {} edges without a neighbour in {} holes, the "
+                    "largest near ({:.2f}, {:.2f}, {:.2f}) m",
+                    edges.open, edges.holes, edges.place.x(), edges.place.y(), edges.place.z()),
+        "a closed surface", "fill the holes first (soles, crotch, armpits, crown)");
   }
   if (edges.crowded > 0) {
-    throw GeometryError({options.file, 0, ""},
-                        fmt::format("{} edges with more than two faces, one near ({:.2f}, {:.2f}, {:.2f}) m",
-                                    edges.crowded, edges.place.x(), edges.place.y(), edges.place.z()),
-                        "two faces at every edge", "remove inner or doubled faces");
+    throw GeometryError(
+        {options.file, 0, ""},
+        fmt::format("{} edges with more than two faces, one near ({:.2f}, {:.2f}, {:.2f}) m",
+                    edges.crowded, edges.place.x(), edges.place.y(), edges.place.z()),
+        "two faces at every edge", "remove inner or doubled faces");
   }
 }
 

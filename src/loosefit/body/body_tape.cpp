@@ -10,12 +10,14 @@
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/rulers.h"
 #include "loosefit/body/section.h"
+#include "loosefit/body/tape_paths.h"
 
 namespace loosefit {
 namespace {
 
 constexpr int kC7 = 1491, kBackWaist = 4181, kCrotch = 4372;
-constexpr int kHpsLeft = 7539, kNeckPit = 1522, kAcromionLeft = 8274, kAcromionRight = 1602;
+constexpr int kHpsLeft = 7539, kHpsRight = 828, kNeckPit = 1522, kAcromionLeft = 8274,
+              kAcromionRight = 1602;
 constexpr int kElbowEnd = 10037, kForearmStart = 10040, kWristOuter = 10548;
 constexpr double kUpperArmShare = 0.3, kForearmShare = 0.25;  // where these are usually fullest
 constexpr double kDensity = 985;                              // kg/m³, whole body
@@ -28,12 +30,6 @@ Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
     spread += d * d.transpose();
   }
   return Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
-}
-
-// Half the perimeter of an ellipse (Ramanujan 1914).
-double half_ellipse(double a, double b) {
-  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
-  return 0.5 * kPi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
 }
 
 }  // namespace
@@ -56,48 +52,15 @@ double BodyTape::floor() const {
   return low;
 }
 
-double BodyTape::trunk_girth(double z) const {
-  const auto loops = plane_section(rest_.surface, Vec3(0, 0, z), Vec3::UnitZ());
-  const SectionLoop* trunk = trunk_loop(loops);
-  if (!trunk) throw GeometryError("body: found no closed section round the trunk at this level");
-  return hull_perimeter(trunk->points, Vec3::UnitZ());
-}
-
-double BodyTape::section_girth(const Vec3& origin, const Vec3& normal) const {
-  for (const auto& loop : plane_section(rest_.surface, origin, normal)) {
-    if (loop_contains(loop, normal, origin)) return hull_perimeter(loop.points, normal);
-  }
-  throw GeometryError("body: found no closed section round this point");
-}
-
 double BodyTape::ring_girth(const std::string& ruler_name) const {
   const auto& vertices = rest_.surface.vertices;
-  return section_girth(ruler_centre(vertices, ruler_name), ring_normal(vertices, ruler_name));
+  return girth_round(rest_.surface, ruler_centre(vertices, ruler_name),
+                     ring_normal(vertices, ruler_name));
 }
 
 double BodyTape::limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const {
   const Vec3 a = joint(bone_a), b = joint(bone_b);
-  return section_girth(a + t * (b - a), b - a);
-}
-
-// The neck base is a saddle-shaped curve that no plane cuts out: behind it runs through C7, in
-// front through the pit of the neck, at the sides through the neck-shoulder points. Each half is
-// close to half an ellipse on its own slanted plane.
-double BodyTape::neck_base_girth() const {
-  const Vec3 left = vertex(kHpsLeft), right = vertex(data_.mirror[std::size_t(kHpsLeft)]);
-  const Vec3 middle = 0.5 * (left + right);
-  const double half_width = 0.5 * (left - right).norm();
-  return half_ellipse(half_width, (vertex(kC7) - middle).norm()) +
-         half_ellipse(half_width, (vertex(kNeckPit) - middle).norm());
-}
-
-// The shoulder as cloth meets it: the top of the body above the acromion.
-double BodyTape::shoulder_height() const {
-  double top = -std::numeric_limits<double>::infinity();
-  for (const auto& loop : plane_section(rest_.surface, vertex(kAcromionLeft), Vec3::UnitX())) {
-    for (const auto& p : loop.points) top = std::max(top, p.z());
-  }
-  return top;
+  return girth_round(rest_.surface, a + t * (b - a), b - a);
 }
 
 // The lowest height at which the arm still belongs to the trunk section, from below the shoulder.
@@ -124,46 +87,10 @@ double BodyTape::armpit_height() const {
   return apart;
 }
 
-// A tape from the neck-shoulder point down the back: hull of the sagittal section there.
-double BodyTape::back_length_beside_spine(double down_to) const {
-  const Vec3 hps = vertex(kHpsLeft);
-  std::vector<Vec2> back = {{hps.z(), hps.y()}};
-  for (const auto& loop : plane_section(rest_.surface, hps, Vec3::UnitX())) {
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Vec3& a = loop.points[i];
-      const Vec3& b = loop.points[(i + 1) % loop.points.size()];
-      if (a.z() <= hps.z() && a.z() >= down_to) back.emplace_back(a.z(), a.y());
-      if ((a.z() - down_to) * (b.z() - down_to) < 0) {
-        const Vec3 end = a + (down_to - a.z()) / (b.z() - a.z()) * (b - a);
-        back.emplace_back(end.z(), end.y());
-      }
-    }
-  }
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const auto& p : back) {
-    if (p.x() <= down_to + 1e-9) deepest = std::max(deepest, p.y());
-  }
-  // Keep the chain of the hull that lies behind the line from start to end.
-  const Vec2 start(hps.z(), hps.y()), end(down_to, deepest);
-  const auto behind = [&](const Vec2& p) {
-    const Vec2 d = end - start, e = p - start;
-    return d.x() * e.y() - d.y() * e.x() <= 1e-12;
-  };
-  std::vector<Vec2> kept = {start, end};
-  for (const auto& p : back) {
-    if (behind(p)) kept.push_back(p);
-  }
-  const auto hull = convex_hull(kept);
-  double perimeter = 0;
-  for (std::size_t i = 0; i < hull.size(); ++i)
-    perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
-  return perimeter - (end - start).norm();
-}
-
 double BodyTape::measure(const std::string& name) const {
   const auto& vertices = rest_.surface.vertices;
   const auto level = [&](const char* ring) {
-    return trunk_girth(ruler_centre(vertices, ring).z());
+    return trunk_girth(rest_.surface, ruler_centre(vertices, ring).z());
   };
   if (name == "height") {
     const auto [low, high] =
@@ -175,7 +102,9 @@ double BodyTape::measure(const std::string& name) const {
   if (name == "underbust") return level("underbust_circ");
   if (name == "waist") return level("waist_circ");
   if (name == "hip") return level("hips_circ");
-  if (name == "neck") return neck_base_girth();
+  if (name == "neck") {
+    return neck_base_girth(vertex(kHpsLeft), vertex(kHpsRight), vertex(kC7), vertex(kNeckPit));
+  }
   if (name == "mid_neck") return ring_girth("neck_circ");
   if (name == "upper_arm") return limb_girth("upperarm01.L", "lowerarm01.L", kUpperArmShare);
   if (name == "forearm") return limb_girth("lowerarm01.L", "wrist.L", kForearmShare);
@@ -217,12 +146,14 @@ std::map<std::string, double> BodyTape::all() const {
   found["waist_level"] = waist - ground;
   found["hip_level"] = hip - ground;
   found["armpit_level"] = armpit - ground;
-  found["shoulder_slope"] = std::atan2(hps.z() - shoulder_height(), acromion.x() - hps.x());
+  // The shoulder as cloth meets it: the top of the body above the acromion.
+  const double shoulder = top_at(rest_.surface, acromion.x(), hps.z()).z();
+  found["shoulder_slope"] = std::atan2(hps.z() - shoulder, acromion.x() - hps.x());
   found["shoulder_length"] = (acromion - hps).norm();
   found["neck_width"] = 2 * hps.x();
-  found["scye_depth"] = shoulder_height() - armpit;
-  found["hps_to_waist"] = back_length_beside_spine(waist);
-  found["hps_to_hip"] = back_length_beside_spine(hip);
+  found["scye_depth"] = shoulder - armpit;
+  found["hps_to_waist"] = back_tape(rest_.surface, hps, waist);
+  found["hps_to_hip"] = back_tape(rest_.surface, hps, hip);
   found["volume"] = enclosed_volume(rest_.surface);
   found["mass"] = kDensity * found["volume"];
   return found;

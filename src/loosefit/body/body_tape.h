@@ -23,18 +23,12 @@ class BodyTape {
   /// "volume" [m³] and "mass" [kg].
   std::map<std::string, double> all() const;
 
-  /// Girth round the trunk at height z (not above the floor: in the frame of the rest body).
-  double trunk_girth(double z) const;
   /// Girth of the limb round `bone_a`.head → `bone_b`.head at share t.
   double limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const;
 
  private:
   double ring_girth(const std::string& ruler_name) const;
-  double section_girth(const Vec3& origin, const Vec3& normal) const;
-  double neck_base_girth() const;
-  double shoulder_height() const;
   double armpit_height() const;
-  double back_length_beside_spine(double down_to) const;
   const Vec3& vertex(int index) const { return rest_.surface.vertices[std::size_t(index)]; }
   const Vec3& joint(const std::string& bone) const;
   double floor() const;

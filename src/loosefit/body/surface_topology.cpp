@@ -20,8 +20,8 @@ class UnionFind {
     return i;
   }
   void unite(int a, int b) {
-    const auto [low, high] = std::minmax(find(a), find(b));
-    parent_[std::size_t(high)] = low;
+    const int root_a = find(a), root_b = find(b);
+    parent_[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
   }
 
  private:
@@ -75,16 +75,16 @@ void weld(TriangleMesh& mesh, double distance) {
   std::vector<int> target(mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3& p = mesh.vertices[v];
-    const std::array<long long, 3> cell = {std::llround(p.x() / distance), std::llround(p.y() / distance),
+    const std::array<long long, 3> cell = {std::llround(p.x() / distance),
+                                           std::llround(p.y() / distance),
                                            std::llround(p.z() / distance)};
     target[v] = at.emplace(cell, int(v)).first->second;
   }
   for (auto& t : mesh.triangles) {
     for (auto& corner : t) corner = target[std::size_t(corner)];
   }
-  std::erase_if(mesh.triangles, [](const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  });
+  std::erase_if(mesh.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   drop_unused_vertices(mesh);
 }
 

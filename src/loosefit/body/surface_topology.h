@@ -23,9 +23,9 @@ void keep_piece(TriangleMesh& mesh, const Piece& piece);
 
 /// Edges that keep a surface from being closed, and a place to look at.
 struct EdgeReport {
-  int open = 0;     ///< one face
-  int crowded = 0;  ///< more than two faces
-  int holes = 0;    ///< connected groups of open edges
+  int open = 0;               ///< one face
+  int crowded = 0;            ///< more than two faces
+  int holes = 0;              ///< connected groups of open edges
   Vec3 place = Vec3::Zero();  ///< on the largest hole, or else on a crowded edge
 };
 EdgeReport inspect_edges(const TriangleMesh& mesh);

@@ -1,0 +1,158 @@
+#include "command_body.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/body_model.h"
+#include "loosefit/body/body_tape.h"
+#include "loosefit/body/scan_body.h"
+#include "loosefit/io/body_file.h"
+#include "loosefit/io/mesh_file.h"
+#include "loosefit/io/vtp.h"
+
+namespace loosefit {
+namespace {
+
+struct Wish {
+  std::string sex = "female";
+  BodySpec spec;
+  std::map<std::string, std::optional<double>> measures;
+  std::string posture = "standing";
+  std::optional<double> arm_abduction_deg, forward_bend_deg, sitting;
+  std::string file, units, up;
+  std::string out;
+};
+
+double sex_of(const std::string& text) {
+  if (text == "female") return 0;
+  if (text == "male") return 1;
+  std::size_t used = 0;
+  double value = -1;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used != text.size() || !(value >= 0 && value <= 1)) {
+    throw InvalidInput({"", 0, "--sex"}, "\"" + text + "\"",
+                       "female, male or a number from 0 to 1");
+  }
+  return value;
+}
+
+Posture posture_of(const Wish& wish) {
+  Posture posture;
+  if (wish.posture == "a-pose") {
+    posture.arm_abduction = radians(40);
+  } else if (wish.posture == "sitting") {
+    posture.sitting = 1;
+  } else if (wish.posture == "forward-bend") {
+    posture.forward_bend = radians(30);
+  } else if (wish.posture != "standing") {
+    throw InvalidInput({"", 0, "--posture"}, "\"" + wish.posture + "\"",
+                       "standing, a-pose, sitting or forward-bend");
+  }
+  if (wish.arm_abduction_deg) posture.arm_abduction = radians(*wish.arm_abduction_deg);
+  if (wish.forward_bend_deg) posture.forward_bend = radians(*wish.forward_bend_deg);
+  if (wish.sitting) posture.sitting = *wish.sitting;
+  return posture;
+}
+
+void print_table(const std::vector<MeasureRow>& table) {
+  if (table.empty()) return;
+  fmt::print("{:<18} {:>10} {:>12} {:>9}\n", "measure", "asked [m]", "measured [m]", "off [mm]");
+  for (const auto& row : table) {
+    fmt::print("{:<18} {:>10.3f} {:>12.3f} {:>+9.1f}\n", row.name, row.asked, row.measured,
+               1000 * (row.measured - row.asked));
+  }
+}
+
+void write_body(const std::string& folder, const Body& body, const BodyFit& fit) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot make the folder: " + error.message());
+  const auto path = [&](const char* name) {
+    return (std::filesystem::path(folder) / name).string();
+  };
+  write_obj(path("body.obj"), body.surface, body.normals);
+  write_body_vtp(path("body.vtp"), body);
+  write_body_json(path("body.json"), body, fit);
+  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", folder);
+}
+
+void run(Wish wish) {
+  Body body;
+  BodyFit fit;
+  if (!wish.file.empty()) {
+    MeshFile scan = read_mesh(wish.file);
+    ScanBody made = body_from_scan(std::move(scan.mesh), {wish.file, wish.units, wish.up});
+    body = std::move(made.body);
+    fit.warnings = std::move(scan.warnings);
+    fit.warnings.insert(fit.warnings.end(), made.warnings.begin(), made.warnings.end());
+    for (const auto& [name, asked] : wish.measures) {
+      if (asked) throw InvalidInput({"", 0, "--" + name}, "a wish beside --file", "one of the two");
+    }
+  } else {
+    wish.spec.sex = sex_of(wish.sex);
+    for (const auto& [name, asked] : wish.measures) {
+      if (!asked) continue;
+      if (name == "height") {
+        wish.spec.height = *asked;
+      } else {
+        wish.spec.measurements[name] = *asked;
+      }
+    }
+    const BodyModel model = BodyModel::load();
+    fit = model.fit(wish.spec);
+    body = model.build(fit.parameters, posture_of(wish));
+  }
+  print_table(fit.table);
+  for (const char* name : {"height", "chest", "waist", "hip"}) {
+    const auto found = body.measured.find(name);
+    if (fit.table.empty() && found != body.measured.end()) {
+      fmt::print("{:<18} {:>10.3f} m\n", name, found->second);
+    }
+  }
+  fmt::print("volume {:.1f} l, about {:.1f} kg\n", 1000 * body.measured.at("volume"),
+             body.measured.at("mass"));
+  for (const auto& warning : fit.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (!wish.out.empty()) write_body(wish.out, body, fit);
+}
+
+std::string option_of(const std::string& measure) {
+  std::string option = "--" + measure;
+  for (auto& c : option) c = c == '_' ? '-' : c;
+  return option;
+}
+
+}  // namespace
+
+void add_body_command(CLI::App& app) {
+  auto* command = app.add_subcommand("body", "Make a body from measures, or read one from a file");
+  auto wish = std::make_shared<Wish>();
+  command->add_option("--sex", wish->sex, "female, male or 0 (female) … 1 (male)");
+  command->add_option("--age", wish->spec.age, "years");
+  for (const auto& name : measure_names()) {
+    command->add_option(option_of(name), wish->measures[name], "wanted " + name + " [m]");
+  }
+  command->add_option("--muscle", wish->spec.muscle, "0 … 1");
+  command->add_option("--proportions", wish->spec.proportions, "0 … 1");
+  command->add_option("--cup", wish->spec.cup, "0 … 1");
+  command->add_option("--firmness", wish->spec.firmness, "0 … 1");
+  command->add_option("--posture", wish->posture, "standing, a-pose, sitting or forward-bend");
+  command->add_option("--arm-abduction-deg", wish->arm_abduction_deg, "upper arm to the vertical");
+  command->add_option("--forward-bend-deg", wish->forward_bend_deg, "turn of the back");
+  command->add_option("--sitting", wish->sitting, "0 standing … 1 sitting");
+  command->add_option("--file", wish->file, "body surface: OBJ, PLY or STL");
+  command->add_option("--units", wish->units, "units of the file: m, cm, mm, in");
+  command->add_option("--up", wish->up, "up axis of the file: y or z");
+  command->add_option("-o,--output", wish->out, "folder for body.obj, body.vtp, body.json");
+  command->callback([wish] { run(*wish); });
+}
+
+}  // namespace loosefit

@@ -1,0 +1,173 @@
+#include "loosefit/body/scan_body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/scan_segments.h"
+#include "loosefit/body/section.h"
+#include "loosefit/body/tape_paths.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kDensity = 985;  // kg/m³, whole body
+
+// y of the frontmost (sign -1) or backmost (+1) trunk point in the mid-sagittal plane at height z.
+Vec3 midline_point(const TriangleMesh& mesh, double z, double sign) {
+  Vec3 best(0, -sign * 10, z);
+  for (const auto& loop : plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ())) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3& a = loop.points[i];
+      const Vec3& b = loop.points[(i + 1) % loop.points.size()];
+      if ((a.x() < 0) == (b.x() < 0)) continue;
+      const Vec3 p = a + a.x() / (a.x() - b.x()) * (b - a);
+      if (sign * p.y() > sign * best.y()) best = p;
+    }
+  }
+  return best;
+}
+
+Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
+
+// The ridge from acromion to neck: the neck begins where it gets steeper than 45°.
+Vec3 neck_shoulder_point(const TriangleMesh& mesh, const ScanSections& s, double sign,
+                         double acromion_x) {
+  const double step = 0.004 * s.height;
+  Vec3 here = top_at(mesh, sign * acromion_x, s.neck);
+  for (double x = acromion_x - step; x > 0.02 * s.height; x -= step) {
+    const Vec3 next = top_at(mesh, sign * x, s.neck);
+    if (next.z() - here.z() > step) break;
+    here = next;
+  }
+  return here;
+}
+
+int nearest_vertex(const TriangleMesh& mesh, const Vec3& p) {
+  int best = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const double d = (mesh.vertices[v] - p).squaredNorm();
+    if (d < nearest) nearest = d, best = int(v);
+  }
+  return best;
+}
+
+void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body& body) {
+  const char* names[2] = {"_L", "_R"};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string under = names[side];
+    const double sign = side == 0 ? 1 : -1;
+    body.joints["shoulder" + under] = arms[side].points.front();
+    body.joints["elbow" + under] = arms[side].elbow();
+    body.joints["wrist" + under] = arms[side].wrist();
+    body.joints["hand" + under] = arms[side].points.back();
+    const Vec3 pelvis = centre_at(s, s.crotch + 0.04 * s.height);
+    body.joints["hip" + under] = pelvis + Vec3(sign * 0.052 * s.height, 0, 0);
+    body.joints["knee" + under] = leg_at(s, side, 0.285 * s.height);
+    body.joints["ankle" + under] = leg_at(s, side, 0.039 * s.height);
+    body.joints["clavicle" + under] =
+        centre_at(s, s.armpit + 0.05 * s.height) + Vec3(sign * 0.015, 0, 0);
+  }
+  const double low = s.crotch + 0.05 * s.height, high = s.armpit + 0.075 * s.height;
+  body.joints["pelvis"] = centre_at(s, low);
+  body.joints["neck"] = centre_at(s, high);
+  body.joints["head"] = centre_at(s, s.neck + 0.03 * s.height);
+  for (int i = 1; i <= 5; ++i) {
+    body.joints["spine_" + std::to_string(i)] = centre_at(s, high + (low - high) * i / 5.0);
+  }
+}
+
+}  // namespace
+
+ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
+  CheckedSurface checked = check_surface(std::move(mesh), options);
+  ScanBody made;
+  made.warnings = std::move(checked.warnings);
+  Body& body = made.body;
+  body.surface = std::move(checked.mesh);
+  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  const TriangleMesh& surface = body.surface;
+  const ScanSections s = slice_scan(surface);
+  if (!s.legs_apart)
+    made.warnings.push_back("the legs touch: the crotch is taken at 0.47 of the height");
+  const std::array<ArmLine, 2> arms = {arm_line(s, 0), arm_line(s, 1)};
+  label_segments(s, arms, body);
+  add_joints(s, arms, body);
+
+  std::map<std::string, Vec3> place;
+  const double acromion_x =
+      0.5 * (arms[0].points.front().x() - arms[1].points.front().x()) + 0.006 * s.height;
+  Vec3 hps[2], acromion[2];
+  for (const int side : {0, 1}) {
+    const double sign = side == 0 ? 1 : -1;
+    const std::string under = side == 0 ? "_L" : "_R";
+    const ArmLine& arm = arms[std::size_t(side)];
+    hps[side] = place["hps" + under] = neck_shoulder_point(surface, s, sign, acromion_x);
+    acromion[side] = place["acromion" + under] = top_at(surface, sign * acromion_x, s.neck);
+    place["elbow" + under] = arm.elbow();
+    place["wrist" + under] = arm.wrist();
+  }
+  const double c7_height = 0.25 * (hps[0].z() + hps[1].z() + acromion[0].z() + acromion[1].z());
+  const Vec3 c7 = place["c7"] = midline_point(surface, c7_height, 1);
+  const Vec3 pit = place["neck_pit"] = midline_point(surface, c7_height - 0.008 * s.height, -1);
+  place["back_waist"] = midline_point(surface, s.waist, 1);
+  place["front_waist"] = midline_point(surface, s.waist, -1);
+  place["sternum"] = midline_point(surface, s.chest, -1);
+  place["crotch"] = midline_point(surface, s.crotch + 0.004 * s.height, -1);
+  place["crown"] = Vec3(0, c7.y(), s.height);
+  // The same shares of C7 → waist as on the parametric body.
+  const auto back = [&](double share, double x) {
+    const Vec3 middle = midline_point(surface, c7.z() + share * (s.waist - c7.z()), 1);
+    return Vec3(x, middle.y(), middle.z());
+  };
+  place["upper_back"] = back(0.22, 0);
+  place["mid_back"] = back(0.50, 0);
+  place["lower_back"] = back(0.86, 0);
+  place["scapula_L"] = back(0.28, 0.52 * acromion_x);
+  place["scapula_lower_L"] = back(0.41, 0.45 * acromion_x);
+  for (const char* name : {"scapula", "scapula_lower"}) {
+    place[std::string(name) + "_R"] = mirrored(place[std::string(name) + "_L"]);
+  }
+  const double front = midline_point(surface, s.armpit, -1).y();
+  place["armpit_front_L"] = Vec3(0.8 * acromion_x, 0.7 * front, s.armpit);
+  place["armpit_front_R"] = mirrored(place["armpit_front_L"]);
+  for (const auto& [name, p] : place) {
+    const int v = body.landmark_vertex[name] = nearest_vertex(surface, p);
+    body.landmarks[name] = surface.vertices[std::size_t(v)];
+  }
+
+  auto& m = body.measured;
+  const ArmLine& arm = arms[0];
+  const Vec3 shoulder = arm.points.front(), elbow = arm.elbow(), wrist = arm.wrist();
+  m["height"] = s.height;
+  m["chest"] = trunk_girth(surface, s.chest);
+  m["waist"] = trunk_girth(surface, s.waist);
+  m["hip"] = trunk_girth(surface, s.hip);
+  m["mid_neck"] = trunk_girth(surface, s.neck);
+  m["neck"] = neck_base_girth(hps[0], hps[1], c7, pit);
+  m["upper_arm"] = girth_round(surface, shoulder + 0.3 * (elbow - shoulder), elbow - shoulder);
+  m["forearm"] = girth_round(surface, elbow + 0.25 * (wrist - elbow), wrist - elbow);
+  m["wrist"] = girth_round(surface, wrist, wrist - elbow);
+  m["shoulder_breadth"] = (acromion[0] - c7).norm() + (c7 - acromion[1]).norm();
+  m["shoulder_slope"] = std::atan2(hps[0].z() - acromion[0].z(), acromion[0].x() - hps[0].x());
+  m["shoulder_length"] = (hps[0] - acromion[0]).norm();
+  m["neck_width"] = hps[0].x() - hps[1].x();
+  m["scye_depth"] = acromion[0].z() - s.armpit;
+  m["hps_to_waist"] = back_tape(surface, hps[0], s.waist);
+  m["hps_to_hip"] = back_tape(surface, hps[0], s.hip);
+  m["arm_length"] = (acromion[0] - elbow).norm() + (elbow - wrist).norm();
+  m["back_length"] = back_tape(surface, c7 + Vec3(1e-6, 0, 0), s.waist);
+  m["crotch_height"] = s.crotch;
+  m["chest_level"] = s.chest;
+  m["waist_level"] = s.waist;
+  m["hip_level"] = s.hip;
+  m["armpit_level"] = s.armpit;
+  m["volume"] = enclosed_volume(surface);
+  m["mass"] = kDensity * m["volume"];
+  return made;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// What one horizontal cut of a standing body shows. Sides: index 0 left (+x), 1 right.
+struct BodySlice {
+  double z = 0;
+  std::optional<Vec3> trunk;                  ///< centroid of the loop that spans x = 0
+  double girth = 0;                           ///< tape round the trunk loop
+  std::array<double, 2> trunk_side = {0, 0};  ///< |x| reach of the trunk loop
+  std::array<std::optional<Vec3>, 2> arm, leg;
+  std::array<double, 2> arm_inner = {0, 0};  ///< smallest |x| of the arm loops
+};
+
+/// Levels and limb centre lines of a scan, found from `kSliceCount` horizontal cuts.
+struct ScanSections {
+  double height = 0;
+  std::vector<BodySlice> slices;  ///< upwards
+  bool legs_apart = true;
+  double crotch = 0, armpit = 0, chest = 0, waist = 0, hip = 0, neck = 0;  ///< z [m]
+};
+
+inline constexpr int kSliceCount = 300;
+
+/// \throws GeometryError when no level has both arms apart from the trunk.
+ScanSections slice_scan(const TriangleMesh& mesh);
+
+}  // namespace loosefit

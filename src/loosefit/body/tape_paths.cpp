@@ -1,0 +1,88 @@
+#include "loosefit/body/tape_paths.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/section.h"
+
+namespace loosefit {
+namespace {
+
+// Half the perimeter of an ellipse (Ramanujan 1914).
+double half_ellipse(double a, double b) {
+  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+  return 0.5 * kPi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+}
+
+}  // namespace
+
+double trunk_girth(const TriangleMesh& mesh, double z) {
+  const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
+  const SectionLoop* trunk = trunk_loop(loops);
+  if (!trunk) throw GeometryError("body: found no closed section round the trunk at this level");
+  return hull_perimeter(trunk->points, Vec3::UnitZ());
+}
+
+double girth_round(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
+  for (const auto& loop : plane_section(mesh, origin, normal)) {
+    if (loop_contains(loop, normal, origin)) return hull_perimeter(loop.points, normal);
+  }
+  throw GeometryError("body: found no closed section round this point");
+}
+
+double back_tape(const TriangleMesh& mesh, const Vec3& from, double down_to) {
+  std::vector<Vec2> back = {{from.z(), from.y()}};
+  for (const auto& loop : plane_section(mesh, from, Vec3::UnitX())) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3& a = loop.points[i];
+      const Vec3& b = loop.points[(i + 1) % loop.points.size()];
+      if (a.z() <= from.z() && a.z() >= down_to) back.emplace_back(a.z(), a.y());
+      if ((a.z() - down_to) * (b.z() - down_to) < 0) {
+        const Vec3 end = a + (down_to - a.z()) / (b.z() - a.z()) * (b - a);
+        back.emplace_back(end.z(), end.y());
+      }
+    }
+  }
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const auto& p : back) {
+    if (p.x() <= down_to + 1e-9) deepest = std::max(deepest, p.y());
+  }
+  // Keep the chain of the hull that lies behind the line from start to end.
+  const Vec2 start(from.z(), from.y()), end(down_to, deepest);
+  const auto behind = [&](const Vec2& p) {
+    const Vec2 d = end - start, e = p - start;
+    return d.x() * e.y() - d.y() * e.x() <= 1e-12;
+  };
+  std::vector<Vec2> kept = {start, end};
+  for (const auto& p : back) {
+    if (behind(p)) kept.push_back(p);
+  }
+  const auto hull = convex_hull(kept);
+  double perimeter = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  return perimeter - (end - start).norm();
+}
+
+double neck_base_girth(const Vec3& left, const Vec3& right, const Vec3& c7, const Vec3& pit) {
+  const Vec3 middle = 0.5 * (left + right);
+  const double half_width = 0.5 * (left - right).norm();
+  return half_ellipse(half_width, (c7 - middle).norm()) +
+         half_ellipse(half_width, (pit - middle).norm());
+}
+
+Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling) {
+  Vec3 top(x, 0, -std::numeric_limits<double>::infinity());
+  for (const auto& loop : plane_section(mesh, Vec3(x, 0, 0), Vec3::UnitX())) {
+    for (const auto& p : loop.points) {
+      if (p.z() <= ceiling && p.z() > top.z()) top = p;
+    }
+  }
+  return top;
+}
+
+}  // namespace loosefit
