@@ -1,1 +1,82 @@
-int main() { return 2; }
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "command_body.h"
+#include "command_doctor.h"
+#include "command_material.h"
+#include "command_pattern.h"
+#include "command_run.h"
+#include "command_stages.h"
+#include "exit_code.h"
+#include "loosefit/base/error.h"
+#include "loosefit/base/version.h"
+
+namespace loosefit {
+namespace {
+
+// OpenBLAS reads its thread count while it is loaded, before main; a second thread only slows our
+// small supernodes down and would make sums depend on the machine. So start over with it set.
+void pin_blas_threads(char** arguments) {
+  const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
+  if (threads && std::strcmp(threads, "1") == 0) return;
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  execv("/proc/self/exe", arguments);  // returns only when it fails; then go on as we are
+}
+
+int failed(int code, const std::string& message, const std::string& hint = {}) {
+  fmt::print(stderr, "error: {}\n", message);
+  if (!hint.empty()) fmt::print(stderr, "hint: {}\n", hint);
+  return code;
+}
+
+int run_command_line(int count, char** arguments) {
+  int exit_code = kGood;
+  CLI::App app{
+      "Loosefit drapes a garment on a body and maps how well sensors in it would measure."};
+  app.name("loosefit");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version());
+  add_run_commands(app, exit_code);
+  add_body_command(app);
+  add_pattern_command(app);
+  add_stage_commands(app, exit_code);
+  add_material_command(app);
+  add_doctor_command(app, exit_code);
+  app.add_subcommand("version", "version of this program and of its libraries")->callback([] {
+    for (const auto& [library, number] : versions()) fmt::print("{:10} {}\n", library, number);
+  });
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    return failed(kBadInput, e.what(), "loosefit --help, or loosefit COMMAND --help");
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace loosefit
+
+int main(int count, char** arguments) {
+  using namespace loosefit;
+  pin_blas_threads(arguments);
+  try {
+    return run_command_line(count, arguments);
+  } catch (const Cancelled&) {
+    return failed(kInterrupted, "interrupted; nothing was written");
+  } catch (const SolverFailure& e) {
+    return failed(kNotSettled, e.what(), e.hint());
+  } catch (const Error& e) {
+    return failed(kBadInput, e.what(), e.hint());
+  } catch (const std::bad_alloc&) {
+    return failed(kBadInput, "not enough memory", "a larger simulation.edge_length needs less");
+  } catch (const std::exception& e) {
+    return failed(kNotSettled, std::string("unexpected: ") + e.what(),
+                  "this is a fault of Loosefit; please report it with the scenario");
+  }
+}

@@ -24,6 +24,7 @@ struct ScenarioBody {
   Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
   std::string file;   ///< mesh file instead of the parametric person; absolute
   std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
+  std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
 };
 
 /// [garment]: the shirt draft or a pattern file.

@@ -53,9 +53,10 @@ ScenarioBody read_body_file(ConfigReader& table) {
   ScenarioBody body;
   body.file = existing_file(table, "file");
   body.units = table.choice("units", "", {"m", "cm", "mm", "in"});
+  body.up = table.choice("up", "", {"z", "y"});
   for (const std::string& key : table.keys())
-    if (key != "file" && key != "units")
-      throw table.error(key, "only file and units beside a body file",
+    if (key != "file" && key != "units" && key != "up")
+      throw table.error(key, "only file, units and up for a body file",
                         "a scan brings its own size and posture");
   return body;
 }
@@ -64,7 +65,8 @@ ScenarioBody read_body_file(ConfigReader& table) {
 
 ScenarioBody read_body_section(ConfigReader table) {
   if (table.has("file")) return read_body_file(table);
-  if (table.has("units")) throw table.error("units", "units only beside file", {});
+  for (const char* key : {"units", "up"})
+    if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
   ScenarioBody body;
   body.sex = read_sex(table);
   body.age = table.number("age", body.age, {3, 90, "years"});

@@ -36,6 +36,7 @@ std::string body_text(const ScenarioBody& body) {
   if (!body.file.empty()) {
     text += "file = " + toml_quoted(body.file) + "\n";
     if (!body.units.empty()) text += "units = " + toml_quoted(body.units) + "\n";
+    if (!body.up.empty()) text += "up = " + toml_quoted(body.up) + "\n";
     return text;
   }
   std::vector<std::string> wishes;

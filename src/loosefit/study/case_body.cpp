@@ -1,5 +1,8 @@
 #include "loosefit/study/case_body.h"
 
+#include "loosefit/body/scan_body.h"
+#include "loosefit/io/mesh_file.h"
+
 namespace loosefit {
 namespace {
 
@@ -19,9 +22,23 @@ BodySpec spec_of(const ScenarioBody& wished) {
           .firmness = wished.firmness};
 }
 
+// A scan stands as it stands: the garment is put on in that posture.
+CaseBody body_from_file(const ScenarioBody& wished) {
+  MeshFile file = read_mesh(wished.file);
+  ScanBody scan = body_from_scan(std::move(file.mesh),
+                                 {.file = wished.file, .units = wished.units, .up = wished.up});
+  CaseBody result;
+  result.warnings = std::move(file.warnings);
+  result.warnings.insert(result.warnings.end(), scan.warnings.begin(), scan.warnings.end());
+  result.body = std::move(scan.body);
+  result.path = [body = std::make_shared<const Body>(result.body)](double) { return *body; };
+  return result;
+}
+
 }  // namespace
 
 CaseBody make_body(const ScenarioBody& wished) {
+  if (!wished.file.empty()) return body_from_file(wished);
   const BodyModel& model = shared_model();
   const BodyFit fit = model.fit(spec_of(wished));
   CaseBody result;

@@ -52,7 +52,7 @@ struct CaseResult {
   double peak_memory_mb = 0;
   std::vector<std::string> warnings;
 
-  bool sealed() const { return maps.maps.empty(); }
+  bool sealed() const { return !drape.certificate.settled() && maps.maps.empty(); }
   const Garment& mesh() const { return garment.finest(); }
 };
 

@@ -37,7 +37,7 @@ Json fit_json(const CaseResult& result) {
   Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
   for (const auto& [level, mobility] : result.pattern.fit) json["measured"][level] = mobility;
   for (const auto& [level, girth] : result.pattern.girths) json["girths"][level] = girth;
-  if (!result.sealed()) {
+  if (!result.maps.maps.empty()) {
     const GarmentGirth& chest = result.maps.chest;
     json["chest_cut"] = {{"level", chest.level},
                          {"draped", chest.draped},

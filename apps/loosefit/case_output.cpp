@@ -1,0 +1,77 @@
+#include "case_output.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/base/resources.h"
+#include "loosefit/base/stage_clock.h"
+#include "loosefit/render/render_pictures.h"
+#include "loosefit/study/case_files.h"
+
+namespace loosefit {
+namespace {
+
+std::vector<Picture> draw(const std::filesystem::path& folder, const CaseResult& result,
+                          Progress& progress) {
+  const ScenarioOutput& wished = result.scenario.output;
+  PictureOptions options;
+  options.width = wished.width;
+  options.height = wished.height;
+  options.undecorated = wished.undecorated;
+  options.views.clear();
+  for (const std::string& view : wished.views) options.views.push_back(view_from_name(view));
+  std::vector<PerformanceMap> maps;
+  for (const CaseMap& entry : result.maps.maps) maps.push_back(entry.map);
+  return render_pictures(folder / "maps", result.body.body.surface, result.mesh(),
+                         result.drape.positions, maps, options, [&progress](double share) {
+                           progress.check_cancelled();
+                           progress.update(share, "pictures");
+                         });
+}
+
+std::string number_or_dash(double value) {
+  return value == value ? fmt::format("{:10.4g}", value) : fmt::format("{:>10}", "-");
+}
+
+}  // namespace
+
+void write_output(const std::filesystem::path& folder, CaseResult& result,
+                  const OutputOptions& options, Progress& progress) {
+  StageClock clock(progress);
+  clock.stage("report");
+  write_case_files(folder, result);
+  std::filesystem::create_directories(folder / "maps");
+  std::vector<Picture> pictures;
+  if (options.pictures) pictures = draw(folder, result, clock);
+  clock.stop();
+  result.seconds.push_back({"report", clock.entries().front().seconds});
+  result.peak_memory_mb = peak_memory_mb();
+  write_summary_file(folder, result);
+}
+
+void print_result(const CaseResult& result, const std::string& folder) {
+  const Certificate& certificate = result.drape.certificate;
+  for (const std::string& warning : result.warnings) fmt::print("warning: {}\n", warning);
+  fmt::print("{}: residual {:.2e}, intersections body {} self {} ({})\n",
+             certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
+             certificate.intersections_body, certificate.intersections_self,
+             certificate.stop_reason);
+  for (const auto& [level, mobility] : result.pattern.fit)
+    fmt::print("fit {:8} {:+.3f}\n", level, mobility);
+  if (!result.maps.maps.empty())
+    fmt::print("{:24} {:>10} {:>10} {:>10}\n", "map", "p5", "median", "p95");
+  for (const CaseMap& map : result.maps.maps)
+    fmt::print("{:24} {} {} {}\n", map.map.array, number_or_dash(map.overall.p5),
+               number_or_dash(map.overall.median), number_or_dash(map.overall.p95));
+  if (result.sealed()) fmt::print("sealed: no maps; see log.jsonl, or use --allow-unsettled\n");
+  double total = 0;
+  std::string stages;
+  for (const StageClock::Entry& entry : result.seconds) {
+    stages += fmt::format("{} {:.1f}  ", entry.stage, entry.seconds);
+    total += entry.seconds;
+  }
+  fmt::print("seconds: {}total {:.1f}; peak memory {:.0f} MB\n", stages, total,
+             result.peak_memory_mb);
+  fmt::print("written: {}\n", folder);
+}
+
+}  // namespace loosefit

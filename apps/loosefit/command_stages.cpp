@@ -1,0 +1,65 @@
+#include "command_stages.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+
+#include "case_output.h"
+#include "exit_code.h"
+#include "loosefit/io/run_folder.h"
+#include "loosefit/render/render_pictures.h"
+#include "loosefit/study/case_stages.h"
+#include "loosefit/study/load_case.h"
+#include "terminal_progress.h"
+
+namespace loosefit {
+namespace {
+
+struct Arguments {
+  std::string folder;
+  bool allow_unsettled = false, quiet = false;
+};
+
+/// Takes an earlier output up again, redoes the stages from maps on, and replaces it as a whole.
+int redo(const Arguments& arguments, const OutputOptions& output) {
+  if (output.pictures) check_display();
+  RunFolder folder = RunFolder::update(arguments.folder);
+  TerminalProgress shown(arguments.quiet);
+  InterruptGuard guard(shown);
+  CaseResult result = load_case(folder.path(), shown);
+  StageClock clock(shown);
+  clock.stage("maps");
+  result.maps = make_maps(result, arguments.allow_unsettled);
+  clock.stage("placement");
+  result.sites = make_sites(result);
+  clock.stop();
+  result.seconds.insert(result.seconds.end(), clock.entries().begin(), clock.entries().end());
+  result.warnings = collected_warnings(result);
+  write_output(folder.path(), result, output, shown);
+  folder.commit();
+  shown.clear();
+  if (!arguments.quiet) print_result(result, arguments.folder);
+  return result.drape.certificate.settled() ? kGood : kNotSettled;
+}
+
+void add_stage(CLI::App& app, const std::string& name, const std::string& description,
+               const OutputOptions& output, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(name, description);
+  command->add_option("DIR", arguments->folder, "folder of an earlier run or drape")->required();
+  command->add_flag("--allow-unsettled", arguments->allow_unsettled,
+                    "make maps even of a drape that did not settle");
+  command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
+  command->callback([arguments, output, &exit_code] { exit_code = redo(*arguments, output); });
+}
+
+}  // namespace
+
+void add_stage_commands(CLI::App& app, int& exit_code) {
+  add_stage(app, "map", "make maps and sites of a drape again", {false, false}, exit_code);
+  add_stage(app, "render", "maps, sites and pictures of a drape again", {true, false}, exit_code);
+  add_stage(app, "report", "maps, sites, pictures and report.html of a drape again", {true, true},
+            exit_code);
+}
+
+}  // namespace loosefit
