@@ -4,6 +4,10 @@
 #include <limits>
 
 namespace loosefit {
+namespace {
+// A ray along the mesh's plane of symmetry runs through edges and must not slip between triangles.
+constexpr double kSlack = 1e-9;
+}  // namespace
 
 std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
                              const Vec3& direction) {
@@ -16,7 +20,7 @@ std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
     if (along <= 0) continue;  // entering or grazing
     const Vec3 from = origin - a, cross = from.cross(direction);
     const double u = cross.dot(ac) / along, v = -cross.dot(ab) / along;
-    if (u < 0 || v < 0 || u + v > 1) continue;
+    if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack) continue;
     const double distance = -normal.dot(from) / along;
     if (distance > 0 && distance < nearest) nearest = distance;
   }
