@@ -1,0 +1,62 @@
+#include "loosefit/io/measures_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/text_file.h"
+
+namespace loosefit {
+namespace {
+
+class MeasuresFile : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(path_); }
+  std::string error_of(const std::string& text) {
+    write_text_file(path_.string(), text);
+    try {
+      read_measures(path_);
+    } catch (const InvalidInput& e) {
+      return std::string(e.what()).substr(path_.string().size());
+    }
+    return "accepted";
+  }
+  std::filesystem::path path_ =
+      std::filesystem::path(testing::TempDir()) / "loosefit_measures_test.json";
+};
+
+const std::string kPlain =
+    R"({"chest": 0.9, "waist": 0.7, "hip": 0.95, "neck": 0.36, "upper_arm": 0.28, "wrist": 0.16,
+        "shoulder_breadth": 0.38, "shoulder_slope": 0.35, "scye_depth": 0.14,
+        "hps_to_waist": 0.42, "hps_to_hip": 0.62, "arm_length": 0.58, "height": 1.7})";
+
+TEST_F(MeasuresFile, ReadsPlainAndNestedObjects) {
+  for (const std::string& text : {kPlain, "{\"measured\": " + kPlain + "}"}) {
+    write_text_file(path_.string(), text);
+    const ShirtMeasures m = read_measures(path_);
+    EXPECT_EQ(m.chest, 0.9);
+    EXPECT_EQ(m.upper_arm, 0.28);
+    EXPECT_EQ(m.shoulder_slope, 0.35);
+    EXPECT_EQ(m.hps_to_hem, 0.62) << "hem at the hip unless given";
+  }
+  write_text_file(path_.string(), R"({"hps_to_hem": 0.7, )" + kPlain.substr(1));
+  EXPECT_EQ(read_measures(path_).hps_to_hem, 0.7);
+}
+
+TEST_F(MeasuresFile, NamesWhatIsWrong) {
+  EXPECT_EQ(error_of(R"({"measured": {"waist": 1}})"),
+            ": measured.chest: found nothing, expected this measure in metres");
+  EXPECT_EQ(error_of(R"({"chest": "wide"})"),
+            ": chest: found a value of type string, expected a number");
+  EXPECT_EQ(error_of("chest"),
+            ": found text that is not JSON, expected a JSON object with measures");
+  EXPECT_EQ(error_of(R"({"measured": 3})"),
+            ": measured.chest: found nothing, expected this measure in metres");
+  std::string deep = R"({"chest": )" + std::string(100000, '[') + std::string(100000, ']') + "}";
+  EXPECT_EQ(error_of(deep), ": chest: found a value of type array, expected a number");
+  EXPECT_THROW(read_measures("no/such/file.json"), IoError);
+}
+
+}  // namespace
+}  // namespace loosefit
