@@ -33,6 +33,29 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
   return points;
 }
 
+bool ContactPoint::within(const Triangle& t) const {
+  for (int k = 0; k < count; ++k)
+    if (particle[k] != t[0] && particle[k] != t[1] && particle[k] != t[2]) return false;
+  return true;
+}
+
+void add_lattice(const Triangle& triangle, double area, double offset, int n,
+                 std::vector<ContactPoint>& points) {
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const int k = n - i - j;
+      const int zeros = (i == 0) + (j == 0) + (k == 0);
+      if (zeros == 2 || (zeros == 1 && (2 * i == n || 2 * j == n))) continue;
+      ContactPoint p;
+      p.particle = triangle;
+      p.weight = {double(i) / n, double(j) / n, double(k) / n};
+      p.count = 3;
+      p.area = area / (n * n);
+      p.offset = offset;
+      points.push_back(p);
+    }
+}
+
 BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}

@@ -14,6 +14,9 @@ struct ContactPoint {
   int count = 1;
   double area = 0;    ///< cloth area it stands for [m²]
   double offset = 0;  ///< rest distance of the mid-surface from the skin [m]
+
+  /// Whether all its particles are corners of the triangle.
+  bool within(const Triangle& t) const;
 };
 
 /// Vertices and edge midpoints of a triangle mesh as contact points; areas from the flat triangles,
@@ -21,6 +24,11 @@ struct ContactPoint {
 std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          const std::vector<double>& triangle_area, int particles,
                                          double offset);
+
+/// Adds the points of a regular lattice over one triangle, n intervals an edge, that are neither
+/// corners nor edge midpoints. `area` is the flat area of the triangle [m²].
+void add_lattice(const Triangle& triangle, double area, double offset, int n,
+                 std::vector<ContactPoint>& points);
 
 /// Unilateral contact of the cloth with the body. The cloth is a layer of finite thickness that can
 /// be compressed: with d the distance of its mid-surface to the skin

@@ -1,0 +1,24 @@
+#include "loosefit/drape/certify.h"
+
+#include <limits>
+
+#include "loosefit/geometry/exact_intersection.h"
+
+namespace loosefit {
+
+Certificate certify(ClothModel& model, const Garment& garment, const std::vector<Vec3>& x,
+                    const PosedBody& body, const std::string& stop_reason) {
+  Certificate c;
+  model.system().begin_step(x, std::numeric_limits<double>::infinity());
+  const Residual r = residual_of(model.system(), model.system().gradient(x));
+  c.residual = r.norm;
+  c.residual_max = r.largest;
+  const auto& skin = body.body.surface;
+  c.intersections_self = static_cast<int>(self_intersections(x, garment.triangles).size());
+  c.intersections_body = static_cast<int>(
+      mesh_intersections(x, garment.triangles, skin.vertices, skin.triangles).size());
+  c.stop_reason = stop_reason;
+  return c;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,12 @@
+#pragma once
+#include "loosefit/drape/cloth_model.h"
+#include "loosefit/drape/drape.h"
+#include "loosefit/drape/posed_body.h"
+
+namespace loosefit {
+
+/// Measures the force balance and tests for intersections with exact predicates.
+Certificate certify(ClothModel& model, const Garment& garment, const std::vector<Vec3>& x,
+                    const PosedBody& body, const std::string& stop_reason);
+
+}  // namespace loosefit

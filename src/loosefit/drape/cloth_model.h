@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "loosefit/contact/body_contact.h"
+#include "loosefit/contact/self_contact.h"
+#include "loosefit/drape/drape_garment.h"
+#include "loosefit/fabric/bending_energy.h"
+#include "loosefit/fabric/membrane_energy.h"
+#include "loosefit/particles/gravity_energy.h"
+#include "loosefit/solver/particle_system.h"
+
+namespace loosefit {
+
+/// All energies of one garment level and the particle system that refers to them.
+class ClothModel {
+ public:
+  /// self_thickness: distance at which layers begin to repel [m].
+  ClothModel(const Garment& garment, const Material& material, const DrapeOptions& options,
+             double self_thickness);
+  ClothModel(const ClothModel&) = delete;
+  ClothModel& operator=(const ClothModel&) = delete;
+
+  ParticleSystem& system() { return system_; }
+  BodyContact& body() { return *body_; }
+  SelfContact& self() { return *self_; }
+  const BodyContact& body() const { return *body_; }
+
+ private:
+  std::unique_ptr<MembraneEnergy> membrane_;
+  std::unique_ptr<BendingEnergy> bending_;
+  std::unique_ptr<GravityEnergy> gravity_;
+  std::unique_ptr<BodyContact> body_;
+  std::unique_ptr<SelfContact> self_;
+  ParticleSystem system_;
+};
+
+/// Flat areas of the triangles [m²].
+std::vector<double> flat_areas(const Garment& garment);
+
+}  // namespace loosefit

@@ -1,0 +1,241 @@
+#include "loosefit/drape/drape_garment.h"
+
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <map>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/drape/certify.h"
+#include "loosefit/drape/cloth_model.h"
+#include "loosefit/drape/posed_body.h"
+#include "loosefit/dress/dress.h"
+#include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/solver/integrator.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kDressTolerance = 0.3;      ///< residual at which the dressed coarse level may move on
+constexpr double kContractTolerance = 3;     ///< residual while the softened start contracts
+constexpr int kContractIterations = 150;
+constexpr double kCoarseTolerance = 0.02;    ///< residual before a level is handed to the finer one
+constexpr double kPoseTolerance = 0.5;       ///< residual between two steps of a posture path
+constexpr double kPoseStep = 0.07;           ///< largest joint angle of one step of the path [rad]
+constexpr double kCoarseLayer = 2.0;         ///< coarse levels keep layers this much farther apart
+constexpr int kCutRounds = 6;                ///< attempts to free the last cuts into the body
+constexpr int kCutLattice = 4;               ///< points along an edge of a cut triangle
+constexpr double kCutOffset = 5e-5;          ///< extra distance of a triangle that cuts again [m]
+constexpr double kFieldSpacing = 0.005;      ///< [m]
+
+using Clock = std::chrono::steady_clock;
+
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
+  switch (kind) {
+    case IntegratorKind::semi_implicit_euler: return make_semi_implicit_euler(system);
+    case IntegratorKind::implicit_euler: return make_implicit_euler(system);
+    case IntegratorKind::quasi_static: break;
+  }
+  return make_quasi_static(system);
+}
+
+/// One run of dress and settle: knows the clock, the report and whom to tell.
+class Run {
+ public:
+  Run(const GarmentHierarchy& garment, const Material& material, const BodyPath& body_at,
+      const DrapeOptions& options, Progress& progress)
+      : garment_(garment), material_(material), body_at_(body_at), options_(options),
+        progress_(progress) {}
+
+  Drape drape() {
+    progress_.stage("dress");
+    put_on();
+    progress_.stage("settle");
+    assume_posture();
+    settle_levels();
+    free_cuts();
+    return finish();
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  const Garment& level_garment() const { return garment_.levels[level_]; }
+  bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
+
+  void make_model(double stiffness_share = 1) {
+    Material material = material_;
+    material.stiffness_warp *= stiffness_share;
+    material.stiffness_weft *= stiffness_share;
+    material.stiffness_shear *= stiffness_share;
+    const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+    model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
+    model_->body().set_field(body_->field);
+  }
+
+  /// Settles the current level; true when the tolerance was met.
+  bool settle(double tolerance, int iterations, double first_dt, bool preparing = false) {
+    // The dynamic integrators are asked for by name for the final level; before it, quasi-static
+    // steps bring the cloth near.
+    const auto kind = is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
+    SettleOptions settle;
+    settle.tolerance = tolerance;
+    settle.max_iterations =
+        kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
+    settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
+    settle.watch = [&](int iteration, double residual) {
+      progress_.check_cancelled();
+      report_.history.push_back({seconds(), level_, report_.iterations + iteration, residual});
+      const double done = std::log10(std::max(residual, tolerance) / 10) /
+                          std::log10(options_.residual_tolerance / 10);
+      progress_.update(std::clamp(done, 0.0, 1.0),
+                       "level " + std::to_string(level_ + 1) + " of " +
+                           std::to_string(garment_.levels.size()) + ", residual " +
+                           std::to_string(residual));
+      return seconds() > options_.time_budget;
+    };
+    last_ = make_integrator(kind, model_->system())->settle(x_, settle);
+    report_.iterations += last_.iterations;
+    report_.factorisations += last_.factorisations;
+    report_.ccd_queries += static_cast<int>(model_->self().searches());
+    return last_.reason == SettleOutcome::Reason::converged;
+  }
+
+  void put_on() {
+    Body body = body_at_(0.0);
+    x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
+                                   : dress_as_placed(level_garment(), garment_.pattern);
+    perturb();
+    body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
+    // The strained start contracts as if it were soft at first, so that it comes to lie on the
+    // limbs and is not pulled through them.
+    for (double share : {0.01, 0.1}) {
+      make_model(share);
+      settle(kContractTolerance, kContractIterations, 0.01, true);
+    }
+    make_model();
+    settle(kDressTolerance, options_.max_iterations, 0.01, true);
+  }
+
+  /// Seeded smooth shift of the start, for repeats.
+  void perturb() {
+    if (!(options_.start_perturbation > 0)) return;
+    std::mt19937_64 rng(options_.seed);
+    std::normal_distribution<double> normal(0, options_.start_perturbation);
+    const Vec3 shift(normal(rng), normal(rng), normal(rng));
+    const double phase = 2 * kPi * std::uniform_real_distribution<double>(0, 1)(rng);
+    for (Vec3& p : x_) p += shift * (1 + 0.5 * std::sin(20 * p[2] + 12 * p[0] + phase));
+  }
+
+  void assume_posture() {
+    double share = 0;
+    int steps = 1;
+    {
+      const Body end = body_at_(1.0);
+      double turn = 0;  // largest rotation that any skin undergoes on the way
+      const auto &a = body_->body.pose_from_rest, &b = end.pose_from_rest;
+      for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 7) {
+        const Mat3 relative = b[i].leftCols<3>() * a[i].leftCols<3>().transpose();
+        turn = std::max(turn, std::acos(std::clamp((relative.trace() - 1) / 2, -1.0, 1.0)));
+      }
+      if (turn < 1e-6) return;
+      steps = static_cast<int>(std::ceil(turn / kPoseStep));
+    }
+    for (int k = 1; k <= steps; ++k) {
+      share = double(k) / steps;
+      auto next = pose_for_contact(body_at_(share), bounds(x_), kFieldSpacing);
+      const auto carried = carry_along(*body_, next->body, x_, level_garment().triangles);
+      model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+      const double allowed = model_->self().begin_search(x_, carried);
+      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
+      body_ = std::move(next);
+      model_->body().set_field(body_->field);
+      settle(kPoseTolerance, 40, 0.02, true);
+    }
+  }
+
+  void settle_levels() {
+    while (true) {
+      const bool last = is_finest();
+      settle(last ? options_.residual_tolerance : kCoarseTolerance, options_.max_iterations, 0.02);
+      if (last) return;
+      refine();
+    }
+  }
+
+  /// Carries positions to the next finer level: same surface, so no new intersections.
+  void refine() {
+    const auto& parents = garment_.parents[level_ + 1];
+    std::vector<Vec3> fine(parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i)
+      fine[i] = 0.5 * (x_[parents[i][0]] + x_[parents[i][1]]);
+    x_ = std::move(fine);
+    ++level_;
+    make_model();
+  }
+
+  /// Flat triangles can cut a curved skin between their contact points: such triangles get more
+  /// contact points, and if that is not enough are held a little farther off; then settled again.
+  void free_cuts() {
+    const auto& skin = body_->body.surface;
+    const auto& triangles = level_garment().triangles;
+    std::map<int, int> times_cut;
+    const auto area = flat_areas(level_garment());
+    for (int round = 0; round < kCutRounds; ++round) {
+      const auto cuts = mesh_intersections(x_, triangles, skin.vertices, skin.triangles);
+      if (cuts.empty() || seconds() > options_.time_budget) return;
+      std::set<int> cut;
+      for (const auto& [t, s] : cuts) cut.insert(t);
+      auto& points = model_->body().points();
+      for (int t : cut) {
+        if (++times_cut[t] == 1)
+          add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, points);
+        else
+          for (ContactPoint& p : points)
+            if (p.within(triangles[t])) p.offset += kCutOffset;
+      }
+      settle(options_.residual_tolerance, options_.max_iterations, 0.02);
+    }
+  }
+
+  Drape finish() {
+    Drape drape;
+    drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
+    report_.contacts_body = model_->body().active(x_);
+    report_.contacts_self = model_->self().active(x_);
+    drape.body_contact_force.assign(x_.size(), Vec3::Zero());
+    model_->body().add_gradient(x_, drape.body_contact_force);
+    for (Vec3& f : drape.body_contact_force) f = -f;
+    drape.positions = x_;
+    drape.report = report_;
+    return drape;
+  }
+
+  const GarmentHierarchy& garment_;
+  const Material& material_;
+  const BodyPath& body_at_;
+  const DrapeOptions& options_;
+  Progress& progress_;
+  Clock::time_point start_ = Clock::now();
+  int level_ = 0;
+  std::vector<Vec3> x_;
+  std::unique_ptr<PosedBody> body_;
+  std::unique_ptr<ClothModel> model_;
+  SettleOutcome last_;
+  SettleReport report_;
+};
+
+}  // namespace
+
+Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
+                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress) {
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  return Run(garment, material, body_at, options, progress).drape();
+}
+
+}  // namespace loosefit

@@ -1,0 +1,62 @@
+#include "loosefit/drape/posed_body.h"
+
+#include <tbb/parallel_for.h>
+
+namespace loosefit {
+namespace {
+constexpr double kMargin = 0.06;       ///< of the field round the cloth [m]
+constexpr int kSmoothingPasses = 20;   ///< of the carried displacements
+
+Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
+  Eigen::Affine3d a;
+  a.matrix().topRows<3>() = m;
+  a.matrix().row(3) << 0, 0, 0, 1;
+  return a;
+}
+}  // namespace
+
+Box3 bounds(const std::vector<Vec3>& x) {
+  Box3 box;
+  for (const Vec3& p : x) box.extend(p);
+  return box;
+}
+
+std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {
+  auto posed = std::make_unique<PosedBody>();
+  posed->body = std::move(body);
+  posed->tree = std::make_unique<ClosestPointTree>(posed->body.surface);
+  const Vec3 margin = Vec3::Constant(kMargin);
+  posed->field = std::make_shared<BodyField>(
+      *posed->tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing);
+  return posed;
+}
+
+std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::vector<Vec3>& x,
+                              const std::vector<Triangle>& triangles) {
+  std::vector<Vec3> u(x.size(), Vec3::Zero());
+  const auto &old_pose = from.body.pose_from_rest, &new_pose = to.pose_from_rest;
+  if (old_pose.empty() || old_pose.size() != new_pose.size()) return u;
+  tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
+    const ClosestPoint hit = from.tree->query(x[i]);
+    const Triangle& t = from.body.surface.triangles[hit.triangle];
+    for (int k = 0; k < 3; ++k)
+      u[i] += hit.barycentric[k] *
+              (affine(new_pose[t[k]]) * (affine(old_pose[t[k]]).inverse() * x[i]) - x[i]);
+  });
+  std::vector<Vec3> sum(x.size());
+  std::vector<int> count(x.size());
+  for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+    std::fill(sum.begin(), sum.end(), Vec3::Zero());
+    std::fill(count.begin(), count.end(), 0);
+    for (const Triangle& t : triangles)
+      for (int k = 0; k < 3; ++k) {
+        sum[t[k]] += u[t[(k + 1) % 3]] + u[t[(k + 2) % 3]];
+        count[t[k]] += 2;
+      }
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (count[i] > 0) u[i] = sum[i] / count[i];
+  }
+  return u;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,28 @@
+#pragma once
+#include <memory>
+
+#include "loosefit/body/body.h"
+#include "loosefit/contact/body_field.h"
+
+namespace loosefit {
+
+/// A body in one posture with what contact needs of it.
+struct PosedBody {
+  Body body;
+  std::unique_ptr<ClosestPointTree> tree;
+  std::shared_ptr<const BodyField> field;
+};
+
+/// reach: box round the cloth; the field covers it with a margin for motion.
+std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing);
+
+/// Where the cloth goes when the body under it moves from one posture to the next: each vertex
+/// takes the motion of the nearest skin, smoothed over the cloth. Displacements [m], zero for
+/// bodies without a skeleton.
+std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::vector<Vec3>& x,
+                              const std::vector<Triangle>& triangles);
+
+/// Box round points.
+Box3 bounds(const std::vector<Vec3>& x);
+
+}  // namespace loosefit

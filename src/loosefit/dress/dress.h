@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// Whether the garment has the panels and edges of the built-in shirt (pattern/shirt_draft.h).
+bool is_shirt(const Garment& garment);
+
+/// First positions of a shirt round a body [m]: seen from the front every panel is laid out flat
+/// over the limb that it will cover, front panels pass before the body and back panels behind it,
+/// seams closed at the silhouette. The result encloses the body and has no intersections with
+/// itself; it is strained, and settling lets it contract.
+/// \throws GeometryError when the body cannot be dressed in this posture.
+std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body);
+
+/// First positions of any other garment: the placement that its pattern file gives to the panels,
+/// seams closed at the mean of their sides.
+/// \throws GeometryError when the placed panels cut through each other.
+std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern);
+
+}  // namespace loosefit

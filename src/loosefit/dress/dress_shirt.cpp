@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "loosefit/base/error.h"
+#include "loosefit/dress/body_outline.h"
+#include "loosefit/dress/dress.h"
+#include "loosefit/dress/flat_layout.h"
+#include "loosefit/dress/shirt_frame.h"
+#include "loosefit/geometry/exact_intersection.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kClearance = 0.02;    ///< first try, between body and sheets [m]
+constexpr double kLeastDepth = 0.008;  ///< sheet to middle surface off the seams [m]
+
+/// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
+void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,
+               std::map<int, Vec2>& outline) {
+  double total = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) total += (line[i] - line[i - 1]).norm();
+  const std::size_t n = chain.vertices.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    double s = total * double(k) / double(n - 1);
+    std::size_t i = 1;
+    while (i + 1 < line.size() && s > (line[i] - line[i - 1]).norm()) {
+      s -= (line[i] - line[i - 1]).norm();
+      ++i;
+    }
+    const Vec2 direction = (line[i] - line[i - 1]).normalized();
+    const int v = chain.vertices[reversed ? n - 1 - k : k];
+    outline[v] = line[i - 1] + s * direction;
+  }
+}
+
+/// Lays the chain between the places of its two ends; `towards` tells which end comes last: the
+/// vertex that the chain shares with it.
+class Panel2d {
+ public:
+  Panel2d(const Garment& g, const std::string& name) : g_(g), name_(name) {}
+  void lay(const std::string& edge, const std::string& first_neighbour, const std::vector<Vec2>& line) {
+    const auto* chain = chain_of(edge);
+    const auto* first = chain_of(first_neighbour);
+    const int head = chain->vertices.front();
+    const bool starts = head == first->vertices.front() || head == first->vertices.back();
+    lay_chain(*chain, !starts, line, outline);
+  }
+  std::map<int, Vec2> outline;
+
+ private:
+  const Garment::EdgeChain* chain_of(const std::string& edge) const {
+    const auto* chain = g_.find_chain(name_, edge);
+    if (!chain || chain->vertices.size() < 2)
+      throw GeometryError("pattern: panel " + name_ + " has no edge " + edge);
+    return chain;
+  }
+  const Garment& g_;
+  std::string name_;
+};
+
+std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clearance) {
+  const BodyOutline depth(body, clearance);
+  const ShirtFrame frame = shirt_frame(g, body, depth, clearance);
+
+  // A vertex on a seam between front and back lies on the middle surface, others before or behind.
+  std::vector<int> sheets(g.vertex_count, 0);  // bit 0: front, bit 1: back
+  std::vector<Vec2> place(g.vertex_count, Vec2::Zero());
+  for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
+    const std::string& name = g.panel_names[p];
+    Panel2d panel(g, name);
+    const bool is_back = name.find("back") != std::string::npos;
+    if (name == "front" || name == "back") {
+      const auto &l = frame.left, &r = frame.right;
+      panel.lay("hem", "side_L", {l.hem, r.hem});
+      panel.lay("side_L", "hem", {l.hem, l.armpit});
+      panel.lay("side_R", "hem", {r.hem, r.armpit});
+      panel.lay("armhole_L", "side_L", {l.armpit, l.pitch, l.shoulder});
+      panel.lay("armhole_R", "side_R", {r.armpit, r.pitch, r.shoulder});
+      panel.lay("shoulder_L", "armhole_L", {l.shoulder, l.neck});
+      panel.lay("shoulder_R", "armhole_R", {r.shoulder, r.neck});
+      panel.lay("neck", "shoulder_L", {l.neck, r.neck});
+    } else {
+      const auto& half = name.find("_L_") != std::string::npos ? frame.left : frame.right;
+      panel.lay("cap", "under", {half.armpit, half.pitch, half.shoulder});
+      panel.lay("top", "cap", half.sleeve_top);
+      panel.lay("under", "cap", half.sleeve_under);
+      panel.lay("cuff", "top", {half.sleeve_top.back(), half.sleeve_under.back()});
+    }
+    const auto layout = lay_flat(g, p, panel.outline);
+    // Seen from the front the outside of a front panel faces us: counter-clockwise in (x, z).
+    if (count_turned_over(g, p, layout, is_back ? -1 : 1) > 0)
+      throw GeometryError("panel " + name + " cannot be laid over the body without folding over");
+    for (const auto& [v, q] : layout) {
+      place[v] = q;
+      sheets[v] |= is_back ? 2 : 1;
+    }
+  }
+  std::vector<Vec3> x(g.vertex_count);
+  for (int v = 0; v < g.vertex_count; ++v) {
+    const double u = place[v][0], z = place[v][1], middle = depth.middle(u, z);
+    double y = middle;
+    if (sheets[v] == 1) y = std::min(depth.front(u, z), middle - kLeastDepth);
+    if (sheets[v] == 2) y = std::max(depth.back(u, z), middle + kLeastDepth);
+    x[v] = Vec3(u, y, z);
+  }
+  return x;
+}
+
+}  // namespace
+
+bool is_shirt(const Garment& garment) {
+  for (const char* panel : {"front", "back"})
+    for (const char* edge :
+         {"hem", "side_L", "side_R", "armhole_L", "armhole_R", "shoulder_L", "shoulder_R", "neck"})
+      if (!garment.find_chain(panel, edge)) return false;
+  for (const char* panel : {"sleeve_L_front", "sleeve_L_back", "sleeve_R_front", "sleeve_R_back"})
+    for (const char* edge : {"top", "cuff", "under", "cap"})
+      if (!garment.find_chain(panel, edge)) return false;
+  return garment.panel_names.size() == 6;
+}
+
+std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
+  std::string why;
+  for (double clearance = kClearance; clearance < 0.06; clearance *= 1.3) {
+    std::vector<Vec3> x;
+    try {
+      x = lay_round_body(shirt, body, clearance);
+    } catch (const GeometryError& error) {
+      why = error.what();
+      if (clearance * 1.3 >= 0.06) throw;
+      continue;
+    }
+    const auto hits = self_intersections(x, shirt.triangles);
+    if (hits.empty()) return x;
+    why = std::to_string(hits.size()) + " pairs of its triangles cut each other at the start";
+  }
+  throw GeometryError("the shirt cannot be laid round this body: " + why);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/dress/body_outline.h"
+#include "loosefit/garment/garment.h"
+
+namespace loosefit {
+
+/// Where the corner points of a shirt go, seen from the front, in the (x, z) plane [m]. Each half
+/// is stored for one side of the wearer.
+struct ShirtFrame {
+  struct Half {
+    Vec2 neck, shoulder, pitch, armpit, hem;
+    std::vector<Vec2> sleeve_top;    ///< shoulder → cuff, outer side of the arm
+    std::vector<Vec2> sleeve_under;  ///< armpit → cuff, inner side of the arm
+  };
+  Half left, right;
+};
+
+/// Frame round a body that stands with the arms away from the trunk.
+/// \throws GeometryError when the body has no arms, or they hang too close to the trunk.
+ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline& outline,
+                       double clearance);
+
+}  // namespace loosefit

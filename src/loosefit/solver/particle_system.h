@@ -1,0 +1,33 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/particles/energy.h"
+
+namespace loosefit {
+
+/// What the integrators see of a garment: particles, energies, masses, held particles. It does not
+/// own the energies.
+struct ParticleSystem {
+  std::vector<Energy*> energies;
+  std::vector<double> mass;   ///< [kg]
+  std::vector<char> held;     ///< non-zero: the particle does not move; empty: all are free
+  double gravity = 9.80665;   ///< only for the weight in the residual [m/s²]
+
+  int particles() const { return static_cast<int>(mass.size()); }
+  bool is_held(int i) const { return !held.empty() && held[i]; }
+
+  void begin_step(const VectorField& x, double dt) const;
+  double begin_search(const VectorField& x, const VectorField& dx) const;
+  double potential(const VectorField& x) const;
+  /// ∂Π/∂x, zero for held particles.
+  VectorField gradient(const VectorField& x) const;
+};
+
+/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (design.md section 5).
+struct Residual {
+  double norm = 0, largest = 0;
+  int worst_particle = -1;
+};
+Residual residual_of(const ParticleSystem& system, const VectorField& gradient);
+
+}  // namespace loosefit

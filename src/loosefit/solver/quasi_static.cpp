@@ -1,0 +1,100 @@
+#include <cmath>
+#include <limits>
+
+#include "loosefit/solver/integrator.h"
+#include "loosefit/solver/newton.h"
+
+namespace loosefit {
+
+std::string SettleOutcome::text() const {
+  switch (reason) {
+    case Reason::converged: return "converged";
+    case Reason::iteration_limit: return "iteration limit";
+    case Reason::stopped: return "time budget";
+    case Reason::stuck: return "no further descent";
+    case Reason::diverged: return "the explicit time stepping diverged";
+  }
+  return {};
+}
+
+namespace {
+
+constexpr int kNewtonPerStep = 6;       ///< at most, before friction and contacts are refreshed
+constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
+constexpr double kStaticDt = 1e3;       ///< pseudo-time [s] beyond which inertia is left out
+
+class QuasiStatic : public Integrator {
+ public:
+  explicit QuasiStatic(const ParticleSystem& system) : system_(system) {}
+
+  SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
+    Newton newton(system_, {options.max_move, 25});
+    SettleOutcome outcome;
+    const double infinity = std::numeric_limits<double>::infinity();
+    double dt = options.first_dt;
+    int stalls = 0;
+    const auto measure = [&] {
+      const Residual r = residual_of(system_, system_.gradient(x));
+      outcome.residual = r.norm;
+      outcome.residual_max = r.largest;
+      outcome.worst_particle = r.worst_particle;
+    };
+    while (true) {
+      system_.begin_step(x, infinity);
+      measure();
+      outcome.iterations = newton.counters().iterations;
+      outcome.factorisations = newton.counters().factorisations;
+      if (outcome.residual <= options.tolerance) {
+        outcome.reason = SettleOutcome::Reason::converged;
+        return outcome;
+      }
+      if (outcome.iterations >= options.max_iterations) {
+        outcome.reason = SettleOutcome::Reason::iteration_limit;
+        return outcome;
+      }
+      const VectorField start = x;
+      double first_force = -1, worst_share = 1;
+      bool moved = false;
+      for (int k = 0; k < kNewtonPerStep; ++k) {
+        if (options.watch && options.watch(newton.counters().iterations, outcome.residual)) {
+          outcome.reason = SettleOutcome::Reason::stopped;
+          return outcome;
+        }
+        const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
+        if (first_force < 0) first_force = step.force;
+        if (!step.moved) {
+          worst_share = 0;
+          break;
+        }
+        moved = true;
+        worst_share = std::min(worst_share, step.share);
+        if (k > 0 && step.force < kStepReduction * first_force) break;
+      }
+      // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
+      if (worst_share > 0.9)
+        dt *= 4;
+      else if (worst_share > 0.4)
+        dt *= 1.5;
+      else if (worst_share < 0.1)
+        dt *= 0.4;
+      dt = std::clamp(dt, 1e-4, 10 * kStaticDt);
+      stalls = moved ? 0 : stalls + 1;
+      if (!moved) dt = std::max(1e-4, 0.1 * dt);
+      if (stalls > 8) {
+        outcome.reason = SettleOutcome::Reason::stuck;
+        return outcome;
+      }
+    }
+  }
+
+ private:
+  const ParticleSystem& system_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system) {
+  return std::make_unique<QuasiStatic>(system);
+}
+
+}  // namespace loosefit

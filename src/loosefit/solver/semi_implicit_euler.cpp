@@ -1,0 +1,119 @@
+#include <cmath>
+#include <limits>
+
+#include "loosefit/solver/integrator.h"
+
+namespace loosefit {
+
+void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, VectorField& v,
+                              double dt) {
+  // Strain rates and friction are measured over the step that led here: start at x − v dt.
+  VectorField before(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) before[i] = x[i] - dt * v[i];
+  system.begin_step(before, dt);
+  const VectorField g = system.gradient(x);
+  VectorField dx(x.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (system.is_held(static_cast<int>(i))) {
+      v[i].setZero();
+      continue;
+    }
+    v[i] -= dt / system.mass[i] * g[i];
+    dx[i] = dt * v[i];
+  }
+  // The movement is constrained so that nothing collides; what is cut off is lost as in an
+  // inelastic impact.
+  const double share = system.begin_search(x, dx);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
+  if (share < 1)
+    for (Vec3& velocity : v) velocity *= share;
+}
+
+namespace {
+
+constexpr int kRefreshStep = 250;      ///< steps between two estimates of the stable dt
+constexpr double kStabilityShare = 0.5;  ///< of the limit 2/ω
+
+/// Largest eigenvalue of M⁻¹H by power iteration [1/s²].
+double largest_frequency2(const ParticleSystem& system, const VectorField& x) {
+  BlockPattern pattern(system.particles());
+  for (const Energy* e : system.energies) e->add_pattern(x, pattern);
+  pattern.compress();
+  BlockMatrix h(pattern);
+  for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::definite);
+  const int n = 3 * system.particles();
+  Eigen::VectorXd u(n), hu(n);
+  for (int i = 0; i < n; ++i) u[i] = std::sin(1.0 + 7.3 * i);
+  double value = 0;
+  for (int k = 0; k < 30; ++k) {
+    u.normalize();
+    h.multiply(u, hu);
+    for (int i = 0; i < system.particles(); ++i) {
+      if (system.is_held(i)) hu.segment<3>(3 * i).setZero();
+      hu.segment<3>(3 * i) /= system.mass[i];
+    }
+    value = hu.norm();
+    if (!(value > 0)) break;
+    u = hu;
+  }
+  return value;
+}
+
+class SemiImplicitEuler : public Integrator {
+ public:
+  explicit SemiImplicitEuler(const ParticleSystem& system) : system_(system) {}
+
+  SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
+    SettleOutcome outcome;
+    VectorField v(x.size(), Vec3::Zero());
+    double dt = 0, kinetic_before = 0;
+    for (int step = 0;; ++step) {
+      if (step % kRefreshStep == 0) {
+        system_.begin_step(x, std::numeric_limits<double>::infinity());
+        const Residual r = residual_of(system_, system_.gradient(x));
+        outcome.residual = r.norm;
+        outcome.residual_max = r.largest;
+        outcome.worst_particle = r.worst_particle;
+        outcome.iterations = step;
+        if (r.norm <= options.tolerance) {
+          outcome.reason = SettleOutcome::Reason::converged;
+          return outcome;
+        }
+        if (!std::isfinite(r.norm)) {
+          outcome.reason = SettleOutcome::Reason::diverged;
+          return outcome;
+        }
+        if (step >= options.max_iterations) {
+          outcome.reason = SettleOutcome::Reason::iteration_limit;
+          return outcome;
+        }
+        if (options.watch && options.watch(step, r.norm)) {
+          outcome.reason = SettleOutcome::Reason::stopped;
+          return outcome;
+        }
+        const double omega2 = largest_frequency2(system_, x);
+        // Without any stiffness (free fall) the caller's step is as good as any.
+        dt = omega2 > 0 ? kStabilityShare * 2 / std::sqrt(omega2) : options.first_dt;
+      }
+      semi_implicit_euler_step(system_, x, v, dt);
+      double kinetic = 0;
+      for (std::size_t i = 0; i < v.size(); ++i) kinetic += 0.5 * system_.mass[i] * v[i].squaredNorm();
+      if (kinetic < kinetic_before) {
+        for (Vec3& velocity : v) velocity.setZero();
+        kinetic = 0;
+      }
+      kinetic_before = kinetic;
+    }
+  }
+
+ private:
+  const ParticleSystem& system_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleSystem& system) {
+  return std::make_unique<SemiImplicitEuler>(system);
+}
+
+}  // namespace loosefit
