@@ -9,6 +9,7 @@
 #include <map>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/section.h"
 #include "loosefit/body/surface_topology.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -152,18 +153,24 @@ void require_closed(const TriangleMesh& mesh, const ScanOptions& options) {
   }
 }
 
+// Sideways by head and shoulders, which have no arms beside them; in depth by the trunk's waist.
 void centre(TriangleMesh& mesh) {
   const Box box = box_of(mesh.vertices);
   const double height = box.upper.z() - box.lower.z();
-  Vec3 sum = Vec3::Zero();
+  double x = 0;
   int count = 0;
-  for (const auto& p : mesh.vertices) {  // the head: symmetric, no arms beside it
+  for (const auto& p : mesh.vertices) {
     const double level = (p.z() - box.lower.z()) / height;
-    if (level > 0.80 && level < 0.98) sum += p, ++count;
+    if (level > 0.80 && level < 0.98) x += p.x(), ++count;
   }
-  if (count == 0) return;
-  const Vec3 shift(sum.x() / count, sum.y() / count, box.lower.z());
-  for (auto& p : mesh.vertices) p -= shift;
+  x /= std::max(1, count);
+  const double waist = box.lower.z() + 0.62 * height;
+  Box trunk;
+  const auto loops = plane_section(mesh, Vec3(0, 0, waist), Vec3::UnitZ());
+  if (const SectionLoop* loop = trunk_loop(loops, x)) trunk = box_of(loop->points);
+  const double y =
+      trunk.lower.y() < trunk.upper.y() ? 0.5 * (trunk.lower.y() + trunk.upper.y()) : 0;
+  for (auto& p : mesh.vertices) p -= Vec3(x, y, box.lower.z());
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
   const ScanSections s = slice_scan(surface);
   if (!s.legs_apart)
     made.warnings.push_back("the legs touch: the crotch is taken at 0.47 of the height");
-  const std::array<ArmLine, 2> arms = {arm_line(s, 0), arm_line(s, 1)};
+  std::array<ArmLine, 2> arms = {arm_line(s, 0), arm_line(s, 1)};
+  for (auto& arm : arms) find_wrist(surface, arm);
   label_segments(s, arms, body);
   add_joints(s, arms, body);
 
@@ -150,7 +151,8 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
   m["neck"] = neck_base_girth(hps[0], hps[1], c7, pit);
   m["upper_arm"] = girth_round(surface, shoulder + 0.3 * (elbow - shoulder), elbow - shoulder);
   m["forearm"] = girth_round(surface, elbow + 0.25 * (wrist - elbow), wrist - elbow);
-  m["wrist"] = girth_round(surface, wrist, wrist - elbow);
+  m["wrist"] =
+      girth_round(surface, wrist, arm.at(arm.wrist_share + 0.02) - arm.at(arm.wrist_share - 0.04));
   m["shoulder_breadth"] = (acromion[0] - c7).norm() + (c7 - acromion[1]).norm();
   m["shoulder_slope"] = std::atan2(hps[0].z() - acromion[0].z(), acromion[0].x() - hps[0].x());
   m["shoulder_length"] = (hps[0] - acromion[0]).norm();

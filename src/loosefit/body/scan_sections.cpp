@@ -31,7 +31,7 @@ std::pair<double, double> x_range(const SectionLoop& loop) {
 // Loops beside the trunk are arms (a hand may be several loops). Where there is no trunk, the
 // longest loop of a side is the leg and those further out are the arm.
 void add_side(const std::vector<SectionLoop>& loops, const SectionLoop* trunk, int side,
-              BodySlice& slice) {
+              bool with_arms, BodySlice& slice) {
   const double sign = side == 0 ? 1 : -1;
   std::vector<const SectionLoop*> beside;
   for (const auto& loop : loops) {
@@ -44,6 +44,7 @@ void add_side(const std::vector<SectionLoop>& loops, const SectionLoop* trunk, i
     }
     if (leg) slice.leg[std::size_t(side)] = centroid(*leg);
   }
+  if (!with_arms) return;
   double reach = trunk ? slice.trunk_side[std::size_t(side)] * 0.6 : 0;
   if (leg) {
     const auto [low, high] = x_range(*leg);
@@ -66,7 +67,7 @@ void add_side(const std::vector<SectionLoop>& loops, const SectionLoop* trunk, i
   }
 }
 
-BodySlice slice_at(const TriangleMesh& mesh, double z) {
+BodySlice slice_at(const TriangleMesh& mesh, double z, bool with_arms) {
   BodySlice slice;
   slice.z = z;
   const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
@@ -77,7 +78,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z) {
     const auto [low, high] = x_range(*trunk);
     slice.trunk_side = {std::abs(high), std::abs(low)};
   }
-  for (const int side : {0, 1}) add_side(loops, trunk, side, slice);
+  for (const int side : {0, 1}) add_side(loops, trunk, side, with_arms, slice);
   return slice;
 }
 
@@ -100,7 +101,8 @@ ScanSections slice_scan(const TriangleMesh& mesh) {
   for (const auto& p : mesh.vertices) found.height = std::max(found.height, p.z());
   const double h = found.height;
   for (int i = 0; i < kSliceCount; ++i) {
-    found.slices.push_back(slice_at(mesh, h * (i + 0.5) / kSliceCount));
+    const double level = (i + 0.5) / kSliceCount;
+    found.slices.push_back(slice_at(mesh, level * h, level > 0.25));  // below, toes are loops too
   }
 
   found.crotch = 0.47 * h;  // adults 0.47, children less: only used when the legs touch
@@ -122,7 +124,7 @@ ScanSections slice_scan(const TriangleMesh& mesh) {
         "arms hanging 15 to 65 degrees away from it",
         "scan in an A-pose, or make a body from measures instead");
   }
-  found.chest = extreme_girth(found.slices, found.armpit - 0.07 * h, found.armpit - 0.01 * h, 1);
+  found.chest = extreme_girth(found.slices, found.armpit - 0.07 * h, found.armpit - 0.02 * h, 1);
   found.hip = extreme_girth(found.slices, found.crotch + 0.01 * h, found.crotch + 0.10 * h, 1);
   found.waist = extreme_girth(found.slices, found.hip + 0.05 * h, found.chest - 0.05 * h, -1);
   found.neck = extreme_girth(found.slices, found.armpit + 0.08 * h, found.armpit + 0.13 * h, -1);

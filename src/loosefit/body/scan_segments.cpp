@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/tape_paths.h"
 
 namespace loosefit {
 namespace {
@@ -91,13 +93,31 @@ ArmLine arm_line(const ScanSections& s, int side) {
                             " slices below the armpit, expected arms hanging beside the trunk",
                         "scan in an A-pose, or make a body from measures instead");
   }
-  const Vec3 slope = (centres[near] - centres[far]) / (centres[near].z() - centres[far].z());
+  Vec3 slope = (centres[near] - centres[far]) / (centres[near].z() - centres[far].z());
+  slope.y() = 0;  // the bend of the elbow would tip the axis backwards
   const double joint_height = s.armpit + 0.038 * s.height;
   ArmLine arm;
   arm.points.push_back(centres[near] + slope * (joint_height - centres[near].z()));
   for (std::size_t i = near; i < centres.size(); i += 2) arm.points.push_back(centres[i]);
   arm.points.push_back(centres.back());
   return arm;
+}
+
+void find_wrist(const TriangleMesh& mesh, ArmLine& arm) {
+  double narrowest = std::numeric_limits<double>::infinity();
+  double best = arm.wrist_share;
+  for (double share = 0.62; share < 0.80; share += 0.01) {
+    const Vec3 here = arm.at(share);
+    const Vec3 along = arm.at(share + 0.02) - arm.at(share - 0.04);
+    double girth = 0;
+    try {
+      girth = girth_round(mesh, here, along);
+    } catch (const GeometryError&) {
+      continue;  // between the fingers the line may leave the body
+    }
+    if (girth < narrowest) narrowest = girth, best = share;
+  }
+  arm.wrist_share = best;
 }
 
 Vec3 centre_at(const ScanSections& s, double z) {

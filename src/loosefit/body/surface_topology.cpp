@@ -52,18 +52,20 @@ std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {
 
 bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
 
+// Keeps the order of the vertices.
 void drop_unused_vertices(TriangleMesh& mesh) {
   std::vector<int> number(mesh.vertices.size(), -1);
+  for (const auto& t : mesh.triangles) {
+    for (const int corner : t) number[std::size_t(corner)] = 0;
+  }
   std::vector<Vec3> kept;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = int(kept.size());
+    kept.push_back(mesh.vertices[v]);
+  }
   for (auto& t : mesh.triangles) {
-    for (auto& corner : t) {
-      int& n = number[std::size_t(corner)];
-      if (n < 0) {
-        n = int(kept.size());
-        kept.push_back(mesh.vertices[std::size_t(corner)]);
-      }
-      corner = n;
-    }
+    for (auto& corner : t) corner = number[std::size_t(corner)];
   }
   mesh.vertices = std::move(kept);
 }

@@ -1,0 +1,159 @@
+#include "loosefit/body/scan_body.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/surface_topology.h"
+#include "support/body_fixture.h"
+
+namespace loosefit {
+namespace {
+
+struct Person {
+  double sex, age, height, chest, waist, hip;
+};
+constexpr std::array<Person, 2> kPeople = {
+    {{0, 30, 1.68, 0.88, 0.72, 0.96}, {1, 30, 1.80, 1.00, 0.86, 1.02}}};
+
+Body person(const Person& p) {
+  BodySpec spec;
+  spec.sex = p.sex, spec.age = p.age, spec.height = p.height;
+  spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
+  const BodyFit fit = body_model().fit(spec);
+  return body_model().build(fit.parameters, {radians(40), 0, 0});
+}
+
+// As a scanner might store it: centimetres, y up, somewhere in the room.
+TriangleMesh as_scan(const Body& body) {
+  TriangleMesh mesh = body.surface;
+  for (auto& p : mesh.vertices) p = Vec3(p.x(), p.z(), -p.y()) * 100 + Vec3(31, 7, -12);
+  return mesh;
+}
+
+bool mentions(const std::vector<std::string>& warnings, const std::string& text) {
+  for (const auto& w : warnings) {
+    if (w.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(ScanBody, FindsWhatTheParametricBodyKnows) {
+  for (const auto& p : kPeople) {
+    const Body known = person(p);
+    const ScanBody scan = body_from_scan(as_scan(known), {"scan.obj", "", ""});
+    const Body& found = scan.body;
+    EXPECT_TRUE(mentions(scan.warnings, "taken as cm"));
+    EXPECT_TRUE(mentions(scan.warnings, "y is taken as up"));
+    ASSERT_EQ(found.surface.vertices.size(), known.surface.vertices.size());
+
+    const auto near = [&](const std::string& name, double tolerance) {
+      EXPECT_NEAR(found.measured.at(name), known.measured.at(name), tolerance) << name;
+    };
+    near("height", 0.0005);
+    near("volume", 0.0005);
+    near("chest", 0.025);
+    near("hip", 0.020);
+    near("neck", 0.045);
+    near("upper_arm", 0.015);
+    near("wrist", 0.003);
+    near("shoulder_breadth", 0.025);
+    near("shoulder_slope", 0.06);
+    near("scye_depth", 0.012);
+    near("arm_length", 0.025);
+    near("armpit_level", 0.010);
+    EXPECT_LE(found.measured.at("waist"),
+              known.measured.at("waist") + 0.002);  // the narrowest level
+
+    // The scan is moved to its own origin; joints are compared after the same move.
+    const Vec3 move = found.surface.vertices[0] - known.surface.vertices[0];
+    for (const char* joint : {"shoulder_L", "shoulder_R", "elbow_L", "elbow_R", "wrist_L",
+                              "wrist_R", "hip_L", "knee_L", "ankle_R", "neck"}) {
+      EXPECT_LT((found.joints.at(joint) - known.joints.at(joint) - move).norm(), 0.075) << joint;
+    }
+    for (const char* mark :
+         {"c7", "acromion_L", "hps_R", "upper_back", "mid_back", "scapula_L", "sternum"}) {
+      EXPECT_LT((found.landmarks.at(mark) - known.landmarks.at(mark) - move).norm(), 0.045) << mark;
+    }
+    std::size_t same = 0, arm = 0, arm_same = 0;
+    for (std::size_t v = 0; v < known.segment.size(); ++v) {
+      same += known.segment[v] == found.segment[v];
+      if (known.segment[v] == Segment::upper_arm || known.segment[v] == Segment::forearm) {
+        ++arm;
+        arm_same += known.segment[v] == found.segment[v] && known.side[v] == found.side[v];
+      }
+    }
+    EXPECT_GT(double(same), 0.92 * double(known.segment.size()));
+    EXPECT_GT(double(arm_same), 0.75 * double(arm));
+  }
+}
+
+TEST(ScanBody, TurnsInwardFacesAndBackwardPeople) {
+  const Body known = person(kPeople[0]);
+  TriangleMesh mesh = known.surface;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (auto& p : mesh.vertices) p = Vec3(-p.x(), -p.y(), p.z());
+  const CheckedSurface checked = check_surface(mesh, {"scan.obj", "m", "z"});
+  EXPECT_TRUE(mentions(checked.warnings, "turned outwards"));
+  EXPECT_TRUE(mentions(checked.warnings, "180 degrees"));
+  EXPECT_GT(enclosed_volume(checked.mesh), 0.05);
+  EXPECT_FALSE(mentions(checked.warnings, "no units"));
+}
+
+TEST(ScanBody, RepairsMixedOrientation) {
+  const Body known = person(kPeople[0]);
+  TriangleMesh mesh = known.surface;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  const CheckedSurface checked = check_surface(mesh, {"scan.obj", "m", "z"});
+  EXPECT_NEAR(enclosed_volume(checked.mesh), enclosed_volume(known.surface), 1e-9);
+}
+
+TEST(ScanBody, RefusesAnOpenSurface) {
+  TriangleMesh mesh = person(kPeople[0]).surface;
+  mesh.triangles.resize(mesh.triangles.size() - 5);
+  try {
+    check_surface(mesh, {"open.obj", "m", "z"});
+    FAIL() << "an open surface was accepted";
+  } catch (const GeometryError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("open.obj"), std::string::npos);
+    EXPECT_NE(text.find("holes"), std::string::npos) << text;
+  }
+}
+
+TEST(ScanBody, RefusesTwoPeopleAndDropsCrumbs) {
+  const TriangleMesh one = person(kPeople[0]).surface;
+  const auto add = [](TriangleMesh mesh, const TriangleMesh& other, double scale, double shift) {
+    const int base = int(mesh.vertices.size());
+    for (const auto& p : other.vertices) mesh.vertices.push_back(scale * p + Vec3(shift, 0, 0));
+    for (const auto& t : other.triangles)
+      mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    return mesh;
+  };
+  EXPECT_THROW(check_surface(add(one, one, 1, 0.9), {"two.obj", "m", "z"}), GeometryError);
+  const CheckedSurface checked = check_surface(add(one, one, 0.02, 0.6), {"crumb.obj", "m", "z"});
+  EXPECT_EQ(checked.mesh.vertices.size(), one.vertices.size());
+  EXPECT_TRUE(mentions(checked.warnings, "1 small separate pieces dropped"));
+}
+
+TEST(ScanBody, RefusesAnImpossibleSize) {
+  const TriangleMesh mesh = person(kPeople[0]).surface;
+  EXPECT_THROW(check_surface(mesh, {"scan.obj", "mm", "z"}), InvalidInput);
+  EXPECT_THROW(check_surface(mesh, {"scan.obj", "furlong", "z"}), InvalidInput);
+  TriangleMesh tiny = mesh;
+  for (auto& p : tiny.vertices) p *= 1e-3;
+  EXPECT_THROW(check_surface(tiny, {"scan.obj", "", "z"}), InvalidInput);
+}
+
+TEST(ScanBody, RefusesHorizontalArms) {
+  const BodyParameters adult;
+  TriangleMesh mesh = body_model().build(adult, {radians(95), 0, 0}).surface;
+  EXPECT_THROW(body_from_scan(mesh, {"t-pose.obj", "m", "z"}), GeometryError);
+}
+
+}  // namespace
+}  // namespace loosefit
