@@ -7,3 +7,15 @@ endif()
 add_test(NAME layers COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 add_test(NAME check_layers_test
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py)
+
+# Tests that run the program: its command line, and damaged input.
+foreach(name cli fuzz)
+  file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
+  add_executable(test_${name} ${tests})
+  add_dependencies(test_${name} loosefit)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(test_${name} PRIVATE loosefit_study loosefit_warnings GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE
+    LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900)
+endforeach()

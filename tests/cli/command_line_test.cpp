@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "loosefit/io/text_file.h"
+#include "support/run_program.h"
+
+// The contract of the command line: exit codes, one error line with a place, folders left alone.
+namespace loosefit {
+namespace fs = std::filesystem;
+namespace {
+
+struct CommandLine : ::testing::Test {
+  fs::path base =
+      fs::temp_directory_path() / ("loosefit-cli-" + std::to_string(getpid()) + "-" +
+                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  void SetUp() override {
+    fs::remove_all(base);
+    fs::create_directories(base);
+  }
+  void TearDown() override { fs::remove_all(base); }
+  std::string file(const std::string& name, const std::string& text) const {
+    write_text_file((base / name).string(), text);
+    return (base / name).string();
+  }
+  static ProgramRun loosefit(const std::string& arguments, const std::string& environment = {}) {
+    return run_program("env " + environment + " " + LOOSEFIT_BINARY + " " + arguments);
+  }
+};
+
+void expect_refused(const ProgramRun& run, const std::string& phrase) {
+  EXPECT_EQ(run.exit_code, 2) << run.output;
+  const bool first_line = run.output.rfind("error: ", 0) == 0;  // else after progress lines
+  EXPECT_TRUE(first_line || run.output.find("\nerror: ") != std::string::npos) << run.output;
+  EXPECT_NE(run.output.find(phrase), std::string::npos) << run.output;
+}
+
+TEST_F(CommandLine, HelpAndVersionSucceed) {
+  EXPECT_EQ(loosefit("--help").exit_code, 0);
+  EXPECT_EQ(loosefit("run --help").exit_code, 0);
+  const ProgramRun run = loosefit("version");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.output.find("cholmod"), std::string::npos) << run.output;
+}
+
+TEST_F(CommandLine, WrongUsageIsCodeTwo) {
+  expect_refused(loosefit(""), "subcommand");
+  expect_refused(loosefit("dance"), "");
+  expect_refused(loosefit("run"), "");
+  expect_refused(loosefit("run a b c -o d"), "");
+}
+
+TEST_F(CommandLine, MissingScenarioFile) {
+  expect_refused(loosefit("drape nowhere.toml -o " + (base / "out").string()), "no such file");
+  EXPECT_FALSE(fs::exists(base / "out"));
+}
+
+TEST_F(CommandLine, ErrorNamesFileLineKeyAndGuess) {
+  const std::string scenario = file("case.toml", "[body]\n\nheigth = 1.7\n");
+  const ProgramRun run = loosefit("drape " + scenario + " -o " + (base / "out").string());
+  expect_refused(run, "case.toml:3: body.heigth: found");
+  EXPECT_NE(run.output.find("hint: did you mean \"height\"?"), std::string::npos) << run.output;
+}
+
+TEST_F(CommandLine, PicturesWithoutADisplayAreRefusedBeforeAnyWork) {
+  const ProgramRun run =
+      loosefit("run " + file("case.toml", "") + " -o " + (base / "out").string(), "-u DISPLAY");
+  expect_refused(run, "display");
+  EXPECT_NE(run.output.find("xvfb-run"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(base / "out"));
+}
+
+TEST_F(CommandLine, ForeignFolderStaysUntouched) {
+  fs::create_directories(base / "thesis");
+  file("thesis/chapter.tex", "dear");
+  expect_refused(loosefit("drape " + file("case.toml", "") + " -o " + (base / "thesis").string()),
+                 "not an earlier output");
+  EXPECT_EQ(read_text_file((base / "thesis/chapter.tex").string(), 10), "dear");
+}
+
+TEST_F(CommandLine, ImpossibleWishNamesTheMeasure) {
+  const std::string scenario =
+      file("case.toml", "[body]\nheight = 1.4\nmeasurements = { chest = 1.9 }\n");
+  expect_refused(loosefit("drape " + scenario + " -o " + (base / "out").string()), "chest");
+}
+
+TEST_F(CommandLine, MissingBodyDataTellsTheWay) {
+  const ProgramRun run =
+      loosefit("drape " + file("case.toml", "") + " -o " + (base / "out").string(),
+               "LOOSEFIT_DATA=/nowhere/body.lfb");
+  EXPECT_EQ(run.exit_code, 2) << run.output;
+  EXPECT_NE(run.output.find("make setup"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(base / "out"));
+}
+
+TEST_F(CommandLine, InterruptLeavesNothingBehind) {
+  const std::string scenario = file("case.toml", "[simulation]\nedge_length = 0.005\n");
+  // SIGINT after two seconds: the run is then in dress or settle.
+  const ProgramRun run = run_program("timeout -s INT 2 " + std::string(LOOSEFIT_BINARY) +
+                                     " drape " + scenario + " -o " + (base / "out").string());
+  // `timeout` reports 124 when it had to signal and the program then ended.
+  EXPECT_EQ(run.exit_code, 124) << run.output;
+  EXPECT_NE(run.output.find("interrupted"), std::string::npos) << run.output;
+  for (const auto& entry : fs::directory_iterator(base))
+    EXPECT_EQ(entry.path().filename(), "case.toml");
+}
+
+TEST_F(CommandLine, MaterialsAreListedWithTheirSource) {
+  const ProgramRun list = loosefit("material list");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.output.find("paper-cotton-literal"), std::string::npos) << list.output;
+  EXPECT_NE(loosefit("material show wool").output.find("source:"), std::string::npos);
+  expect_refused(loosefit("material show wol"), "");
+}
+
+}  // namespace
+}  // namespace loosefit
