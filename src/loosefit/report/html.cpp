@@ -1,0 +1,83 @@
+#include "loosefit/report/html.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace loosefit {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (char c : text) switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += c;
+    }
+  return safe;
+}
+
+std::string base64(const std::string& bytes) {
+  static const char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::string number(double value, int digits) {
+  if (!std::isfinite(value)) return "–";
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  // Values with more whole digits than asked for are rounded, not written with an exponent.
+  if (std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e7)
+    text = fmt::format("{:.0f}", value);
+  if (text[0] == '-') text = "\u2212" + text.substr(1);
+  return text;
+}
+
+std::string signed_number(double value, int digits) {
+  return (value > 0 ? "+" : "") + number(value, digits);
+}
+
+std::string element(const std::string& tag, const std::string& content,
+                    const std::string& css_class) {
+  const std::string attribute = css_class.empty() ? "" : " class=\"" + escaped(css_class) + "\"";
+  return "<" + tag + attribute + ">" + content + "</" + tag + ">\n";
+}
+
+std::string Table::html() const {
+  std::string head, body;
+  for (const std::string& cell : head_) head += "<th scope=\"col\">" + escaped(cell) + "</th>";
+  for (const auto& row : rows_) {
+    body += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      body +=
+          (i == 0 ? "<th scope=\"row\">" : "<td>") + escaped(row[i]) + (i == 0 ? "</th>" : "</td>");
+    body += "</tr>\n";
+  }
+  return "<div class=\"scroll\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body +
+         "</tbody></table></div>\n";
+}
+
+}  // namespace loosefit

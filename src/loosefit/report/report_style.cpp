@@ -1,0 +1,45 @@
+#include "loosefit/report/report_style.h"
+
+namespace loosefit {
+
+const char* const kReportStyle = R"css(
+:root { --ink: #1c2126; --soft: #5b6670; --rule: #d9dee3; --paper: #ffffff; --wash: #f4f6f8;
+  --good: #1d6b3a; --good-wash: #e9f5ed; --bad: #a3161f; --bad-wash: #fdecec; --warn: #7a5200;
+  --warn-wash: #fff5dd; }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 1240px; padding: 1.5rem 1.25rem 3rem; color: var(--ink);
+  background: var(--paper); font: 15px/1.5 system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
+h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .25rem; }
+h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; padding-top: .6rem; border-top: 1px solid var(--rule); }
+h3 { font-size: 1rem; margin: 1.2rem 0 .4rem; }
+p { margin: .4rem 0; max-width: 75ch; }
+.lead { color: var(--soft); font-size: 1.05rem; }
+.box { border-left: 5px solid; padding: .7rem 1rem; margin: 1rem 0; border-radius: 3px; }
+.box strong { font-size: 1.1rem; }
+.good { color: var(--good); background: var(--good-wash); }
+.bad { color: var(--bad); background: var(--bad-wash); }
+.warn { color: var(--warn); background: var(--warn-wash); }
+.facts { display: flex; flex-wrap: wrap; gap: .3rem 2rem; margin: .6rem 0 0; padding: 0; list-style: none;
+  color: var(--ink); }
+.facts b { font-variant-numeric: tabular-nums; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(255px, 1fr)); gap: .5rem; }
+figure { margin: 0; border: 1px solid var(--rule); border-radius: 4px; background: #fff; overflow: hidden; }
+figure img { display: block; width: 100%; height: auto; }
+figcaption { padding: .3rem .6rem; font-size: .85rem; color: var(--soft); border-top: 1px solid var(--rule); }
+.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(330px, 1fr)); gap: 0 2.5rem; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .28rem .7rem .28rem 0; text-align: right; white-space: nowrap;
+  border-bottom: 1px solid var(--rule); }
+thead th { color: var(--soft); font-weight: 600; vertical-align: bottom; white-space: normal; }
+th:first-child { text-align: left; font-weight: 500; }
+tbody tr:hover { background: var(--wash); }
+dl { margin: .4rem 0; } dt { font-weight: 600; margin-top: .5rem; } dd { margin: 0 0 0 1rem; color: var(--soft); max-width: 85ch; }
+pre { background: var(--wash); padding: .8rem 1rem; overflow-x: auto; font-size: .82rem; line-height: 1.4; }
+details summary { cursor: pointer; color: var(--soft); }
+svg text { font: 11px system-ui, sans-serif; fill: var(--soft); }
+@media print { body { max-width: none; padding: 0; font-size: 10pt; } h2 { break-after: avoid; }
+  figure, tr { break-inside: avoid; } .pictures { grid-template-columns: repeat(4, 1fr); } }
+)css";
+
+}  // namespace loosefit

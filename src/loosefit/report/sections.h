@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/render/render_pictures.h"
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+// Each returns one part of the report as HTML, empty when the result has nothing for it.
+
+/// Headline, a sentence on who wears what, warnings.
+std::string headline_section(const CaseResult& result);
+/// Settled or sealed, with the numbers that say so and the way the residual fell.
+std::string certificate_section(const CaseResult& result);
+/// One row of pictures per view, embedded.
+std::string picture_section(const CaseResult& result, const std::vector<Picture>& pictures);
+/// What each map means: equation, source and mesh, so that a number can be traced.
+std::string definition_section(const CaseResult& result);
+/// Statistics per map, then medians per body region.
+std::string map_section(const CaseResult& result);
+/// The three quantities at every site.
+std::string site_section(const CaseResult& result);
+/// Fit per level, body asked and measured.
+std::string fit_section(const CaseResult& result);
+/// Cloth and garment, stage timings, versions, resolved scenario.
+std::string provenance_section(const CaseResult& result);
+
+/// Residual over iterations on a logarithmic scale with the tolerance as a line; empty without a
+/// history. Inline SVG.
+std::string residual_chart(const std::vector<SettleSample>& history, double tolerance);
+
+}  // namespace loosefit

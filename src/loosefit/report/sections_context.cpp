@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "loosefit/base/version.h"
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+std::string millimetres(double metres) { return fmt::format("{:.0f}", 1000 * metres); }
+std::string percent(double share) { return signed_number(100 * share, 3) + " %"; }
+
+Table fit_table(const CaseResult& result) {
+  Table table({"Level", "garment [mm]", "body [mm]", "fit (BGM)"});
+  for (const auto& [level, mobility] : result.pattern.fit) {
+    const auto girth = result.pattern.girths.find(level);
+    const bool known = girth != result.pattern.girths.end();
+    table.add({level, known ? millimetres(girth->second) : "–",
+               known ? millimetres(girth->second / (1 + mobility)) : "–", percent(mobility)});
+  }
+  return table;
+}
+
+Table body_table(const CaseResult& result) {
+  Table table({"Measure", "asked [mm]", "measured [mm]", "difference [mm]"});
+  std::set<std::string> done;
+  for (const MeasureRow& row : result.body.asked) {
+    table.add({row.name, millimetres(row.asked), millimetres(row.measured),
+               signed_number(std::round(1000 * (row.measured - row.asked)), 2)});
+    done.insert(row.name);
+  }
+  for (const char* name : {"height", "chest", "underbust", "waist", "hip", "neck", "upper_arm",
+                           "wrist", "arm_length", "shoulder_breadth"}) {
+    const auto found = result.body.body.measured.find(name);
+    if (found != result.body.body.measured.end() && !done.count(name))
+      table.add({name, "–", millimetres(found->second), "–"});
+  }
+  return table;
+}
+
+Table garment_table(const CaseResult& result) {
+  const Garment& garment = result.mesh();
+  const Material& m = result.scenario.material.material;
+  Table table({"Garment and cloth", ""});
+  table.add({"vertices, triangles",
+             fmt::format("{}, {}", garment.vertex_count, garment.triangles.size())});
+  table.add({"flat area", number(garment.area) + " m²"});
+  table.add({"mass", number(1000 * garment.mass) + " g"});
+  table.add({"cloth", m.name});
+  table.add({"areal density", number(1000 * m.areal_density) + " g/m²"});
+  table.add({"thickness", number(1000 * m.thickness) + " mm"});
+  table.add(
+      {"membrane warp, weft", number(m.stiffness_warp) + ", " + number(m.stiffness_weft) + " N/m"});
+  table.add({"shear", number(m.stiffness_shear) + " N/m"});
+  table.add({"Poisson ratio", number(m.poisson)});
+  table.add({"bending warp, weft",
+             number(1e6 * m.bending_warp) + ", " + number(1e6 * m.bending_weft) + " µN m"});
+  table.add({"bending length", number(1000 * bending_length(m)) + " mm"});
+  table.add(
+      {"friction on skin, on itself", number(m.friction_body) + ", " + number(m.friction_self)});
+  return table;
+}
+
+Table time_table(const CaseResult& result) {
+  Table table({"Stage", "seconds"});
+  double total = 0;
+  for (const StageClock::Entry& entry : result.seconds) {
+    table.add({entry.stage, fmt::format("{:.2f}", entry.seconds)});
+    total += entry.seconds;
+  }
+  table.add({"together", fmt::format("{:.2f}", total)});
+  if (result.peak_memory_mb > 0) table.add({"peak memory [MB]", number(result.peak_memory_mb)});
+  return table;
+}
+
+}  // namespace
+
+std::string fit_section(const CaseResult& result) {
+  std::string fit = element("h2", "Fit");
+  if (const Table table = fit_table(result); !table.empty()) fit += table.html();
+  if (!result.maps.maps.empty() && result.maps.chest.flat > 0) {
+    const GarmentGirth& chest = result.maps.chest;
+    fit +=
+        element("p", "Cut at chest level (" + millimetres(chest.level) +
+                         " mm above the floor) the draped garment is " + millimetres(chest.draped) +
+                         " mm round, flat " + millimetres(chest.flat) + " mm: hoop strain " +
+                         percent(chest.hoop_strain()) + ".");
+  }
+  const std::string body = element("h2", "Body") + body_table(result).html();
+  return element("div", element("div", fit) + element("div", body), "columns");
+}
+
+std::string provenance_section(const CaseResult& result) {
+  Table library({"Version", ""});
+  for (const auto& [name, number_text] : versions()) library.add({name, number_text});
+  std::string cloth = garment_table(result).html();
+  const Material& m = result.scenario.material.material;
+  if (!m.source.empty()) cloth += element("p", "Constants: " + escaped(m.source));
+  std::string html = element("h2", "Where the numbers come from");
+  html += element("div",
+                  element("div", cloth) +
+                      element("div", time_table(result).html() + "<p></p>" + library.html()),
+                  "columns");
+  html += element("h3", "Scenario, every default written out");
+  return html + "<details><summary>scenario.toml</summary><pre>" +
+         escaped(scenario_toml(result.scenario)) + "</pre></details>\n";
+}
+
+}  // namespace loosefit

@@ -1,0 +1,48 @@
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+struct Definition {
+  const char* array;
+  const char* term;
+  const char* meaning;
+};
+
+constexpr Definition kDefinitions[] = {
+    {"strain_vertical", "Vertical strain",
+     "ε = (distance now − distance in the flat pattern) / distance in the flat pattern, over the "
+     "mesh "
+     "edges round a point, weighted by cos² of their angle to the grain (Harms, Amft and Tröster "
+     "2012, section 2.2). Above zero the cloth is stretched along the grain, which hangs "
+     "vertically in "
+     "the body of the shirt and runs along the arm in a sleeve."},
+    {"strain_warp", "Strain along warp and weft, greatest principal strain",
+     "|F d| − 1 with the deformation gradient F of each triangle from pattern to space and d the "
+     "direction; the principal value is the larger singular value of F minus one. Free of the "
+     "mesh's "
+     "edge directions."},
+    {"distance_mm", "Body-garment distance",
+     "From the cloth's middle surface to the nearest point of the body surface on the same or a "
+     "neighbouring limb that faces the same way. Cloth that lies on the skin reads half the "
+     "fabric's "
+     "thickness. The paper's form, to the nearest body particle, is in drape.vtp as "
+     "distance_particle_mm; it reads higher the coarser the body mesh is."},
+    {"angular_deviation_deg", "Angular deviation",
+     "Angle between the garment's normal and the smooth body normal at that nearest point: an "
+     "orientation sensor sewn there shows the body's inclination wrongly by at most this much, as "
+     "long as nothing is calibrated away."},
+};
+}  // namespace
+
+std::string definition_section(const CaseResult& result) {
+  std::string list;
+  for (const Definition& d : kDefinitions)
+    for (const CaseMap& entry : result.maps.maps)
+      if (entry.map.array == d.array)
+        list += element("dt", escaped(d.term)) + element("dd", escaped(d.meaning));
+  if (list.empty()) return {};
+  return element("h2", "What the maps mean") + element("dl", list);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+std::string who(const CaseResult& result) {
+  const ScenarioBody& body = result.scenario.body;
+  if (!body.file.empty()) return "a scanned body";
+  const bool child = body.age < 16;
+  const char* sex = body.sex < 0.25   ? (child ? "girl" : "woman")
+                    : body.sex > 0.75 ? (child ? "boy" : "man")
+                                      : (child ? "child" : "person");
+  return fmt::format("a {} of {:.0f} years and {:.2f} m", sex, body.age, body.height);
+}
+
+std::string what(const CaseResult& result) {
+  const ScenarioGarment& garment = result.scenario.garment;
+  std::string text = garment.file.empty() ? garment.pattern
+                                          : std::filesystem::path(garment.file).filename().string();
+  std::replace(text.begin(), text.end(), '-', ' ');
+  if (!garment.size.empty()) text += " in size " + garment.size;
+  return text;
+}
+
+std::string fact(const std::string& label, const std::string& value) {
+  return "<li>" + escaped(label) + " <b>" + escaped(value) + "</b></li>";
+}
+
+std::string count_text(int count) { return count < 0 ? "not tested" : std::to_string(count); }
+
+}  // namespace
+
+std::string headline_section(const CaseResult& result) {
+  std::string html = element("h1", "Does loose fitting matter here?");
+  std::string sentence = "The " + what(result) + " on " + who(result);
+  const auto chest = result.pattern.fit.find("chest");
+  if (chest != result.pattern.fit.end())
+    sentence +=
+        fmt::format(", {}{:.0f} % at the chest", chest->second < 0 ? "tight by " : "loose by ",
+                    std::abs(100 * chest->second));
+  sentence += ", in " + result.scenario.material.material.name + ".";
+  html += element("p", escaped(sentence), "lead");
+  if (!result.warnings.empty()) {
+    std::string list;
+    for (const std::string& warning : result.warnings) list += element("li", escaped(warning));
+    html += element("div", "<strong>Worth knowing</strong>" + element("ul", list), "box warn");
+  }
+  return html;
+}
+
+std::string certificate_section(const CaseResult& result) {
+  const Certificate& c = result.drape.certificate;
+  const double tolerance = result.scenario.simulation.residual_tolerance;
+  std::string text;
+  if (c.settled()) {
+    text = "<strong>Settled.</strong> The net force left on the cloth is " +
+           number(100 * c.residual, 2) +
+           " % of its weight, and an exact test finds no triangle of the garment crossing the body "
+           "or another part of itself.";
+  } else if (result.sealed()) {
+    text =
+        "<strong>SEALED: this drape is not at rest.</strong> No maps were made of it, because "
+        "their numbers would mislead.";
+  } else {
+    text =
+        "<strong>NOT SETTLED.</strong> The maps below were asked for all the same; do not rely on "
+        "their numbers.";
+  }
+  std::string facts = fact("residual ‖F‖/‖W‖", number(c.residual, 3)) +
+                      fact("largest on one particle", number(c.residual_max, 3)) +
+                      fact("crossings with the body", count_text(c.intersections_body)) +
+                      fact("crossings with itself", count_text(c.intersections_self)) +
+                      fact("stopped:", c.stop_reason);
+  if (result.drape.report.iterations > 0)
+    facts += fact("iterations", std::to_string(result.drape.report.iterations));
+  std::string html = element("h2", "Certificate");
+  html +=
+      element("div", text + element("ul", facts, "facts"), c.settled() ? "box good" : "box bad");
+  return html + residual_chart(result.drape.report.history, tolerance);
+}
+
+}  // namespace loosefit

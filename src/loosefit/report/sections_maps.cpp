@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "loosefit/base/error.h"
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+std::string embedded(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.empty()) throw IoError("cannot read the picture " + file.string());
+  return "data:image/png;base64," + base64(bytes);
+}
+
+std::string title_of(const CaseResult& result, const std::string& map) {
+  for (const CaseMap& entry : result.maps.maps)
+    if (entry.map.map == map) return entry.map.title;
+  return map == "drape" ? "The garment as it hangs" : map;
+}
+
+std::string with_unit(const PerformanceMap& map) {
+  return map.unit.empty() || map.unit == "–" ? map.title : map.title + " [" + map.unit + "]";
+}
+
+std::string spaced(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::string picture_section(const CaseResult& result, const std::vector<Picture>& pictures) {
+  if (pictures.empty()) return {};
+  std::vector<View> views;
+  for (const Picture& picture : pictures)
+    if (std::find(views.begin(), views.end(), picture.view) == views.end())
+      views.push_back(picture.view);
+  std::string html = element("h2", "The drape and its maps");
+  for (View view : views) {
+    std::string row;
+    for (const Picture& picture : pictures) {
+      if (picture.view != view) continue;
+      const std::string title = title_of(result, picture.map) + ", " + name(view);
+      row += "<figure><img alt=\"" + escaped(title) + "\" src=\"" + embedded(picture.file) +
+             "\"><figcaption>" + escaped(title) + "</figcaption></figure>\n";
+    }
+    html += element("div", row, "pictures") + "<p></p>\n";
+  }
+  return html + element("p",
+                        "Colour ranges are fixed, so that reports can be compared; grey cloth "
+                        "means that a value is not defined. Seams and edges are drawn dark.");
+}
+
+std::string map_section(const CaseResult& result) {
+  if (result.maps.maps.empty()) return {};
+  Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
+  for (const CaseMap& entry : result.maps.maps) {
+    const MapStatistics& s = entry.overall;
+    overall.add({with_unit(entry.map), number(s.min), number(s.p5), number(s.median), number(s.p95),
+                 number(s.max), number(s.area_mean)});
+  }
+  std::vector<std::string> head = {"Region"};
+  std::vector<const CaseMap*> shown;
+  for (const CaseMap& entry : result.maps.maps) {
+    if (entry.map.array == "strain_max" || entry.map.array == "distance_particle_mm") continue;
+    shown.push_back(&entry);
+    head.push_back(with_unit(entry.map));
+  }
+  head.push_back("area [dm²]");
+  Table regions(head);
+  for (Region region : all_regions()) {
+    std::vector<std::string> row = {spaced(name(region))};
+    double area = 0;
+    for (const CaseMap* entry : shown) {
+      const auto found = entry->regional.find(region);
+      const bool has = found != entry->regional.end();
+      row.push_back(has ? number(found->second.median) + " (" + number(found->second.p5) + " … " +
+                              number(found->second.p95) + ")"
+                        : "–");
+      if (has) area = std::max(area, found->second.area);
+    }
+    row.push_back(number(100 * area, 2));
+    if (area > 0) regions.add(row);
+  }
+  std::string html = element("h2", "Numbers") + overall.html();
+  html += element("h3", "By region of the body: median (5 % … 95 %)") + regions.html();
+  return html + element("p",
+                        "All statistics are weighted by flat cloth area. Left and right are the "
+                        "wearer's.");
+}
+
+std::string site_section(const CaseResult& result) {
+  if (result.sites.empty() || result.maps.maps.empty()) return {};
+  std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
+  std::vector<std::string> arrays;
+  for (const CaseMap& entry : result.maps.maps) {
+    if (entry.map.array == "strain_max" || entry.map.array == "distance_particle_mm") continue;
+    arrays.push_back(entry.map.array);
+    head.push_back(with_unit(entry.map));
+  }
+  Table table(head);
+  for (const Site& site : result.sites) {
+    std::vector<std::string> row = {spaced(site.name), spaced(site.panel),
+                                    number(1000 * site.at.x(), 4), number(1000 * site.at.y(), 4),
+                                    spaced(name(site.region))};
+    for (const std::string& array : arrays) {
+      const auto value = site.values.find(array);
+      row.push_back(value == site.values.end()
+                        ? "–"
+                        : number(value->second.mean) + " (" + number(value->second.worst) + ")");
+    }
+    table.add(row);
+  }
+  return element("h2", "Sensor sites") + table.html() +
+         element("p",
+                 "Mean over a disc of " + number(1000 * kFootprintRadius, 2) +
+                     " mm radius on the cloth, in brackets the value that 95 % of the disc stay "
+                     "below. u runs along the weft, v along the warp of the flat panel.");
+}
+
+}  // namespace loosefit
