@@ -1,15 +1,15 @@
 #include "loosefit/pattern/mesher.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/Delaunay_mesh_size_criteria_2.h>
-#include <CGAL/Delaunay_mesh_vertex_base_2.h>
-#include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "loosefit/base/error.h"
@@ -20,18 +20,19 @@ namespace loosefit {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexInfo = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using VertexBase = CGAL::Delaunay_mesh_vertex_base_2<Kernel, VertexInfo>;
-using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<
+    bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;  // info: inside the panel
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 
-// Largest edge over wanted edge: with it the mean edge of the smoothed mesh is the wanted one.
-constexpr double kLargestEdge = 1.5;
-constexpr double kShapeBound = 0.125;  // asks for angles above 20.7°
+// Shares of the wanted edge length. An equilateral triangle of that edge has circumradius 0.577;
+// with 0.78 the mean edge of the smoothed mesh is the wanted one.
+constexpr double kLargestRadius = 0.78;
+constexpr double kSpacing = 0.75;     // between interior points
+constexpr double kBoundaryGap = 0.5;  // from interior points to the outline
+constexpr int kMostRounds = 60;
 constexpr int kSmoothingSteps = 30;
-constexpr double kBoundaryGap = 0.5;  // interior points keep this share of an edge from the outline
 
 /// Constrained Delaunay triangulation of the outline and the points inside it.
 struct Triangulation {
@@ -48,51 +49,105 @@ struct Triangulation {
     for (int i = 0; i < outline; ++i) cdt.insert_constraint(handles[i], handles[(i + 1) % outline]);
     mark_inside();
     for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
-      if (f->is_in_domain())
+      if (f->info())
         triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
  private:
   /// Faces reached from infinity without crossing the outline are outside.
   void mark_inside() {
-    for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->set_in_domain(true);
+    for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = true;
     std::vector<Cdt::Face_handle> open{cdt.infinite_face()};
-    cdt.infinite_face()->set_in_domain(false);
+    cdt.infinite_face()->info() = false;
     while (!open.empty()) {
       const Cdt::Face_handle face = open.back();
       open.pop_back();
       for (int i = 0; i < 3; ++i) {
         const Cdt::Face_handle other = face->neighbor(i);
-        if (!other->is_in_domain() || cdt.is_constrained({face, i})) continue;
-        other->set_in_domain(false);
+        if (!other->info() || cdt.is_constrained({face, i})) continue;
+        other->info() = false;
         open.push_back(other);
       }
     }
   }
 };
 
-/// Interior points of a refined triangulation; those it put on the outline are left out.
-std::vector<Vec2> refined_interior(const std::vector<Vec2>& outline, double edge_length) {
-  Triangulation start(outline, static_cast<int>(outline.size()));
-  CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(start.cdt,
-                                                Criteria(kShapeBound, kLargestEdge * edge_length));
-  mesher.init();
-  mesher.refine_mesh();
-  std::vector<Vec2> interior;
-  for (auto v = start.cdt.finite_vertices_begin(); v != start.cdt.finite_vertices_end(); ++v) {
-    if (start.cdt.are_there_incident_constraints(v)) continue;
-    interior.emplace_back(v->point().x(), v->point().y());
-  }
-  return interior;
+double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double twice_area = std::abs((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x());
+  return twice_area > 0 ? (b - a).norm() * (c - b).norm() * (a - c).norm() / (2 * twice_area)
+                        : std::numeric_limits<double>::infinity();
 }
 
-/// Interior points closer than this share of an edge to the outline make flat triangles there.
-void drop_points_near_outline(std::vector<Vec2>& interior, const std::vector<Vec2>& outline,
-                              double edge_length) {
-  std::erase_if(interior, [&](const Vec2& p) {
-    return !inside_polygon(outline, p) ||
-           (closest_on_polygon(outline, p) - p).norm() < kBoundaryGap * edge_length;
-  });
+Vec2 circumcentre(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 u = b - a, v = c - a;
+  const double d = 2 * (u.x() * v.y() - u.y() * v.x());
+  return a + Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
+                  u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
+                 d;
+}
+
+/// A triangle that is too large and where it would be split.
+struct Candidate {
+  double radius;
+  Vec2 centre, centroid;
+};
+
+/// Points with a least distance, in a grid of that size.
+class SpacedPoints {
+ public:
+  explicit SpacedPoints(double distance) : distance_(distance) {}
+  bool free(const Vec2& p) const {
+    const auto [i, j] = cell(p);
+    for (long long di = -1; di <= 1; ++di)
+      for (long long dj = -1; dj <= 1; ++dj) {
+        const auto found = cells_.find({i + di, j + dj});
+        if (found == cells_.end()) continue;
+        for (const Vec2& q : found->second)
+          if ((q - p).norm() < distance_) return false;
+      }
+    return true;
+  }
+  void add(const Vec2& p) { cells_[cell(p)].push_back(p); }
+
+ private:
+  std::pair<long long, long long> cell(const Vec2& p) const {
+    return {static_cast<long long>(std::floor(p.x() / distance_)),
+            static_cast<long long>(std::floor(p.y() / distance_))};
+  }
+  double distance_;
+  std::map<std::pair<long long, long long>, std::vector<Vec2>> cells_;
+};
+
+/// Adds circumcentres of triangles that are too large until there are none left. Points keep their
+/// distance from each other and from the outline, which is why this ends, however thin the panel.
+void refine(std::vector<Vec2>& points, const std::vector<Vec2>& outline, double edge_length) {
+  SpacedPoints spaced(kSpacing * edge_length);
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<Candidate> wanted;
+    for (const auto& [a, b, c] :
+         Triangulation(points, static_cast<int>(outline.size())).triangles) {
+      const double radius = circumradius(points[a], points[b], points[c]);
+      if (radius <= kLargestRadius * edge_length) continue;
+      const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
+      const Vec2 centre = circumcentre(points[a], points[b], points[c]);
+      const bool near = centre.allFinite() && (centre - centroid).norm() < 1e3 * edge_length;
+      wanted.push_back({radius, near ? centre : centroid, centroid});
+    }
+    std::stable_sort(wanted.begin(), wanted.end(),
+                     [](const auto& p, const auto& q) { return p.radius > q.radius; });
+    const std::size_t before = points.size();
+    for (const auto& [radius, centre, centroid] : wanted) {
+      if (!spaced.free(centre)) continue;
+      // A flat triangle at the outline has its circumcentre outside: its own centre will do.
+      const Vec2& p = inside_polygon(outline, centre) ? centre : centroid;
+      if (!spaced.free(p) ||
+          (closest_on_polygon(outline, p) - p).norm() < kBoundaryGap * edge_length)
+        continue;
+      spaced.add(p);
+      points.push_back(p);
+    }
+    if (points.size() == before) return;
+  }
 }
 
 /// Inner edges between two outline points would join two seams, and weld twice where both panels
@@ -150,10 +205,8 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
                         fmt::format("an outline of {} points that is not simple", n),
                         "a simple outline");
 
-  std::vector<Vec2> interior = refined_interior(outline, edge_length);
-  drop_points_near_outline(interior, outline, edge_length);
   std::vector<Vec2> points = outline;
-  points.insert(points.end(), interior.begin(), interior.end());
+  refine(points, outline, edge_length);
   std::vector<Triangle> triangles = Triangulation(points, n).triangles;
   for (int step = 0; step < kSmoothingSteps; ++step) {
     // Chords are broken between sweeps, too, so that the new points find their place.
