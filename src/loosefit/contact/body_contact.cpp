@@ -60,10 +60,32 @@ BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, dou
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
 
-Vec3 BodyContact::position(const ContactPoint& p, const VectorField& x) const {
+Vec3 ContactPoint::position(const VectorField& x) const {
   Vec3 sum = Vec3::Zero();
-  for (int k = 0; k < p.count; ++k) sum += p.weight[k] * x[p.particle[k]];
+  for (int k = 0; k < count; ++k) sum += weight[k] * x[particle[k]];
   return sum;
+}
+
+LayerResponse compress_layer(double k, double offset, double compression) {
+  constexpr double kOnset = 0.6, kHardening = 20;
+  LayerResponse r;
+  const double d = compression, over = std::min(d, offset) - kOnset * offset;
+  r.energy = 0.5 * k * d * d;
+  r.pressure = k * d;
+  r.stiffness = k;
+  if (over <= 0) return r;
+  const double h = kHardening * k / offset;
+  const double pressure = h * over * over, slope = 2 * h * over, beyond = std::max(0.0, d - offset);
+  r.energy += h * over * over * over / 3 + beyond * (pressure + 0.5 * slope * beyond);
+  r.pressure += pressure + slope * beyond;
+  r.stiffness += slope;
+  return r;
+}
+
+double BodyContact::field_distance(const ContactPoint& point, const VectorField& x,
+                                   double reach) const {
+  BodyField::Sample sample;
+  return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
 std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x, bool with_hessian) const {
@@ -71,7 +93,7 @@ std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x, bool 
   if (!field_) return result;
   tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
     result[i].active =
-        field_->sample(position(points_[i], x), points_[i].offset, with_hessian, result[i].sample);
+        field_->sample(points_[i].position(x), points_[i].offset, with_hessian, result[i].sample);
   });
   return result;
 }
@@ -93,7 +115,9 @@ void BodyContact::begin_step(const VectorField& x, double) {
     const double slope = touch[i].sample.gradient.norm();
     if (!(slope > 0)) continue;
     c.normal = touch[i].sample.gradient / slope;
-    c.normal_force = stiffness_ * p.area * (p.offset - touch[i].sample.distance) * slope;
+    c.normal_force =
+        p.area * slope *
+        compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance).pressure;
     contacts.push_back(c);
   }
   friction_.restart(std::move(contacts), x);
@@ -105,7 +129,7 @@ double BodyContact::value(const VectorField& x) const {
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
       const double depth = points_[i].offset - touch[i].sample.distance;
-      energy += 0.5 * stiffness_ * points_[i].area * depth * depth;
+      energy += points_[i].area * compress_layer(stiffness_, points_[i].offset, depth).energy;
     }
   return energy + friction_.value(x);
 }
@@ -116,7 +140,8 @@ void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
     if (touch[i].active) {
       const ContactPoint& p = points_[i];
       const double depth = p.offset - touch[i].sample.distance;
-      const Vec3 force = -stiffness_ * p.area * depth * touch[i].sample.gradient;
+      const Vec3 force = -p.area * compress_layer(stiffness_, p.offset, depth).pressure *
+                         touch[i].sample.gradient;
       for (int k = 0; k < p.count; ++k) g[p.particle[k]] += p.weight[k] * force;
     }
   friction_.add_gradient(x, g);
@@ -135,8 +160,9 @@ void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind 
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
     const auto& s = touch[i].sample;
-    Mat3 block = stiffness_ * p.area * s.gradient * s.gradient.transpose();
-    if (exact) block -= stiffness_ * p.area * (p.offset - s.distance) * s.hessian;
+    const LayerResponse layer = compress_layer(stiffness_, p.offset, p.offset - s.distance);
+    Mat3 block = layer.stiffness * p.area * s.gradient * s.gradient.transpose();
+    if (exact) block -= layer.pressure * p.area * s.hessian;
     for (int a = 0; a < p.count; ++a)
       for (int b = 0; b <= a; ++b)
         h.add(p.particle[a], p.particle[b], p.weight[a] * p.weight[b] * block);

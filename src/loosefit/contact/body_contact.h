@@ -17,7 +17,16 @@ struct ContactPoint {
 
   /// Whether all its particles are corners of the triangle.
   bool within(const Triangle& t) const;
+  Vec3 position(const VectorField& x) const;
 };
+
+/// Pressure law of the compressed layer, its integral and its slope.
+struct LayerResponse {
+  double energy = 0;    ///< per area [J/m²]
+  double pressure = 0;  ///< [Pa]
+  double stiffness = 0; ///< [Pa/m]
+};
+LayerResponse compress_layer(double stiffness, double offset, double compression);
 
 /// Vertices and edge midpoints of a triangle mesh as contact points; areas from the flat triangles,
 /// a quarter to the vertices and three quarters to the midpoints.
@@ -30,12 +39,13 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
 void add_lattice(const Triangle& triangle, double area, double offset, int n,
                  std::vector<ContactPoint>& points);
 
-/// Unilateral contact of the cloth with the body. The cloth is a layer of finite thickness that can
-/// be compressed: with d the distance of its mid-surface to the skin
+/// Unilateral contact of the cloth with the body. The cloth is a layer of finite thickness o (the
+/// offset) that can be compressed and hardens: with d the distance of its mid-surface to the skin
+/// and the compression δ = (o − d)₊ the pressure is
 ///
-///   Π_n = Σ ½ k A (offset − d)₊²,     pressure p = k (offset − d)₊      [J], [Pa], k [Pa/m]
+///   p = k δ + (20 k/o) (δ − 0.6 o)₊²   up to δ = o, linear beyond               [Pa], k [Pa/m]
 ///
-/// so the gap error is p/k, below the half thickness. Friction per contact point, see Friction.
+/// and Π_n = Σ A ∫ p dδ [J]. The gap error is at most o. Friction per point, see Friction.
 class BodyContact : public Energy {
  public:
   BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
@@ -45,6 +55,8 @@ class BodyContact : public Energy {
   void set_field(std::shared_ptr<const BodyField> field) { field_ = std::move(field); }
   void forget_anchors() { friction_.forget(); }
   std::vector<ContactPoint>& points() { return points_; }
+  /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
+  double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
@@ -59,7 +71,6 @@ class BodyContact : public Energy {
     bool active = false;
     BodyField::Sample sample;
   };
-  Vec3 position(const ContactPoint& p, const VectorField& x) const;
   std::vector<Touch> touches(const VectorField& x, bool with_hessian) const;
   std::vector<ContactPoint> points_;
   std::shared_ptr<const BodyField> field_;

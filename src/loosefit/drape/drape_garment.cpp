@@ -27,9 +27,10 @@ constexpr double kCoarseTolerance = 0.02;    ///< residual before a level is han
 constexpr double kPoseTolerance = 0.5;       ///< residual between two steps of a posture path
 constexpr double kPoseStep = 0.07;           ///< largest joint angle of one step of the path [rad]
 constexpr double kCoarseLayer = 2.0;         ///< coarse levels keep layers this much farther apart
-constexpr int kCutRounds = 6;                ///< attempts to free the last cuts into the body
+constexpr int kCutRounds = 8;                ///< attempts to free the last cuts into the body
+constexpr double kCutTolerance = 0.05;       ///< residual at which cuts are first looked for
 constexpr int kCutLattice = 4;               ///< points along an edge of a cut triangle
-constexpr double kCutOffset = 5e-5;          ///< extra distance of a triangle that cuts again [m]
+constexpr double kCutOffset = 1e-4;          ///< extra distance of a triangle that cuts again [m]
 constexpr double kFieldSpacing = 0.005;      ///< [m]
 
 using Clock = std::chrono::steady_clock;
@@ -57,7 +58,6 @@ class Run {
     progress_.stage("settle");
     assume_posture();
     settle_levels();
-    free_cuts();
     return finish();
   }
 
@@ -158,11 +158,19 @@ class Run {
   }
 
   void settle_levels() {
-    while (true) {
-      const bool last = is_finest();
-      settle(last ? options_.residual_tolerance : kCoarseTolerance, options_.max_iterations, 0.02);
-      if (last) return;
+    while (!is_finest()) {
+      settle(kCoarseTolerance, options_.max_iterations, 0.02);
       refine();
+    }
+    // Cuts into the skin are looked for before the last digits of the balance are sought.
+    std::map<int, int> times_cut;
+    for (int round = 0; round < kCutRounds; ++round) {
+      settle(std::max(kCutTolerance, options_.residual_tolerance), options_.max_iterations, 0.02);
+      if (seconds() > options_.time_budget || !hold_off_cuts(times_cut)) break;
+    }
+    for (int round = 0; round < kCutRounds; ++round) {
+      settle(options_.residual_tolerance, options_.max_iterations, 0.02);
+      if (seconds() > options_.time_budget || !hold_off_cuts(times_cut)) break;
     }
   }
 
@@ -178,27 +186,36 @@ class Run {
   }
 
   /// Flat triangles can cut a curved skin between their contact points: such triangles get more
-  /// contact points, and if that is not enough are held a little farther off; then settled again.
-  void free_cuts() {
+  /// contact points, whose offsets also make up for the error of the distance field there. A
+  /// triangle that cuts again is held a little farther off. False when nothing cuts.
+  bool hold_off_cuts(std::map<int, int>& times_cut) {
     const auto& skin = body_->body.surface;
     const auto& triangles = level_garment().triangles;
-    std::map<int, int> times_cut;
+    std::set<int> cut;
+    for (const auto& [t, s] : mesh_intersections(x_, triangles, skin.vertices, skin.triangles))
+      cut.insert(t);
     const auto area = flat_areas(level_garment());
-    for (int round = 0; round < kCutRounds; ++round) {
-      const auto cuts = mesh_intersections(x_, triangles, skin.vertices, skin.triangles);
-      if (cuts.empty() || seconds() > options_.time_budget) return;
-      std::set<int> cut;
-      for (const auto& [t, s] : cuts) cut.insert(t);
-      auto& points = model_->body().points();
-      for (int t : cut) {
-        if (++times_cut[t] == 1)
-          add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, points);
-        else
-          for (ContactPoint& p : points)
-            if (p.within(triangles[t])) p.offset += kCutOffset;
+    BodyContact& contact = model_->body();
+    for (int t : cut)
+      if (++times_cut[t] == 1)
+        add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, contact.points());
+    std::map<int, std::vector<int>> cut_of_vertex;
+    for (int t : cut)
+      for (int v : triangles[t]) cut_of_vertex[v].push_back(t);
+    for (ContactPoint& p : contact.points()) {
+      const auto near = cut_of_vertex.find(p.particle[0]);
+      if (near == cut_of_vertex.end()) continue;
+      for (int t : near->second) {
+        if (!p.within(triangles[t])) continue;
+        const Vec3 q = p.position(x_);
+        const double seen = contact.field_distance(p, x_, 0.002);
+        const double error = seen < 0.002 ? seen - body_->tree->signed_distance(q) : 0;
+        p.offset = std::max(p.offset, 0.5 * material_.thickness + std::clamp(error, 0.0, 0.002)) +
+                   (times_cut[t] > 1 ? kCutOffset : 0);
+        break;
       }
-      settle(options_.residual_tolerance, options_.max_iterations, 0.02);
     }
+    return !cut.empty();
   }
 
   Drape finish() {
