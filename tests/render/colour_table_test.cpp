@@ -1,0 +1,58 @@
+#include "loosefit/render/colour_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loosefit {
+namespace {
+
+double luminance(const Rgb& c) {
+  const auto linear = [](double v) { return std::pow(v / 255, 2.2); };
+  return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+}
+
+int step(const Rgb& a, const Rgb& b) {
+  int sum = 0;
+  for (int k = 0; k < 3; ++k) sum += std::abs(int{a[k]} - int{b[k]});
+  return sum;
+}
+
+TEST(ColourTable, SequentialRisesInLightnessAndHasNoBands) {
+  const ColourTable& table = sequential_colours();
+  for (int i = 1; i < 256; ++i) {
+    EXPECT_GE(luminance(table[i]), luminance(table[i - 1]) - 0.004) << i;
+    EXPECT_LE(step(table[i], table[i - 1]), 12) << i;
+  }
+  for (int i = 16; i < 256; i += 16) EXPECT_GT(luminance(table[i]), luminance(table[i - 16])) << i;
+}
+
+TEST(ColourTable, SequentialIsCloseToViridis) {
+  const ColourTable& table = sequential_colours();
+  EXPECT_LE(step(table[0], {0x44, 0x01, 0x54}), 3);
+  EXPECT_LE(step(table[127], {0x21, 0x91, 0x8c}), 40);
+  EXPECT_LE(step(table[255], {0xfd, 0xe7, 0x25}), 3);
+}
+
+TEST(ColourTable, DivergingIsBalancedAboutItsLightMiddle) {
+  const ColourTable& table = diverging_colours();
+  for (int i = 0; i < 128; ++i)
+    EXPECT_NEAR(std::cbrt(luminance(table[i])), std::cbrt(luminance(table[255 - i])), 0.06) << i;
+  EXPECT_GT(luminance(table[127]), 0.8);
+  EXPECT_GT(table[0][2], table[0][0]);      // blue below zero
+  EXPECT_GT(table[255][0], table[255][2]);  // red above
+}
+
+TEST(ColourTable, ValuesAreClampedAndNanIsNeutral) {
+  PerformanceMap map;
+  map.range_low = -1;
+  map.range_high = 1;
+  map.diverging = true;
+  EXPECT_EQ(colour_of(map, -5), diverging_colours()[0]);
+  EXPECT_EQ(colour_of(map, 5), diverging_colours()[255]);
+  EXPECT_EQ(colour_of(map, std::nan("")), kUndefinedColour);
+}
+
+}  // namespace
+}  // namespace loosefit

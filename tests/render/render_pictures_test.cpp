@@ -1,0 +1,145 @@
+#include "loosefit/render/render_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "loosefit/base/error.h"
+#include "loosefit/render/scene.h"
+#include "support/tube_garment.h"
+#include "support/virtual_display.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kTube = 0.17;
+
+class Pictures : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { display_ = new testing::VirtualDisplay; }
+  static void TearDownTestSuite() { delete display_; }
+  void SetUp() override {
+    dir_ = std::filesystem::path(::testing::TempDir()) /
+           ("pictures_" +
+            std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(dir_);
+    std::filesystem::create_directories(dir_);
+    garment_ = testing::tube_garment(2 * kPi * kTube, 0.5, 120, 40);
+    positions_ = testing::settled_drape(garment_, [](const Vec2& uv) {
+                   const double a = uv.x() / kTube;
+                   return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.9 + uv.y());
+                 }).positions;
+    // Left half 0 mm, right half 40 mm: a jump at x = 0.
+    map_ = {"distance_mm", "Body-garment distance", "mm", 0, 40, {}, "distance", true, false};
+    for (const Vec3& p : positions_) map_.values.push_back(p.x() > 0 ? 40 : 0);
+    options_.width = 300;
+    options_.height = 320;
+    options_.views = {View::front};
+  }
+  static std::string bytes(const std::filesystem::path& p) {
+    std::ifstream f(p, std::ios::binary);
+    return {std::istreambuf_iterator<char>(f), {}};
+  }
+  static testing::VirtualDisplay* display_;
+  Body body_ = testing::cylinder_body(0.15, 1.7, 64, 40);
+  Garment garment_;
+  std::vector<Vec3> positions_;
+  PerformanceMap map_;
+  PictureOptions options_;
+  std::filesystem::path dir_;
+};
+testing::VirtualDisplay* Pictures::display_ = nullptr;
+
+TEST_F(Pictures, AreNamedByMapAndView) {
+  options_.views = {View::front, View::back, View::left, View::right};
+  PerformanceMap hidden = map_;
+  hidden.map = "hidden";
+  hidden.pictured = false;
+  double last = 0;
+  const auto pictures = render_pictures(dir_, body_.surface, garment_, positions_, {map_, hidden},
+                                        options_, [&](double share) { last = share; });
+  ASSERT_EQ(pictures.size(), 8u);
+  EXPECT_EQ(last, 1);
+  for (const char* file : {"drape-front.png", "distance-left.png", "distance-right.png"})
+    EXPECT_GT(std::filesystem::file_size(dir_ / file), 1000u) << file;
+}
+
+TEST_F(Pictures, EqualInputGivesEqualBytes) {
+  render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_);
+  const std::string first = bytes(dir_ / "distance-front.png");
+  render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_);
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(first, bytes(dir_ / "distance-front.png"));
+}
+
+TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
+  Scene scene({body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, false);
+  const auto near = [](const Rgb& seen, const Rgb& wanted) {
+    int worst = 0;
+    for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(int{seen[k]} - int{wanted[k]}));
+    return worst <= 2;
+  };
+  scene.look(View::front);  // the wearer's left, +x, is on the right of the picture
+  Image image = scene.colours(&map_);
+  EXPECT_TRUE(near(image.at(100, 140), sequential_colours()[0]));
+  EXPECT_TRUE(near(image.at(200, 140), sequential_colours()[255]));
+  scene.look(View::back);
+  image = scene.colours(&map_);
+  EXPECT_TRUE(near(image.at(100, 140), sequential_colours()[255]));
+  scene.look(View::left);
+  EXPECT_TRUE(near(scene.colours(&map_).at(150, 140), sequential_colours()[255]));
+  map_.values.assign(map_.values.size(), std::nan(""));
+  EXPECT_TRUE(near(scene.colours(&map_).at(150, 140), kUndefinedColour));
+}
+
+TEST_F(Pictures, LightDarkensNoMapBelowItsFloor) {
+  Scene scene({body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, true);
+  scene.look(View::front);
+  const Image light = scene.light();
+  int least = 255, most = 0;
+  for (const Rgb& p : light.pixels) {
+    least = std::min<int>(least, p[1]);
+    most = std::max<int>(most, p[1]);
+  }
+  EXPECT_GT(most, 240);   // cloth that faces the light keeps its colour
+  EXPECT_LT(least, 200);  // and there is shade that shows form
+}
+
+TEST_F(Pictures, WrongSizesAndPlacesAreErrors) {
+  map_.values.pop_back();
+  EXPECT_THROW(render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_),
+               InvalidInput);
+  EXPECT_THROW(render_pictures(dir_ / "none", body_.surface, garment_, positions_, {}, options_),
+               IoError);
+  EXPECT_THROW(view_from_name("top"), InvalidInput);
+}
+
+TEST_F(Pictures, QuickLookNeedsNoMap) {
+  render_garment_png(dir_ / "plain.png", body_.surface, positions_, garment_.triangles);
+  render_garment_png(dir_ / "value.png", body_.surface, positions_, garment_.triangles, map_.values,
+                     View::back);
+  EXPECT_GT(std::filesystem::file_size(dir_ / "plain.png"), 5000u);
+  EXPECT_GT(std::filesystem::file_size(dir_ / "value.png"), 5000u);
+}
+
+TEST_F(Pictures, MissingDisplayIsAClearError) {
+  const std::string display = std::getenv("DISPLAY");
+  for (const char* bad : {"", "nonsense", ":54321"}) {
+    setenv("DISPLAY", bad, 1);
+    try {
+      check_display();
+      ADD_FAILURE() << bad;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("display"), std::string::npos);
+      EXPECT_NE(e.hint().find("xvfb-run"), std::string::npos);
+    }
+  }
+  setenv("DISPLAY", display.c_str(), 1);
+  EXPECT_NO_THROW(check_display());
+}
+
+}  // namespace
+}  // namespace loosefit
