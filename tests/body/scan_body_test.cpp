@@ -87,7 +87,7 @@ TEST(ScanBody, FindsWhatTheParametricBodyKnows) {
       }
     }
     EXPECT_GT(double(same), 0.92 * double(known.segment.size()));
-    EXPECT_GT(double(arm_same), 0.75 * double(arm));
+    EXPECT_GT(double(arm_same), 0.72 * double(arm));  // elbow and wrist to a few centimetres
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -17,6 +18,8 @@ constexpr double kGirthTolerance = 0.003;
 constexpr double kResidualWarning = 0.005;
 constexpr double kStrainedDetail = 0.6;
 constexpr double kHeaviest = 1.6;
+constexpr double kAtBound = 1 - 1e-6;
+constexpr double kGrownUp = 18;  // years
 
 // What living people of any age measure, with a margin [m].
 struct Plausible {
@@ -75,7 +78,8 @@ void check_spec(const BodySpec& spec) {
   }
 }
 
-std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
+std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest,
+                                 const std::set<std::string>& given_up) {
   std::vector<Unknown> unknowns;
   if (spec.height != 0) unknowns.push_back({"height", 0.5, 0, 1, 0.3});
   const bool trunk =
@@ -92,7 +96,7 @@ std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
     unknowns.push_back({"belly", 0, -0.3, 0.5, 0.6});
   }
   for (const auto& [measure, details] : kDetailsOf) {
-    if (!spec.measurements.contains(measure)) continue;
+    if (!spec.measurements.contains(measure) || given_up.contains(measure)) continue;
     for (const auto& key : details) {
       const bool known = std::any_of(unknowns.begin(), unknowns.end(),
                                      [&](const Unknown& u) { return u.key == key; });
@@ -102,94 +106,114 @@ std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest) {
   return unknowns;
 }
 
-}  // namespace
+// One bounded least-squares problem over the model's knobs.
+class Fitter {
+ public:
+  Fitter(const BodyModel& model, BodyDetail detail, BodyParameters fixed,
+         std::vector<MeasureRow> asked)
+      : model_(model), detail_(detail), fixed_(std::move(fixed)), asked_(std::move(asked)) {}
 
-BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
-  check_spec(spec);
-  BodyFit fit;
-  fit.parameters.sex = spec.sex;
-  fit.parameters.age = spec.age;
-  fit.parameters.muscle = spec.muscle;
-  fit.parameters.proportions = spec.proportions;
-  fit.parameters.cup = spec.cup;
-  fit.parameters.firmness = spec.firmness;
-  check_parameters(fit.parameters);
-
-  std::vector<MeasureRow> asked;
-  if (spec.height != 0) asked.push_back({"height", spec.height, 0});
-  for (const auto& name : measure_names()) {
-    const auto found = spec.measurements.find(name);
-    if (found != spec.measurements.end()) asked.push_back({name, found->second, 0});
-  }
-
-  const auto solve = [&](double heaviest) {
-    const auto unknowns = unknowns_of(spec, heaviest);
-    const auto parameters_at = [&](const Eigen::VectorXd& x) {
-      BodyParameters p = fit.parameters;
-      p.details.clear();
-      for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        const double value = x[Eigen::Index(i)];
-        if (unknowns[i].key == "height") {
-          p.height = value;
-        } else if (unknowns[i].key == "weight") {
-          p.weight = value;
-        } else {
-          p.details[unknowns[i].key] = value;
-        }
-      }
-      return p;
-    };
+  void solve(const std::vector<Unknown>& unknowns) {
     BoundedProblem problem;
-    const auto n = Eigen::Index(unknowns.size()), m = Eigen::Index(asked.size());
+    const auto n = Eigen::Index(unknowns.size());
     problem.start = problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Unknown& unknown = unknowns[std::size_t(i)];
-      problem.start[i] = unknown.start, problem.lower[i] = unknown.low,
+      problem.start[i] = unknown.start;
+      problem.lower[i] = unknown.low;
       problem.upper[i] = unknown.high;
     }
-    problem.residuals = [&](const Eigen::VectorXd& x) {
-      const RestBody rest = this->rest(parameters_at(x), detail);
-      const BodyTape tape(*data_, rest);
-      Eigen::VectorXd residual(m + n);
-      for (Eigen::Index k = 0; k < m; ++k) {
-        const MeasureRow& row = asked[std::size_t(k)];
-        residual[k] = (tape.measure(row.name) - row.asked) /
-                      (row.name == "height" ? kHeightTolerance : kGirthTolerance);
-      }
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const Unknown& unknown = unknowns[std::size_t(i)];
-        residual[m + i] = unknown.stiffness * (x[i] - unknown.start);
-      }
-      return residual;
-    };
+    problem.residuals = [&](const Eigen::VectorXd& x) { return residuals(unknowns, x); };
     const BoundedSolution found = bounded_gauss_newton(problem);
-    fit.evaluations += found.evaluations;
-    fit.parameters = parameters_at(found.x);
-    const RestBody rest = this->rest(fit.parameters, detail);
-    const BodyTape tape(*data_, rest);
-    double worst = 0;
-    for (auto& row : asked) {
-      row.measured = tape.measure(row.name);
-      worst = std::max(worst, std::abs(row.measured - row.asked));
-    }
-    return worst;
-  };
+    evaluations_ += found.evaluations;
+    parameters_ = parameters_at(unknowns, found.x);
+    const RestBody rest = model_.rest(parameters_, detail_);
+    const BodyTape tape(model_.data(), rest);
+    for (auto& row : asked_) row.measured = tape.measure(row.name);
+  }
 
-  // Beyond weight 1 the model extrapolates; only bodies that need it go there.
-  constexpr double kAtBound = 1 - 1e-6;
-  if (solve(1) > kResidualWarning && fit.parameters.weight >= kAtBound) {
-    solve(kHeaviest);
+  /// Measures that their own local changes cannot reach: these stay at their bounds and the measure
+  /// no longer pulls at the rest of the body. True when one was found.
+  bool give_up_unreachable() {
+    bool any = false;
+    for (const auto& row : asked_) {
+      const auto details = kDetailsOf.find(row.name);
+      if (details == kDetailsOf.end() || off(row) <= kResidualWarning ||
+          given_up_.contains(row.name)) {
+        continue;
+      }
+      const auto at_bound = [&](const std::string& key) {
+        return std::abs(parameters_.details.at(key)) >= kAtBound;
+      };
+      if (!std::all_of(details->second.begin(), details->second.end(), at_bound)) continue;
+      given_up_.insert(row.name);
+      for (const auto& key : details->second) fixed_.details[key] = parameters_.details.at(key);
+      any = true;
+    }
+    return any;
+  }
+
+  static double off(const MeasureRow& row) { return std::abs(row.measured - row.asked); }
+  bool misses() const {
+    return std::any_of(asked_.begin(), asked_.end(),
+                       [](const MeasureRow& row) { return off(row) > kResidualWarning; });
+  }
+  const BodyParameters& parameters() const { return parameters_; }
+  const std::vector<MeasureRow>& table() const { return asked_; }
+  const std::set<std::string>& given_up() const { return given_up_; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  BodyParameters parameters_at(const std::vector<Unknown>& unknowns,
+                               const Eigen::VectorXd& x) const {
+    BodyParameters p = fixed_;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      const double value = x[Eigen::Index(i)];
+      if (unknowns[i].key == "height") {
+        p.height = value;
+      } else if (unknowns[i].key == "weight") {
+        p.weight = value;
+      } else {
+        p.details[unknowns[i].key] = value;
+      }
+    }
+    return p;
+  }
+
+  Eigen::VectorXd residuals(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) const {
+    const RestBody rest = model_.rest(parameters_at(unknowns, x), detail_);
+    const BodyTape tape(model_.data(), rest);
+    std::vector<double> values;
+    for (const auto& row : asked_) {
+      if (given_up_.contains(row.name)) continue;
+      values.push_back((tape.measure(row.name) - row.asked) /
+                       (row.name == "height" ? kHeightTolerance : kGirthTolerance));
+    }
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      values.push_back(unknowns[i].stiffness * (x[Eigen::Index(i)] - unknowns[i].start));
+    }
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()));
+  }
+
+  const BodyModel& model_;
+  BodyDetail detail_;
+  BodyParameters fixed_, parameters_;
+  std::vector<MeasureRow> asked_;
+  std::set<std::string> given_up_;
+  int evaluations_ = 0;
+};
+
+void add_warnings(const BodySpec& spec, BodyFit& fit) {
+  if (spec.height == 0 && spec.age < kGrownUp) {
+    fit.warnings.push_back("no height given: the model's own height for this age is too small");
+  }
+  if (fit.parameters.weight > 1) {
     fit.warnings.push_back(
         fmt::format("weight {:.2f}: the body model is extrapolated beyond its heaviest shape",
                     fit.parameters.weight));
   }
-  fit.table = asked;
-  if (spec.height == 0) {
-    fit.warnings.push_back(
-        "no height given: the model's own height for this age is too small for a child");
-  }
   for (const auto& row : fit.table) {
-    if (std::abs(row.measured - row.asked) > kResidualWarning) {
+    if (Fitter::off(row) > kResidualWarning) {
       fit.warnings.push_back(
           fmt::format("{}: asked {:.3f} m, got {:.3f} m", row.name, row.asked, row.measured));
     }
@@ -201,6 +225,44 @@ BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
                       kStrainedDetail));
     }
   }
+}
+
+}  // namespace
+
+BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
+  check_spec(spec);
+  BodyParameters fixed;
+  fixed.sex = spec.sex;
+  fixed.age = spec.age;
+  fixed.muscle = spec.muscle;
+  fixed.proportions = spec.proportions;
+  fixed.cup = spec.cup;
+  fixed.firmness = spec.firmness;
+  check_parameters(fixed);
+
+  std::vector<MeasureRow> asked;
+  if (spec.height != 0) asked.push_back({"height", spec.height, 0});
+  for (const auto& name : measure_names()) {
+    const auto found = spec.measurements.find(name);
+    if (found != spec.measurements.end()) asked.push_back({name, found->second, 0});
+  }
+
+  Fitter fitter(*this, detail, fixed, asked);
+  double heaviest = 1;
+  fitter.solve(unknowns_of(spec, heaviest, {}));
+  if (fitter.misses() && fitter.give_up_unreachable()) {
+    fitter.solve(unknowns_of(spec, heaviest, fitter.given_up()));
+  }
+  // Beyond weight 1 the model extrapolates; only bodies that need it go there.
+  if (fitter.misses() && fitter.parameters().weight >= kAtBound) {
+    heaviest = kHeaviest;
+    fitter.solve(unknowns_of(spec, heaviest, fitter.given_up()));
+  }
+  BodyFit fit;
+  fit.parameters = fitter.parameters();
+  fit.table = fitter.table();
+  fit.evaluations = fitter.evaluations();
+  add_warnings(spec, fit);
   return fit;
 }
 
