@@ -5,6 +5,7 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/render/render_pictures.h"
+#include "loosefit/report/write_report.h"
 #include "loosefit/study/case_files.h"
 
 namespace loosefit {
@@ -39,9 +40,9 @@ void write_output(const std::filesystem::path& folder, CaseResult& result,
   StageClock clock(progress);
   clock.stage("report");
   write_case_files(folder, result);
-  std::filesystem::create_directories(folder / "maps");
   std::vector<Picture> pictures;
   if (options.pictures) pictures = draw(folder, result, clock);
+  if (options.report) write_report(folder, result, pictures);
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});
   result.peak_memory_mb = peak_memory_mb();

@@ -32,7 +32,8 @@ int run(const Arguments& arguments) {
   InterruptGuard guard(shown);
   RunLog log(folder.path() / "log.jsonl", shown);
   CaseResult result = run_case(scenario, log, arguments.options);
-  write_output(folder.path(), result, {.pictures = pictures}, log);
+  write_output(folder.path(), result,
+               {.pictures = pictures, .report = !arguments.options.only_drape}, log);
   for (const std::string& warning : result.warnings) log.warning(warning);
   log.end(result.drape.certificate.settled() ? "settled" : "not settled");
   folder.commit();

@@ -26,7 +26,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   RunFolder folder = RunFolder::update(arguments.folder);
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
-  CaseResult result = load_case(folder.path(), shown);
+  CaseResult result = load_case(arguments.folder, shown);
   StageClock clock(shown);
   clock.stage("maps");
   result.maps = make_maps(result, arguments.allow_unsettled);

@@ -9,12 +9,26 @@
 namespace loosefit {
 namespace {
 
-double seconds_in_summary(const std::filesystem::path& file, const std::string& stage) {
-  const auto summary =
-      nlohmann::json::parse(read_text_file(file.string(), 50000000), nullptr, false);
-  const auto place = nlohmann::json::json_pointer("/seconds/" + stage);
-  if (summary.is_discarded() || !summary.contains(place) || !summary[place].is_number()) return 0;
-  return summary[place].get<double>();
+using Json = nlohmann::json;
+
+/// Number at a place of summary.json; 0 where there is none.
+template <class Number>
+Number at(const Json& summary, const std::string& place) {
+  const Json::json_pointer pointer(place);
+  return summary.contains(pointer) && summary[pointer].is_number() ? summary[pointer].get<Number>()
+                                                                   : Number{0};
+}
+
+/// What was counted and timed when the drape was made.
+void recall(const Json& summary, CaseResult& result) {
+  for (const char* stage : {"dress", "settle"})
+    result.seconds.push_back({stage, at<double>(summary, std::string("/seconds/") + stage)});
+  SettleReport& report = result.drape.report;
+  report.iterations = at<int>(summary, "/settle/iterations");
+  report.factorisations = at<int>(summary, "/settle/factorisations");
+  report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
+  report.contacts_body = at<int>(summary, "/settle/contacts_body");
+  report.contacts_self = at<int>(summary, "/settle/contacts_self");
 }
 
 }  // namespace
@@ -34,12 +48,12 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   DrapeFile file = read_drape_vtp(folder / "drape.vtp");
   if (file.garment.triangles != result.mesh().triangles)
     throw InvalidInput({(folder / "drape.vtp").string(), 0, ""}, "another garment",
-                       "the mesh that scenario.toml beside it makes",
+                       "the mesh that scenario.toml beside it makes with this version",
                        "make the drape again: loosefit run scenario.toml -o DIR");
   result.drape = std::move(file.drape);
   result.seconds = clock.entries();
-  for (const char* stage : {"dress", "settle"})
-    result.seconds.push_back({stage, seconds_in_summary(folder / "summary.json", stage)});
+  const std::string text = read_text_file((folder / "summary.json").string(), 50000000);
+  recall(Json::parse(text, nullptr, false), result);
   return result;
 }
 
