@@ -197,9 +197,9 @@ void run(const Wish& wish) {
   if (made.draft)
     fmt::print(
         "\narmhole {:.1f} mm, depth {:.1f} mm, cap height {:.1f} mm (ratio {:.2f}), underarm "
-        "moved {:+.1f} mm, shoulder dropped {:.1f} mm\n",
+        "lowered {:.1f} mm, shoulder dropped {:.1f} mm\n",
         1000 * made.draft->armhole, 1000 * made.draft->armhole_depth, 1000 * made.draft->cap_height,
-        made.draft->cap_ratio, -1000 * made.draft->deepened, 1000 * made.draft->dropped);
+        made.draft->cap_ratio, 1000 * made.draft->deepened, 1000 * made.draft->dropped);
   if (wish.out.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(wish.out, error);

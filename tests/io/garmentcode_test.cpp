@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/io/garmentcode_frame.h"
-#include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/garment_size.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/shirt_draft.h"
 
@@ -62,6 +62,22 @@ TEST(GarmentCode, DraftedShirtSurvivesTheRoundTrip) {
   }
   // Rounding in the last bit may move the mesher to another, equally good mesh.
   EXPECT_NEAR(assemble(back, .02, {}).area, assemble(shirt, .02, {}).area, 1e-9);
+}
+
+TEST(GarmentCode, ExampleFilesAreTheSizesTheyAreNamedAfter) {
+  for (const std::string name : {"women-38", "child-142"}) {
+    SCOPED_TRACE(name);
+    const PatternFile file =
+        read_garmentcode(std::string(LOOSEFIT_SOURCE_DIR) +
+                         "/examples/patterns/long-sleeve-shirt-" + name + ".json");
+    EXPECT_TRUE(file.warnings.empty());
+    EXPECT_EQ(file.pattern.stitches.size(), 12u);
+    const GarmentSize size = *garment_size(name);
+    const auto read = shirt_girths(file.pattern, size.body.hps_to_waist);
+    const auto drafted = shirt_girths(draft_shirt(size.body, size.fit), size.body.hps_to_waist);
+    ASSERT_EQ(read.size(), drafted.size());
+    for (const auto& [level, girth] : drafted) EXPECT_NEAR(read.at(level), girth, 1e-9) << level;
+  }
 }
 
 TEST(GarmentCode, OtherToolsSeeOneCurveAnEdgeAndEqualStitches) {
