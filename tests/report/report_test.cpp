@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "loosefit/base/error.h"
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+#include "loosefit/report/write_report.h"
+#include "support/tube_garment.h"
+
+namespace loosefit {
+namespace {
+
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ =
+        std::filesystem::path(::testing::TempDir()) /
+        ("report_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(dir_);
+    std::filesystem::create_directories(dir_);
+    result_.scenario = default_scenario();
+    result_.body.body = testing::cylinder_body(0.12, 1.0, 100, 20);
+    result_.body.body.measured = {{"chest", 0.754}, {"waist", 0.70}};
+    result_.body.asked = {{"chest", 0.75, 0.754}};
+    const Garment tube = testing::tube_garment(2 * kPi * 0.13, 0.4, 100, 40);
+    result_.garment.levels = {tube};
+    result_.drape = testing::settled_drape(tube, [](const Vec2& uv) {
+      const double a = uv.x() / 0.13;
+      return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.35 + uv.y());
+    });
+    result_.drape.report.history = {{0.1, 0, 1, 2.0}, {0.5, 0, 9, 0.03}, {1.5, 1, 30, 1e-4}};
+    result_.pattern.fit = {{"chest", 0.0833}};
+    result_.pattern.girths = {{"chest", 0.8168}};
+    result_.seconds = {{"body", 0.25}, {"settle", 1.5}};
+    result_.maps.worn = relate(tube, result_.drape.positions, result_.body.body);
+    for (PerformanceMap& map : compute_maps(tube, result_.drape, result_.maps.worn)) {
+      CaseMap entry;
+      entry.overall = statistics(map.values, result_.maps.worn.areas);
+      entry.regional =
+          regional_statistics(map.values, result_.maps.worn.areas, result_.maps.worn.regions);
+      entry.map = std::move(map);
+      result_.maps.maps.push_back(std::move(entry));
+    }
+    Site site;
+    site.name = "<left> scapula";
+    site.panel = "tube";
+    site.values["distance_mm"] = {10.25, 11.5};
+    result_.sites = {site};
+  }
+  static int count(const std::string& text, const std::string& part) {
+    int n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++n;
+    return n;
+  }
+  CaseResult result_;
+  std::filesystem::path dir_;
+};
+
+TEST_F(Report, IsOneSelfContainedPage) {
+  const auto picture = dir_ / "distance-front.png";
+  std::ofstream(picture, std::ios::binary) << "not really a picture";
+  write_report(dir_, result_, {{"distance", View::front, picture}});
+  std::ifstream f(dir_ / "report.html");
+  const std::string html{std::istreambuf_iterator<char>(f), {}};
+  EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0u);
+  EXPECT_NE(html.find("data:image/png;base64," + base64("not really a picture")),
+            std::string::npos);
+  EXPECT_EQ(count(html, "http://") + count(html, "https://") + count(html, "<script"), 0);
+  for (const char* tag : {"table", "div", "dl", "figure", "ul", "details", "svg", "tr"})
+    EXPECT_EQ(count(html, std::string("<") + tag + ">") + count(html, std::string("<") + tag + " "),
+              count(html, std::string("</") + tag + ">"))
+        << tag;
+}
+
+TEST_F(Report, ShowsTheNumbersOfTheResult) {
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("Settled."), std::string::npos);
+  EXPECT_NE(html.find("10.2 (11.5)"), std::string::npos);               // site
+  EXPECT_NE(html.find("<td>817</td><td>754</td>"), std::string::npos);  // garment and body girth
+  EXPECT_NE(html.find("+8.33 %"), std::string::npos);
+  EXPECT_NE(html.find("&lt;left&gt; scapula"), std::string::npos);
+  EXPECT_NE(html.find("edge_length = 0.01"), std::string::npos);  // resolved scenario
+  EXPECT_NE(html.find("<polyline"), std::string::npos);           // residual history
+}
+
+TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
+  result_.drape.certificate.residual = 0.2;
+  result_.maps = {};
+  result_.sites.clear();
+  ASSERT_TRUE(result_.sealed());
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("SEALED"), std::string::npos);
+  EXPECT_NE(html.find("box bad"), std::string::npos);
+  EXPECT_EQ(html.find("Sensor sites"), std::string::npos);
+}
+
+TEST_F(Report, UnsettledMapsCarryAWarning) {
+  result_.drape.certificate.intersections_self = 2;
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("NOT SETTLED"), std::string::npos);
+  EXPECT_EQ(html.find("Settled.</strong>"), std::string::npos);
+}
+
+TEST_F(Report, MissingPictureOrFolderIsAnError) {
+  EXPECT_THROW(report_html(result_, {{"distance", View::front, dir_ / "none.png"}}), IoError);
+  EXPECT_THROW(write_report(dir_ / "none", result_, {}), IoError);
+}
+
+TEST(Html, Base64MatchesRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Html, NumbersReadWell) {
+  EXPECT_EQ(number(12.3456), "12.3");
+  EXPECT_EQ(number(15234.6), "15235");
+  EXPECT_EQ(number(-0.05), "\u22120.05");
+  EXPECT_EQ(number(std::nan("")), "–");
+  EXPECT_EQ(signed_number(3), "+3");
+  EXPECT_EQ(signed_number(-3), "\u22123");
+  EXPECT_EQ(escaped("<a href='x'>&"), "&lt;a href=&#39;x&#39;&gt;&amp;");
+}
+
+TEST(ResidualChart, NeedsAHistory) {
+  EXPECT_TRUE(residual_chart({}, 1e-3).empty());
+  EXPECT_TRUE(residual_chart({{0, 0, 0, 1.0}}, 1e-3).empty());
+  EXPECT_FALSE(residual_chart({{0, 0, 0, 1.0}, {1, 0, 1, 1e-5}}, 1e-3).empty());
+}
+
+}  // namespace
+}  // namespace loosefit
