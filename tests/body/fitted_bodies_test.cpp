@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -166,6 +167,79 @@ TEST(BodyFit, MeasuresTheSurfaceThatIsBuilt) {
   EXPECT_NEAR(body.measured.at("chest"), 0.88, 0.001);
   EXPECT_NEAR(body.measured.at("waist"), 0.72, 0.001);
   EXPECT_NEAR(body.measured.at("hip"), 0.97, 0.001);
+}
+
+TEST(BodyFit, ManyMeasuresTogether) {
+  BodySpec spec;
+  spec.sex = 0, spec.age = 30, spec.height = 1.68;
+  spec.measurements = {{"chest", 0.90},        {"waist", 0.75},
+                       {"hip", 0.98},          {"neck", 0.36},
+                       {"upper_arm", 0.29},    {"wrist", 0.155},
+                       {"thigh", 0.56},        {"back_length", 0.42},
+                       {"arm_length", 0.56},   {"shoulder_breadth", 0.38},
+                       {"crotch_height", 0.78}};
+  const BodyFit fit = body_model().fit(spec);
+  EXPECT_EQ(fit.table.size(), 12u);
+  for (const auto& row : fit.table) EXPECT_NEAR(row.measured, row.asked, 0.001) << row.name;
+}
+
+TEST(BodyFit, HeavyBodiesExtrapolateAndSaySo) {
+  BodySpec spec;
+  spec.sex = 1, spec.height = 1.78;
+  spec.measurements = {{"chest", 1.20}, {"waist", 1.15}, {"hip", 1.18}};
+  const BodyFit fit = body_model().fit(spec, BodyDetail::coarse);
+  EXPECT_NEAR(fit.parameters.weight, 1.57, 0.05);
+  for (const auto& row : fit.table) EXPECT_NEAR(row.measured, row.asked, 0.002) << row.name;
+  ASSERT_FALSE(fit.warnings.empty());
+  EXPECT_NE(fit.warnings[0].find("extrapolated"), std::string::npos);
+}
+
+TEST(BodyFit, AWishOutOfReachIsReportedAndSpoilsNothingElse) {
+  BodySpec spec;
+  spec.sex = 0.4, spec.age = 10, spec.height = 1.40;
+  spec.measurements = {{"chest", 0.66}, {"neck", 0.28}};
+  const BodyFit fit = body_model().fit(spec);
+  std::map<std::string, double> off;
+  for (const auto& row : fit.table) off[row.name] = std::abs(row.measured - row.asked);
+  EXPECT_LT(off.at("height"), 0.001);
+  EXPECT_LT(off.at("chest"), 0.001);
+  EXPECT_GT(off.at("neck"), 0.005);
+  ASSERT_FALSE(fit.warnings.empty());
+  EXPECT_NE(fit.warnings[0].find("neck: asked 0.280 m, got"), std::string::npos) << fit.warnings[0];
+}
+
+TEST(BodyFit, HeightAloneIsEnough) {
+  BodySpec spec;
+  spec.sex = 1, spec.age = 40, spec.height = 1.90;
+  const BodyFit fit = body_model().fit(spec);
+  ASSERT_EQ(fit.table.size(), 1u);
+  EXPECT_NEAR(fit.table[0].measured, 1.90, 0.001);
+  EXPECT_TRUE(fit.parameters.details.empty());
+}
+
+TEST(BodyFit, AbsurdWishesAreRefusedByName) {
+  const auto refusal = [](const std::string& name, double value) -> std::string {
+    BodySpec spec;
+    spec.height = 1.70;
+    if (name == "height") {
+      spec.height = value;
+    } else {
+      spec.measurements[name] = value;
+    }
+    try {
+      body_model().fit(spec);
+    } catch (const InvalidInput& error) {
+      return std::string(error.what()) + " | " + error.hint();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(refusal("chest", 3).find("chest: found 3 m, expected 0.35 to 1.8 m"),
+            std::string::npos);
+  EXPECT_NE(refusal("height", 0.2).find("height: found 0.2 m"), std::string::npos);
+  EXPECT_NE(refusal("height", 168).find("metres"), std::string::npos);
+  EXPECT_NE(refusal("waist", std::nan("")).find("waist"), std::string::npos);
+  EXPECT_NE(refusal("wiast", 0.7).find("did you mean \"waist\""), std::string::npos)
+      << refusal("wiast", 0.7);
 }
 
 }  // namespace
