@@ -14,7 +14,9 @@ target=$(cd "$target" && pwd)
   exit 1
 }
 
-if "$bin/loosefit_bake" --check "$target/body.lfb" 2>/dev/null; then
+# The tests read the source files too, so both must be there.
+if [ -s "$target/raw/targets.bin" ] && "$bin/loosefit_bake" --check "$target/body.lfb" 2>/dev/null; then
+  echo "body data: baked and current"
   exit 0
 fi
 "$tools/fetch_body_data.sh" "$target/raw"
