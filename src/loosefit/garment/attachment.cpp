@@ -1,10 +1,8 @@
 #include "loosefit/garment/attachment.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 #include "loosefit/base/error.h"
 #include "loosefit/garment/attachment_checks.h"
@@ -42,48 +40,87 @@ void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
   for (int i = 0; i < 3; ++i) g.vertex_mass[g.triangles[best][i]] += weights[i] * mass;
 }
 
-/// Share of a triangle within a region, by equal sub-triangles.
-double covered_share(const std::array<Vec2, 3>& uv,
-                     const std::function<bool(const Vec2&)>& inside) {
+/// Footprint of a board. `focus` looks ahead at one triangle: false if it is out of reach.
+struct BoardShape {
+  const Board& board;
+  bool disc = board.radius > 0;
+  Vec2 half = disc ? Vec2(board.radius, board.radius) : Vec2(board.size / 2);
+  Eigen::Rotation2Dd turn{board.angle};
+
+  bool covers_local(const Vec2& p) const {
+    return disc ? p.norm() <= board.radius
+                : std::abs(p.x()) <= half.x() && std::abs(p.y()) <= half.y();
+  }
+  bool focus(const Vec2& low, const Vec2& high) const {
+    return (board.centre - board.centre.cwiseMax(low).cwiseMin(high)).norm() <= half.norm();
+  }
+  bool covers(const Vec2& p) const { return covers_local(turn.inverse() * (p - board.centre)); }
+};
+
+/// Strip along a cable.
+struct CableShape {
+  const Cable& cable;
+  std::vector<std::size_t> near;  // segments that may reach the triangle in focus
+
+  bool focus(const Vec2& low, const Vec2& high) {
+    const Vec2 reach = Vec2::Constant(cable.width / 2);
+    near.clear();
+    for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
+      const Vec2 &a = cable.path[i], &b = cable.path[i + 1];
+      if ((a.cwiseMin(b) - reach - high).maxCoeff() <= 0 &&
+          (low - a.cwiseMax(b) - reach).maxCoeff() <= 0)
+        near.push_back(i);
+    }
+    return !near.empty();
+  }
+  bool covers(const Vec2& p) const {
+    return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
+      const Vec2 along = cable.path[i + 1] - cable.path[i];
+      const double squared = along.squaredNorm();
+      const double t =
+          squared > 0 ? std::clamp((p - cable.path[i]).dot(along) / squared, 0.0, 1.0) : 0.0;
+      return (cable.path[i] + t * along - p).norm() <= cable.width / 2;
+    });
+  }
+};
+
+/// Share of a triangle within a shape, by equal sub-triangles.
+template <class Shape>
+double covered_share(const std::array<Vec2, 3>& uv, const Shape& shape) {
   int hits = 0;
   for (int i = 0; i < kTriangleSamples; ++i)
     for (int j = 0; j < kTriangleSamples - i; ++j)
       for (const double third : {1.0 / 3, 2.0 / 3}) {
         if (third > 0.5 && i + j == kTriangleSamples - 1) continue;
         const double a = (i + third) / kTriangleSamples, b = (j + third) / kTriangleSamples;
-        hits += inside(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
+        hits += shape.covers(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
       }
   return double(hits) / (kTriangleSamples * kTriangleSamples);
 }
 
-void stiffen(Garment& g, int panel, double bending, double membrane_factor,
-             const std::function<bool(const Vec2&)>& inside) {
+template <class Shape>
+void stiffen(Garment& g, int panel, double bending, double membrane_factor, Shape shape) {
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     if (g.triangle_panel[t] != panel) continue;
-    const double share = covered_share(g.triangle_uv[t], inside);
+    const auto& [a, b, c] = g.triangle_uv[t];
+    if (!shape.focus(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) continue;
+    const double share = covered_share(g.triangle_uv[t], shape);
     g.triangle_added_bending[t] += share * bending;
     g.triangle_membrane_factor[t] *= 1 + share * (membrane_factor - 1);
   }
 }
 
 void add(Garment& g, int panel, const Board& board) {
-  const bool disc = board.radius > 0;
-  const Vec2 half = disc ? Vec2(board.radius, board.radius) : Vec2(board.size / 2);
-  const Eigen::Rotation2Dd turn(board.angle);
-  const auto covers = [&](const Vec2& local) {
-    return disc ? local.norm() <= board.radius
-                : std::abs(local.x()) <= half.x() && std::abs(local.y()) <= half.y();
-  };
+  const BoardShape shape{board};
   std::vector<Vec2> samples;
   for (int i = 0; i < kFootprintSamples; ++i)
     for (int j = 0; j < kFootprintSamples; ++j) {
-      const Vec2 local = half.cwiseProduct(
+      const Vec2 local = shape.half.cwiseProduct(
           Vec2((2 * i + 1.0) / kFootprintSamples - 1, (2 * j + 1.0) / kFootprintSamples - 1));
-      if (covers(local)) samples.push_back(board.centre + turn * local);
+      if (shape.covers_local(local)) samples.push_back(board.centre + shape.turn * local);
     }
   for (const Vec2& p : samples) add_mass(g, panel, p, board.mass / double(samples.size()));
-  stiffen(g, panel, board.bending, board.membrane_factor,
-          [&](const Vec2& p) { return covers(turn.inverse() * (p - board.centre)); });
+  stiffen(g, panel, board.bending, board.membrane_factor, shape);
   g.mass += board.mass;
 }
 
@@ -96,16 +133,7 @@ void add(Garment& g, int panel, const Cable& cable) {
       add_mass(g, panel, a + (s + 0.5) / steps * (b - a), cable.linear_density * length / steps);
     g.mass += cable.linear_density * length;
   }
-  stiffen(g, panel, cable.bending / cable.width, 1, [&](const Vec2& p) {
-    for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
-      const Vec2 along = cable.path[i + 1] - cable.path[i];
-      const double squared = along.squaredNorm();
-      const double t =
-          squared > 0 ? std::clamp((p - cable.path[i]).dot(along) / squared, 0.0, 1.0) : 0.0;
-      if ((cable.path[i] + t * along - p).norm() <= cable.width / 2) return true;
-    }
-    return false;
-  });
+  stiffen(g, panel, cable.bending / cable.width, 1, CableShape{cable, {}});
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ struct Checker {
   void operator()(const Cable& cable) const {
     if (cable.path.size() < 2)
       fail("path", fmt::format("{} points", cable.path.size()), "at least two");
-    if (cable.path.size() > 10000)
-      fail("path", fmt::format("{} points", cable.path.size()), "at most 10000");
+    if (cable.path.size() > 1000)
+      fail("path", fmt::format("{} points", cable.path.size()), "at most 1000");
     for (std::size_t i = 0; i < cable.path.size(); ++i)
       inside(fmt::format("path[{}]", i), cable.path[i]);
     range("linear_density", cable.linear_density, 0, 1, "kg/m");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
@@ -24,6 +25,9 @@ struct Part {
   Vec2 start, end;
   EdgeCurve curve;
 };
+
+/// Rounding noise of the unit change would print as 25.919999999999998.
+double tidy(double x) { return std::round(x * 1e9) / 1e9 + 0.0; }
 
 void add_cuts(std::vector<double>& cuts, const std::vector<double>& more) {
   for (const double f : more)
@@ -76,7 +80,7 @@ Json curvature_of(const Part& part, const std::string& where) {
   };
   Json params = Json::array();
   if (part.curve.kind == EdgeCurve::Kind::circle) {
-    params = {part.curve.radius * kPerMetre, part.curve.large_arc ? 1 : 0,
+    params = {tidy(part.curve.radius * kPerMetre), part.curve.large_arc ? 1 : 0,
               part.curve.sweep ? 1 : 0};
     return {{"type", "circle"}, {"params", params}};
   }
@@ -85,7 +89,7 @@ Json curvature_of(const Part& part, const std::string& where) {
           {"params", params}};
 }
 
-Json numbers(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json numbers(const Vec3& v) { return Json::array({tidy(v.x()), tidy(v.y()), tidy(v.z())}); }
 
 std::string list_lines(const std::vector<Json>& items, const std::string& indent) {
   std::string text = "[";
@@ -134,7 +138,8 @@ std::string garmentcode_text(const Pattern& pattern) {
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& [part, edge] = parts[i];
-      vertices.push_back(Json::array({part.start.x() * kPerMetre, part.start.y() * kPerMetre}));
+      vertices.push_back(
+          Json::array({tidy(part.start.x() * kPerMetre), tidy(part.start.y() * kPerMetre)}));
       Json item = {{"endpoints", Json::array({i, (i + 1) % parts.size()})}};
       if (part.curve.kind != EdgeCurve::Kind::line)
         item["curvature"] = curvature_of(part, "panel " + panel.name + " edge " + edge->name);
