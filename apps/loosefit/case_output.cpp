@@ -22,6 +22,7 @@ std::vector<Picture> draw(const std::filesystem::path& folder, const CaseResult&
   for (const std::string& view : wished.views) options.views.push_back(view_from_name(view));
   std::vector<PerformanceMap> maps;
   for (const CaseMap& entry : result.maps.maps) maps.push_back(entry.map);
+  std::filesystem::create_directories(folder / "maps");
   return render_pictures(folder / "maps", result.body.body.surface, result.mesh(),
                          result.drape.positions, maps, options, [&progress](double share) {
                            progress.check_cancelled();
