@@ -1,0 +1,84 @@
+#include "loosefit/study/case_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/garmentcode.h"
+#include "loosefit/study/case_stages.h"
+
+namespace loosefit {
+namespace {
+
+/// The measures of the adult woman of the pattern reference (patterns.md 6.1).
+Body measured_woman() {
+  Body body;
+  body.measured = {{"chest", .880},
+                   {"waist", .720},
+                   {"hip", .960},
+                   {"neck", .360},
+                   {"upper_arm", .284},
+                   {"wrist", .160},
+                   {"shoulder_breadth", .385},
+                   {"shoulder_slope", radians(20)},
+                   {"scye_depth", .145},
+                   {"hps_to_waist", .425},
+                   {"hps_to_hip", .630},
+                   {"arm_length", .585}};
+  return body;
+}
+
+TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
+  ScenarioGarment wished;
+  wished.fit.chest = 0.15;
+  wished.fit.waist = 0.22;
+  wished.fit.hip = 0.05;
+  wished.fit.sleeve = 0.30;
+  wished.fit.wrist = 0.40;
+  const CasePattern made = make_pattern(wished, measured_woman());
+  EXPECT_NEAR(made.fit.at("chest"), 0.15, 1e-6);
+  EXPECT_NEAR(made.fit.at("waist"), 0.22, 1e-6);
+  EXPECT_NEAR(made.fit.at("hip"), 0.05, 1e-6);
+  EXPECT_NEAR(made.fit.at("sleeve"), 0.30, 1e-6);
+  EXPECT_NEAR(made.fit.at("wrist"), 0.40, 1e-6);
+  EXPECT_EQ(made.pattern.stitches.size(), 12u);
+}
+
+// One garment on two bodies: its girths stay, its mobility follows the body.
+TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
+  ScenarioGarment wished;
+  wished.size = "child-142";
+  Body slim = measured_woman(), heavy = measured_woman();
+  slim.measured["chest"] = 0.63;
+  heavy.measured["chest"] = 0.75;
+  const CasePattern a = make_pattern(wished, slim), b = make_pattern(wished, heavy);
+  EXPECT_EQ(a.girths.at("chest"), b.girths.at("chest"));
+  EXPECT_NEAR((1 + a.fit.at("chest")) * 0.63, (1 + b.fit.at("chest")) * 0.75, 1e-9);
+  EXPECT_EQ(garmentcode_text(a.pattern), garmentcode_text(b.pattern));
+}
+
+TEST(MakePattern, MissingMeasureIsNamed) {
+  Body body = measured_woman();
+  body.measured.erase("scye_depth");
+  try {
+    make_pattern({}, body);
+    FAIL();
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("body.scye_depth"), std::string::npos) << e.what();
+    EXPECT_NE(e.hint().find("size"), std::string::npos);
+  }
+}
+
+TEST(DrapeOptions, FollowTheScenario) {
+  ScenarioSimulation simulation;
+  simulation.integrator = "implicit-euler";
+  simulation.seed = 40;
+  simulation.gravity = 9.8;
+  EXPECT_EQ(drape_options(simulation).integrator, IntegratorKind::implicit_euler);
+  EXPECT_EQ(drape_options(simulation).gravity, 9.8);
+  EXPECT_EQ(drape_options(simulation, 2).seed, 42u);
+  simulation.integrator = "magic";
+  EXPECT_THROW(drape_options(simulation), InvalidInput);
+}
+
+}  // namespace
+}  // namespace loosefit

@@ -1,0 +1,100 @@
+#include "loosefit/study/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "loosefit/study/sites_csv.h"
+
+namespace loosefit {
+namespace {
+
+/// A result with one triangle of cloth and numbers that are easy to recognise.
+CaseResult small_result() {
+  CaseResult result;
+  result.scenario = default_scenario();
+  Garment mesh;
+  mesh.vertex_count = 3;
+  mesh.triangles = {{0, 1, 2}};
+  mesh.area = 0.25;
+  mesh.mass = 0.03;
+  result.garment.levels = {mesh};
+  result.drape.certificate = {5e-4, 2e-3, 0, 0, "converged"};
+  result.body.body.measured = {{"chest", 0.88}, {"height", 1.68}};
+  result.body.asked = {{"chest", 0.90, 0.88}};
+  result.pattern.fit = {{"chest", 0.1}};
+  result.seconds = {{"body", 0.5}, {"settle", 2}};
+  CaseMap map;
+  map.map.array = "distance_mm";
+  map.overall = {1, 2, 3, 4, 5, 2.5, 0.25, 7};
+  map.regional[Region::mid_back] = {0, 0, 0.5, 0, 0, 0, 0, 0};
+  map.overall.max = std::numeric_limits<double>::quiet_NaN();
+  result.maps.maps = {map};
+  Site site;
+  site.name = "a, \"b\"";
+  site.panel = "back";
+  site.at = {0.1, -0.2};
+  site.values["distance_mm"] = {6.5, 8};
+  result.sites = {site};
+  return result;
+}
+
+TEST(Summary, HasTheStableKeys) {
+  const auto json = nlohmann::json::parse(summary_json(small_result()));
+  EXPECT_EQ(json["settled"], true);
+  EXPECT_EQ(json["sealed"], false);
+  EXPECT_EQ(json["residual"], 5e-4);
+  EXPECT_EQ(json["intersections"]["body"], 0);
+  EXPECT_EQ(json["vertices"], 3);
+  EXPECT_EQ(json["triangles"], 1);
+  EXPECT_EQ(json["seconds"]["settle"], 2.0);
+  EXPECT_EQ(json["seconds"]["total"], 2.5);
+  EXPECT_EQ(json["body"]["measured"]["chest"], 0.88);
+  EXPECT_EQ(json["body"]["asked"]["chest"], 0.90);
+  EXPECT_EQ(json["fit"]["measured"]["chest"], 0.1);
+  EXPECT_EQ(json["garment"]["area_m2"], 0.25);
+  EXPECT_EQ(json["garment"]["mass_kg"], 0.03);
+  EXPECT_EQ(json["maps"]["distance_mm"]["area_mean"], 2.5);
+  EXPECT_TRUE(json["maps"]["distance_mm"]["max"].is_null()) << "NaN has no place in JSON";
+  EXPECT_EQ(json["maps"]["distance_mm"]["regions"]["mid_back"]["median"], 0.5);
+  EXPECT_EQ(json["sites"]["a, \"b\""]["distance_mm"], 6.5);
+  EXPECT_EQ(json["sites"]["a, \"b\""]["distance_mm_worst"], 8.0);
+  EXPECT_TRUE(json["versions"].contains("loosefit"));
+  EXPECT_EQ(json["scenario_sha256"].get<std::string>().size(), 64u);
+}
+
+TEST(Summary, DigestFollowsTheScenarioOnly) {
+  CaseResult a = small_result(), b = small_result();
+  b.seconds.clear();
+  const auto digest = [](const CaseResult& r) {
+    return nlohmann::json::parse(summary_json(r))["scenario_sha256"].get<std::string>();
+  };
+  EXPECT_EQ(digest(a), digest(b));
+  b.scenario.simulation.seed = 2;
+  EXPECT_NE(digest(a), digest(b));
+}
+
+TEST(Summary, UnsettledWithoutMapsIsSealed) {
+  CaseResult result = small_result();
+  result.maps = {};
+  result.drape.certificate.intersections_self = 1;
+  const auto json = nlohmann::json::parse(summary_json(result));
+  EXPECT_EQ(json["settled"], false);
+  EXPECT_EQ(json["sealed"], true);
+}
+
+TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
+  CaseResult result = small_result();
+  result.sites.push_back({});
+  result.sites[1].name = "plain";
+  const std::string csv = sites_csv(result.sites);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "name,region,panel,u_m,v_m,x_m,y_m,z_m,distance_mm,distance_mm_worst");
+  EXPECT_NE(csv.find("\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,6.5,8\n"), std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,,\n"), std::string::npos) << csv;
+}
+
+}  // namespace
+}  // namespace loosefit
