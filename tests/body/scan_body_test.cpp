@@ -62,7 +62,8 @@ TEST(ScanBody, FindsWhatTheParametricBodyKnows) {
     near("wrist", 0.003);
     near("shoulder_breadth", 0.025);
     near("shoulder_slope", 0.06);
-    near("scye_depth", 0.012);
+    near("scye_depth", 0.02);
+    near("armscye", 0.03);
     near("arm_length", 0.025);
     near("armpit_level", 0.010);
     EXPECT_LE(found.measured.at("waist"),

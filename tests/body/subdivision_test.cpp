@@ -140,6 +140,8 @@ TEST(Subdivision, MeasuresOfAWomanAreThoseOfATailor) {
   EXPECT_NEAR(body.measured.at("shoulder_breadth"), 0.385, 0.03);
   EXPECT_NEAR(degrees(body.measured.at("shoulder_slope")), 20, 5);
   EXPECT_NEAR(body.measured.at("upper_arm"), 0.284, 0.02);
+  EXPECT_NEAR(body.measured.at("scye_depth"), 0.145, 0.02);
+  EXPECT_NEAR(body.measured.at("armscye"), 0.38, 0.02);
   EXPECT_NEAR(body.measured.at("hps_to_waist"), 0.425, 0.03);
   EXPECT_NEAR(body.measured.at("hps_to_hip"), 0.63, 0.02);
   EXPECT_NEAR(body.measured.at("back_length"), 0.425, 0.025);

@@ -9,9 +9,12 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/skeleton_pose.h"
+#include "loosefit/body/tape_paths.h"
 
 namespace loosefit {
 namespace {
+
+constexpr double kHangingArm = radians(25);  // as people stand
 
 Segment segment_of_bone(const std::string& bone) {
   static const std::vector<std::pair<std::string, Segment>> kPrefixes = {
@@ -41,6 +44,15 @@ void check_posture(const Posture& posture) {
   check("arm_abduction", degrees(posture.arm_abduction), -10, 120, "°");
   check("forward_bend", degrees(posture.forward_bend), -30, 90, "°");
   check("sitting", posture.sitting, 0, 1, "");
+}
+
+std::vector<Vec3> carried(const std::vector<Eigen::Matrix<double, 3, 4>>& maps,
+                          const std::vector<Vec3>& points) {
+  std::vector<Vec3> moved;
+  moved.reserve(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    moved.push_back(maps[v] * points[v].homogeneous());
+  return moved;
 }
 
 double lowest(const std::vector<Vec3>& points) {
@@ -93,6 +105,22 @@ Posture BodyModel::rest_posture(const BodyParameters& parameters) const {
   return {rest_arm_abduction(*data_, joints), 0, 0};
 }
 
+// The underarm of a shirt lies where the fold is when the arms hang, not where it is in an A-pose.
+double BodyModel::scye_depth(const RestBody& rest) const {
+  const Posture hanging{kHangingArm, 0, 0};
+  const auto bones =
+      pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, hanging));
+  const TriangleMesh surface{carried(blend_bones(bones, fine_skin_), rest.surface.vertices),
+                             rest.surface.triangles};
+  const auto arm = std::size_t(data_->bone("upperarm01.L"));
+  const Vec3 joint = bones[arm] * rest.joints[std::size_t(data_->bones[arm].head)];
+  const auto marks = landmark_vertices(*data_, rest);
+  const Vec3& acromion = surface.vertices[std::size_t(marks.at("acromion_L"))];
+  const Vec3& hps = surface.vertices[std::size_t(marks.at("hps_L"))];
+  const Vec3 shoulder = top_at(surface, acromion.x(), hps.z());
+  return shoulder.z() - armscye_round(surface, joint).fold;
+}
+
 Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) const {
   check_parameters(parameters);
   check_posture(posture);
@@ -104,13 +132,10 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   body.segment = segment_;
   body.side = side_;
   body.measured = BodyTape(*data_, rest).all();
+  body.measured["scye_depth"] = scye_depth(rest);
   body.pose_from_rest = blend_bones(bones, fine_skin_);
   body.surface.triangles = rest.surface.triangles;
-  body.surface.vertices.reserve(rest.surface.vertices.size());
-  for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v) {
-    body.surface.vertices.push_back(body.pose_from_rest[v] *
-                                    rest.surface.vertices[v].homogeneous());
-  }
+  body.surface.vertices = carried(body.pose_from_rest, rest.surface.vertices);
 
   // Both ends of the map stand on the floor.
   const Vec3 drop(0, 0, lowest(body.surface.vertices));

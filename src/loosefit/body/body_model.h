@@ -67,6 +67,8 @@ class BodyModel {
   const Morph& morph() const { return morph_; }
 
  private:
+  double scye_depth(const RestBody& rest) const;
+
   std::shared_ptr<const BodyData> data_;
   Morph morph_;
   CatmullClark subdivision_;

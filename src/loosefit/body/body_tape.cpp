@@ -151,7 +151,7 @@ std::map<std::string, double> BodyTape::all() const {
   found["shoulder_slope"] = std::atan2(hps.z() - shoulder, acromion.x() - hps.x());
   found["shoulder_length"] = (acromion - hps).norm();
   found["neck_width"] = 2 * hps.x();
-  found["scye_depth"] = shoulder - armpit;
+  found["armscye"] = armscye_round(rest_.surface, joint("upperarm01.L")).girth;
   found["hps_to_waist"] = back_tape(rest_.surface, hps, waist);
   found["hps_to_hip"] = back_tape(rest_.surface, hps, hip);
   found["volume"] = enclosed_volume(rest_.surface);

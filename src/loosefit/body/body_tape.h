@@ -19,8 +19,8 @@ class BodyTape {
   double measure(const std::string& name) const;
 
   /// Everything a pattern or a report wants, measure_names() included, and levels above the floor
-  /// ("chest_level", "waist_level", "hip_level", "armpit_level"), "shoulder_slope" [rad],
-  /// "volume" [m³] and "mass" [kg].
+  /// ("chest_level", "waist_level", "hip_level", "armpit_level"), "armscye", "shoulder_slope"
+  /// [rad], "volume" [m³] and "mass" [kg].
   std::map<std::string, double> all() const;
 
   /// Girth of the limb round `bone_a`.head → `bone_b`.head at share t.

@@ -55,6 +55,14 @@ int nearest_vertex(const TriangleMesh& mesh, const Vec3& p) {
   return best;
 }
 
+// The underarm fold sinks as the arm is lowered: by 1.9 % of the stature from 41° to 25° on the
+// parametric body (women, men and children: 1.5 to 2.4 %). Shirts are drafted for hanging arms.
+double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) {
+  const Vec3 arm = elbow - shoulder;
+  const double abduction = degrees(std::atan2(std::abs(arm.x()), -arm.z()));
+  return 0.019 * height * (abduction - 25) / 16;
+}
+
 void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body& body) {
   const char* names[2] = {"_L", "_R"};
   for (std::size_t side = 0; side < 2; ++side) {
@@ -157,7 +165,9 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
   m["shoulder_slope"] = std::atan2(hps[0].z() - acromion[0].z(), acromion[0].x() - hps[0].x());
   m["shoulder_length"] = (hps[0] - acromion[0]).norm();
   m["neck_width"] = hps[0].x() - hps[1].x();
-  m["scye_depth"] = acromion[0].z() - s.armpit;
+  const Armscye armscye = armscye_round(surface, shoulder);
+  m["armscye"] = armscye.girth;
+  m["scye_depth"] = acromion[0].z() - armscye.fold + hanging_arm_gain(shoulder, elbow, s.height);
   m["hps_to_waist"] = back_tape(surface, hps[0], s.waist);
   m["hps_to_hip"] = back_tape(surface, hps[0], s.hip);
   m["arm_length"] = (acromion[0] - elbow).norm() + (elbow - wrist).norm();

@@ -95,7 +95,7 @@ ArmLine arm_line(const ScanSections& s, int side) {
   }
   Vec3 slope = (centres[near] - centres[far]) / (centres[near].z() - centres[far].z());
   slope.y() = 0;  // the bend of the elbow would tip the axis backwards
-  const double joint_height = s.armpit + 0.038 * s.height;
+  const double joint_height = s.armpit + 0.033 * s.height;
   ArmLine arm;
   arm.points.push_back(centres[near] + slope * (joint_height - centres[near].z()));
   for (std::size_t i = near; i < centres.size(); i += 2) arm.points.push_back(centres[i]);

@@ -85,4 +85,14 @@ Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling) {
   return top;
 }
 
+Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint) {
+  for (const auto& loop : plane_section(mesh, shoulder_joint, Vec3::UnitX())) {
+    if (!loop_contains(loop, Vec3::UnitX(), shoulder_joint)) continue;
+    const auto low = std::min_element(loop.points.begin(), loop.points.end(),
+                                      [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+    return {hull_perimeter(loop.points, Vec3::UnitX()), low->z()};
+  }
+  throw GeometryError("body: found no closed section round the shoulder joint");
+}
+
 }  // namespace loosefit

@@ -23,4 +23,12 @@ double neck_base_girth(const Vec3& left, const Vec3& right, const Vec3& c7, cons
 /// Highest point of the sagittal section at x, below `ceiling`.
 Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling);
 
+/// Where sleeve meets trunk: the sagittal section round the shoulder joint.
+struct Armscye {
+  double girth = 0;
+  double fold = 0;  ///< height z of its lowest point, the underarm
+};
+/// \throws GeometryError when no closed section contains the joint.
+Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint);
+
 }  // namespace loosefit
