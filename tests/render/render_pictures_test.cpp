@@ -59,8 +59,8 @@ TEST_F(Pictures, AreNamedByMapAndView) {
   hidden.map = "hidden";
   hidden.pictured = false;
   double last = 0;
-  const auto pictures = render_pictures(dir_, body_.surface, garment_, positions_, {map_, hidden},
-                                        options_, [&](double share) { last = share; });
+  const auto pictures = render_pictures(dir_, body_, garment_, positions_, {map_, hidden}, options_,
+                                        [&](double share) { last = share; });
   ASSERT_EQ(pictures.size(), 8u);
   EXPECT_EQ(last, 1);
   for (const char* file : {"drape-front.png", "distance-left.png", "distance-right.png"})
@@ -68,9 +68,9 @@ TEST_F(Pictures, AreNamedByMapAndView) {
 }
 
 TEST_F(Pictures, EqualInputGivesEqualBytes) {
-  render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_);
+  render_pictures(dir_, body_, garment_, positions_, {map_}, options_);
   const std::string first = bytes(dir_ / "distance-front.png");
-  render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_);
+  render_pictures(dir_, body_, garment_, positions_, {map_}, options_);
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(first, bytes(dir_ / "distance-front.png"));
 }
@@ -110,10 +110,8 @@ TEST_F(Pictures, LightDarkensNoMapBelowItsFloor) {
 
 TEST_F(Pictures, WrongSizesAndPlacesAreErrors) {
   map_.values.pop_back();
-  EXPECT_THROW(render_pictures(dir_, body_.surface, garment_, positions_, {map_}, options_),
-               InvalidInput);
-  EXPECT_THROW(render_pictures(dir_ / "none", body_.surface, garment_, positions_, {}, options_),
-               IoError);
+  EXPECT_THROW(render_pictures(dir_, body_, garment_, positions_, {map_}, options_), InvalidInput);
+  EXPECT_THROW(render_pictures(dir_ / "none", body_, garment_, positions_, {}, options_), IoError);
   EXPECT_THROW(view_from_name("top"), InvalidInput);
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Fixed ranges, so that pictures of different garments and people can be compared.
 constexpr double kStrainRange = 0.05;   // [–], both signs
 constexpr double kDistanceRange = 40;   // [mm]
-constexpr double kDeviationRange = 45;  // [deg]
+constexpr double kDeviationRange = 40;  // [deg]
 
 PerformanceMap strain_map(const std::string& array, const std::string& title, bool pictured,
                           std::vector<double> values) {

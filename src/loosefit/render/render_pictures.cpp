@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/render/garment_lines.h"
 #include "loosefit/render/legend.h"
+#include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 
 namespace loosefit {
@@ -68,7 +69,7 @@ View view_from_name(const std::string& text) {
   throw InvalidInput("unknown view '" + text + "', expected front, back, left or right");
 }
 
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const TriangleMesh& body,
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
                                      const Garment& garment, const std::vector<Vec3>& positions,
                                      const std::vector<PerformanceMap>& maps,
                                      const PictureOptions& options,
@@ -76,7 +77,8 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Tri
   check_sizes(garment, positions, maps);
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 8;
-  Scene scene({body, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
+  const TriangleMesh form = mannequin(body, garment, positions);
+  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
               options.height - foot, options.supersampling, options.ambient_occlusion);
   std::vector<const PerformanceMap*> drawn;
   for (const PerformanceMap& map : maps)

@@ -33,10 +33,10 @@ struct Picture {
 };
 
 /// Draws the drape with every map whose `pictured` is set and writes DIR/<map>-<view>.png. The body
-/// is a neutral grey mannequin; colours are fixed by each map's range; NaN is grey. `after_each` is
-/// called with the share done and may throw to stop.
-/// \throws Error when there is no X display (check_display), IoError when a file cannot be written.
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const TriangleMesh& body,
+/// is a neutral grey dress form (render/mannequin.h); colours are fixed by each map's range; NaN is
+/// grey. `after_each` is called with the share done and may throw to stop. \throws Error when there
+/// is no X display (check_display), IoError when a file cannot be written.
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
                                      const Garment& garment, const std::vector<Vec3>& positions,
                                      const std::vector<PerformanceMap>& maps,
                                      const PictureOptions& options = {},
