@@ -108,7 +108,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
 
   std::map<std::string, Vec3> place;
   const double acromion_x =
-      0.5 * (arms[0].points.front().x() - arms[1].points.front().x()) + 0.006 * s.height;
+      0.5 * (arms[0].points.front().x() - arms[1].points.front().x()) + 0.002 * s.height;
   Vec3 hps[2], acromion[2];
   for (const int side : {0, 1}) {
     const double sign = side == 0 ? 1 : -1;

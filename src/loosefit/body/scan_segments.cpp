@@ -38,7 +38,7 @@ bool belongs_to_arm(const ScanSections& s, const ArmLine& arm, std::size_t side,
   if (p.z() > s.armpit) {
     const BodySlice& below = slice_near(s, s.armpit);
     const double from = 0.5 * (below.trunk_side[side] + below.arm_inner[side]);
-    const double to = std::abs(shoulder.x()) + 0.006 * s.height;
+    const double to = std::abs(shoulder.x()) + 0.002 * s.height;
     const double top = shoulder.z() + 0.022 * s.height;
     const double share = std::clamp((p.z() - s.armpit) / (top - s.armpit), 0., 1.);
     return p.z() < top + 0.03 * s.height && x > from + share * (to - from);
