@@ -132,17 +132,17 @@ TriangleMesh mannequin(const Body& body, const Garment& garment,
   TriangleMesh form = clipped(body.surface, keep);
   if (!neck || !head) return form;
 
-  const Vec3 up = (*head - *neck).normalized();
-  const double lid = (*neck + kNeckShare * (*head - *neck)).dot(up);
+  // Across the trunk's axis, not the neck's, which leans forward: seen edge-on from the front.
+  const double lid = (*neck + kNeckShare * (*head - *neck)).dot(axis);
   const double reach = 0.6 * (*head - *neck).norm() + 0.15;  // arms may be raised beside the neck
   keep.assign(form.vertices.size(), 1.0);
   for (std::size_t v = 0; v < form.vertices.size(); ++v) {
     const Vec3 from = form.vertices[v] - *neck;
-    if ((from - from.dot(up) * up).norm() < reach) keep[v] = lid - form.vertices[v].dot(up);
+    if ((from - from.dot(axis) * axis).norm() < reach) keep[v] = lid - form.vertices[v].dot(axis);
   }
   std::vector<std::array<int, 2>> rim;
   form = clipped(form, keep, &rim);
-  close_with_fan(form, rim, up);
+  close_with_fan(form, rim, axis);
   return form;
 }
 

@@ -22,9 +22,11 @@ Image lit(Image colours, const Image& light, double ambient) {
   std::array<double, 256> factor{};
   for (int i = 0; i < 256; ++i)
     factor[i] = std::clamp(ambient + gain * (i / 255.0 - kSceneAmbient), 0.0, 1.0);
+  constexpr Rgb kBackground = {255, 255, 255};  // occlusion reaches round the frame's edge into it
   for (std::size_t i = 0; i < colours.pixels.size(); ++i)
-    for (std::uint8_t& channel : colours.pixels[i])
-      channel = static_cast<std::uint8_t>(std::lround(channel * factor[light.pixels[i][1]]));
+    if (colours.pixels[i] != kBackground)
+      for (std::uint8_t& channel : colours.pixels[i])
+        channel = static_cast<std::uint8_t>(std::lround(channel * factor[light.pixels[i][1]]));
   return colours;
 }
 
