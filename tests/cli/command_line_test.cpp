@@ -106,6 +106,49 @@ TEST_F(CommandLine, InterruptLeavesNothingBehind) {
     EXPECT_EQ(entry.path().filename(), "case.toml");
 }
 
+// A drape that is stopped long before it settles: quick, and as deterministic as a whole one.
+const char* const kStopped = "[simulation]\nedge_length = 0.05\nmax_iterations = 2\nthreads = 1\n";
+
+TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
+  const std::string out = (base / "out").string();
+  const ProgramRun run =
+      loosefit("run " + file("case.toml", kStopped) + " --no-pictures -o " + out);
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  for (const char* name : {"summary.json", "drape.vtp", "body.vtp", "pattern.json", "scenario.toml",
+                           "log.jsonl", "report.html"})
+    EXPECT_TRUE(fs::exists(base / "out" / name)) << name;
+  EXPECT_FALSE(fs::exists(base / "out/sites.csv")) << "sealed: no maps, no sites";
+  expect_refused(loosefit("map " + out), "not settled");
+  EXPECT_EQ(loosefit("map --allow-unsettled " + out).exit_code, 1);
+  EXPECT_TRUE(fs::exists(base / "out/sites.csv"));
+  EXPECT_TRUE(fs::exists(base / "out/report.html")) << "untouched files stay";
+}
+
+// The resolved scenario with another number of threads gives the same drape, bit for bit.
+TEST_F(CommandLine, SameBitsFromTheResolvedScenarioOnTwoThreads) {
+  const std::string first = (base / "first").string(), second = (base / "second").string();
+  loosefit("drape " + file("case.toml", kStopped) + " -o " + first);
+  std::string resolved = read_text_file(first + "/scenario.toml", 100000);
+  const std::size_t threads = resolved.find("threads = 1");
+  ASSERT_NE(threads, std::string::npos) << resolved;
+  resolved.replace(threads, 11, "threads = 2");
+  loosefit("drape " + file("again.toml", resolved) + " -o " + second);
+  EXPECT_EQ(read_text_file(first + "/drape.vtp", 100000000),
+            read_text_file(second + "/drape.vtp", 100000000));
+  EXPECT_EQ(read_text_file(second + "/scenario.toml", 100000), resolved);
+}
+
+// A file size limit behaves like a full disk: writing fails half-way through a file.
+TEST_F(CommandLine, FullDiskIsOneErrorAndLeavesNothing) {
+  const std::string scenario = file("case.toml", kStopped);
+  const ProgramRun run =
+      run_program("bash -c \"trap '' XFSZ; ulimit -f 100; " + std::string(LOOSEFIT_BINARY) +
+                  " drape " + scenario + " -o " + (base / "out").string() + "\"");
+  expect_refused(run, "out");
+  for (const auto& entry : fs::directory_iterator(base))
+    EXPECT_EQ(entry.path().filename(), "case.toml");
+}
+
 TEST_F(CommandLine, MaterialsAreListedWithTheirSource) {
   const ProgramRun list = loosefit("material list");
   EXPECT_EQ(list.exit_code, 0);

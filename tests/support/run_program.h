@@ -14,7 +14,7 @@ struct ProgramRun {
 };
 
 /// Runs a shell command with a time limit; a run that exceeds it ends with exit code 124.
-inline ProgramRun run_program(const std::string& command, int limit_seconds = 60) {
+inline ProgramRun run_program(const std::string& command, int limit_seconds = 300) {
   ProgramRun run;
   const std::string limited = "timeout -k 5 " + std::to_string(limit_seconds) + " " + command;
   std::FILE* pipe = popen(("( " + limited + " ) 2>&1 </dev/null").c_str(), "r");

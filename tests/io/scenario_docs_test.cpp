@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/text_file.h"
+
+namespace loosefit {
+namespace {
+
+// Every key that the resolved scenario writes out must be explained.
+TEST(ScenarioDocs, NameEveryKey) {
+  const std::string docs =
+      read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + "/docs/scenario.md", 1000000);
+  Scenario scenario = default_scenario();
+  scenario.attachments = {{"board", "back", Board{}}, {"cable", "back", Cable{}}};
+  scenario.sites = {SiteSpec{}};
+  std::istringstream lines(scenario_toml(scenario));
+  int keys = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.empty() || line[0] == '[' || equals == std::string::npos) continue;
+    ++keys;
+    EXPECT_NE(docs.find("`" + line.substr(0, equals) + "`"), std::string::npos)
+        << line.substr(0, equals);
+  }
+  EXPECT_GT(keys, 50);
+}
+
+}  // namespace
+}  // namespace loosefit
