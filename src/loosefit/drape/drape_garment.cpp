@@ -20,17 +20,18 @@
 namespace loosefit {
 namespace {
 
-constexpr double kDressTolerance = 0.3;      ///< residual at which the dressed coarse level may move on
-constexpr double kContractTolerance = 3;     ///< residual while the softened start contracts
-constexpr int kContractIterations = 150;
-constexpr double kCoarseTolerance = 0.02;    ///< residual before a level is handed to the finer one
+constexpr double kDressTolerance = 1.0;      ///< residual at which the dressed coarse level may move on
+constexpr double kContractTolerance = 30;    ///< residual while the softened start contracts
+constexpr int kContractIterations = 60;
+constexpr double kCoarseTolerance = 0.1;     ///< residual before a level is handed to the finer one
 constexpr double kPoseTolerance = 0.5;       ///< residual between two steps of a posture path
 constexpr double kPoseStep = 0.07;           ///< largest joint angle of one step of the path [rad]
 constexpr double kCoarseLayer = 2.0;         ///< coarse levels keep layers this much farther apart
 constexpr int kCutRounds = 8;                ///< attempts to free the last cuts into the body
 constexpr double kCutTolerance = 0.05;       ///< residual at which cuts are first looked for
 constexpr int kCutLattice = 4;               ///< points along an edge of a cut triangle
-constexpr double kCutOffset = 1e-4;          ///< extra distance of a triangle that cuts again [m]
+constexpr double kCutOffset = 3e-5;          ///< beyond the depth of a cut [m]
+constexpr double kFarField = 0.002;          ///< no correction of the distance field beyond [m]
 constexpr double kFieldSpacing = 0.005;      ///< [m]
 
 using Clock = std::chrono::steady_clock;
@@ -66,8 +67,9 @@ class Run {
   const Garment& level_garment() const { return garment_.levels[level_]; }
   bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
 
-  void make_model(double stiffness_share = 1) {
+  void make_model(double stiffness_share = 1, bool with_friction = true) {
     Material material = material_;
+    if (!with_friction) material.friction_body = material.friction_self = 0;
     material.stiffness_warp *= stiffness_share;
     material.stiffness_weft *= stiffness_share;
     material.stiffness_shear *= stiffness_share;
@@ -110,10 +112,10 @@ class Run {
                                    : dress_as_placed(level_garment(), garment_.pattern);
     perturb();
     body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
-    // The strained start contracts as if it were soft at first, so that it comes to lie on the
-    // limbs and is not pulled through them.
+    // The strained start contracts as if it were soft at first, and without friction, so
+    // that it comes to lie on the limbs and is not pulled through them.
     for (double share : {0.01, 0.1}) {
-      make_model(share);
+      make_model(share, false);
       settle(kContractTolerance, kContractIterations, 0.01, true);
     }
     make_model();
@@ -163,59 +165,78 @@ class Run {
       refine();
     }
     // Cuts into the skin are looked for before the last digits of the balance are sought.
-    std::map<int, int> times_cut;
-    for (int round = 0; round < kCutRounds; ++round) {
-      settle(std::max(kCutTolerance, options_.residual_tolerance), options_.max_iterations, 0.02);
-      if (seconds() > options_.time_budget || !hold_off_cuts(times_cut)) break;
-    }
-    for (int round = 0; round < kCutRounds; ++round) {
-      settle(options_.residual_tolerance, options_.max_iterations, 0.02);
-      if (seconds() > options_.time_budget || !hold_off_cuts(times_cut)) break;
-    }
+    std::set<int> known_cuts;
+    const auto settle_and_hold_off = [&](double tolerance) {
+      for (int round = 0;; ++round) {
+        settle(tolerance, options_.max_iterations, round == 0 ? 0.02 : 0.5);
+        if (round == kCutRounds || seconds() > options_.time_budget) return;
+        if (!hold_off_cuts(known_cuts)) return;
+      }
+    };
+    settle_and_hold_off(std::max(kCutTolerance, options_.residual_tolerance));
+    settle_and_hold_off(options_.residual_tolerance);
   }
 
-  /// Carries positions to the next finer level: same surface, so no new intersections.
+  /// Carries positions to the next finer level. Midpoints on the coarse edges give the same surface,
+  /// so no new intersections; then they move towards the smooth surface through the coarse normals
+  /// (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
   void refine() {
     const auto& parents = garment_.parents[level_ + 1];
-    std::vector<Vec3> fine(parents.size());
-    for (std::size_t i = 0; i < parents.size(); ++i)
-      fine[i] = 0.5 * (x_[parents[i][0]] + x_[parents[i][1]]);
+    const auto normal = vertex_normals(x_, level_garment().triangles);
+    std::vector<Vec3> fine(parents.size()), bulge(parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+      const auto [a, b] = parents[i];
+      const Vec3 edge = x_[b] - x_[a];
+      fine[i] = 0.5 * (x_[a] + x_[b]);
+      bulge[i] = (normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8;
+    }
     x_ = std::move(fine);
     ++level_;
     make_model();
+    model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+    const double allowed = model_->self().begin_search(x_, bulge);
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
   }
 
   /// Flat triangles can cut a curved skin between their contact points: such triangles get more
-  /// contact points, whose offsets also make up for the error of the distance field there. A
-  /// triangle that cuts again is held a little farther off. False when nothing cuts.
-  bool hold_off_cuts(std::map<int, int>& times_cut) {
+  /// contact points, whose offsets make up for the error of the distance field there, and are held
+  /// off by what the skin stands out through them. False when nothing cuts.
+  bool hold_off_cuts(std::set<int>& known_cuts) {
     const auto& skin = body_->body.surface;
     const auto& triangles = level_garment().triangles;
-    std::set<int> cut;
-    for (const auto& [t, s] : mesh_intersections(x_, triangles, skin.vertices, skin.triangles))
-      cut.insert(t);
-    const auto area = flat_areas(level_garment());
-    BodyContact& contact = model_->body();
-    for (int t : cut)
-      if (++times_cut[t] == 1)
-        add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, contact.points());
-    std::map<int, std::vector<int>> cut_of_vertex;
-    for (int t : cut)
-      for (int v : triangles[t]) cut_of_vertex[v].push_back(t);
-    for (ContactPoint& p : contact.points()) {
-      const auto near = cut_of_vertex.find(p.particle[0]);
-      if (near == cut_of_vertex.end()) continue;
-      for (int t : near->second) {
-        if (!p.within(triangles[t])) continue;
-        const Vec3 q = p.position(x_);
-        const double seen = contact.field_distance(p, x_, 0.002);
-        const double error = seen < 0.002 ? seen - body_->tree->signed_distance(q) : 0;
-        p.offset = std::max(p.offset, 0.5 * material_.thickness + std::clamp(error, 0.0, 0.002)) +
-                   (times_cut[t] > 1 ? kCutOffset : 0);
-        break;
+    std::map<int, double> depth;  // of the skin beyond each cut triangle [m]
+    for (const auto& [t, s] : mesh_intersections(x_, triangles, skin.vertices, skin.triangles)) {
+      const Triangle& cloth = triangles[t];
+      const Vec3 normal = triangle_normal(x_[cloth[0]], x_[cloth[1]], x_[cloth[2]]);
+      double& d = depth.try_emplace(t, 0).first->second;
+      for (int v : skin.triangles[s]) {
+        const Vec3 b = closest_barycentric(skin.vertices[v], x_[cloth[0]], x_[cloth[1]], x_[cloth[2]]);
+        if (b.minCoeff() <= 0) continue;  // does not pass through this triangle's inside
+        d = std::max(d, normal.dot(skin.vertices[v] - x_[cloth[0]]));
       }
     }
-    return !cut.empty();
+    const auto area = flat_areas(level_garment());
+    BodyContact& contact = model_->body();
+    for (const auto& [t, d] : depth)
+      if (known_cuts.insert(t).second)
+        add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, contact.points());
+    std::map<int, std::vector<int>> cuts_at;
+    for (const auto& [t, d] : depth)
+      for (int v : triangles[t]) cuts_at[v].push_back(t);
+    for (ContactPoint& p : contact.points()) {
+      const auto near = cuts_at.find(p.particle[0]);
+      if (near == cuts_at.end()) continue;
+      double beyond = -1;
+      for (int t : near->second)
+        if (p.within(triangles[t])) beyond = std::max(beyond, depth.at(t));
+      if (beyond < 0) continue;
+      const double seen = contact.field_distance(p, x_, kFarField);
+      const double error =
+          seen < kFarField ? seen - body_->tree->signed_distance(p.position(x_)) : 0;
+      const double least = 0.5 * material_.thickness + std::clamp(error, 0.0, kFarField);
+      p.offset = std::max(p.offset, least) + std::min(beyond, kFarField) + kCutOffset;
+    }
+    return !depth.empty();
   }
 
   Drape finish() {

@@ -75,14 +75,14 @@ std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clea
       panel.lay("hem", "side_L", {l.hem, r.hem});
       panel.lay("side_L", "hem", {l.hem, l.armpit});
       panel.lay("side_R", "hem", {r.hem, r.armpit});
-      panel.lay("armhole_L", "side_L", {l.armpit, l.pitch, l.shoulder});
-      panel.lay("armhole_R", "side_R", {r.armpit, r.pitch, r.shoulder});
+      panel.lay("armhole_L", "side_L", l.armhole);
+      panel.lay("armhole_R", "side_R", r.armhole);
       panel.lay("shoulder_L", "armhole_L", {l.shoulder, l.neck});
       panel.lay("shoulder_R", "armhole_R", {r.shoulder, r.neck});
       panel.lay("neck", "shoulder_L", {l.neck, r.neck});
     } else {
       const auto& half = name.find("_L_") != std::string::npos ? frame.left : frame.right;
-      panel.lay("cap", "under", {half.armpit, half.pitch, half.shoulder});
+      panel.lay("cap", "under", half.armhole);
       panel.lay("top", "cap", half.sleeve_top);
       panel.lay("under", "cap", half.sleeve_under);
       panel.lay("cuff", "top", {half.sleeve_top.back(), half.sleeve_under.back()});

@@ -8,7 +8,8 @@
 namespace loosefit {
 namespace {
 
-constexpr double kArmholeBend = 0.21;                ///< [rad]
+constexpr double kArmpitCorner = 0.14;               ///< the corner is this much below 180° [rad]
+constexpr int kArmholePoints = 12;
 constexpr double kLeastArmAngle = 0.2617993877991494;  ///< 15°: less leaves no room for the seam
 
 Vec2 seen(const Vec3& p) { return {p[0], p[2]}; }
@@ -50,6 +51,22 @@ double flat_height(const Garment& g) {
   return upper - lower;
 }
 
+/// Arc from the armpit to the shoulder that bends inwards just as far as the corner between side
+/// and armhole needs to be convex: the triangle in a reflex corner would be turned over.
+std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& shoulder) {
+  const Vec2 side = armpit - hem, chord = shoulder - armpit;
+  const auto angle = [](const Vec2& d) { return std::atan2(d[1], d[0]); };
+  const double bend = std::clamp(angle(side) + kArmpitCorner - angle(chord), 0.0, 1.2);
+  std::vector<Vec2> line;
+  const Vec2 inwards(-chord[1], chord[0]);
+  for (int k = 0; k <= kArmholePoints; ++k) {
+    const double s = double(k) / kArmholePoints;
+    // Parabola with slope tan(bend) at both ends.
+    line.push_back(armpit + s * chord + s * (1 - s) * std::tan(bend) * inwards);
+  }
+  return line;
+}
+
 ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutline& outline,
                             double clearance, int side) {
   const std::string end = side > 0 ? "_L" : "_R";
@@ -78,7 +95,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const double wrist_radius = 1.3 * measure(body, "wrist", 0.16) / (2 * kPi);
 
   // The armpit of the shirt sits in the wedge between trunk and arm, clear of both.
-  const double level = acromion[1] - measure(body, "scye_depth", 0.14);
+  const double level = std::min(acromion[1] - 0.03, measure(body, "armpit_level", acromion[1] - 0.12));
   const Vec2 armpit(outline.trunk_half_width(level - 0.01, side), level);
   const Vec2 bisector = (arm + Vec2(0, -1)).normalized();
   half.armpit = armpit + bisector * (0.6 * clearance / std::sin(angle / 2));
@@ -119,19 +136,14 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   }
   half.hem = {hem_x, hem_z};
 
-  // The armhole bends inwards above the armpit: were that corner of the front or back reflex, the
-  // triangle in it would be turned over.
-  const Vec2 along_side = (half.armpit - half.hem).normalized();
-  const double c = std::cos(kArmholeBend), s = std::sin(kArmholeBend);
-  const Vec2 inwards(c * along_side[0] - s * along_side[1], s * along_side[0] + c * along_side[1]);
-  half.pitch = half.armpit + 0.45 * (half.shoulder - half.armpit).norm() * inwards;
+  half.armhole = armhole_line(half.hem, half.armpit, half.shoulder);
 
   const auto mirror = [&](Vec2& p) { p[0] *= side; };
   mirror(half.neck);
   mirror(half.shoulder);
   mirror(half.armpit);
-  mirror(half.pitch);
   mirror(half.hem);
+  for (Vec2& p : half.armhole) mirror(p);
   for (Vec2& p : half.sleeve_top) mirror(p);
   for (Vec2& p : half.sleeve_under) mirror(p);
   return half;

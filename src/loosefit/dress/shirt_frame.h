@@ -11,7 +11,8 @@ namespace loosefit {
 /// is stored for one side of the wearer.
 struct ShirtFrame {
   struct Half {
-    Vec2 neck, shoulder, pitch, armpit, hem;
+    Vec2 neck, shoulder, armpit, hem;
+    std::vector<Vec2> armhole;       ///< armpit → shoulder
     std::vector<Vec2> sleeve_top;    ///< shoulder → cuff, outer side of the arm
     std::vector<Vec2> sleeve_under;  ///< armpit → cuff, inner side of the arm
   };

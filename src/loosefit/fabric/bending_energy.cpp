@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <map>
@@ -13,6 +14,20 @@ Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
   m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
   return m;
+}
+
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+
+/// stiffness ∇θ∇θᵀ + moment ∇²θ without its negative eigenvalues.
+Matrix12 definite_part(const Dihedral& d, double stiffness, double moment) {
+  Matrix12 h;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      h.block<3, 3>(3 * a, 3 * b) =
+          stiffness * d.gradient[a] * d.gradient[b].transpose() + moment * d.hessian[a][b];
+  const Eigen::SelfAdjointEigenSolver<Matrix12> eigen(h);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 }  // namespace
@@ -145,12 +160,20 @@ void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const
 void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   std::vector<std::array<Mat3, 10>> part(hinges_.size());
   const bool exact = kind == HessianKind::exact;
+  constexpr double kFlat = 0.25;  // [rad]; below it the first part alone is close enough
   tbb::parallel_for(std::size_t{0}, hinges_.size(), [&](std::size_t i) {
     const auto& [v, k] = hinges_[i];
-    const Dihedral d = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]], exact);
+    Dihedral d = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]], exact);
     const double stiffness = k * (1 + viscous_ratio_);
     const double moment = k * (d.angle + viscous_ratio_ * (d.angle - angle_start_[i]));
     int slot = 0;
+    if (!exact && std::abs(d.angle) > kFlat) {
+      d = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]], true);
+      const Matrix12 h12 = definite_part(d, stiffness, moment);
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b <= a; ++b) part[i][slot++] = h12.block<3, 3>(3 * a, 3 * b);
+      return;
+    }
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b) {
         Mat3& block = part[i][slot++];

@@ -5,6 +5,8 @@
 namespace loosefit {
 namespace {
 
+constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+
 double dot(const VectorField& a, const VectorField& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
@@ -40,36 +42,40 @@ bool Newton::solve(const VectorField& x, const VectorField& g, double per_dt2, V
   pattern.compress();
   if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
 
+  VectorField rhs(g.size());
+  for (std::size_t i = 0; i < g.size(); ++i) rhs[i] = -g[i];
   std::vector<double> shift(system_.particles());
-  for (int i = 0; i < system_.particles(); ++i) shift[i] = per_dt2 * system_.mass[i];
-  const auto attempt = [&](HessianKind kind) {
+  const auto assemble = [&](HessianKind kind) {
     matrix_.set_zero();
     for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
+  };
+  const auto attempt = [&](double regularisation) {
+    for (int i = 0; i < system_.particles(); ++i)
+      shift[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++counters_.factorisations;
     if (!cholesky_.factorise(matrix_, shift, system_.held)) return false;
-    VectorField rhs(g.size());
-    for (std::size_t i = 0; i < g.size(); ++i) rhs[i] = -g[i];
     cholesky_.solve(rhs, dx);
     return true;
   };
-  if (definite_for_ == 0) {
-    if (attempt(HessianKind::exact)) {
+  exact_ = wait_ == 0;
+  if (exact_) {
+    assemble(HessianKind::exact);
+    if (attempt(0)) {
       patience_ = 1;
       return true;
     }
-    // Each failure in a row doubles the wait before the exact Hessian is tried again.
-    definite_for_ = patience_;
+    exact_ = false;
+    wait_ = patience_;  // each failure in a row doubles the wait before the next try
     patience_ = std::min(8, 2 * patience_);
   } else {
-    --definite_for_;
+    --wait_;
   }
-  // The projected Hessian may be singular (a strip free to slide): add what it takes.
+  // The projected one; it may still be singular (cloth free to slide): add what it takes.
+  assemble(HessianKind::definite);
   double extra = 0;
   for (int k = 0; k < 12; ++k) {
-    if (attempt(HessianKind::definite)) return true;
-    const double previous = extra;
-    extra = extra == 0 ? 1e-8 * matrix_.diagonal(0).norm() + 1e-9 : 100 * extra;
-    for (double& s : shift) s += extra - previous;
+    if (attempt(extra)) return true;
+    extra = std::max(1.0, 100 * extra);
   }
   return false;
 }
@@ -88,20 +94,23 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
   double largest = 0;
   for (const Vec3& d : dx) largest = std::max(largest, d.squaredNorm());
   largest = std::sqrt(largest);
-  double cut = 1;
-  if (largest > options_.max_move) {
-    cut = options_.max_move / largest;
-    for (Vec3& d : dx) d *= cut;
-    slope *= cut;
-  }
+  outcome.largest = largest;
+  // The projected Hessian is too stiff along buckling directions: look farther along its step.
+  const double stretch = std::min(exact_ ? 1.0 : kStretch, options_.max_move / largest);
+  for (Vec3& d : dx) d *= stretch;
+  slope *= stretch;
   const double limit = system_.begin_search(x, dx);
-  outcome.blocked = limit < 0.1;
+  const double whole = std::min(1.0, 1.0 / stretch);  // the Newton step itself
+  outcome.blocked = limit < 0.1 * whole;
   const double before = objective(x, target, per_dt2);
   VectorField trial(x.size());
-  double t = limit;
-  for (int k = 0; k < options_.max_backtracks; ++k) {
+  const auto at = [&](double t) {
     for (std::size_t i = 0; i < x.size(); ++i) trial[i] = x[i] + t * dx[i];
-    const double after = objective(trial, target, per_dt2);
+    return objective(trial, target, per_dt2);
+  };
+  double t = std::min(limit, whole);
+  for (int k = 0; k < options_.max_backtracks; ++k, t *= 0.5) {
+    double after = at(t);
     // Near the end the decrease drowns in round-off: then a smaller gradient decides.
     const bool drowned = std::abs(slope * t) < 1e-13 * (std::abs(before) + 1e-12);
     bool accept = after <= before + 1e-4 * t * slope;
@@ -109,13 +118,20 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
       const VectorField gt = gradient(trial, target, per_dt2);
       accept = dot(gt, gt) < outcome.force * outcome.force;
     }
-    if (accept) {
-      x.swap(trial);
-      outcome.moved = true;
-      outcome.share = t * cut;
-      return outcome;
-    }
-    t *= 0.5;
+    if (!accept) continue;
+    VectorField best = trial;
+    if (k == 0 && !drowned)
+      while (2 * t <= limit) {
+        const double farther = at(2 * t);
+        if (!(farther < after)) break;
+        after = farther;
+        t *= 2;
+        best = trial;
+      }
+    x.swap(best);
+    outcome.moved = true;
+    outcome.share = t * stretch;
+    return outcome;
   }
   return outcome;
 }

@@ -20,6 +20,7 @@ class Newton {
     bool moved = false;       ///< false: no descent possible
     double share = 0;         ///< accepted share of the Newton step, collisions included
     bool blocked = false;     ///< collision detection cut the step below a tenth
+    double largest = 0;        ///< largest particle move of the full Newton step [m]
     double force = 0;         ///< ‖∂(Π + inertia)/∂x‖ before the move [N]
   };
 
@@ -39,7 +40,8 @@ class Newton {
   Counters counters_;
   SparseCholesky cholesky_;
   BlockMatrix matrix_;
-  int definite_for_ = 0;  ///< iterations left in which the exact Hessian is not tried
+  bool exact_ = false; ///< the last step used the exact Hessian
+  int wait_ = 0;       ///< iterations left in which the exact Hessian is not tried
   int patience_ = 1;
 };
 

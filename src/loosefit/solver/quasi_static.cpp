@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
@@ -53,7 +54,7 @@ class QuasiStatic : public Integrator {
         return outcome;
       }
       const VectorField start = x;
-      double first_force = -1, worst_share = 1;
+      double first_force = -1, last_share = 1;
       bool moved = false;
       for (int k = 0; k < kNewtonPerStep; ++k) {
         if (options.watch && options.watch(newton.counters().iterations, outcome.residual)) {
@@ -62,20 +63,21 @@ class QuasiStatic : public Integrator {
         }
         const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
+        if (getenv("DBGS")) fprintf(stderr, "  k %d dt %.2e force %.3e share %.3f moved %d fact %d maxdx %.2e ", k, dt, step.force, step.share, step.moved, newton.counters().factorisations, step.largest), fprintf(stderr,"res %.3e\n", residual_of(system_, system_.gradient(x)).norm);
         if (!step.moved) {
-          worst_share = 0;
+          last_share = 0;
           break;
         }
         moved = true;
-        worst_share = std::min(worst_share, step.share);
+        last_share = step.share;
         if (k > 0 && step.force < kStepReduction * first_force) break;
       }
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
-      if (worst_share > 0.9)
+      if (last_share > 0.9)
         dt *= 4;
-      else if (worst_share > 0.4)
+      else if (last_share > 0.4)
         dt *= 1.5;
-      else if (worst_share < 0.1)
+      else if (last_share < 0.1)
         dt *= 0.4;
       dt = std::clamp(dt, 1e-4, 10 * kStaticDt);
       stalls = moved ? 0 : stalls + 1;
