@@ -123,6 +123,9 @@ TEST(Html, NumbersReadWell) {
   EXPECT_EQ(number(15234.6), "15235");
   EXPECT_EQ(number(-0.05), "\u22120.05");
   EXPECT_EQ(number(std::nan("")), "–");
+  EXPECT_EQ(fixed(-0.0004, 2), "0.00");
+  EXPECT_EQ(fixed(-1.25, 1), "\u22121.2");
+  EXPECT_EQ(number(-0.0), "0");
   EXPECT_EQ(signed_number(3), "+3");
   EXPECT_EQ(signed_number(-3), "\u22123");
   EXPECT_EQ(escaped("<a href='x'>&"), "&lt;a href=&#39;x&#39;&gt;&amp;");

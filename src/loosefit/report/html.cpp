@@ -52,8 +52,16 @@ std::string number(double value, int digits) {
   // Values with more whole digits than asked for are rounded, not written with an exponent.
   if (std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e7)
     text = fmt::format("{:.0f}", value);
+  if (text == "-0") text = "0";
   if (text[0] == '-') text = "\u2212" + text.substr(1);
   return text;
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "–";
+  const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return (value < 0 && !zero ? "\u2212" : "") + text;
 }
 
 std::string signed_number(double value, int digits) {

@@ -12,7 +12,9 @@ std::string base64(const std::string& bytes);
 
 /// Number with `digits` significant digits, typographic minus; "–" for NaN and infinities.
 std::string number(double value, int digits = 3);
-/// With an explicit plus sign.
+/// Number with `decimals` digits after the point; never "−0".
+std::string fixed(double value, int decimals);
+/// Three significant digits or as many as asked for, with an explicit plus sign.
 std::string signed_number(double value, int digits = 3);
 
 /// `<tag class="…">content</tag>`; content is HTML already.

@@ -22,8 +22,16 @@ std::string title_of(const CaseResult& result, const std::string& map) {
   return map == "drape" ? "The garment as it hangs" : map;
 }
 
+bool is_strain(const PerformanceMap& map) { return map.array.rfind("strain", 0) == 0; }
+
+/// People read strains in per cent.
 std::string with_unit(const PerformanceMap& map) {
-  return map.unit.empty() || map.unit == "–" ? map.title : map.title + " [" + map.unit + "]";
+  const std::string unit = is_strain(map) ? "%" : map.unit;
+  return unit.empty() || unit == "–" ? map.title : map.title + " [" + unit + "]";
+}
+
+std::string value_text(const PerformanceMap& map, double value) {
+  return is_strain(map) ? fixed(100 * value, 2) : fixed(value, 1);
 }
 
 std::string spaced(std::string text) {
@@ -60,8 +68,10 @@ std::string map_section(const CaseResult& result) {
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
   for (const CaseMap& entry : result.maps.maps) {
     const MapStatistics& s = entry.overall;
-    overall.add({with_unit(entry.map), number(s.min), number(s.p5), number(s.median), number(s.p95),
-                 number(s.max), number(s.area_mean)});
+    std::vector<std::string> row = {with_unit(entry.map)};
+    for (double value : {s.min, s.p5, s.median, s.p95, s.max, s.area_mean})
+      row.push_back(value_text(entry.map, value));
+    overall.add(row);
   }
   std::vector<std::string> head = {"Region"};
   std::vector<const CaseMap*> shown;
@@ -78,12 +88,13 @@ std::string map_section(const CaseResult& result) {
     for (const CaseMap* entry : shown) {
       const auto found = entry->regional.find(region);
       const bool has = found != entry->regional.end();
-      row.push_back(has ? number(found->second.median) + " (" + number(found->second.p5) + " … " +
-                              number(found->second.p95) + ")"
+      row.push_back(has ? value_text(entry->map, found->second.median) + " (" +
+                              value_text(entry->map, found->second.p5) + " … " +
+                              value_text(entry->map, found->second.p95) + ")"
                         : "–");
       if (has) area = std::max(area, found->second.area);
     }
-    row.push_back(number(100 * area, 2));
+    row.push_back(fixed(100 * area, 1));
     if (area > 0) regions.add(row);
   }
   std::string html = element("h2", "Numbers") + overall.html();
@@ -96,22 +107,22 @@ std::string map_section(const CaseResult& result) {
 std::string site_section(const CaseResult& result) {
   if (result.sites.empty() || result.maps.maps.empty()) return {};
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
-  std::vector<std::string> arrays;
+  std::vector<const PerformanceMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
     if (entry.map.array == "strain_max" || entry.map.array == "distance_particle_mm") continue;
-    arrays.push_back(entry.map.array);
+    shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
   }
   Table table(head);
   for (const Site& site : result.sites) {
     std::vector<std::string> row = {spaced(site.name), spaced(site.panel),
-                                    number(1000 * site.at.x(), 4), number(1000 * site.at.y(), 4),
+                                    fixed(1000 * site.at.x(), 0), fixed(1000 * site.at.y(), 0),
                                     spaced(name(site.region))};
-    for (const std::string& array : arrays) {
-      const auto value = site.values.find(array);
-      row.push_back(value == site.values.end()
-                        ? "–"
-                        : number(value->second.mean) + " (" + number(value->second.worst) + ")");
+    for (const PerformanceMap* map : shown) {
+      const auto value = site.values.find(map->array);
+      row.push_back(value == site.values.end() ? "–"
+                                               : value_text(*map, value->second.mean) + " (" +
+                                                     value_text(*map, value->second.worst) + ")");
     }
     table.add(row);
   }
