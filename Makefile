@@ -43,8 +43,12 @@ test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
 	@$(SCREEN) ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
 
+# Kernels first, then whole runs. BENCH passes options on: make bench BENCH="--record quiet-machine"
 bench: setup
-	@$(SCREEN) python3 bench/run_bench.py --binary $(LOOSEFIT)
+	@cmake -S . -B $(BUILD) -DLOOSEFIT_BENCH=ON > /dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark
+	@$(BUILD)/bin/loosefit_benchmark
+	@$(SCREEN) python3 bench/run_bench.py --binary $(LOOSEFIT) $(BENCH)
 
 # Sources of the repository, also new ones; never files that git ignores.
 SOURCES = $(shell git ls-files --cached --others --exclude-standard '*.h' '*.cpp')
