@@ -13,8 +13,8 @@ TEST(Legend, BarRunsThroughAllColoursInOrder) {
   Image image(900, 300);
   draw_legend(image, map, 120);
   const int row = 180 + 120 / 2;
-  EXPECT_EQ(image.at(150, row), sequential_colours()[0]);
-  EXPECT_EQ(image.at(749, row), sequential_colours()[255]);
+  EXPECT_EQ(image.at(112, row), sequential_colours()[0]);
+  EXPECT_EQ(image.at(787, row), sequential_colours()[255]);
   EXPECT_EQ(image.at(450, row), sequential_colours()[128]);
   // Something is written above and below the bar, nothing above the legend.
   const auto inked = [&](int y0, int y1) {

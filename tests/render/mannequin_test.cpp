@@ -38,7 +38,7 @@ TEST_F(Mannequin, EndsInsideTheHemAndAtTheNeck) {
   const TriangleMesh form = mannequin(body_, garment_, positions_);
   const auto [low, high] = extent(form);
   EXPECT_NEAR(low, 0.81, 1e-9);
-  EXPECT_NEAR(high, 1.4 + 0.55 * 0.12, 1e-9);
+  EXPECT_NEAR(high, 1.4 + 0.4 * 0.12, 1e-9);
 }
 
 TEST_F(Mannequin, TheNeckIsClosedByALid) {

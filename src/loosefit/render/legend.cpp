@@ -14,8 +14,8 @@ std::string tick_text(double value) {
 }
 
 void draw_legend(Image& image, const PerformanceMap& map, int height) {
-  const int top = image.height - height, text_size = height / 6;
-  const int left = image.width / 6, right = image.width - left;
+  const int top = image.height - height, text_size = height / 5;
+  const int left = image.width / 8, right = image.width - left;
   const bool plain = map.unit.empty() || map.unit == "–" || map.unit == "-";
   draw_text(image, map.title + (plain ? "" : " [" + map.unit + "]"), image.width / 2,
             top + height / 16, text_size + 2, 0, {20, 20, 20}, true);

@@ -9,7 +9,8 @@
 
 namespace loosefit {
 namespace {
-constexpr double kNeckShare = 0.75;    // of the way from the neck joint to the head joint
+constexpr double kNeckShare =
+    0.4;  // of the way from the neck joint to the head joint: below the jaw
 constexpr double kInsideCloth = 0.01;  // the form ends this far above the hem [m]
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
 

@@ -78,7 +78,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
                                      const std::function<void(double)>& after_each) {
   check_sizes(garment, positions, maps);
   const GarmentLines lines = garment_lines(garment);
-  const int foot = options.height / 8;
+  const int foot = options.height / 7;
   const TriangleMesh form = mannequin(body, garment, positions);
   Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
               options.height - foot, options.supersampling, options.ambient_occlusion);
@@ -125,7 +125,7 @@ void render_garment_png(const std::filesystem::path& file, const TriangleMesh& b
       map.range_high = std::max(map.range_high, value);
     }
   if (!(map.range_high > map.range_low)) map.range_high = map.range_low + 1;
-  constexpr int kFoot = 110;
+  constexpr int kFoot = 130;
   Scene scene({body, positions, triangles, {}, {}}, 900, 880, 1, false);
   scene.look(view);
   const Image light = scene.light();
