@@ -2,7 +2,8 @@
 """Benchmarks of the whole program, from the numbers in summary.json.
 
 usage: run_bench.py --binary build/bin/loosefit [--rows reference-shirt,matrix] [--runs N]
-                    [--jobs N] [--edge-length M] [--out DIR] [--record NOTE]
+                    [--jobs N] [--edge-length M] [--bodies A,B] [--pictures]
+                    [--out DIR] [--record NOTE]
 
 Rows
   reference-shirt  examples/reference-shirt.toml: seconds per stage, peak memory (best of --runs)
@@ -111,7 +112,8 @@ def matrix_case(options, out, name, chest):
 
 
 def matrix(options, out):
-    cases = [(name, chest) for name in BODIES for chest in CHEST_FITS]
+    cases = [(name, chest) for name in BODIES for chest in CHEST_FITS
+             if not options.bodies or name in options.bodies.split(",")]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         rows = list(pool.map(lambda case: matrix_case(options, out, *case), cases))
     print(f"{'body':12} {'chest':>6} {'settled':>8} {'residual':>9} {'body':>5} {'self':>5} "
@@ -154,6 +156,7 @@ def main():
     parser.add_argument("--runs", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1, help="cases of the matrix at the same time")
     parser.add_argument("--edge-length", type=float, default=0.010, help="of the matrix [m]")
+    parser.add_argument("--bodies", help="only these of the matrix: " + ", ".join(BODIES))
     parser.add_argument("--pictures", action="store_true", help="draw the matrix too")
     parser.add_argument("--out", help="keep the outputs in this folder")
     parser.add_argument("--record", metavar="NOTE", help="add to bench/history")

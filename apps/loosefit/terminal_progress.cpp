@@ -37,6 +37,7 @@ double TerminalProgress::seconds() const {
 
 void TerminalProgress::stage(const std::string& name) {
   stage_ = name;
+  furthest_ = 0;
   last_ = Clock::now();
   if (quiet_) return;
   if (terminal_)
@@ -47,6 +48,8 @@ void TerminalProgress::stage(const std::string& name) {
 
 void TerminalProgress::update(double fraction, const std::string& note) {
   if (quiet_) return;
+  furthest_ = fraction =
+      std::max(fraction, furthest_);  // residuals rise at times, a bar should not
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(10);
   if (Clock::now() - last_ < pause) return;
   last_ = Clock::now();

@@ -26,6 +26,7 @@ class TerminalProgress : public Progress {
 
   bool quiet_, terminal_, drawn_ = false;
   std::string stage_;
+  double furthest_ = 0;  ///< fraction of this stage
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 

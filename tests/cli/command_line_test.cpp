@@ -96,8 +96,8 @@ TEST_F(CommandLine, MissingBodyDataTellsTheWay) {
 
 TEST_F(CommandLine, InterruptLeavesNothingBehind) {
   const std::string scenario = file("case.toml", "[simulation]\nedge_length = 0.005\n");
-  // SIGINT after two seconds: the run is then in dress or settle.
-  const ProgramRun run = run_program("timeout -s INT 2 " + std::string(LOOSEFIT_BINARY) +
+  // SIGINT after four seconds: the run is then in dress or settle.
+  const ProgramRun run = run_program("timeout -s INT 4 " + std::string(LOOSEFIT_BINARY) +
                                      " drape " + scenario + " -o " + (base / "out").string());
   // `timeout` reports 124 when it had to signal and the program then ended.
   EXPECT_EQ(run.exit_code, 124) << run.output;
