@@ -11,7 +11,7 @@ namespace loosefit {
 namespace {
 constexpr double kNeckShare =
     0.4;  // of the way from the neck joint to the head joint: below the jaw
-constexpr double kInsideCloth = 0.01;  // the form ends this far above the hem [m]
+constexpr double kInsideCloth = 0.03;  // the form ends this far above the hem [m]
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
 
 std::optional<Vec3> joint(const Body& body, const char* name) {

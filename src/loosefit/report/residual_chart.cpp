@@ -45,9 +45,9 @@ std::string residual_chart(const std::vector<SettleSample>& history, double tole
   svg += fmt::format(
       "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#1d6b3a\" "
       "stroke-dasharray=\"5 4\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-      "text-anchor=\"end\">tolerance</text>\n",
-      kLeft, kWidth - kRight, y(std::log10(tolerance)), y(std::log10(tolerance)), kWidth - kRight,
-      y(std::log10(tolerance)) - 4);
+      "text-anchor=\"start\">tolerance</text>\n",
+      kLeft, kWidth - kRight, y(std::log10(tolerance)), y(std::log10(tolerance)), kLeft + 4,
+      y(std::log10(tolerance)) + 13);
   std::string line;
   for (const auto& [seconds, residual] : points)
     line += fmt::format("{:.1f},{:.1f} ", x(seconds), y(residual));
