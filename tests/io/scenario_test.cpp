@@ -70,7 +70,7 @@ TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   const Scenario s = default_scenario();
   EXPECT_EQ(s.body.height, 1.68);
   EXPECT_DOUBLE_EQ(degrees(s.body.posture.arm_abduction), 25);
-  EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 40);
+  EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 25);
   EXPECT_EQ(s.garment.fit.chest, 0.10);
   EXPECT_FALSE(s.garment.fit.waist.has_value());
   EXPECT_EQ(s.material.material.name, "paper-cotton");

@@ -43,4 +43,12 @@ inline Posture blend(const Posture& from, const Posture& to, double share) {
           from.sitting + share * (to.sitting - from.sitting)};
 }
 
+/// Where a garment is put on when nothing is said: in the wanted posture itself if the arms stand
+/// off the trunk and the person is upright, otherwise upright with the arms at 40°.
+inline Posture default_dress_posture(const Posture& wanted) {
+  const bool open = wanted.arm_abduction >= radians(20.0) && wanted.arm_abduction <= radians(60.0);
+  const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0;
+  return open && upright ? wanted : Posture{radians(40.0), 0, 0};
+}
+
 }  // namespace loosefit

@@ -82,7 +82,7 @@ ScenarioBody read_body_section(ConfigReader table) {
   body.cup = table.number("cup", body.cup, kFraction);
   body.firmness = table.number("firmness", body.firmness, kFraction);
   body.posture = read_posture(table, "posture", body.posture);
-  body.dress_posture = read_posture(table, "dress_posture", body.dress_posture);
+  body.dress_posture = read_posture(table, "dress_posture", default_dress_posture(body.posture));
   table.finish();
   return body;
 }
