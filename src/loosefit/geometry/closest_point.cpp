@@ -13,6 +13,27 @@ double distance_squared_to_box(const Vec3& p, const Vec3& lower, const Vec3& upp
   return (lower - p).cwiseMax(p - upper).cwiseMax(0.0).squaredNorm();
 }
 
+/// Nearest of the three edges: all there is of a triangle without area.
+Vec3 on_edges(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3* corner[3] = {&a, &b, &c};
+  Vec3 best = Vec3::UnitX();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    const Vec3 edge = *corner[next] - *corner[k];
+    const double length2 = edge.squaredNorm();
+    const double s =
+        length2 > 0 ? std::clamp(edge.dot(p - *corner[k]) / length2, 0.0, 1.0) : 0.0;
+    const double d2 = (*corner[k] + s * edge - p).squaredNorm();
+    if (d2 >= least) continue;
+    least = d2;
+    best.setZero();
+    best[k] = 1 - s;
+    best[next] = s;
+  }
+  return best;
+}
+
 ClosestPoint on_triangle(const TriangleMesh& mesh, int triangle, const Vec3& p) {
   const Triangle& t = mesh.triangles[triangle];
   const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
@@ -51,7 +72,9 @@ Vec3 closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
     return {0, 1 - w, w};
   }
   const double denominator = va + vb + vc;
-  if (denominator <= 0) return {1, 0, 0};  // degenerate triangle
+  constexpr double kFlat = 1e-20;  // sin² of the corner below which the face is only round-off
+  if (denominator <= 0 || ab.cross(ac).squaredNorm() <= kFlat * ab.squaredNorm() * ac.squaredNorm())
+    return on_edges(p, a, b, c);
   return {va / denominator, vb / denominator, vc / denominator};
 }
 
