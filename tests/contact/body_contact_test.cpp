@@ -1,0 +1,158 @@
+#include "loosefit/contact/body_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/law_checker.h"
+#include "support/shapes.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kStiffness = 1e6, kOffset = 2e-3, kReach = 1e-4;
+constexpr double kStatic = std::numeric_limits<double>::infinity();
+
+/// A sphere of 50 mm with its field, and a handful of cloth triangles at chosen depths around it.
+struct Scene {
+  TriangleMesh mesh = support::sphere(0.05, 60, 120);
+  ClosestPointTree tree{mesh};
+  std::shared_ptr<const BodyField> field =
+      std::make_shared<BodyField>(tree, Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
+  std::vector<Triangle> triangles;
+  std::vector<double> areas;
+  VectorField x;
+
+  Scene() {
+    std::mt19937 rng(2);
+    std::normal_distribution<double> normal;
+    // Compression of the vertices as a share of the offset: none, soft, hardening, full, beyond.
+    const double shares[] = {-0.5, 0.2, 0.5, 0.7, 0.9, 1.3};
+    for (int t = 0; t < 6; ++t) {
+      const Vec3 n = Vec3(normal(rng), normal(rng), normal(rng)).normalized();
+      const Vec3 e = n.unitOrthogonal(), f = n.cross(e);
+      const int first = static_cast<int>(x.size());
+      for (int k = 0; k < 3; ++k) {
+        const double a = 2 * kPi * k / 3, share = shares[(t + 2 * k) % 6];
+        const Vec3 direction = (n + 0.08 * (std::cos(a) * e + std::sin(a) * f)).normalized();
+        x.push_back((0.05 + kOffset * (1 - share)) * direction);
+      }
+      triangles.push_back({first, first + 1, first + 2});
+      areas.push_back(triangle_area(x[first], x[first + 1], x[first + 2]));
+    }
+  }
+
+  BodyContact contact(double friction) const {
+    BodyContact c(contact_points(triangles, areas, static_cast<int>(x.size()), kOffset), kStiffness,
+                  friction, kReach);
+    c.set_field(field);
+    return c;
+  }
+};
+
+TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheEnergy) {
+  const Scene scene;
+  BodyContact contact = scene.contact(0);
+  EXPECT_GT(contact.active(scene.x), 20);
+  support::expect_derivatives(contact, scene.x, 1e-8, 2e-5);
+}
+
+TEST(BodyContact, ForceWithFrictionIsTheDerivativeOfTheEnergyStickingAndSliding) {
+  const Scene scene;
+  for (double slide : {0.3 * kReach, 5 * kReach}) {
+    BodyContact contact = scene.contact(0.4);
+    contact.begin_step(scene.x, kStatic);
+    VectorField x = scene.x;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Vec3 t = x[i].normalized().unitOrthogonal();
+      x[i] += slide * (1 + 0.1 * static_cast<double>(i % 5)) * t;
+    }
+    support::expect_derivatives(contact, x, 1e-8, 2e-5);
+  }
+}
+
+TEST(BodyContact, DefiniteHessianIsDefinite) {
+  const Scene scene;
+  BodyContact contact = scene.contact(0.4);
+  contact.begin_step(scene.x, kStatic);
+  const Eigen::MatrixXd h = support::dense_hessian(contact, scene.x, HessianKind::definite);
+  const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h).eigenvalues();
+  EXPECT_GE(lambda.minCoeff(), -1e-10 * lambda.maxCoeff());
+  EXPECT_GT(lambda.maxCoeff(), 0);
+}
+
+TEST(BodyContact, FrictionForceNeverExceedsTheConeAndReachesIt) {
+  const Scene scene;
+  const double mu = 0.4;
+  for (double slide : {0.5 * kReach, 0.99 * kReach, 20 * kReach}) {
+    BodyContact smooth = scene.contact(0), rough = scene.contact(mu);
+    rough.begin_step(scene.x, kStatic);
+    const VectorField normal = support::gradient(smooth, scene.x);
+    VectorField x = scene.x;
+    for (Vec3& p : x) p += slide * Vec3(0, 0, 1).cross(p).normalized();  // tangential everywhere
+    const VectorField without = support::gradient(smooth, x), with = support::gradient(rough, x);
+    Vec3 sum = Vec3::Zero();
+    double friction = 0, pressing = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      friction += (with[i] - without[i]).norm();
+      pressing += normal[i].norm();
+      sum += with[i] - without[i];
+    }
+    EXPECT_LE(friction, mu * pressing * 1.001) << slide;
+    // Beyond the reach it slides with the full μλ; half way it carries s(2 − s) = 3/4 of it.
+    const double s = std::min(1.0, slide / kReach);
+    EXPECT_NEAR(friction, mu * pressing * s * (2 - s), 0.02 * mu * pressing) << slide;
+  }
+}
+
+TEST(Friction, KeepsItsAnchorAcrossStepsAndSlidesOnlyBeyondIt) {
+  Friction friction(0.5, kReach);
+  FrictionContact c;
+  c.key = 7;
+  c.weight = {1, 0, 0, 0};
+  c.count = 1;
+  c.normal_force = 2;
+  VectorField x = {Vec3::Zero()};
+  const auto force = [&] {
+    VectorField g(1, Vec3::Zero());
+    friction.add_gradient(x, g);
+    return Vec3(-g[0]);
+  };
+  friction.restart({c}, x);
+  EXPECT_EQ(force().norm(), 0);
+  x[0] = Vec3(0.5 * kReach, 0, 0.3);  // the normal part does not count
+  friction.restart({c}, x);
+  EXPECT_NEAR(force()[0], -0.75 * 0.5 * 2, 1e-12);  // the spring survived the new step
+  x[0][0] += 10 * kReach;
+  EXPECT_NEAR(force()[0], -0.5 * 2, 1e-12);
+  friction.restart({c}, x);
+  EXPECT_NEAR(force()[0], -0.5 * 2, 1e-12);  // sliding: on the cone
+  x[0][0] -= kReach;                         // back by the reach: the spring is slack
+  EXPECT_NEAR(force().norm(), 0, 1e-12);
+  friction.restart({}, x);  // lost contact forgets
+  friction.restart({c}, x);
+  EXPECT_EQ(force().norm(), 0);
+}
+
+TEST(Friction, SlidingThereAndBackDissipates) {
+  Friction friction(0.5, kReach);
+  FrictionContact c;
+  c.weight = {1, 0, 0, 0};
+  c.count = 1;
+  c.normal_force = 2;
+  VectorField x = {Vec3::Zero()};
+  double work = 0;  // done on the contact
+  const int n = 400;
+  const double length = 100 * kReach;
+  for (int i = 0; i < 2 * n; ++i) {
+    friction.restart({c}, x);
+    const double before = friction.value(x);
+    x[0][0] += (i < n ? 1 : -1) * length / n;
+    work += friction.value(x) - before;
+  }
+  // Twice the way times μλ, less the turning back of the spring.
+  EXPECT_NEAR(work, 2 * length * 0.5 * 2, 0.03 * 2 * length);
+}
+
+}  // namespace
+}  // namespace loosefit

@@ -1,0 +1,137 @@
+#include "loosefit/contact/body_field.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace loosefit {
+namespace {
+
+Box3 box(double half) { return Box3(Vec3::Constant(-half), Vec3::Constant(half)); }
+
+Vec3 random_direction(std::mt19937& rng) {
+  std::normal_distribution<double> n;
+  return Vec3(n(rng), n(rng), n(rng)).normalized();
+}
+
+class FieldOfSphere : public ::testing::TestWithParam<double> {};
+
+TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
+  const double radius = GetParam();
+  const TriangleMesh mesh = support::sphere(radius, 90, 180);
+  const ClosestPointTree tree(mesh);
+  const BodyField field(tree, box(radius + 0.02), 0.005);
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> depth(-0.003, 0.003);
+  double worst = 0, worst_gradient = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 n = random_direction(rng);
+    const double d = depth(rng);
+    BodyField::Sample s;
+    ASSERT_TRUE(field.sample((radius + d) * n, 0.01, false, s));
+    worst = std::max(worst, std::abs(s.distance - d));
+    worst_gradient = std::max(worst_gradient, (s.gradient - n).norm());
+  }
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(worst_gradient, 0.08);
+  RecordProperty("worst_um", static_cast<int>(1e6 * worst));
+  RecordProperty("worst_gradient_1e-4", static_cast<int>(1e4 * worst_gradient));
+}
+
+INSTANTIATE_TEST_SUITE_P(Radii, FieldOfSphere, ::testing::Values(0.025, 0.05, 0.15));
+
+TEST(BodyField, DistanceOfACylinder) {
+  const TriangleMesh mesh = support::cylinder(0.03, -0.2, 0.2, 40, 200);
+  const ClosestPointTree tree(mesh);
+  const BodyField field(tree, Box3(Vec3(-0.05, -0.05, -0.1), Vec3(0.05, 0.05, 0.1)), 0.005);
+  double worst = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double a = 0.1 + 2.399963 * i, d = -0.002 + 0.004 * (i % 17) / 16.0;
+    const double z = -0.09 + 0.18 * (i % 101) / 100.0;
+    BodyField::Sample s;
+    ASSERT_TRUE(
+        field.sample(Vec3((0.03 + d) * std::cos(a), (0.03 + d) * std::sin(a), z), 0.01, false, s));
+    worst = std::max(worst, std::abs(s.distance - d));
+  }
+  EXPECT_LT(worst, 1e-4);
+  RecordProperty("worst_um", static_cast<int>(1e6 * worst));
+}
+
+TEST(BodyField, DerivativesAreThoseOfTheInterpolant) {
+  const TriangleMesh mesh = support::sphere(0.04, 40, 80);
+  const ClosestPointTree tree(mesh);
+  const BodyField field(tree, box(0.06), 0.005);
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<double> depth(-0.004, 0.004);
+  const double h = 1e-6;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = (0.04 + depth(rng)) * random_direction(rng);
+    BodyField::Sample s, plus, minus;
+    ASSERT_TRUE(field.sample(p, 0.01, true, s));
+    for (int c = 0; c < 3; ++c) {
+      Vec3 up = p, down = p;
+      up[c] += h;
+      down[c] -= h;
+      ASSERT_TRUE(field.sample(up, 0.01, false, plus));
+      ASSERT_TRUE(field.sample(down, 0.01, false, minus));
+      EXPECT_NEAR((plus.distance - minus.distance) / (2 * h), s.gradient[c], 2e-6);
+      // The second derivative jumps at the faces of the grid; within 1e-6 m of one we may straddle.
+      const Vec3 slope = (plus.gradient - minus.gradient) / (2 * h);
+      EXPECT_LT((slope - s.hessian.col(c)).norm(), 5e-2 * (1 + s.hessian.norm()));
+    }
+  }
+}
+
+TEST(BodyField, ExtremesOfThePositionAreAnswered) {
+  const TriangleMesh mesh = support::sphere(0.10, 60, 120);
+  const ClosestPointTree tree(mesh);
+  const BodyField field(tree, box(0.12), 0.005);
+  BodyField::Sample s;
+  EXPECT_FALSE(field.sample(Vec3(0.13, 0, 0), 0.001, false, s));  // outside, on the grid
+  EXPECT_FALSE(field.sample(Vec3(5, -3, 8), 0.001, false, s));    // off the grid
+  // Deep inside, where the grid holds nothing: exact distance, gradient outwards.
+  ASSERT_TRUE(field.sample(Vec3(0.03, 0, 0), 0.001, true, s));
+  EXPECT_NEAR(s.distance, -0.07, 2e-4);
+  EXPECT_GT(s.gradient[0], 0.99);
+  ASSERT_TRUE(field.sample(Vec3(1e-9, 0, 0), 0.001, true, s));  // the centre
+  EXPECT_NEAR(s.distance, -0.10, 5e-4);
+  EXPECT_TRUE(s.gradient.allFinite());
+}
+
+TEST(BodyField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
+  const TriangleMesh mesh = support::cylinder(0.05, -1, 1, 100, 96);
+  const ClosestPointTree tree(mesh);
+  // Both ends of the cylinder leave the region, as head and legs leave that of a shirt.
+  const BodyField field(tree, Box3(Vec3(-0.09, -0.09, -0.1), Vec3(0.09, 0.09, 0.1)), 0.005);
+  BodyField::Sample s;
+  for (double z : {-0.12, -0.05, 0.0, 0.05, 0.12})
+    for (int i = 0; i < 16; ++i) {
+      const Vec3 n(std::cos(0.2 + i), std::sin(0.2 + i), 0);
+      ASSERT_TRUE(field.sample(0.01 * n + Vec3(0, 0, z), 0.001, false, s)) << z;
+      EXPECT_NEAR(s.distance, -0.04, 3e-4);
+      EXPECT_FALSE(field.sample(0.08 * n + Vec3(0, 0, z), 0.001, false, s)) << z;
+      ASSERT_TRUE(field.sample(0.0495 * n + Vec3(0, 0, z), 0.001, false, s)) << z;
+      EXPECT_NEAR(s.distance, -0.0005, 1e-4);
+    }
+  // Off the grid the surface itself answers.
+  ASSERT_TRUE(field.sample(Vec3(0.0495, 0, 0.5), 0.001, false, s));
+  EXPECT_NEAR(s.distance, -0.0005, 1e-4);
+}
+
+TEST(BodyField, ReachDecidesWhatIsTouched) {
+  const TriangleMesh mesh = support::sphere(0.10, 60, 120);
+  const ClosestPointTree tree(mesh);
+  const BodyField field(tree, box(0.12), 0.005);
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> depth(0, 0.02);
+  for (double reach : {0.00025, 0.002, 0.006})
+    for (int i = 0; i < 500; ++i) {
+      const double d = depth(rng);
+      if (std::abs(d - reach) < 1e-4) continue;  // within the error of the field
+      BodyField::Sample s;
+      EXPECT_EQ(field.sample((0.10 + d) * random_direction(rng), reach, false, s), d < reach) << d;
+    }
+}
+
+}  // namespace
+}  // namespace loosefit

@@ -1,0 +1,181 @@
+#include "loosefit/contact/pair_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace loosefit {
+namespace {
+
+using Points = std::array<Vec3, 4>;
+
+double distance(PairKind kind, const Points& x) {
+  return kind == PairKind::point_triangle ? point_triangle_distance(x[0], x[1], x[2], x[3]).distance
+                                          : edge_edge_distance(x[0], x[1], x[2], x[3]).distance;
+}
+
+/// Smallest distance over a fine sampling of the two features: never below the true one and at most
+/// a sample spacing above it.
+double sampled(PairKind kind, const Points& x, int n) {
+  double least = 1e9;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const double s = double(i) / n, t = double(j) / n;
+      if (kind == PairKind::point_triangle) {
+        if (i + j > n) continue;
+        least = std::min(least, ((1 - s - t) * x[1] + s * x[2] + t * x[3] - x[0]).norm());
+      } else {
+        least = std::min(least, ((1 - s) * x[0] + s * x[1] - (1 - t) * x[2] - t * x[3]).norm());
+      }
+    }
+  return least;
+}
+
+void expect_matches_sampling(PairKind kind, const Points& x) {
+  const int n = 120;
+  const double d = distance(kind, x), approximate = sampled(kind, x, n);
+  double size = 0;
+  for (const Vec3& a : x)
+    for (const Vec3& b : x) size = std::max(size, (a - b).norm());
+  EXPECT_LE(d, approximate + 1e-12) << (kind == PairKind::edge_edge ? "edges" : "point, triangle");
+  EXPECT_GE(d, approximate - 2 * size / n);
+  const PairDistance p = kind == PairKind::point_triangle
+                             ? point_triangle_distance(x[0], x[1], x[2], x[3])
+                             : edge_edge_distance(x[0], x[1], x[2], x[3]);
+  EXPECT_NEAR(p.weight[0] + p.weight[1] + p.weight[2] + p.weight[3], 0, 1e-12);
+  Vec3 gap = Vec3::Zero();
+  for (int k = 0; k < 4; ++k) gap += p.weight[k] * x[k];
+  EXPECT_NEAR(gap.norm(), p.distance, 1e-15);
+  if (p.distance > 0) {
+    EXPECT_LT((p.normal * p.distance - gap).norm(), 1e-14);
+  }
+}
+
+Points random_points(std::mt19937& rng) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  Points x;
+  for (Vec3& p : x) p = Vec3(u(rng), u(rng), u(rng));
+  return x;
+}
+
+TEST(PairDistance, MatchesSamplingInGeneralPosition) {
+  std::mt19937 rng(1);
+  for (int i = 0; i < 150; ++i) {
+    const Points x = random_points(rng);
+    expect_matches_sampling(PairKind::point_triangle, x);
+    expect_matches_sampling(PairKind::edge_edge, x);
+  }
+}
+
+TEST(PairDistance, MatchesSamplingForDegenerateFeatures) {
+  std::mt19937 rng(2);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 60; ++i) {
+    Points x = random_points(rng);
+    SCOPED_TRACE(i);
+    x[3] = x[2] + 0.7 * (x[1] - x[0]);  // parallel edges
+    expect_matches_sampling(PairKind::edge_edge, x);
+    x[3] = x[2] - 0.7 * (x[1] - x[0]) + 1e-9 * Vec3(u(rng), u(rng), u(rng));  // nearly
+    expect_matches_sampling(PairKind::edge_edge, x);
+    x[2] = x[0] + u(rng) * 3 * (x[1] - x[0]);  // on one line
+    x[3] = x[2] + u(rng) * (x[1] - x[0]);
+    expect_matches_sampling(PairKind::edge_edge, x);
+    x[3] = x[2];  // an edge without length
+    expect_matches_sampling(PairKind::edge_edge, x);
+    x[1] = x[0];
+    expect_matches_sampling(PairKind::edge_edge, x);
+
+    x = random_points(rng);
+    x[3] = x[1] + 0.4 * (x[2] - x[1]);  // a triangle without area
+    expect_matches_sampling(PairKind::point_triangle, x);
+    x[3] = x[1] + 1.6 * (x[2] - x[1]);
+    expect_matches_sampling(PairKind::point_triangle, x);
+    x[3] = x[2];
+    expect_matches_sampling(PairKind::point_triangle, x);
+    x[1] = x[2];
+    expect_matches_sampling(PairKind::point_triangle, x);
+  }
+}
+
+TEST(PairDistance, ZeroWhereTheyTouch) {
+  EXPECT_LT(point_triangle_distance({0.2, 0.2, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}).distance,
+            1e-15);
+  EXPECT_LT(edge_edge_distance({-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}).distance, 1e-15);
+}
+
+/// First time at which dense sampling in time finds the features nearer than `touch`; 2 if never.
+double sampled_contact(PairKind kind, const Points& x, const Points& dx, double touch) {
+  const int n = 2000;
+  for (int i = 0; i <= n; ++i) {
+    Points y = x;
+    for (int k = 0; k < 4; ++k) y[k] += double(i) / n * dx[k];
+    if (distance(kind, y) < touch) return double(i) / n;
+  }
+  return 2;
+}
+
+TEST(TimeOfImpact, NeverPassesContactAndDoesNotStopWithoutReason) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int hits = 0;
+  for (int i = 0; i < 600; ++i) {
+    const PairKind kind = i % 2 ? PairKind::edge_edge : PairKind::point_triangle;
+    const Points x = random_points(rng);
+    const double start = distance(kind, x);
+    if (start < 0.05) continue;
+    // Moves that make them meet at a random time: the nearest points swap sides, plus noise.
+    const PairDistance p = kind == PairKind::point_triangle
+                               ? point_triangle_distance(x[0], x[1], x[2], x[3])
+                               : edge_edge_distance(x[0], x[1], x[2], x[3]);
+    const double through = 0.5 + std::abs(u(rng));
+    Points dx;
+    for (int k = 0; k < 4; ++k) {
+      const bool first = kind == PairKind::point_triangle ? k == 0 : k < 2;
+      dx[k] =
+          (first ? -1.0 : 0.5) * through * start * p.normal + 0.2 * Vec3(u(rng), u(rng), u(rng));
+    }
+    const double t = time_of_impact(kind, x, dx);
+    ASSERT_GE(t, 0);
+    ASSERT_LE(t, 1);
+    // On the whole way up to t they stay apart by a tenth of their distance.
+    for (int j = 0; j <= 200; ++j) {
+      Points y = x;
+      for (int k = 0; k < 4; ++k) y[k] += t * j / 200.0 * dx[k];
+      ASSERT_GE(distance(kind, y), 0.0999 * start) << i;
+    }
+    if (t < 1) {
+      ++hits;
+      Points y = x;  // it stops only where they are near indeed
+      for (int k = 0; k < 4; ++k) y[k] += t * dx[k];
+      EXPECT_LT(distance(kind, y), 0.15 * start) << i;
+    } else {
+      EXPECT_EQ(sampled_contact(kind, x, dx, 0.05 * start), 2) << i;
+    }
+  }
+  EXPECT_GT(hits, 200);
+}
+
+TEST(TimeOfImpact, CommonMotionAndPartingAreFree) {
+  const Points x = {Vec3(0.2, 0.2, 1e-3), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  Points dx;
+  dx.fill(Vec3(3, -2, -5));
+  EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 1);
+  dx.fill(Vec3::Zero());
+  EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 1);
+  dx[0] = Vec3(0, 0, 1e-4);  // away
+  EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 1);
+}
+
+TEST(TimeOfImpact, StopsAThinSheetShotAtWithHugeSpeed) {
+  const Points x = {Vec3(0.2, 0.2, 1e-3), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  Points dx;
+  dx.fill(Vec3::Zero());
+  dx[0] = Vec3(0, 0, -100);
+  const double t = time_of_impact(PairKind::point_triangle, x, dx);
+  EXPECT_GT(t * 100, 0.85e-3);
+  EXPECT_LT(t * 100, 0.95e-3);
+}
+
+}  // namespace
+}  // namespace loosefit
