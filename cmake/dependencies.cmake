@@ -20,7 +20,7 @@ find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 target_include_directories(loosefit_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} TBB::tbb)
+target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} gomp TBB::tbb)
 
 set(LOOSEFIT_VTK_IO_MODULES CommonCore CommonDataModel CommonExecutionModel IOXML)
 set(LOOSEFIT_VTK_RENDER_MODULES ${LOOSEFIT_VTK_IO_MODULES} FiltersCore FiltersModeling IOImage

@@ -33,7 +33,7 @@ TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
     worst_gradient = std::max(worst_gradient, (s.gradient - n).norm());
   }
   EXPECT_LT(worst, 1e-4);
-  EXPECT_LT(worst_gradient, 0.08);
+  EXPECT_LT(worst_gradient, 0.03);
   RecordProperty("worst_um", static_cast<int>(1e6 * worst));
   RecordProperty("worst_gradient_1e-4", static_cast<int>(1e4 * worst_gradient));
 }

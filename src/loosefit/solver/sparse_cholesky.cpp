@@ -4,6 +4,9 @@
 
 #include "loosefit/base/error.h"
 
+/// From the OpenMP run-time that CHOLMOD brings along; its header needs a compiler flag we do not set.
+extern "C" void omp_set_max_active_levels(int levels);
+
 namespace loosefit {
 
 struct SparseCholesky::Work {
@@ -14,6 +17,9 @@ struct SparseCholesky::Work {
   std::vector<int> column_start, rows;     ///< block pattern that `matrix` was made for
 
   Work() {
+    // CHOLMOD opens four OpenMP threads whatever the machine; on two cores their waiting costs more
+    // than the whole factorisation.
+    omp_set_max_active_levels(0);
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
