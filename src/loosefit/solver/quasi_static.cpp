@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
@@ -63,7 +62,6 @@ class QuasiStatic : public Integrator {
         }
         const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
-        if (getenv("DBGS")) fprintf(stderr, "  k %d dt %.2e force %.3e share %.3f moved %d fact %d maxdx %.2e ", k, dt, step.force, step.share, step.moved, newton.counters().factorisations, step.largest), fprintf(stderr,"res %.3e\n", residual_of(system_, system_.gradient(x)).norm);
         if (!step.moved) {
           last_share = 0;
           break;
