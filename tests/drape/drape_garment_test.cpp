@@ -1,0 +1,209 @@
+#include "loosefit/drape/drape_garment.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "loosefit/base/error.h"
+#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/exact_intersection.h"
+#include "support/shirt_on_body.h"
+
+namespace loosefit {
+namespace {
+
+using support::shirt_for;
+
+Material knit() {
+  Material m;
+  m.name = "test knit";
+  m.areal_density = 0.16;
+  m.thickness = 7e-4;
+  m.stiffness_warp = 200;
+  m.stiffness_weft = 120;
+  m.poisson = 0.3;
+  m.stiffness_shear = 50;
+  m.bending_warp = m.bending_weft = 3e-6;
+  return m;
+}
+
+/// An adult with a moderately loose shirt on a coarse mesh of one level.
+struct Wearer {
+  BodyParameters parameters = support::adult_parameters();
+  Material material = knit();
+  GarmentHierarchy garment;
+
+  Wearer()
+      : garment(
+            build_hierarchy(shirt_for(support::standing(parameters, 25), 0.10), 0.03, material)) {}
+
+  /// From one arm angle to another [degrees].
+  BodyPath path(double from, double to) const {
+    return [this, from, to](double share) {
+      return support::standing(parameters, from + share * (to - from));
+    };
+  }
+  int cuts_body(const std::vector<Vec3>& x, double arms) const {
+    const Body body = support::standing(parameters, arms);
+    return static_cast<int>(mesh_intersections(x, garment.finest().triangles, body.surface.vertices,
+                                               body.surface.triangles)
+                                .size());
+  }
+  int cuts_self(const std::vector<Vec3>& x) const {
+    return static_cast<int>(self_intersections(x, garment.finest().triangles).size());
+  }
+};
+
+const Wearer& wearer() {
+  static const Wearer one;
+  return one;
+}
+
+/// The standing drape, settled once for all tests that look at it.
+const Drape& standing_drape() {
+  static const Drape drape = [] {
+    Progress silent;
+    DrapeOptions options;
+    options.threads = 1;
+    return drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options,
+                         silent);
+  }();
+  return drape;
+}
+
+TEST(DrapeGarment, SettlesWithACertificateThatHoldsUnderIndependentTests) {
+  const Drape& d = standing_drape();
+  EXPECT_TRUE(d.certificate.settled())
+      << d.certificate.stop_reason << " " << d.certificate.residual << " "
+      << d.certificate.intersections_body << " " << d.certificate.intersections_self;
+  EXPECT_EQ(d.certificate.stop_reason, "converged");
+  EXPECT_GT(d.certificate.residual, 0);
+  EXPECT_LE(d.certificate.residual, 1e-3);
+  EXPECT_GT(d.certificate.residual_max, 0);
+  EXPECT_EQ(d.certificate.intersections_self, wearer().cuts_self(d.positions));
+  EXPECT_EQ(d.certificate.intersections_body, wearer().cuts_body(d.positions, 25));
+  EXPECT_GT(d.report.iterations, 0);
+  EXPECT_GT(d.report.factorisations, 0);
+  EXPECT_GT(d.report.contacts_body, 100);
+  ASSERT_FALSE(d.report.history.empty());
+  double last = 0;
+  for (const SettleSample& s : d.report.history) {
+    EXPECT_GE(s.seconds, last);
+    last = s.seconds;
+  }
+}
+
+TEST(DrapeGarment, TheBodyCarriesTheWeightOfTheGarment) {
+  const Drape& d = standing_drape();
+  Vec3 carried = Vec3::Zero();
+  for (const Vec3& f : d.body_contact_force) carried += f;
+  const double weight = wearer().garment.finest().mass * kGravity;
+  EXPECT_NEAR(carried[2], weight, 0.01 * weight);
+  EXPECT_LT(carried.head<2>().norm(), 0.01 * weight);
+}
+
+TEST(DrapeGarment, TheShirtHangsOnTheShouldersAndSleevesOnTheArms) {
+  const Drape& d = standing_drape();
+  const Garment& g = wearer().garment.finest();
+  const Body body = support::standing(wearer().parameters, 25);
+  const ClosestPointTree tree(body.surface);
+  int outside = 0;
+  for (const Vec3& p : d.positions) {
+    const double distance = tree.signed_distance(p);
+    EXPECT_GT(distance, -1e-3);
+    EXPECT_LT(distance, 0.25);
+    outside += distance > 0;
+  }
+  EXPECT_GT(outside, static_cast<int>(0.99 * static_cast<double>(d.positions.size())));
+  for (const char* side : {"_L", "_R"})
+    for (int v : g.find_chain("front", std::string("shoulder") + side)->vertices) {
+      EXPECT_LT(tree.query(d.positions[v]).distance, 0.02);
+      EXPECT_GT(d.positions[v][2], body.joints.at(std::string("shoulder") + side)[2] - 0.03);
+    }
+}
+
+TEST(DrapeGarment, OneAndTwoThreadsGiveTheSameBits) {
+  Progress silent;
+  DrapeOptions options;
+  options.threads = 2;
+  const Drape d =
+      drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
+  const Drape& one = standing_drape();
+  ASSERT_EQ(d.positions.size(), one.positions.size());
+  EXPECT_EQ(
+      std::memcmp(d.positions.data(), one.positions.data(), one.positions.size() * sizeof(Vec3)),
+      0);
+  EXPECT_EQ(d.report.iterations, one.report.iterations);
+}
+
+TEST(DrapeGarment, TimeBudgetEndsItHonestly) {
+  Progress silent;
+  DrapeOptions options;
+  options.time_budget = 0.1;
+  const Drape d =
+      drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
+  EXPECT_FALSE(d.certificate.settled());
+  EXPECT_EQ(d.certificate.stop_reason, "time budget");
+  EXPECT_GT(d.certificate.residual, 1e-3);
+  EXPECT_EQ(d.certificate.intersections_self, wearer().cuts_self(d.positions));
+  EXPECT_EQ(d.certificate.intersections_body, wearer().cuts_body(d.positions, 25));
+  for (const Vec3& p : d.positions) ASSERT_TRUE(p.allFinite());
+}
+
+/// Asks to stop at the n-th update.
+class Impatient : public Progress {
+ public:
+  explicit Impatient(int updates) : left_(updates) {}
+  void stage(const std::string& name) override { stages += name + " "; }
+  void update(double fraction, const std::string&) override {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    if (--left_ == 0) request_cancel();
+  }
+  std::string stages;
+
+ private:
+  int left_;
+};
+
+TEST(DrapeGarment, CancellingThrowsWhereverItIs) {
+  const DrapeOptions options;
+  for (int updates : {1, 60}) {
+    Impatient progress(updates);
+    EXPECT_THROW(drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options,
+                               progress),
+                 Cancelled)
+        << updates;
+  }
+}
+
+TEST(DrapeGarment, IsCarriedAlongToAnotherPostureWithoutSelfIntersections) {
+  Impatient progress(-1);  // never
+  const DrapeOptions options;
+  const Drape d =
+      drape_garment(wearer().garment, wearer().material, wearer().path(40, 25), options, progress);
+  EXPECT_EQ(progress.stages, "dress settle ");
+  EXPECT_EQ(wearer().cuts_self(d.positions), 0);
+  EXPECT_EQ(d.certificate.intersections_self, 0);
+  EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason << d.certificate.residual << " "
+                                       << d.certificate.intersections_body;
+  EXPECT_EQ(d.certificate.intersections_body, wearer().cuts_body(d.positions, 25));
+  // The same person in the same shirt: the hem ends up where it does without the detour.
+  const auto* hem = wearer().garment.finest().find_chain("front", "hem");
+  double here = 0, there = 0;
+  for (int v : hem->vertices) {
+    here += d.positions[v][2] / static_cast<double>(hem->vertices.size());
+    there += standing_drape().positions[v][2] / static_cast<double>(hem->vertices.size());
+  }
+  EXPECT_NEAR(here, there, 0.03);
+}
+
+TEST(DrapeGarment, ArmsThatHangAreAnErrorNotADrape) {
+  Progress silent;
+  EXPECT_THROW(drape_garment(wearer().garment, wearer().material, wearer().path(5, 5),
+                             DrapeOptions{}, silent),
+               GeometryError);
+}
+
+}  // namespace
+}  // namespace loosefit
