@@ -18,6 +18,11 @@ Certificate certify(ClothModel& model, const Garment& garment, const std::vector
   c.intersections_body = static_cast<int>(
       mesh_intersections(x, garment.triangles, skin.vertices, skin.triangles).size());
   c.stop_reason = stop_reason;
+  // Balanced forces alone are no rest: say what is left.
+  if (c.intersections_body + c.intersections_self > 0)
+    c.stop_reason += ", but " + std::to_string(c.intersections_body) +
+                     " triangle pairs cut the body and " + std::to_string(c.intersections_self) +
+                     " the cloth itself";
   return c;
 }
 
