@@ -99,10 +99,11 @@ class Run {
                            std::to_string(residual));
       return seconds() > options_.time_budget;
     };
+    const long searches_before = model_->self().searches();
     last_ = make_integrator(kind, model_->system())->settle(x_, settle);
     report_.iterations += last_.iterations;
     report_.factorisations += last_.factorisations;
-    report_.ccd_queries += static_cast<int>(model_->self().searches());
+    report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
     return last_.reason == SettleOutcome::Reason::converged;
   }
 
@@ -133,7 +134,6 @@ class Run {
   }
 
   void assume_posture() {
-    double share = 0;
     int steps = 1;
     {
       const Body end = body_at_(1.0);
@@ -147,7 +147,8 @@ class Run {
       steps = static_cast<int>(std::ceil(turn / kPoseStep));
     }
     for (int k = 1; k <= steps; ++k) {
-      share = double(k) / steps;
+      if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
+      const double share = double(k) / steps;
       auto next = pose_for_contact(body_at_(share), bounds(x_), kFieldSpacing);
       const auto carried = carry_along(*body_, next->body, x_, level_garment().triangles);
       model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
