@@ -95,7 +95,7 @@ def reference_shirt(options, out):
 
 def matrix_case(options, out, name, chest):
     folder = out / f"{name.replace(' ', '-')}-{chest:+.2f}"
-    scenario = folder.with_suffix(".toml")
+    scenario = folder.with_name(folder.name + ".toml")
     scenario.write_text(matrix_scenario(BODIES[name], chest, options.edge_length))
     start = time.monotonic()
     code, summary, message = run(options.binary, scenario, folder, options.pictures)

@@ -20,7 +20,7 @@ struct ClothScene {
   VectorField x;
   TriangleMesh skin;
   std::unique_ptr<ClosestPointTree> tree;
-  std::shared_ptr<const BodyField> field;
+  std::shared_ptr<const DistanceField> field;
   std::unique_ptr<MembraneEnergy> membrane;
   std::unique_ptr<BendingEnergy> bending;
   std::unique_ptr<GravityEnergy> gravity;
@@ -56,7 +56,7 @@ struct ClothScene {
     }
     tree = std::make_unique<ClosestPointTree>(skin);
     field =
-        std::make_shared<BodyField>(*tree, Box3(box.min() - margin, box.max() + margin), c.spacing);
+        std::make_shared<DistanceField>(*tree, Box3(box.min() - margin, box.max() + margin), c.spacing);
     membrane = std::make_unique<MembraneEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
     bending = std::make_unique<BendingEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
     gravity = std::make_unique<GravityEnergy>(system.mass, g);

@@ -84,7 +84,7 @@ LayerResponse compress_layer(double k, double offset, double compression) {
 
 double BodyContact::field_distance(const ContactPoint& point, const VectorField& x,
                                    double reach) const {
-  BodyField::Sample sample;
+  DistanceField::Sample sample;
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 

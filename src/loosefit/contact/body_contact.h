@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "loosefit/contact/body_field.h"
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/contact/friction.h"
 
 namespace loosefit {
@@ -52,7 +52,7 @@ class BodyContact : public Energy {
               double stick_reach);
 
   /// The body moved or changed: contacts keep their anchors unless `forget_anchors`.
-  void set_field(std::shared_ptr<const BodyField> field) { field_ = std::move(field); }
+  void set_field(std::shared_ptr<const DistanceField> field) { field_ = std::move(field); }
   void forget_anchors() { friction_.forget(); }
   std::vector<ContactPoint>& points() { return points_; }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
@@ -69,11 +69,11 @@ class BodyContact : public Energy {
  private:
   struct Touch {
     bool active = false;
-    BodyField::Sample sample;
+    DistanceField::Sample sample;
   };
   std::vector<Touch> touches(const VectorField& x, bool with_hessian) const;
   std::vector<ContactPoint> points_;
-  std::shared_ptr<const BodyField> field_;
+  std::shared_ptr<const DistanceField> field_;
   double stiffness_;
   Friction friction_;
 };

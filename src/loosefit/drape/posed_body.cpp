@@ -26,7 +26,7 @@ std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double
   posed->body = std::move(body);
   posed->tree = std::make_unique<ClosestPointTree>(posed->body.surface);
   const Vec3 margin = Vec3::Constant(kMargin);
-  posed->field = std::make_shared<BodyField>(
+  posed->field = std::make_shared<DistanceField>(
       *posed->tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing);
   return posed;
 }

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "loosefit/body/body.h"
-#include "loosefit/contact/body_field.h"
+#include "loosefit/contact/distance_field.h"
 
 namespace loosefit {
 
@@ -10,7 +10,7 @@ namespace loosefit {
 struct PosedBody {
   Body body;
   std::unique_ptr<ClosestPointTree> tree;
-  std::shared_ptr<const BodyField> field;
+  std::shared_ptr<const DistanceField> field;
 };
 
 /// reach: box round the cloth; the field covers it with a margin for motion.

@@ -106,7 +106,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const double upper_arm = (elbow3 - shoulder3).norm(), forearm = (wrist3 - elbow3).norm();
   const Vec2 fore = (wrist - elbow).normalized();
   // A sleeve longer than the arm starts gathered before the hand, whose fingers it could not clear.
-  const double past_elbow = std::min(0.97, (length - upper_arm) / forearm);
+  const double past_elbow = std::min(0.90, (length - upper_arm) / forearm);
   const bool reaches_elbow = past_elbow > 0.05;
   const Vec2 cuff = reaches_elbow ? Vec2(elbow + past_elbow * (wrist - elbow))
                                   : Vec2(seen(shoulder3) + length / upper_arm * (elbow - seen(shoulder3)));

@@ -12,11 +12,11 @@ namespace loosefit {
 /// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
 /// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall Newton.
 /// Not used for the distance map, which asks the surface itself.
-class BodyField {
+class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m].
   /// \pre surface is closed and oriented outwards; the tree outlives the field.
-  BodyField(const ClosestPointTree& tree, const Box3& region, double spacing = 0.005);
+  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = 0.005);
 
   struct Sample {
     double distance = 0;  ///< [m], negative inside

@@ -1,4 +1,4 @@
-#include "loosefit/contact/body_field.h"
+#include "loosefit/contact/distance_field.h"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@ TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
   const double radius = GetParam();
   const TriangleMesh mesh = support::sphere(radius, 90, 180);
   const ClosestPointTree tree(mesh);
-  const BodyField field(tree, box(radius + 0.02), 0.005);
+  const DistanceField field(tree, box(radius + 0.02), 0.005);
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> depth(-0.003, 0.003);
   double worst = 0, worst_gradient = 0;
   for (int i = 0; i < 4000; ++i) {
     const Vec3 n = random_direction(rng);
     const double d = depth(rng);
-    BodyField::Sample s;
+    DistanceField::Sample s;
     ASSERT_TRUE(field.sample((radius + d) * n, 0.01, false, s));
     worst = std::max(worst, std::abs(s.distance - d));
     worst_gradient = std::max(worst_gradient, (s.gradient - n).norm());
@@ -40,15 +40,15 @@ TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
 
 INSTANTIATE_TEST_SUITE_P(Radii, FieldOfSphere, ::testing::Values(0.025, 0.05, 0.15));
 
-TEST(BodyField, DistanceOfACylinder) {
+TEST(DistanceField, DistanceOfACylinder) {
   const TriangleMesh mesh = support::cylinder(0.03, -0.2, 0.2, 40, 200);
   const ClosestPointTree tree(mesh);
-  const BodyField field(tree, Box3(Vec3(-0.05, -0.05, -0.1), Vec3(0.05, 0.05, 0.1)), 0.005);
+  const DistanceField field(tree, Box3(Vec3(-0.05, -0.05, -0.1), Vec3(0.05, 0.05, 0.1)), 0.005);
   double worst = 0;
   for (int i = 0; i < 500; ++i) {
     const double a = 0.1 + 2.399963 * i, d = -0.002 + 0.004 * (i % 17) / 16.0;
     const double z = -0.09 + 0.18 * (i % 101) / 100.0;
-    BodyField::Sample s;
+    DistanceField::Sample s;
     ASSERT_TRUE(
         field.sample(Vec3((0.03 + d) * std::cos(a), (0.03 + d) * std::sin(a), z), 0.01, false, s));
     worst = std::max(worst, std::abs(s.distance - d));
@@ -57,16 +57,16 @@ TEST(BodyField, DistanceOfACylinder) {
   RecordProperty("worst_um", static_cast<int>(1e6 * worst));
 }
 
-TEST(BodyField, DerivativesAreThoseOfTheInterpolant) {
+TEST(DistanceField, DerivativesAreThoseOfTheInterpolant) {
   const TriangleMesh mesh = support::sphere(0.04, 40, 80);
   const ClosestPointTree tree(mesh);
-  const BodyField field(tree, box(0.06), 0.005);
+  const DistanceField field(tree, box(0.06), 0.005);
   std::mt19937 rng(11);
   std::uniform_real_distribution<double> depth(-0.004, 0.004);
   const double h = 1e-6;
   for (int i = 0; i < 300; ++i) {
     const Vec3 p = (0.04 + depth(rng)) * random_direction(rng);
-    BodyField::Sample s, plus, minus;
+    DistanceField::Sample s, plus, minus;
     ASSERT_TRUE(field.sample(p, 0.01, true, s));
     for (int c = 0; c < 3; ++c) {
       Vec3 up = p, down = p;
@@ -82,11 +82,11 @@ TEST(BodyField, DerivativesAreThoseOfTheInterpolant) {
   }
 }
 
-TEST(BodyField, ExtremesOfThePositionAreAnswered) {
+TEST(DistanceField, ExtremesOfThePositionAreAnswered) {
   const TriangleMesh mesh = support::sphere(0.10, 60, 120);
   const ClosestPointTree tree(mesh);
-  const BodyField field(tree, box(0.12), 0.005);
-  BodyField::Sample s;
+  const DistanceField field(tree, box(0.12), 0.005);
+  DistanceField::Sample s;
   EXPECT_FALSE(field.sample(Vec3(0.13, 0, 0), 0.001, false, s));  // outside, on the grid
   EXPECT_FALSE(field.sample(Vec3(5, -3, 8), 0.001, false, s));    // off the grid
   // Deep inside, where the grid holds nothing: exact distance, gradient outwards.
@@ -98,12 +98,12 @@ TEST(BodyField, ExtremesOfThePositionAreAnswered) {
   EXPECT_TRUE(s.gradient.allFinite());
 }
 
-TEST(BodyField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
+TEST(DistanceField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
   const TriangleMesh mesh = support::cylinder(0.05, -1, 1, 100, 96);
   const ClosestPointTree tree(mesh);
   // Both ends of the cylinder leave the region, as head and legs leave that of a shirt.
-  const BodyField field(tree, Box3(Vec3(-0.09, -0.09, -0.1), Vec3(0.09, 0.09, 0.1)), 0.005);
-  BodyField::Sample s;
+  const DistanceField field(tree, Box3(Vec3(-0.09, -0.09, -0.1), Vec3(0.09, 0.09, 0.1)), 0.005);
+  DistanceField::Sample s;
   for (double z : {-0.12, -0.05, 0.0, 0.05, 0.12})
     for (int i = 0; i < 16; ++i) {
       const Vec3 n(std::cos(0.2 + i), std::sin(0.2 + i), 0);
@@ -118,17 +118,17 @@ TEST(BodyField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
   EXPECT_NEAR(s.distance, -0.0005, 1e-4);
 }
 
-TEST(BodyField, ReachDecidesWhatIsTouched) {
+TEST(DistanceField, ReachDecidesWhatIsTouched) {
   const TriangleMesh mesh = support::sphere(0.10, 60, 120);
   const ClosestPointTree tree(mesh);
-  const BodyField field(tree, box(0.12), 0.005);
+  const DistanceField field(tree, box(0.12), 0.005);
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> depth(0, 0.02);
   for (double reach : {0.00025, 0.002, 0.006})
     for (int i = 0; i < 500; ++i) {
       const double d = depth(rng);
       if (std::abs(d - reach) < 1e-4) continue;  // within the error of the field
-      BodyField::Sample s;
+      DistanceField::Sample s;
       EXPECT_EQ(field.sample((0.10 + d) * random_direction(rng), reach, false, s), d < reach) << d;
     }
 }

@@ -1,4 +1,4 @@
-#include "loosefit/contact/body_field.h"
+#include "loosefit/contact/distance_field.h"
 
 #include <tbb/parallel_for.h>
 
@@ -32,7 +32,7 @@ struct Weights {
 
 }  // namespace
 
-BodyField::BodyField(const ClosestPointTree& tree, const Box3& region, double spacing)
+DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing)
     : tree_(tree), spacing_(spacing) {
   constexpr double kMaxNodes = 2e7;  // 100 MB
   const Vec3 margin = Vec3::Constant(4 * spacing_);
@@ -113,7 +113,7 @@ BodyField::BodyField(const ClosestPointTree& tree, const Box3& region, double sp
         }
 }
 
-bool BodyField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
+bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
   const Vec3 q = (p - origin_) / spacing_;
   int cell[3];
   bool on_grid = true;
