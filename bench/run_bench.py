@@ -8,7 +8,8 @@ usage: run_bench.py --binary build/bin/loosefit [--rows reference-shirt,matrix] 
 Rows
   reference-shirt  examples/reference-shirt.toml: seconds per stage, peak memory (best of --runs)
   matrix           four bodies x five chest fits: settled, residual, intersections, seconds, and the
-                   hoop strain at the chest, which for a tight garment is near -BGM / (1 + BGM)
+                   hoop strain at the chest, which for a tight garment is near -BGM / (1 + BGM) with
+                   the BGM of the cloth that lies at chest level (it is cut wider below the underarm)
 
 Prints tables. With --record, adds the results and the machine to bench/history/<row>.json.
 Exit code 1 when a case did not settle.
@@ -106,7 +107,10 @@ def matrix_case(options, out, name, chest):
     row |= {key: summary[key] for key in ("settled", "residual", "intersections", "vertices",
                                           "stop_reason", "peak_memory_mb")}
     row["seconds"] = {key: round(value, 2) for key, value in summary["seconds"].items()}
-    row["hoop_strain"] = summary["fit"].get("chest_cut", {}).get("hoop_strain")
+    cut = summary["fit"].get("chest_cut", {})
+    row["hoop_strain"] = cut.get("hoop_strain")
+    if cut.get("flat"):
+        row["bgm_at_chest_level"] = cut["flat"] / summary["body"]["measured"]["chest"] - 1
     row["distance_median_mm"] = summary["maps"].get("distance_mm", {}).get("median")
     return row
 
@@ -123,7 +127,8 @@ def matrix(options, out):
             print(f"{row['body']:12} {row['chest_fit']:+6.2f} {'error':>8} {row['error']}")
             continue
         hoop, gap = row["hoop_strain"], row["distance_median_mm"]
-        tight = -row["chest_fit"] / (1 + row["chest_fit"])
+        bgm = row.get("bgm_at_chest_level", row["chest_fit"])
+        tight = -bgm / (1 + bgm)
         print(f"{row['body']:12} {row['chest_fit']:+6.2f} {str(row['settled']):>8} "
               f"{row['residual']:9.1e} {row['intersections']['body']:5d} "
               f"{row['intersections']['self']:5d} {row['seconds'].get('dress', 0):8.1f} "
