@@ -16,6 +16,16 @@ std::array<Vec3, 4> gather(const std::array<int, 4>& p, const VectorField& x) {
   return {x[p[0]], x[p[1]], x[p[2]], x[p[3]]};
 }
 
+/// Mollifier of nearly parallel edges and its slope: r (2 − r) for r = c/threshold < 1, else 1.
+struct Mollifier {
+  double value = 1, slope = 0;
+};
+Mollifier mollify(double c, double threshold) {
+  if (c >= threshold) return {};
+  const double r = c / threshold;
+  return {r * (2 - r), (2 - 2 * r) / threshold};
+}
+
 /// c = |e₁ × e₂|² and its gradient with respect to the four edge ends.
 double parallel_measure(const std::array<Vec3, 4>& x, std::array<Vec3, 4>* gradient) {
   const Vec3 u = x[1] - x[0], v = x[3] - x[2];
@@ -126,6 +136,11 @@ SelfContact::Term SelfContact::evaluate(const Pair& pair, const VectorField& x) 
   return term;
 }
 
+double SelfContact::mollifier(const Pair& pair, const VectorField& x) const {
+  if (pair.kind == PairKind::point_triangle) return 1;
+  return mollify(parallel_measure(gather(pair.particle, x), nullptr), pair.parallel_threshold).value;
+}
+
 void SelfContact::begin_step(const VectorField& x, double) {
   find_pairs(x, nullptr);
   if (friction_.coefficient() <= 0) return;
@@ -141,14 +156,7 @@ void SelfContact::begin_step(const VectorField& x, double) {
     c.weight = term.d.weight;
     c.count = 4;
     c.normal = term.d.normal;
-    c.normal_force = -term.slope;
-    if (kind == 1) {
-      const double m = parallel_measure(gather(pair.particle, x), nullptr);
-      if (m < pair.parallel_threshold) {
-        const double r = m / pair.parallel_threshold;
-        c.normal_force *= r * (2 - r);
-      }
-    }
+    c.normal_force = -term.slope * mollifier(pair, x);
     contacts.push_back(c);
   }
   std::sort(contacts.begin(), contacts.end(),
@@ -161,15 +169,7 @@ double SelfContact::value(const VectorField& x) const {
   for (const Pair& pair : pairs_) {
     const Term term = evaluate(pair, x);
     if (!term.active) continue;
-    double mollifier = 1;
-    if (pair.kind == PairKind::edge_edge) {
-      const double m = parallel_measure(gather(pair.particle, x), nullptr);
-      if (m < pair.parallel_threshold) {
-        const double r = m / pair.parallel_threshold;
-        mollifier = r * (2 - r);
-      }
-    }
-    energy += term.d.distance > 0 ? mollifier * term.energy : term.energy;
+    energy += term.d.distance > 0 ? mollifier(pair, x) * term.energy : term.energy;
   }
   return energy + friction_.value(x);
 }
@@ -178,18 +178,14 @@ void SelfContact::add_gradient(const VectorField& x, VectorField& g) const {
   for (const Pair& pair : pairs_) {
     const Term term = evaluate(pair, x);
     if (!term.active) continue;
-    double mollifier = 1;
+    Mollifier m;
     if (pair.kind == PairKind::edge_edge) {
-      std::array<Vec3, 4> dm;
-      const double m = parallel_measure(gather(pair.particle, x), &dm);
-      if (m < pair.parallel_threshold) {
-        const double r = m / pair.parallel_threshold;
-        mollifier = r * (2 - r);
-        const double factor = term.energy * (2 - 2 * r) / pair.parallel_threshold;
-        for (int k = 0; k < 4; ++k) g[pair.particle[k]] += factor * dm[k];
-      }
+      std::array<Vec3, 4> dc;
+      m = mollify(parallel_measure(gather(pair.particle, x), &dc), pair.parallel_threshold);
+      if (m.slope > 0)
+        for (int k = 0; k < 4; ++k) g[pair.particle[k]] += term.energy * m.slope * dc[k];
     }
-    const Vec3 force = mollifier * term.slope * term.d.normal;
+    const Vec3 force = m.value * term.slope * term.d.normal;
     for (int k = 0; k < 4; ++k) g[pair.particle[k]] += term.d.weight[k] * force;
   }
   friction_.add_gradient(x, g);
@@ -207,15 +203,7 @@ void SelfContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind)
   for (const Pair& pair : pairs_) {
     const Term term = evaluate(pair, x);
     if (!term.active) continue;
-    double mollifier = 1;
-    if (pair.kind == PairKind::edge_edge) {
-      const double m = parallel_measure(gather(pair.particle, x), nullptr);
-      if (m < pair.parallel_threshold) {
-        const double r = m / pair.parallel_threshold;
-        mollifier = r * (2 - r);
-      }
-    }
-    const Mat3 block = mollifier * term.curvature * term.d.normal * term.d.normal.transpose();
+    const Mat3 block = mollifier(pair, x) * term.curvature * term.d.normal * term.d.normal.transpose();
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
         h.add(pair.particle[a], pair.particle[b], term.d.weight[a] * term.d.weight[b] * block);

@@ -50,11 +50,12 @@ class SelfContact : public Energy {
   struct Term {
     PairDistance d;
     double energy = 0;      ///< [J]
-    double slope = 0;       ///< dΠ/dd · mollifier [N]
-    double curvature = 0;   ///< d²Π/dd² · mollifier [N/m]
+    double slope = 0;      ///< dΠ/dd [N]
+    double curvature = 0;  ///< d²Π/dd² [N/m]; all three without the mollifier
     bool active = false;
   };
   Term evaluate(const Pair& pair, const VectorField& x) const;
+  double mollifier(const Pair& pair, const VectorField& x) const;
   void find_pairs(const VectorField& x, const VectorField* dx);
 
   std::vector<Triangle> triangles_;

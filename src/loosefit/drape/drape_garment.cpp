@@ -7,14 +7,13 @@
 #include <optional>
 #include <random>
 #include <map>
-#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/certify.h"
 #include "loosefit/drape/cloth_model.h"
+#include "loosefit/drape/hold_off_cuts.h"
 #include "loosefit/drape/posed_body.h"
 #include "loosefit/dress/dress.h"
-#include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {
@@ -29,10 +28,6 @@ constexpr double kPoseStep = 0.07;           ///< largest joint angle of one ste
 constexpr double kCoarseLayer = 2.0;         ///< coarse levels keep layers this much farther apart
 constexpr int kCutRounds = 8;                ///< attempts to free the last cuts into the body
 constexpr double kCutTolerance = 1.0;        ///< residual at which cuts are first looked for
-constexpr int kCutLattice = 4;               ///< points along an edge of a cut triangle
-constexpr double kClear = 8e-5;              ///< clearance asked of a triangle that cut [m]
-constexpr double kCutOffset = 3e-5;          ///< more for each time that it cut [m]
-constexpr double kFarField = 0.002;          ///< no correction of the distance field beyond [m]
 constexpr double kFieldSpacing = 0.005;      ///< [m]
 
 using Clock = std::chrono::steady_clock;
@@ -172,7 +167,7 @@ class Run {
       for (int round = 0;; ++round) {
         settle(tolerance, options_.max_iterations, round == 0 ? 0.02 : 0.5);
         if (round == kCutRounds || seconds() > options_.time_budget) return;
-        if (!hold_off_cuts(times_cut)) return;
+        if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, times_cut)) return;
       }
     };
     settle_and_hold_off(std::max(kCutTolerance, options_.residual_tolerance));
@@ -198,54 +193,6 @@ class Run {
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, bulge);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
-  }
-
-  /// Flat triangles can cut a curved skin between their contact points: such triangles get more
-  /// contact points, whose offsets make up for the error of the distance field there, and are held
-  /// off by what they lack of clearing the skin, more so each time. False when nothing cuts.
-  bool hold_off_cuts(std::map<int, int>& times_cut) {
-    const auto& skin = body_->body.surface;
-    const auto& triangles = level_garment().triangles;
-    std::set<int> cut;
-    for (const auto& [t, s] : mesh_intersections(x_, triangles, skin.vertices, skin.triangles))
-      cut.insert(t);
-    const auto area = flat_areas(level_garment());
-    BodyContact& contact = model_->body();
-    std::map<int, std::vector<int>> cuts_at;  // vertex → cut triangles
-    std::map<int, double> raise;              // of a triangle's contact points [m]
-    for (int t : cut) {
-      if (++times_cut[t] == 1)
-        add_lattice(triangles[t], area[t], 0.5 * material_.thickness, kCutLattice, contact.points());
-      for (int v : triangles[t]) cuts_at[v].push_back(t);
-      raise[t] = std::clamp(kClear - least_distance(triangles[t]), 0.0, kFarField) +
-                 kCutOffset * times_cut[t];
-    }
-    for (ContactPoint& p : contact.points()) {
-      const auto near = cuts_at.find(p.particle[0]);
-      if (near == cuts_at.end()) continue;
-      double most = -1;
-      for (int t : near->second)
-        if (p.within(triangles[t])) most = std::max(most, raise.at(t));
-      if (most < 0) continue;
-      const double seen = contact.field_distance(p, x_, kFarField);
-      const double error =
-          seen < kFarField ? seen - body_->tree->signed_distance(p.position(x_)) : 0;
-      const double least = 0.5 * material_.thickness + std::clamp(error, 0.0, kFarField);
-      p.offset = std::max(p.offset, least) + most;
-    }
-    return !cut.empty();
-  }
-
-  /// Least signed distance to the skin of a lattice over the triangle [m].
-  double least_distance(const Triangle& t) const {
-    double least = kFarField;
-    for (int i = 0; i <= kCutLattice; ++i)
-      for (int j = 0; i + j <= kCutLattice; ++j) {
-        const double a = double(i) / kCutLattice, b = double(j) / kCutLattice;
-        least = std::min(least, body_->tree->signed_distance(a * x_[t[0]] + b * x_[t[1]] +
-                                                             (1 - a - b) * x_[t[2]]));
-      }
-    return least;
   }
 
   Drape finish() {

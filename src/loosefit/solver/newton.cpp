@@ -94,14 +94,12 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
   double largest = 0;
   for (const Vec3& d : dx) largest = std::max(largest, d.squaredNorm());
   largest = std::sqrt(largest);
-  outcome.largest = largest;
   // The projected Hessian is too stiff along buckling directions: look farther along its step.
   const double stretch = std::min(exact_ ? 1.0 : kStretch, options_.max_move / largest);
   for (Vec3& d : dx) d *= stretch;
   slope *= stretch;
   const double limit = system_.begin_search(x, dx);
   const double whole = std::min(1.0, 1.0 / stretch);  // the Newton step itself
-  outcome.blocked = limit < 0.1 * whole;
   const double before = objective(x, target, per_dt2);
   VectorField trial(x.size());
   const auto at = [&](double t) {

@@ -17,11 +17,9 @@ class Newton {
     int iterations = 0, factorisations = 0;
   };
   struct Outcome {
-    bool moved = false;       ///< false: no descent possible
-    double share = 0;         ///< accepted share of the Newton step, collisions included
-    bool blocked = false;     ///< collision detection cut the step below a tenth
-    double largest = 0;        ///< largest particle move of the full Newton step [m]
-    double force = 0;         ///< ‖∂(Π + inertia)/∂x‖ before the move [N]
+    bool moved = false;  ///< false: no descent possible
+    double share = 0;    ///< accepted multiple of the Newton step, collisions included
+    double force = 0;    ///< ‖∂(Π + inertia)/∂x‖ before the move [N]
   };
 
   explicit Newton(const ParticleSystem& system) : Newton(system, Options{}) {}

@@ -1,0 +1,63 @@
+#include "loosefit/drape/hold_off_cuts.h"
+
+#include <algorithm>
+#include <set>
+
+#include "loosefit/geometry/exact_intersection.h"
+
+namespace loosefit {
+namespace {
+
+constexpr int kLattice = 4;            ///< intervals along an edge of a cut triangle
+constexpr double kClear = 8e-5;        ///< clearance asked of a triangle that cut [m]
+constexpr double kEachTime = 3e-5;     ///< more for each time that it cut [m]
+constexpr double kFarField = 0.002;    ///< largest correction at one time [m]
+
+/// Least signed distance to the skin of a lattice over the triangle [m].
+double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
+  double least = kFarField;
+  for (int i = 0; i <= kLattice; ++i)
+    for (int j = 0; i + j <= kLattice; ++j) {
+      const double a = double(i) / kLattice, b = double(j) / kLattice;
+      least = std::min(least,
+                       skin.signed_distance(a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]]));
+    }
+  return least;
+}
+
+}  // namespace
+
+bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
+                   const std::vector<Vec3>& x, double half_thickness,
+                   std::map<int, int>& times_cut) {
+  const auto& skin = body.body.surface;
+  const auto& triangles = garment.triangles;
+  std::set<int> cut;
+  for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
+    cut.insert(t);
+  const auto area = flat_areas(garment);
+  BodyContact& contact = model.body();
+  std::map<int, std::vector<int>> cuts_at;  // vertex → cut triangles
+  std::map<int, double> raise;              // of a triangle's contact points [m]
+  for (int t : cut) {
+    if (++times_cut[t] == 1)
+      add_lattice(triangles[t], area[t], half_thickness, kLattice, contact.points());
+    for (int v : triangles[t]) cuts_at[v].push_back(t);
+    raise[t] = std::clamp(kClear - least_distance(*body.tree, triangles[t], x), 0.0, kFarField) +
+               kEachTime * times_cut[t];
+  }
+  for (ContactPoint& p : contact.points()) {
+    const auto near = cuts_at.find(p.particle[0]);
+    if (near == cuts_at.end()) continue;
+    double most = -1;
+    for (int t : near->second)
+      if (p.within(triangles[t])) most = std::max(most, raise.at(t));
+    if (most < 0) continue;
+    const double seen = contact.field_distance(p, x, kFarField);
+    const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
+    p.offset = std::max(p.offset, half_thickness + std::clamp(error, 0.0, kFarField)) + most;
+  }
+  return !cut.empty();
+}
+
+}  // namespace loosefit
