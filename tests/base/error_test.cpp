@@ -11,6 +11,15 @@ TEST(InvalidInput, NamesPlaceFoundAndExpected) {
   EXPECT_EQ(e.hint(), "metres?");
 }
 
+TEST(InvalidInput, IsToldAgainFromAnotherPlace) {
+  const InvalidInput e({"", 0, "chest"}, "9 m", "0.35 to 1.8 m", "metres");
+  const InvalidInput moved = e.at({"a.toml", 4, "body.measurements.chest"});
+  EXPECT_STREQ(moved.what(),
+               "a.toml:4: body.measurements.chest: found 9 m, expected 0.35 to 1.8 m");
+  EXPECT_EQ(moved.hint(), "metres");
+  EXPECT_STREQ(InvalidInput("no arms").at({"a.toml", 0, ""}).what(), "a.toml: no arms");
+}
+
 TEST(InputPlace, LeavesOutWhatIsUnknown) {
   EXPECT_EQ((InputPlace{"a.json", 0, "panels.front"}).str(), "a.json: panels.front");
   EXPECT_EQ((InputPlace{"", 0, "--sex"}).str(), "--sex");

@@ -87,6 +87,21 @@ TEST_F(Sites, ImpossibleSitesSayWhy) {
   EXPECT_NE(message({"d", "", {}, "crown"}).find("does not cover"), std::string::npos);
 }
 
+TEST_F(Sites, AreCheckedBeforeThereIsADrape) {
+  const auto key = [this](const SiteSpec& wrong) -> std::string {
+    try {
+      check_sites(garment_, body_, {{"good", "tube", {0.1, 0.1}, ""}, wrong});
+    } catch (const InvalidInput& error) {
+      return error.place().key;
+    }
+    return {};
+  };
+  EXPECT_EQ(key({"a", "tub", {0.1, 0.1}, ""}), "site[1].panel");
+  EXPECT_EQ(key({"b", "tube", {0.1, 0.9}, ""}), "site[1].at");
+  EXPECT_EQ(key({"c", "", {}, "scapula_LL"}), "site[1].landmark");
+  EXPECT_EQ(key({"d", "", {}, "crown"}), "");  // whether it is covered shows in the drape
+}
+
 TEST(Ray, LeavesACylinderAtItsWall) {
   const Body body = testing::cylinder_body(kRadius, 1.0, 400, 10);
   const auto hit = ray_exit(body.surface, {0.02, 0, 0.5}, Vec3(1, 0, 0));

@@ -9,8 +9,21 @@ std::string InputPlace::str() const {
   return text;
 }
 
+InvalidInput::InvalidInput(const std::string& complaint, std::string hint)
+    : Error(complaint, std::move(hint)), complaint_(complaint) {}
+
 InvalidInput::InvalidInput(const InputPlace& place, const std::string& found,
                            const std::string& expected, std::string hint)
-    : Error(place.str() + ": found " + found + ", expected " + expected, std::move(hint)) {}
+    : Error(place.str() + ": found " + found + ", expected " + expected, std::move(hint)),
+      place_(place),
+      complaint_("found " + found + ", expected " + expected) {}
+
+InvalidInput InvalidInput::at(const InputPlace& place) const {
+  const std::string where = place.str();
+  InvalidInput moved(where.empty() ? complaint_ : where + ": " + complaint_, hint());
+  moved.place_ = place;
+  moved.complaint_ = complaint_;
+  return moved;
+}
 
 }  // namespace loosefit

@@ -26,16 +26,25 @@ struct InputPlace {
 /// The user gave something we cannot use: exit code 2.
 class InvalidInput : public Error {
  public:
-  using Error::Error;
+  explicit InvalidInput(const std::string& complaint, std::string hint = {});
   /// Message `FILE:LINE: KEY: found FOUND, expected EXPECTED`.
   InvalidInput(const InputPlace& place, const std::string& found, const std::string& expected,
                std::string hint = {});
+
+  const InputPlace& place() const { return place_; }
+  /// The same complaint with another place: of a caller who knows file and line of the value.
+  InvalidInput at(const InputPlace& place) const;
+
+ private:
+  InputPlace place_;
+  std::string complaint_;  ///< the message without its place
 };
 
 /// Geometry that cannot be processed (open mesh, seam that cannot close): exit code 2.
 class GeometryError : public InvalidInput {
  public:
   using InvalidInput::InvalidInput;
+  explicit GeometryError(const InvalidInput& error) : InvalidInput(error) {}
 };
 
 /// A file could not be read or written (missing, no permission, disk full): exit code 2.

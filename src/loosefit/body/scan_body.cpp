@@ -90,7 +90,7 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
 
 }  // namespace
 
-ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
+ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   CheckedSurface checked = check_surface(std::move(mesh), options);
   ScanBody made;
   made.warnings = std::move(checked.warnings);
@@ -180,6 +180,9 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) {
   m["volume"] = enclosed_volume(surface);
   m["mass"] = kDensity * m["volume"];
   return made;
+} catch (const GeometryError& error) {  // of a tape or section, which does not know the file
+  if (!error.place().file.empty()) throw;
+  throw GeometryError(error.at({options.file, 0, ""}));
 }
 
 }  // namespace loosefit

@@ -120,7 +120,7 @@ ScanSections slice_scan(const TriangleMesh& mesh) {
   }
   if (found.armpit == 0) {
     throw GeometryError(
-        "body file: found no level with both arms apart from the trunk, expected "
+        "found no level with both arms apart from the trunk, expected "
         "arms hanging 15 to 65 degrees away from it",
         "scan in an A-pose, or make a body from measures instead");
   }

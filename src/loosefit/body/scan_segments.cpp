@@ -89,7 +89,7 @@ ArmLine arm_line(const ScanSections& s, int side) {
   // The axis of the upper arm, from below the armpit's fold; the joint lies on it above the armpit.
   const auto near = std::size_t(0.015 * kSliceCount), far = std::size_t(0.08 * kSliceCount);
   if (centres.size() < 2 * far) {
-    throw GeometryError("body file: found an arm of " + std::to_string(centres.size()) +
+    throw GeometryError("found an arm of " + std::to_string(centres.size()) +
                             " slices below the armpit, expected arms hanging beside the trunk",
                         "scan in an A-pose, or make a body from measures instead");
   }

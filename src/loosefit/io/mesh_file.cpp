@@ -28,6 +28,9 @@ MeshFile parse(const std::string& bytes, const std::string& path) {
   if (extension == ".stl") return mesh_text::read_stl(bytes, path);
   if (extension == ".obj") return mesh_text::read_obj(bytes, path);
   if (bytes.starts_with("solid")) return mesh_text::read_stl(bytes, path);
+  if (extension == ".ply")
+    throw InvalidInput({path, 1, ""}, "something else",
+                       "the word ply, with which a PLY file starts");
   throw InvalidInput({path, 0, ""}, extension.empty() ? "no extension" : "extension " + extension,
                      "an .obj, .ply or .stl surface");
 }

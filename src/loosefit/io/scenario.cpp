@@ -18,6 +18,14 @@ void refuse_equal_names(const std::vector<Spec>& specs, ConfigReader& root, cons
       throw root.error(key, "the name \"" + spec.name + "\" twice", "each name once", {});
 }
 
+void note_lines(const ConfigNode& node, const std::string& key, std::map<std::string, int>& lines) {
+  if (!key.empty()) lines[key] = node.line;
+  for (const auto& [name, member] : node.members)
+    note_lines(member, key.empty() ? name : key + "." + name, lines);
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    note_lines(node.items[i], key + "[" + std::to_string(i) + "]", lines);
+}
+
 }  // namespace
 
 Scenario parse_scenario(const std::string& text, const std::string& file) {
@@ -25,6 +33,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   ConfigReader root(node, file);
   Scenario scenario;
   scenario.file = file;
+  note_lines(node, "", scenario.lines);
   scenario.body = read_body_section(root.table("body"));
   scenario.garment = read_garment_section(root.table("garment"));
   scenario.material = read_material_section(root.table("material"));

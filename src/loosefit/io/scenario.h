@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/error.h"
 #include "loosefit/body/body.h"
 #include "loosefit/garment/attachment.h"
 #include "loosefit/io/material_file.h"
@@ -62,6 +63,7 @@ struct ScenarioOutput {
 /// docs/scenario.md.
 struct Scenario {
   std::string file;  ///< where it was read from, for messages; not part of the resolved text
+  std::map<std::string, int> lines;  ///< where each key stands in it ("attachment[0].at"), likewise
   ScenarioBody body;
   ScenarioGarment garment;
   MaterialCard material;
@@ -77,6 +79,11 @@ Scenario default_scenario();
 /// \throws IoError if the file cannot be read; InvalidInput for anything wrong in it. Files named
 /// in it are taken relative to its folder and must exist.
 Scenario read_scenario(const std::string& path);
+
+/// An error that a later stage raised about a value of the scenario ("fit.sleeve", "attachment
+/// x.at", "chest"), told with the scenario's file, line and key. An error that names a file stays
+/// as it is.
+InvalidInput in_scenario(const InvalidInput& error, const Scenario& scenario);
 
 /// As read_scenario; `file` is for messages and for resolving relative paths.
 Scenario parse_scenario(const std::string& text, const std::string& file);

@@ -92,6 +92,20 @@ Site describe(const std::string& name, const GarmentPoint& point, const Garment&
 
 }  // namespace
 
+void check_sites(const Garment& garment, const Body& body, const std::vector<SiteSpec>& wished) {
+  for (std::size_t i = 0; i < wished.size(); ++i) {
+    const SiteSpec& spec = wished[i];
+    const bool known_panel = std::find(garment.panel_names.begin(), garment.panel_names.end(),
+                                       spec.panel) != garment.panel_names.end();
+    const char* key = spec.panel.empty() ? "landmark" : known_panel ? "at" : "panel";
+    try {
+      spec.panel.empty() ? void(site_point(body, spec.landmark)) : void(in_pattern(garment, spec));
+    } catch (const InvalidInput& error) {
+      throw error.at({"", 0, "site[" + std::to_string(i) + "]." + key});
+    }
+  }
+}
+
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
                              const Body& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,

@@ -61,6 +61,10 @@ std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& po
                              const std::vector<SiteSpec>& wished, bool with_presets = true,
                              double radius = kFootprintRadius);
 
+/// What can be said of wished sites before the garment is draped: panel, place in it and landmark.
+/// \throws InvalidInput with key `site[i].panel`, `site[i].at` or `site[i].landmark`.
+void check_sites(const Garment& garment, const Body& body, const std::vector<SiteSpec>& wished);
+
 inline constexpr double kCoverReach = 0.15;  ///< [m]
 
 }  // namespace loosefit

@@ -5,7 +5,7 @@
 
 namespace loosefit {
 
-CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) {
+CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) try {
   StageClock clock(progress);
   CaseResult result;
   result.scenario = scenario;
@@ -19,6 +19,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   clock.stage("garment");
   result.garment = build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
                                    scenario.material.material, scenario.attachments);
+  check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
   result.drape = drape_garment(result.garment, scenario.material.material, result.body.path,
                                drape_options(scenario.simulation), clock);  // dress, settle
@@ -38,6 +39,8 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   result.peak_memory_mb = peak_memory_mb();
   result.warnings = collected_warnings(result);
   return result;
+} catch (const InvalidInput& error) {
+  throw in_scenario(error, scenario);
 }
 
 }  // namespace loosefit
