@@ -136,6 +136,8 @@ TEST(ScanBody, RefusesTwoPeopleAndDropsCrumbs) {
     return mesh;
   };
   EXPECT_THROW(check_surface(add(one, one, 1, 0.9), {"two.obj", "m", "z"}), GeometryError);
+  // Mirror images 50 mm apart meet in single points, which does not make them one surface.
+  EXPECT_THROW(check_surface(add(one, one, 1, 0.05), {"two.obj", "m", "z"}), GeometryError);
   const CheckedSurface checked = check_surface(add(one, one, 0.02, 0.6), {"crumb.obj", "m", "z"});
   EXPECT_EQ(checked.mesh.vertices.size(), one.vertices.size());
   EXPECT_TRUE(mentions(checked.warnings, "1 small separate pieces dropped"));

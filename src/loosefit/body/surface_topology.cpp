@@ -91,12 +91,15 @@ void weld(TriangleMesh& mesh, double distance) {
 }
 
 std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
-  UnionFind sets(mesh.vertices.size());
-  for (const auto& t : mesh.triangles) sets.unite(t[0], t[1]), sets.unite(t[1], t[2]);
+  UnionFind sets(mesh.triangles.size());
+  const auto uses = edge_uses(mesh);
+  for (std::size_t i = 1; i < uses.size(); ++i) {
+    if (same_edge(uses[i - 1], uses[i])) sets.unite(uses[i - 1].triangle, uses[i].triangle);
+  }
   std::map<int, Piece> pieces;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    Piece& piece = pieces[sets.find(t[0])];
+    Piece& piece = pieces[sets.find(int(i))];
     piece.triangles.push_back(int(i));
     piece.area += triangle_area(mesh.vertices[std::size_t(t[0])], mesh.vertices[std::size_t(t[1])],
                                 mesh.vertices[std::size_t(t[2])]);

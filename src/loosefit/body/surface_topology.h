@@ -15,7 +15,7 @@ struct Piece {
   double area = 0;
 };
 
-/// Connected parts (by shared vertices), largest area first.
+/// Connected parts (by shared edges: bodies that touch in a point are two), largest area first.
 std::vector<Piece> connected_pieces(const TriangleMesh& mesh);
 
 /// Keeps one part and its vertices.
