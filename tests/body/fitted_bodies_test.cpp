@@ -194,6 +194,19 @@ TEST(BodyFit, HeavyBodiesExtrapolateAndSaySo) {
   EXPECT_NE(fit.warnings[0].find("extrapolated"), std::string::npos);
 }
 
+TEST(BodyFit, WishesThatNoBodyMeetsTogetherAreRefusedWithTheNearest) {
+  BodySpec spec;
+  spec.height = 1.68;
+  spec.measurements = {{"chest", 0.60}, {"waist", 1.40}, {"hip", 0.50}};
+  try {
+    body_model().fit(spec);
+    FAIL() << "this body does not exist";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "chest");
+    EXPECT_NE(error.hint().find("waist 0."), std::string::npos) << error.hint();
+  }
+}
+
 TEST(BodyFit, AWishOutOfReachIsReportedAndSpoilsNothingElse) {
   BodySpec spec;
   spec.sex = 0.4, spec.age = 10, spec.height = 1.40;

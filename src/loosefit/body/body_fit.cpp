@@ -16,6 +16,7 @@ namespace {
 constexpr double kHeightTolerance = 0.002;  // what counts as one unit of misfit [m]
 constexpr double kGirthTolerance = 0.003;
 constexpr double kResidualWarning = 0.005;
+constexpr double kImpossible = 0.1;  // share of a wish that the nearest body misses
 constexpr double kStrainedDetail = 0.6;
 constexpr double kHeaviest = 1.6;
 constexpr double kAtBound = 1 - 1e-6;
@@ -203,6 +204,21 @@ class Fitter {
   int evaluations_ = 0;
 };
 
+// A body whose stature or trunk is this far from what was asked for is somebody else. A limb or
+// neck out of reach is only reported: it spoils nothing else.
+void refuse_impossible(const std::vector<MeasureRow>& table) {
+  std::string nearest;
+  for (const auto& row : table)
+    nearest += fmt::format("{}{} {:.3f} m", nearest.empty() ? "" : ", ", row.name, row.measured);
+  for (const auto& row : table) {
+    if (kDetailsOf.contains(row.name) || Fitter::off(row) <= kImpossible * row.asked) continue;
+    throw InvalidInput({"", 0, row.name}, fmt::format("{:g} m", row.asked),
+                       fmt::format("at {} about {:.3f} m beside the other wishes",
+                                   row.measured < row.asked ? "most" : "least", row.measured),
+                       "the nearest body has " + nearest);
+  }
+}
+
 void add_warnings(const BodySpec& spec, BodyFit& fit) {
   if (spec.height == 0 && spec.age < kGrownUp) {
     fit.warnings.push_back("no height given: the model's own height for this age is too small");
@@ -262,6 +278,7 @@ BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
   fit.parameters = fitter.parameters();
   fit.table = fitter.table();
   fit.evaluations = fitter.evaluations();
+  refuse_impossible(fit.table);
   add_warnings(spec, fit);
   return fit;
 }

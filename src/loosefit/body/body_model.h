@@ -50,7 +50,8 @@ class BodyModel {
   static BodyModel load(const std::string& path = default_body_data_path());
 
   /// Parameters whose body has the asked measures, by bounded Gauss-Newton on the surface that
-  /// build() makes. \throws InvalidInput naming a measure that no person has.
+  /// build() makes. \throws InvalidInput naming a measure that no person has, or a stature
+  /// or trunk girth that the nearest body misses by more than a tenth.
   BodyFit fit(const BodySpec& spec, BodyDetail detail = BodyDetail::subdivided) const;
 
   /// The body in a posture, every field filled, floor at z = 0. \throws InvalidInput for parameters
