@@ -13,6 +13,7 @@
 #include "loosefit/body/scan_body.h"
 #include "loosefit/io/body_file.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/vtp.h"
 
 namespace loosefit {
@@ -73,9 +74,7 @@ void print_table(const std::vector<MeasureRow>& table) {
 }
 
 void write_body(const std::string& folder, const Body& body, const BodyFit& fit) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw IoError(folder + ": cannot make the folder: " + error.message());
+  make_plain_folder(folder);
   const auto path = [&](const char* name) {
     return (std::filesystem::path(folder) / name).string();
   };
@@ -98,6 +97,9 @@ void run(Wish wish) {
       if (asked) throw InvalidInput({"", 0, "--" + name}, "a wish beside --file", "one of the two");
     }
   } else {
+    if (!wish.units.empty() || !wish.up.empty())
+      throw InvalidInput({"", 0, wish.units.empty() ? "--up" : "--units"}, "it without --file",
+                         "it only beside --file");
     wish.spec.sex = sex_of(wish.sex);
     for (const auto& [name, asked] : wish.measures) {
       if (!asked) continue;
@@ -133,7 +135,7 @@ std::string option_of(const std::string& measure) {
 }  // namespace
 
 void add_body_command(CLI::App& app) {
-  auto* command = app.add_subcommand("body", "Make a body from measures, or read one from a file");
+  auto* command = app.add_subcommand("body", "make a body from measures, or read one from a file");
   auto wish = std::make_shared<Wish>();
   command->add_option("--sex", wish->sex, "female, male or 0 (female) … 1 (male)");
   command->add_option("--age", wish->spec.age, "years");

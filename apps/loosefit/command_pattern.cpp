@@ -12,6 +12,7 @@
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/measures_file.h"
 #include "loosefit/io/pattern_svg.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pattern/garment_size.h"
 #include "loosefit/pattern/outline.h"
@@ -100,12 +101,16 @@ Made make(const Wish& wish) {
   }
   if (!wish.scenario.empty()) {
     const Scenario scenario = read_scenario(wish.scenario);
-    const Body body = make_body(scenario.body).body;
-    CasePattern result = make_pattern(scenario.garment, body);
-    made.pattern = std::move(result.pattern);
-    made.warnings = std::move(result.warnings);
-    made.body = shirt_measures(body);
     made.draft.reset();
+    try {
+      const Body body = make_body(scenario.body).body;
+      CasePattern result = make_pattern(scenario.garment, body);
+      made.pattern = std::move(result.pattern);
+      made.warnings = std::move(result.warnings);
+      made.body = shirt_measures(body);
+    } catch (const InvalidInput& error) {
+      throw in_scenario(error, scenario);
+    }
     return made;
   }
   ShirtFit fit;
@@ -201,9 +206,7 @@ void run(const Wish& wish) {
         1000 * made.draft->armhole, 1000 * made.draft->armhole_depth, 1000 * made.draft->cap_height,
         made.draft->cap_ratio, 1000 * made.draft->deepened, 1000 * made.draft->dropped);
   if (wish.out.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(wish.out, error);
-  if (error) throw IoError(wish.out + ": cannot make the folder: " + error.message());
+  make_plain_folder(wish.out);
   const std::filesystem::path folder(wish.out);
   write_garmentcode(folder / "pattern.json", made.pattern);
   write_pattern_svg(folder / "pattern.svg", made.pattern);

@@ -27,9 +27,9 @@ int run(const Arguments& arguments) {
   const Scenario scenario = read_scenario(arguments.scenario);
   const bool pictures = arguments.pictures && !arguments.options.only_drape;
   if (pictures) check_display();  // say so now, not after the simulation
-  RunFolder folder = RunFolder::create(arguments.output);
   TerminalProgress shown(arguments.quiet);
-  InterruptGuard guard(shown);
+  InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
+  RunFolder folder = RunFolder::create(arguments.output);
   RunLog log(folder.path() / "log.jsonl", shown);
   CaseResult result = run_case(scenario, log, arguments.options);
   write_output(folder.path(), result,

@@ -23,9 +23,9 @@ struct Arguments {
 /// Takes an earlier output up again, redoes the stages from maps on, and replaces it as a whole.
 int redo(const Arguments& arguments, const OutputOptions& output) {
   if (output.pictures) check_display();
-  RunFolder folder = RunFolder::update(arguments.folder);
   TerminalProgress shown(arguments.quiet);
-  InterruptGuard guard(shown);
+  InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
+  RunFolder folder = RunFolder::update(arguments.folder);
   CaseResult result = load_case(arguments.folder, shown);
   StageClock clock(shown);
   clock.stage("maps");

@@ -30,8 +30,8 @@ class TerminalProgress : public Progress {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-/// While it lives, Ctrl-C (and SIGTERM) asks `progress` to stop instead of ending the process, so
-/// that the work can leave nothing half-written.
+/// While it lives, Ctrl-C (and SIGTERM, SIGHUP) asks `progress` to stop instead of ending the
+/// process, so that the work can leave nothing half-written.
 class InterruptGuard {
  public:
   explicit InterruptGuard(Progress& progress);

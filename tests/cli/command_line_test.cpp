@@ -63,6 +63,33 @@ TEST_F(CommandLine, ErrorNamesFileLineKeyAndGuess) {
   EXPECT_NE(run.output.find("hint: did you mean \"height\"?"), std::string::npos) << run.output;
 }
 
+TEST_F(CommandLine, ErrorsOfLaterStagesNameTheScenarioLine) {
+  const auto refuse = [this](const std::string& scenario, const std::string& phrase) {
+    expect_refused(
+        loosefit("drape " + file("case.toml", scenario) + " -o " + (base / "out").string()),
+        phrase);
+    EXPECT_FALSE(fs::exists(base / "out"));
+  };
+  refuse("[body]\n\nmeasurements = { chest = 0.2 }\n",
+         "case.toml:3: body.measurements.chest: found 0.2 m");
+  refuse("[garment]\nfit = { sleeve = 2.0 }\n", "case.toml:2: garment.fit.sleeve: found 2");
+  refuse("[[site]]\nname = \"s\"\nlandmark = \"c77\"\n", "case.toml:3: site[0].landmark: ");
+  refuse(
+      "[[attachment]]\nkind = \"board\"\nname = \"x\"\npanel = \"bak\"\nat = [0, 0]\n"
+      "radius = 0.01\n",
+      "case.toml:4: attachment[0].panel: found");
+}
+
+TEST_F(CommandLine, BodyAndPatternLeaveTheOutputOfARunAlone) {
+  fs::create_directories(base / "run");
+  file("run/summary.json", "{}");
+  const std::string run = (base / "run").string();
+  expect_refused(loosefit("body --height 1.7 -o " + run), "summary.json");
+  expect_refused(loosefit("pattern --size women-38 -o " + run), "summary.json");
+  EXPECT_FALSE(fs::exists(base / "run/body.vtp"));
+  EXPECT_FALSE(fs::exists(base / "run/pattern.json"));
+}
+
 TEST_F(CommandLine, PicturesWithoutADisplayAreRefusedBeforeAnyWork) {
   const ProgramRun run =
       loosefit("run " + file("case.toml", "") + " -o " + (base / "out").string(), "-u DISPLAY");

@@ -89,4 +89,15 @@ void RunFolder::commit() {
   if (replaces) fs::remove_all(old, ignored);
 }
 
+void make_plain_folder(const fs::path& folder) {
+  if (is_earlier_output(folder))
+    throw InvalidInput({folder.string(), 0, ""}, "the output of a run (it holds summary.json)",
+                       "another folder", "nothing was changed; choose another folder with -o");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw IoError(folder.string() + ": cannot make the folder: " + error.message(),
+                  "choose another folder with -o");
+}
+
 }  // namespace loosefit

@@ -30,4 +30,8 @@ class RunFolder {
   std::filesystem::path wanted_, temporary_;
 };
 
+/// Makes a plain folder for single files. \throws InvalidInput if it is the output of a run, whose
+/// files belong together; IoError if it cannot be made.
+void make_plain_folder(const std::filesystem::path& folder);
+
 }  // namespace loosefit
