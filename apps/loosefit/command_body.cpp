@@ -140,7 +140,9 @@ void add_body_command(CLI::App& app) {
   command->add_option("--sex", wish->sex, "female, male or 0 (female) … 1 (male)");
   command->add_option("--age", wish->spec.age, "years");
   for (const auto& name : measure_names()) {
-    command->add_option(option_of(name), wish->measures[name], "wanted " + name + " [m]");
+    command->add_option(
+        option_of(name), wish->measures[name],
+        name == "height" ? "stature [m]; without it the model's own" : "wanted " + name + " [m]");
   }
   command->add_option("--muscle", wish->spec.muscle, "0 … 1");
   command->add_option("--proportions", wish->spec.proportions, "0 … 1");

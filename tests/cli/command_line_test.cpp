@@ -80,6 +80,12 @@ TEST_F(CommandLine, ErrorsOfLaterStagesNameTheScenarioLine) {
       "case.toml:4: attachment[0].panel: found");
 }
 
+TEST_F(CommandLine, EndlessFilesAndEmptyNamesAreRefused) {
+  expect_refused(loosefit("body --file /dev/zero"), "not a file");
+  expect_refused(loosefit("drape /dev/zero -o " + (base / "out").string()), "not a file");
+  expect_refused(loosefit("drape " + file("case.toml", "") + " -o ''"), "empty name");
+}
+
 TEST_F(CommandLine, BodyAndPatternLeaveTheOutputOfARunAlone) {
   fs::create_directories(base / "run");
   file("run/summary.json", "{}");

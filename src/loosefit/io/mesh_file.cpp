@@ -63,6 +63,8 @@ MeshFile read_mesh(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw IoError(path + ": found a folder, expected a file");
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    throw IoError(path + ": found something that is not a file, expected a readable file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw IoError(path + ": cannot read the surface", "does the file exist?");
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});

@@ -39,6 +39,7 @@ RunFolder::RunFolder(const fs::path& wanted)
 }
 
 RunFolder RunFolder::create(const fs::path& wanted) {
+  if (wanted.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
   std::error_code error;
   const bool there = fs::exists(fs::symlink_status(wanted, error));
   const bool replaceable =
