@@ -23,8 +23,8 @@ std::vector<Picture> draw(const std::filesystem::path& folder, const CaseResult&
   std::vector<PerformanceMap> maps;
   for (const CaseMap& entry : result.maps.maps) maps.push_back(entry.map);
   std::filesystem::create_directories(folder / "maps");
-  return render_pictures(folder / "maps", result.body.body, result.mesh(),
-                         result.drape.positions, maps, options, [&progress](double share) {
+  return render_pictures(folder / "maps", result.body.body, result.mesh(), result.drape.positions,
+                         maps, options, [&progress](double share) {
                            progress.check_cancelled();
                            progress.update(share, "pictures");
                          });

@@ -17,8 +17,8 @@ constexpr double kStatic = std::numeric_limits<double>::infinity();
 struct Scene {
   TriangleMesh mesh = support::sphere(0.05, 60, 120);
   ClosestPointTree tree{mesh};
-  std::shared_ptr<const DistanceField> field =
-      std::make_shared<DistanceField>(tree, Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
+  std::shared_ptr<const DistanceField> field = std::make_shared<DistanceField>(
+      tree, Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
   std::vector<Triangle> triangles;
   std::vector<double> areas;
   VectorField x;

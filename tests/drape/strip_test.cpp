@@ -22,8 +22,10 @@ struct Strip {
         bool viscous = false)
       : mesh(support::sheet(width, height, edge, jitter)) {
     const auto uv = support::flat_uv(mesh);
-    membrane = std::make_unique<MembraneEnergy>(mesh.triangles, uv, std::vector<double>{}, m, viscous);
-    bending = std::make_unique<BendingEnergy>(mesh.triangles, uv, std::vector<double>{}, m, viscous);
+    membrane =
+        std::make_unique<MembraneEnergy>(mesh.triangles, uv, std::vector<double>{}, m, viscous);
+    bending =
+        std::make_unique<BendingEnergy>(mesh.triangles, uv, std::vector<double>{}, m, viscous);
     system.mass = support::lumped_mass(mesh, m.areal_density);
     gravity = std::make_unique<GravityEnergy>(system.mass, kGravity);
     system.energies = {membrane.get(), bending.get(), gravity.get()};

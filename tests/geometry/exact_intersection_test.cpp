@@ -10,7 +10,8 @@ namespace loosefit {
 namespace {
 
 TEST(ExactIntersection, CrossingTrianglesAreFoundAndSeparatedOnesAreNot) {
-  const std::vector<Vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}, {2, 2, 0.5}};
+  const std::vector<Vec3> x = {{0, 0, 0},      {1, 0, 0},     {0, 1, 0},
+                               {0.2, 0.2, -1}, {0.2, 0.2, 1}, {2, 2, 0.5}};
   EXPECT_EQ(self_intersections(x, {{0, 1, 2}, {3, 4, 5}}).size(), 1u);
   std::vector<Vec3> apart = x;
   for (int i = 3; i < 6; ++i) apart[i] += Vec3(3, 0, 0);
@@ -29,7 +30,8 @@ TEST(ExactIntersection, TouchingByOneUlpIsDecidedExactly) {
 TEST(ExactIntersection, NeighboursThatShareAVertexCountOnlyWhenTheyPierce) {
   const std::vector<Vec3> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   EXPECT_TRUE(self_intersections(flat, {{0, 1, 2}, {0, 3, 4}}).empty());
-  const std::vector<Vec3> piercing = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, -1}, {0.3, 0.3, 1}};
+  const std::vector<Vec3> piercing = {
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, -1}, {0.3, 0.3, 1}};
   EXPECT_EQ(self_intersections(piercing, {{0, 1, 2}, {0, 3, 4}}).size(), 1u);
 }
 

@@ -55,8 +55,8 @@ struct ClothScene {
       for (int v : triangles[t]) system.mass[v] += m.areal_density * area.back() / 3;
     }
     tree = std::make_unique<ClosestPointTree>(skin);
-    field =
-        std::make_shared<DistanceField>(*tree, Box3(box.min() - margin, box.max() + margin), c.spacing);
+    field = std::make_shared<DistanceField>(*tree, Box3(box.min() - margin, box.max() + margin),
+                                            c.spacing);
     membrane = std::make_unique<MembraneEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
     bending = std::make_unique<BendingEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
     gravity = std::make_unique<GravityEnergy>(system.mass, g);

@@ -66,7 +66,8 @@ inline void expect_derivatives(const Energy& energy, const VectorField& x, doubl
     }
   const Eigen::MatrixXd definite = dense_hessian(energy, x, HessianKind::definite);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(definite, Eigen::EigenvaluesOnly);
-  EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-9 * std::max(1e-12, eigen.eigenvalues().maxCoeff()));
+  EXPECT_GE(eigen.eigenvalues().minCoeff(),
+            -1e-9 * std::max(1e-12, eigen.eigenvalues().maxCoeff()));
 }
 
 /// Internal forces neither push nor turn: Σ F = 0 and Σ x × F = 0.

@@ -14,7 +14,8 @@ inline TriangleMesh sphere(double radius, int rings, int sectors) {
     for (int j = 0; j < sectors; ++j) {
       const double theta = kPi * i / rings, phi = 2 * kPi * j / sectors;
       mesh.vertices.emplace_back(radius * std::sin(theta) * std::cos(phi),
-                                 radius * std::sin(theta) * std::sin(phi), radius * std::cos(theta));
+                                 radius * std::sin(theta) * std::sin(phi),
+                                 radius * std::cos(theta));
     }
   mesh.vertices.emplace_back(0, 0, -radius);
   const int last = static_cast<int>(mesh.vertices.size()) - 1;
@@ -87,9 +88,8 @@ inline TriangleMesh sheet(double width, double height, double edge, double jitte
     const auto &a = index[i], &b = index[i + 1];
     std::size_t p = 0, q = 0;  // zip the two rows together, advancing the one that lags
     while (p + 1 < a.size() || q + 1 < b.size()) {
-      const bool step_a =
-          q + 1 >= b.size() ||
-          (p + 1 < a.size() && mesh.vertices[a[p + 1]][0] <= mesh.vertices[b[q + 1]][0]);
+      const bool step_a = q + 1 >= b.size() || (p + 1 < a.size() && mesh.vertices[a[p + 1]][0] <=
+                                                                        mesh.vertices[b[q + 1]][0]);
       if (step_a) {
         mesh.triangles.push_back({a[p], a[p + 1], b[q]});
         ++p;

@@ -88,7 +88,8 @@ double BodyContact::field_distance(const ContactPoint& point, const VectorField&
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
-std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x, bool with_hessian) const {
+std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x,
+                                                     bool with_hessian) const {
   std::vector<Touch> result(points_.size());
   if (!field_) return result;
   tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
@@ -140,8 +141,8 @@ void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
     if (touch[i].active) {
       const ContactPoint& p = points_[i];
       const double depth = p.offset - touch[i].sample.distance;
-      const Vec3 force = -p.area * compress_layer(stiffness_, p.offset, depth).pressure *
-                         touch[i].sample.gradient;
+      const Vec3 force =
+          -p.area * compress_layer(stiffness_, p.offset, depth).pressure * touch[i].sample.gradient;
       for (int k = 0; k < p.count; ++k) g[p.particle[k]] += p.weight[k] * force;
     }
   friction_.add_gradient(x, g);

@@ -22,9 +22,9 @@ struct ContactPoint {
 
 /// Pressure law of the compressed layer, its integral and its slope.
 struct LayerResponse {
-  double energy = 0;    ///< per area [J/m²]
-  double pressure = 0;  ///< [Pa]
-  double stiffness = 0; ///< [Pa/m]
+  double energy = 0;     ///< per area [J/m²]
+  double pressure = 0;   ///< [Pa]
+  double stiffness = 0;  ///< [Pa/m]
 };
 LayerResponse compress_layer(double stiffness, double offset, double compression);
 

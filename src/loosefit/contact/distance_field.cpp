@@ -53,8 +53,11 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
     for (int v : t) box.extend(mesh.vertices[v]);
     int lower[3], upper[3];
     for (int k = 0; k < 3; ++k) {
-      lower[k] = std::max(0, static_cast<int>(std::ceil((box.min()[k] - band - origin_[k]) / spacing_)));
-      upper[k] = std::min(size_[k] - 1, static_cast<int>(std::floor((box.max()[k] + band - origin_[k]) / spacing_)));
+      lower[k] =
+          std::max(0, static_cast<int>(std::ceil((box.min()[k] - band - origin_[k]) / spacing_)));
+      upper[k] =
+          std::min(size_[k] - 1,
+                   static_cast<int>(std::floor((box.max()[k] + band - origin_[k]) / spacing_)));
     }
     for (int z = lower[2]; z <= upper[2]; ++z)
       for (int y = lower[1]; y <= upper[1]; ++y)
@@ -107,7 +110,8 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   for (int z = 0; z < size_[2]; ++z)
     for (int y = 0; y < size_[1]; ++y)
       for (int x = 0; x < size_[0]; ++x)
-        if (x == 0 || y == 0 || z == 0 || x + 1 == size_[0] || y + 1 == size_[1] || z + 1 == size_[2]) {
+        if (x == 0 || y == 0 || z == 0 || x + 1 == size_[0] || y + 1 == size_[1] ||
+            z + 1 == size_[2]) {
           seed(x, y, z);
           drain();
         }
@@ -122,8 +126,9 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     on_grid &= cell[k] >= 1 && cell[k] + 2 < size_[k];
   }
   if (on_grid) {
-    const int nearest = index(static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])),
-                              static_cast<int>(std::lround(q[2])));
+    const int nearest =
+        index(static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])),
+              static_cast<int>(std::lround(q[2])));
     if (zone_[nearest] == Zone::outside) return false;
     // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
     if (zone_[nearest] == Zone::band && value_[nearest] > reach + 0.9 * spacing_) return false;

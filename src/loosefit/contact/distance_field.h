@@ -10,8 +10,8 @@ namespace loosefit {
 
 /// Smooth signed distance to a body surface for contact: exact point-to-surface distance sampled on
 /// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
-/// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall Newton.
-/// Not used for the distance map, which asks the surface itself.
+/// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall
+/// Newton. Not used for the distance map, which asks the surface itself.
 class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m].

@@ -7,17 +7,16 @@ namespace loosefit {
 
 Vec3 Friction::slide(const FrictionContact& c, const VectorField& x) const {
   Vec3 u = c.offset;
-  for (int k = 0; k < c.count; ++k)
-    u += c.weight[k] * (x[c.particle[k]] - start_[c.particle[k]]);
+  for (int k = 0; k < c.count; ++k) u += c.weight[k] * (x[c.particle[k]] - start_[c.particle[k]]);
   return u - c.normal * c.normal.dot(u);
 }
 
 void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
   for (FrictionContact& c : contacts) {
     c.offset.setZero();
-    const auto old = std::lower_bound(
-        contacts_.begin(), contacts_.end(), c.key,
-        [](const FrictionContact& o, std::uint64_t key) { return o.key < key; });
+    const auto old =
+        std::lower_bound(contacts_.begin(), contacts_.end(), c.key,
+                         [](const FrictionContact& o, std::uint64_t key) { return o.key < key; });
     if (old == contacts_.end() || old->key != c.key) continue;
     Vec3 u = slide(*old, x);
     const double length = u.norm();

@@ -9,7 +9,7 @@ namespace loosefit {
 /// One frictional contact, frozen at the start of a step: the relative point Σ w_k x_k may slide in
 /// the plane normal to `normal`. For body contact the weights sum to 1, for self contact to 0.
 struct FrictionContact {
-  std::uint64_t key = 0;       ///< identity of the contact across steps
+  std::uint64_t key = 0;  ///< identity of the contact across steps
   std::array<int, 4> particle{};
   std::array<double, 4> weight{};
   int count = 0;
@@ -26,7 +26,8 @@ struct FrictionContact {
 /// so |F_t| ≤ μ λ always, sticking is a spring of reach ε [m], and sliding dissipates because
 /// `restart` moves the anchor: the stored u is returned to the circle |u| ≤ ε (elastic predictor,
 /// plastic corrector). Not conservative over steps; within a step it is a potential.
-/// Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping, Simo and Hughes 1998.
+/// Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping, Simo and Hughes
+/// 1998.
 class Friction {
  public:
   Friction(double coefficient, double stick_reach)

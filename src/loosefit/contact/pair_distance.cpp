@@ -60,10 +60,9 @@ double time_of_impact(PairKind kind, const std::array<Vec3, 4>& x0, const std::a
   const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
   for (Vec3& d : dx) d -= mean;
   const auto length = [&](int i) { return dx[i].norm(); };
-  const double reach =
-      kind == PairKind::point_triangle
-          ? length(0) + std::max({length(1), length(2), length(3)})
-          : std::max(length(0), length(1)) + std::max(length(2), length(3));
+  const double reach = kind == PairKind::point_triangle
+                           ? length(0) + std::max({length(1), length(2), length(3)})
+                           : std::max(length(0), length(1)) + std::max(length(2), length(3));
   if (reach <= 0) return upper;
   const auto distance = [&] {
     return kind == PairKind::point_triangle

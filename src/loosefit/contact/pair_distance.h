@@ -12,7 +12,8 @@ struct PairDistance {
 };
 
 /// Point x0 against triangle x1 x2 x3 (all regions: face, edges, corners).
-PairDistance point_triangle_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
+PairDistance point_triangle_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2,
+                                     const Vec3& x3);
 /// Segment x0 x1 against segment x2 x3 (Ericson 2005, 5.1.9), parallel ones included.
 PairDistance edge_edge_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
 

@@ -42,7 +42,9 @@ double parallel_measure(const std::array<Vec3, 4>& x, std::array<Vec3, 4>* gradi
 SelfContact::SelfContact(const std::vector<Triangle>& triangles,
                          const std::vector<double>& triangle_area, int particles,
                          const Options& options)
-    : triangles_(triangles), vertex_area_(particles, 0.0), options_(options),
+    : triangles_(triangles),
+      vertex_area_(particles, 0.0),
+      options_(options),
       friction_(options.friction, options.stick_reach) {
   std::map<std::pair<int, int>, double> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -97,8 +99,9 @@ void SelfContact::find_pairs(const VectorField& x, const VectorField* dx) {
     const auto &a = edges_[i], &b = edges_[j];
     if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) continue;
     const double la = (x[a[1]] - x[a[0]]).squaredNorm(), lb = (x[b[1]] - x[b[0]]).squaredNorm();
-    Pair pair{PairKind::edge_edge, i, j, {a[0], a[1], b[0], b[1]},
-              0.5 * (edge_area_[i] + edge_area_[j]), 1e-3 * la * lb};
+    Pair pair{
+        PairKind::edge_edge, i, j, {a[0], a[1], b[0], b[1]}, 0.5 * (edge_area_[i] + edge_area_[j]),
+        1e-3 * la * lb};
     keep(pair);
   }
 }
@@ -108,8 +111,8 @@ double SelfContact::begin_search(const VectorField& x, const VectorField& dx) {
   ++searches_;
   std::vector<double> share(pairs_.size(), 1.0);
   tbb::parallel_for(std::size_t{0}, pairs_.size(), [&](std::size_t i) {
-    share[i] =
-        time_of_impact(pairs_[i].kind, gather(pairs_[i].particle, x), gather(pairs_[i].particle, dx));
+    share[i] = time_of_impact(pairs_[i].kind, gather(pairs_[i].particle, x),
+                              gather(pairs_[i].particle, dx));
   });
   double largest = 1.0;
   for (double s : share) largest = std::min(largest, s);
@@ -119,9 +122,8 @@ double SelfContact::begin_search(const VectorField& x, const VectorField& dx) {
 SelfContact::Term SelfContact::evaluate(const Pair& pair, const VectorField& x) const {
   Term term;
   const auto p = gather(pair.particle, x);
-  term.d = pair.kind == PairKind::point_triangle
-               ? point_triangle_distance(p[0], p[1], p[2], p[3])
-               : edge_edge_distance(p[0], p[1], p[2], p[3]);
+  term.d = pair.kind == PairKind::point_triangle ? point_triangle_distance(p[0], p[1], p[2], p[3])
+                                                 : edge_edge_distance(p[0], p[1], p[2], p[3]);
   const double reach = options_.thickness, s = term.d.distance / reach;
   if (s >= 1) return term;
   term.active = true;
@@ -138,7 +140,8 @@ SelfContact::Term SelfContact::evaluate(const Pair& pair, const VectorField& x) 
 
 double SelfContact::mollifier(const Pair& pair, const VectorField& x) const {
   if (pair.kind == PairKind::point_triangle) return 1;
-  return mollify(parallel_measure(gather(pair.particle, x), nullptr), pair.parallel_threshold).value;
+  return mollify(parallel_measure(gather(pair.particle, x), nullptr), pair.parallel_threshold)
+      .value;
 }
 
 void SelfContact::begin_step(const VectorField& x, double) {
@@ -203,7 +206,8 @@ void SelfContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind)
   for (const Pair& pair : pairs_) {
     const Term term = evaluate(pair, x);
     if (!term.active) continue;
-    const Mat3 block = mollifier(pair, x) * term.curvature * term.d.normal * term.d.normal.transpose();
+    const Mat3 block =
+        mollifier(pair, x) * term.curvature * term.d.normal * term.d.normal.transpose();
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
         h.add(pair.particle[a], pair.particle[b], term.d.weight[a] * term.d.weight[b] * block);

@@ -42,14 +42,14 @@ class SelfContact : public Energy {
  private:
   struct Pair {
     PairKind kind;
-    int first, second;          ///< vertex + triangle, or two edges
+    int first, second;  ///< vertex + triangle, or two edges
     std::array<int, 4> particle;
     double area;
     double parallel_threshold;  ///< of |e₁ × e₂|², 0 for point-triangle
   };
   struct Term {
     PairDistance d;
-    double energy = 0;      ///< [J]
+    double energy = 0;     ///< [J]
     double slope = 0;      ///< dΠ/dd [N]
     double curvature = 0;  ///< d²Π/dd² [N/m]; all three without the mollifier
     bool active = false;

@@ -8,11 +8,11 @@ namespace loosefit {
 
 /// Proof that a drape is at rest, or why it is not (design.md section 5).
 struct Certificate {
-  double residual = 1;           ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
-  double residual_max = 1;       ///< max ‖F_i‖ / mean ‖W_i‖ [–]
-  int intersections_body = -1;   ///< triangle pairs, exact test; -1 = not tested
+  double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
+  double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
+  int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
   int intersections_self = -1;
-  std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
+  std::string stop_reason;  ///< "converged", "time budget", "iteration limit", …
   bool settled() const {
     return residual <= 1e-3 && intersections_body == 0 && intersections_self == 0;
   }
@@ -30,6 +30,10 @@ struct SettleSample {
 struct SettleReport {
   int iterations = 0, factorisations = 0, ccd_queries = 0;
   int contacts_body = 0, contacts_self = 0;
+  /// Triangles that cut the skin and are held off beyond half the fabric thickness, and the largest
+  /// rest distance from the skin that any contact point has for it [m].
+  int held_off_triangles = 0;
+  double largest_contact_offset = 0;
   std::vector<SettleSample> history;
 };
 

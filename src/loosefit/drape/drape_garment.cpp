@@ -4,9 +4,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <random>
-#include <map>
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/certify.h"
@@ -19,24 +19,27 @@
 namespace loosefit {
 namespace {
 
-constexpr double kDressTolerance = 1.0;      ///< residual at which the dressed coarse level may move on
-constexpr double kContractTolerance = 30;    ///< residual while the softened start contracts
+constexpr double kDressTolerance = 1.0;  ///< residual at which the dressed coarse level may move on
+constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr double kCoarseTolerance = 0.1;     ///< residual before a level is handed to the finer one
-constexpr double kPoseTolerance = 0.5;       ///< residual between two steps of a posture path
-constexpr double kPoseStep = 0.07;           ///< largest joint angle of one step of the path [rad]
-constexpr double kCoarseLayer = 2.0;         ///< coarse levels keep layers this much farther apart
-constexpr int kCutRounds = 8;                ///< attempts to free the last cuts into the body
-constexpr double kCutTolerance = 1.0;        ///< residual at which cuts are first looked for
-constexpr double kFieldSpacing = 0.005;      ///< [m]
+constexpr double kCoarseTolerance = 0.1;  ///< residual before a level is handed to the finer one
+constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
+constexpr double kPoseStep = 0.07;        ///< largest joint angle of one step of the path [rad]
+constexpr double kCoarseLayer = 2.0;      ///< coarse levels keep layers this much farther apart
+constexpr int kCutRounds = 8;             ///< attempts to free the last cuts into the body
+constexpr double kCutTolerance = 1.0;     ///< residual at which cuts are first looked for
+constexpr double kFieldSpacing = 0.005;   ///< [m]
 
 using Clock = std::chrono::steady_clock;
 
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
   switch (kind) {
-    case IntegratorKind::semi_implicit_euler: return make_semi_implicit_euler(system);
-    case IntegratorKind::implicit_euler: return make_implicit_euler(system);
-    case IntegratorKind::quasi_static: break;
+    case IntegratorKind::semi_implicit_euler:
+      return make_semi_implicit_euler(system);
+    case IntegratorKind::implicit_euler:
+      return make_implicit_euler(system);
+    case IntegratorKind::quasi_static:
+      break;
   }
   return make_quasi_static(system);
 }
@@ -46,7 +49,10 @@ class Run {
  public:
   Run(const GarmentHierarchy& garment, const Material& material, const BodyPath& body_at,
       const DrapeOptions& options, Progress& progress)
-      : garment_(garment), material_(material), body_at_(body_at), options_(options),
+      : garment_(garment),
+        material_(material),
+        body_at_(body_at),
+        options_(options),
         progress_(progress) {}
 
   Drape drape() {
@@ -78,7 +84,8 @@ class Run {
   bool settle(double tolerance, int iterations, double first_dt, bool preparing = false) {
     // The dynamic integrators are asked for by name for the final level; before it, quasi-static
     // steps bring the cloth near.
-    const auto kind = is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
+    const auto kind =
+        is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
     SettleOptions settle;
     settle.tolerance = tolerance;
     settle.max_iterations =
@@ -89,10 +96,9 @@ class Run {
       report_.history.push_back({seconds(), level_, report_.iterations + iteration, residual});
       const double done = std::log10(std::max(residual, tolerance) / 10) /
                           std::log10(options_.residual_tolerance / 10);
-      progress_.update(std::clamp(done, 0.0, 1.0),
-                       "level " + std::to_string(level_ + 1) + " of " +
-                           std::to_string(garment_.levels.size()) + ", residual " +
-                           std::to_string(residual));
+      progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
+                                                       std::to_string(garment_.levels.size()) +
+                                                       ", residual " + std::to_string(residual));
       return seconds() > options_.time_budget;
     };
     const long searches_before = model_->self().searches();
@@ -167,16 +173,19 @@ class Run {
       for (int round = 0;; ++round) {
         settle(tolerance, options_.max_iterations, round == 0 ? 0.02 : 0.5);
         if (round == kCutRounds || seconds() > options_.time_budget) return;
-        if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, times_cut)) return;
+        if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
+                           times_cut))
+          return;
       }
     };
     settle_and_hold_off(std::max(kCutTolerance, options_.residual_tolerance));
     settle_and_hold_off(options_.residual_tolerance);
+    report_.held_off_triangles = static_cast<int>(times_cut.size());
   }
 
-  /// Carries positions to the next finer level. Midpoints on the coarse edges give the same surface,
-  /// so no new intersections; then they move towards the smooth surface through the coarse normals
-  /// (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
+  /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
+  /// surface, so no new intersections; then they move towards the smooth surface through the coarse
+  /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
   void refine() {
     const auto& parents = garment_.parents[level_ + 1];
     const auto normal = vertex_normals(x_, level_garment().triangles);
@@ -200,6 +209,8 @@ class Run {
     drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
     report_.contacts_body = model_->body().active(x_);
     report_.contacts_self = model_->self().active(x_);
+    for (const ContactPoint& p : model_->body().points())
+      report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
     drape.body_contact_force.assign(x_.size(), Vec3::Zero());
     model_->body().add_gradient(x_, drape.body_contact_force);
     for (Vec3& f : drape.body_contact_force) f = -f;

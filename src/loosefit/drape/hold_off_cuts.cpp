@@ -8,10 +8,10 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLattice = 4;            ///< intervals along an edge of a cut triangle
-constexpr double kClear = 8e-5;        ///< clearance asked of a triangle that cut [m]
-constexpr double kEachTime = 3e-5;     ///< more for each time that it cut [m]
-constexpr double kFarField = 0.002;    ///< largest correction at one time [m]
+constexpr int kLattice = 4;          ///< intervals along an edge of a cut triangle
+constexpr double kClear = 8e-5;      ///< clearance asked of a triangle that cut [m]
+constexpr double kEachTime = 3e-5;   ///< more for each time that it cut [m]
+constexpr double kFarField = 0.002;  ///< largest correction at one time [m]
 
 /// Least signed distance to the skin of a lattice over the triangle [m].
 double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
@@ -19,8 +19,8 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
   for (int i = 0; i <= kLattice; ++i)
     for (int j = 0; i + j <= kLattice; ++j) {
       const double a = double(i) / kLattice, b = double(j) / kLattice;
-      least = std::min(least,
-                       skin.signed_distance(a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]]));
+      least =
+          std::min(least, skin.signed_distance(a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]]));
     }
   return least;
 }

@@ -4,8 +4,8 @@
 
 namespace loosefit {
 namespace {
-constexpr double kMargin = 0.06;       ///< of the field round the cloth [m]
-constexpr int kSmoothingPasses = 20;   ///< of the carried displacements
+constexpr double kMargin = 0.06;      ///< of the field round the cloth [m]
+constexpr int kSmoothingPasses = 20;  ///< of the carried displacements
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
   Eigen::Affine3d a;

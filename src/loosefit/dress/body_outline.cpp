@@ -7,8 +7,8 @@
 namespace loosefit {
 namespace {
 
-constexpr double kCell = 0.005;          ///< [m]
-constexpr int kSmoothingPasses = 200;    ///< of the middle surface
+constexpr double kCell = 0.005;        ///< [m]
+constexpr int kSmoothingPasses = 200;  ///< of the middle surface
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool is_trunk(Segment s) {
@@ -16,7 +16,8 @@ bool is_trunk(Segment s) {
 }
 
 /// Running minimum over ±reach cells along rows, then along columns.
-std::vector<double> minimum_filter(const std::vector<double>& field, int columns, int rows, int reach) {
+std::vector<double> minimum_filter(const std::vector<double>& field, int columns, int rows,
+                                   int reach) {
   std::vector<double> across(field.size()), both(field.size());
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
@@ -54,7 +55,8 @@ BodyOutline::BodyOutline(const Body& body, double clearance) : cell_(kCell) {
   half_width_right_.assign(rows_, 0);
 
   const auto splat = [&](const Vec3& p, bool trunk) {
-    const int i = static_cast<int>((p[0] - x0_) / cell_), j = static_cast<int>((p[2] - z0_) / cell_);
+    const int i = static_cast<int>((p[0] - x0_) / cell_),
+              j = static_cast<int>((p[2] - z0_) / cell_);
     least[index(i, j)] = std::min(least[index(i, j)], p[1]);
     minus_most[index(i, j)] = std::min(minus_most[index(i, j)], -p[1]);
     if (!trunk) return;
@@ -66,7 +68,8 @@ BodyOutline::BodyOutline(const Body& body, double clearance) : cell_(kCell) {
     if (s == Segment::head) continue;
     const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
     // Sample densely enough that no cell inside the silhouette stays empty after dilation.
-    const int n = 1 + static_cast<int>(std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) / cell_);
+    const int n =
+        1 + static_cast<int>(std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) / cell_);
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
         splat(a + (b - a) * (double(i) / n) + (c - a) * (double(j) / n), is_trunk(s));
@@ -103,9 +106,10 @@ BodyOutline::BodyOutline(const Body& body, double clearance) : cell_(kCell) {
   for (int pass = 0; pass < kSmoothingPasses; ++pass) {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
-        smooth[index(i, j)] =
-            0.25 * (middle_[index(std::max(0, i - 1), j)] + middle_[index(std::min(columns_ - 1, i + 1), j)] +
-                    middle_[index(i, std::max(0, j - 1))] + middle_[index(i, std::min(rows_ - 1, j + 1))]);
+        smooth[index(i, j)] = 0.25 * (middle_[index(std::max(0, i - 1), j)] +
+                                      middle_[index(std::min(columns_ - 1, i + 1), j)] +
+                                      middle_[index(i, std::max(0, j - 1))] +
+                                      middle_[index(i, std::min(rows_ - 1, j + 1))]);
     middle_.swap(smooth);
   }
   for (std::size_t k = 0; k < front_.size(); ++k) {

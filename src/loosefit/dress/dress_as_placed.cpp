@@ -12,7 +12,9 @@ std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern
   std::set<std::pair<int, int>> seen;  // (vertex, panel)
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const int p = pattern.find_panel(garment.panel_names[garment.triangle_panel[t]]);
-    if (p < 0) throw GeometryError("pattern: panel " + garment.panel_names[garment.triangle_panel[t]] + " is missing");
+    if (p < 0)
+      throw GeometryError("pattern: panel " + garment.panel_names[garment.triangle_panel[t]] +
+                          " is missing");
     const Panel& panel = pattern.panels[p];
     for (int k = 0; k < 3; ++k) {
       const int v = garment.triangles[t][k];
@@ -27,8 +29,9 @@ std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern
   if (!hits.empty())
     throw GeometryError(
         "pattern: the placed panels cut through each other, " + std::to_string(hits.size()) +
-            " triangle pairs, first between " + garment.panel_names[garment.triangle_panel[hits[0].first]] +
-            " and " + garment.panel_names[garment.triangle_panel[hits[0].second]],
+            " triangle pairs, first between " +
+            garment.panel_names[garment.triangle_panel[hits[0].first]] + " and " +
+            garment.panel_names[garment.triangle_panel[hits[0].second]],
         "move the panels apart (translation, rotation) so that sewn edges face each other");
   return sum;
 }

@@ -39,7 +39,8 @@ void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector
 class Panel2d {
  public:
   Panel2d(const Garment& g, const std::string& name) : g_(g), name_(name) {}
-  void lay(const std::string& edge, const std::string& first_neighbour, const std::vector<Vec2>& line) {
+  void lay(const std::string& edge, const std::string& first_neighbour,
+           const std::vector<Vec2>& line) {
     const auto* chain = chain_of(edge);
     const auto* first = chain_of(first_neighbour);
     const int head = chain->vertices.front();

@@ -7,7 +7,8 @@
 
 namespace loosefit {
 
-std::map<int, Vec2> lay_flat(const Garment& garment, int panel, const std::map<int, Vec2>& outline) {
+std::map<int, Vec2> lay_flat(const Garment& garment, int panel,
+                             const std::map<int, Vec2>& outline) {
   std::map<int, std::set<int>> neighbours;
   std::map<std::pair<int, int>, int> edge_use;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -46,7 +47,8 @@ std::map<int, Vec2> lay_flat(const Garment& garment, int panel, const std::map<i
         entries.emplace_back(row, other->second, -1.0);
     }
   }
-  Eigen::SparseMatrix<double> laplacian(static_cast<long>(unknown.size()), static_cast<long>(unknown.size()));
+  Eigen::SparseMatrix<double> laplacian(static_cast<long>(unknown.size()),
+                                        static_cast<long>(unknown.size()));
   laplacian.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplacian);
   if (solver.info() != Eigen::Success)
@@ -56,7 +58,8 @@ std::map<int, Vec2> lay_flat(const Garment& garment, int panel, const std::map<i
   return layout;
 }
 
-int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec2>& layout, int sign) {
+int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec2>& layout,
+                      int sign) {
   int count = 0;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     if (garment.triangle_panel[t] != panel) continue;

@@ -14,6 +14,7 @@ std::map<int, Vec2> lay_flat(const Garment& garment, int panel, const std::map<i
 
 /// Number of triangles of the panel that are turned over or flat in this layout; `sign` is +1 when
 /// the panel should run counter-clockwise in the plane, −1 for clockwise.
-int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec2>& layout, int sign);
+int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec2>& layout,
+                      int sign);
 
 }  // namespace loosefit

@@ -8,7 +8,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kArmpitCorner = 0.14;               ///< the corner is this much below 180° [rad]
+constexpr double kArmpitCorner = 0.14;  ///< the corner is this much below 180° [rad]
 constexpr int kArmholePoints = 12;
 constexpr double kLeastArmAngle = 0.2617993877991494;  ///< 15°: less leaves no room for the seam
 
@@ -95,7 +95,8 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const double wrist_radius = 1.3 * measure(body, "wrist", 0.16) / (2 * kPi);
 
   // The armpit of the shirt sits in the wedge between trunk and arm, clear of both.
-  const double level = std::min(acromion[1] - 0.03, measure(body, "armpit_level", acromion[1] - 0.12));
+  const double level =
+      std::min(acromion[1] - 0.03, measure(body, "armpit_level", acromion[1] - 0.12));
   const Vec2 armpit(outline.trunk_half_width(level - 0.01, side), level);
   const Vec2 bisector = (arm + Vec2(0, -1)).normalized();
   half.armpit = armpit + bisector * (0.6 * clearance / std::sin(angle / 2));
@@ -108,11 +109,15 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   // A sleeve longer than the arm starts gathered before the hand, whose fingers it could not clear.
   const double past_elbow = std::min(0.90, (length - upper_arm) / forearm);
   const bool reaches_elbow = past_elbow > 0.05;
-  const Vec2 cuff = reaches_elbow ? Vec2(elbow + past_elbow * (wrist - elbow))
-                                  : Vec2(seen(shoulder3) + length / upper_arm * (elbow - seen(shoulder3)));
+  const Vec2 cuff = reaches_elbow
+                        ? Vec2(elbow + past_elbow * (wrist - elbow))
+                        : Vec2(seen(shoulder3) + length / upper_arm * (elbow - seen(shoulder3)));
   const Vec2 out_upper(-arm[1], arm[0]), out_fore(-fore[1], fore[0]);
   const Vec2 out_elbow = (out_upper + out_fore).normalized();
-  const double cuff_radius = reaches_elbow ? std::max(wrist_radius, elbow_radius + (wrist_radius - elbow_radius) * std::min(1.0, past_elbow)) : elbow_radius;
+  const double cuff_radius =
+      reaches_elbow ? std::max(wrist_radius, elbow_radius + (wrist_radius - elbow_radius) *
+                                                                std::min(1.0, past_elbow))
+                    : elbow_radius;
   const Vec2 out_cuff = reaches_elbow ? out_fore : out_upper;
   half.sleeve_top = {half.shoulder};
   half.sleeve_under = {half.armpit};
@@ -127,8 +132,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const double hem_z = hps[1] - flat_height(g);
   double hem_x = outline.trunk_half_width(hem_z, side) + clearance;
   const double fall = half.armpit[1] - hem_z;
-  if (fall < 0.02)
-    throw GeometryError("pattern: the body of the shirt ends above the armpits");
+  if (fall < 0.02) throw GeometryError("pattern: the body of the shirt ends above the armpits");
   for (double z = hem_z; z < half.armpit[1] - 0.1 * fall; z += 0.005) {
     const double share = (half.armpit[1] - z) / fall;  // 1 at the hem
     const double need = outline.trunk_half_width(z, side) + 0.5 * clearance;

@@ -68,8 +68,8 @@ Dihedral dihedral(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3
   const auto dc10 = derivative(x2 - x1, 2, 1), dc20 = derivative(x3 - x1, 3, 1);
   const auto dc11 = derivative(x2 - x0, 2, 0), dc21 = derivative(x3 - x0, 3, 0);
   for (int j = 0; j < 4; ++j) {
-    d.hessian[0][j] = -(m1 * dc10[j].transpose() + c10 * dm1[j] + m2 * dc20[j].transpose() +
-                        c20 * dm2[j]);
+    d.hessian[0][j] =
+        -(m1 * dc10[j].transpose() + c10 * dm1[j] + m2 * dc20[j].transpose() + c20 * dm2[j]);
     d.hessian[1][j] =
         m1 * dc11[j].transpose() + c11 * dm1[j] + m2 * dc21[j].transpose() + c21 * dm2[j];
     d.hessian[2][j] = -(m1 * dlength[j].transpose() + length * dm1[j]);
@@ -96,7 +96,8 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
   };
   // Rigidity for curvature across the edge, as seen in the pattern of one of its triangles.
   const auto rigidity = [&](const Side& s) {
-    const Vec2 edge = triangle_uv[s.triangle][(s.corner + 1) % 3] - triangle_uv[s.triangle][s.corner];
+    const Vec2 edge =
+        triangle_uv[s.triangle][(s.corner + 1) % 3] - triangle_uv[s.triangle][s.corner];
     const double cos2 = edge[1] * edge[1] / edge.squaredNorm(), sin2 = 1 - cos2;
     const double bu = material.bending_weft, bv = material.bending_warp;
     const double root = std::sqrt(bu) * cos2 + std::sqrt(bv) * sin2;
@@ -107,9 +108,11 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
     const Side &s1 = sides[0], &s2 = sides[1];
     Hinge h;
     h.v = {triangles[s1.triangle][s1.corner], triangles[s1.triangle][(s1.corner + 1) % 3],
-           triangles[s1.triangle][(s1.corner + 2) % 3], triangles[s2.triangle][(s2.corner + 2) % 3]};
+           triangles[s1.triangle][(s1.corner + 2) % 3],
+           triangles[s2.triangle][(s2.corner + 2) % 3]};
     const auto edge_length = [&](const Side& s) {
-      return (triangle_uv[s.triangle][(s.corner + 1) % 3] - triangle_uv[s.triangle][s.corner]).norm();
+      return (triangle_uv[s.triangle][(s.corner + 1) % 3] - triangle_uv[s.triangle][s.corner])
+          .norm();
     };
     const double l = 0.5 * (edge_length(s1) + edge_length(s2));
     h.stiffness = 0.5 * (rigidity(s1) + rigidity(s2)) * l * l /

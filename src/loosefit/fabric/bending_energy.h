@@ -6,9 +6,10 @@
 
 namespace loosefit {
 
-/// Dihedral angle θ [rad] of the hinge (edge x0 x1, opposite corners x2 of triangle (x0, x1, x2) and
-/// x3 of triangle (x1, x0, x3)); 0 when flat. Gradient and Hessian with respect to the four points.
-/// Source: Grinspun et al. 2003; Tamstorf and Grinspun 2013, derived anew for this sign convention.
+/// Dihedral angle θ [rad] of the hinge (edge x0 x1, opposite corners x2 of triangle (x0, x1, x2)
+/// and x3 of triangle (x1, x0, x3)); 0 when flat. Gradient and Hessian with respect to the four
+/// points. Source: Grinspun et al. 2003; Tamstorf and Grinspun 2013, derived anew for this sign
+/// convention.
 struct Dihedral {
   double angle = 0;
   std::array<Vec3, 4> gradient;

@@ -37,7 +37,8 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   strain_start_.assign(elements_.size(), Vec3::Zero());
 }
 
-MembraneEnergy::Kinematics MembraneEnergy::kinematics(const Element& e, const VectorField& x) const {
+MembraneEnergy::Kinematics MembraneEnergy::kinematics(const Element& e,
+                                                      const VectorField& x) const {
   Kinematics k;
   k.u = e.ru[0] * x[e.t[0]] + e.ru[1] * x[e.t[1]] + e.ru[2] * x[e.t[2]];
   k.v = e.rv[0] * x[e.t[0]] + e.rv[1] * x[e.t[1]] + e.rv[2] * x[e.t[2]];

@@ -14,10 +14,10 @@ namespace loosefit {
 ///   C_uu = K_u/(1−ν²), C_vv = K_v/(1−ν²), C_uv = ν √(K_u K_v)/(1−ν²)               [N/m]
 ///
 /// A flat area [m²], K membrane stiffness [N/m], G [N/m]. With compression_factor c < 1 the tensile
-/// stiffness of a compressed direction is c times smaller (C¹ energy, coupling scaled by √(c_u c_v)).
-/// Strain-rate viscosity with damping time τ is the incremental potential of the stress
-/// τ C ε̇, ε̇ ≈ (ε − ε_start)/dt: it vanishes for rigid motion and in statics.
-/// Source: Volino and Magnenat-Thalmann 2005; Volino, Magnenat-Thalmann and Faure 2009.
+/// stiffness of a compressed direction is c times smaller (C¹ energy, coupling scaled by √(c_u
+/// c_v)). Strain-rate viscosity with damping time τ is the incremental potential of the stress τ C
+/// ε̇, ε̇ ≈ (ε − ε_start)/dt: it vanishes for rigid motion and in statics. Source: Volino and
+/// Magnenat-Thalmann 2005; Volino, Magnenat-Thalmann and Faure 2009.
 class MembraneEnergy : public Energy {
  public:
   /// triangle_uv: flat corners (u weft, v warp) [m]; factor: stiffness multiplier per triangle.
@@ -53,8 +53,8 @@ class MembraneEnergy : public Energy {
 
   std::vector<Element> elements_;
   double c_uu_, c_vv_, c_uv_, g_, compression_;
-  double damping_ = 0;           ///< τ [s]
-  double viscous_ratio_ = 0;     ///< τ/dt of the current step
+  double damping_ = 0;        ///< τ [s]
+  double viscous_ratio_ = 0;  ///< τ/dt of the current step
   std::vector<Vec3> strain_start_;
 };
 

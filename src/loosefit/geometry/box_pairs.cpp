@@ -15,7 +15,8 @@ class BoxGrid {
     constexpr double kMaxCells = 4e6;  // a few 10 MB of counters at the most
     inverse_ = 1.0 / cell;
     for (;;) {
-      for (int k = 0; k < 3; ++k) size_[k] = 1 + static_cast<long>(std::min(extent[k] * inverse_, 1e9));
+      for (int k = 0; k < 3; ++k)
+        size_[k] = 1 + static_cast<long>(std::min(extent[k] * inverse_, 1e9));
       if (double(size_[0]) * double(size_[1]) * double(size_[2]) <= kMaxCells) break;
       inverse_ *= 0.5;
     }
@@ -55,7 +56,8 @@ class BoxGrid {
   Cell cell_of(const Vec3& p) const {
     Cell c;
     for (int k = 0; k < 3; ++k)
-      c[k] = std::clamp(static_cast<long>(std::floor((p[k] - origin_[k]) * inverse_)), 0L, size_[k] - 1);
+      c[k] = std::clamp(static_cast<long>(std::floor((p[k] - origin_[k]) * inverse_)), 0L,
+                        size_[k] - 1);
     return c;
   }
   template <class F>

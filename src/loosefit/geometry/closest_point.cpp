@@ -22,8 +22,7 @@ Vec3 on_edges(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const int next = (k + 1) % 3;
     const Vec3 edge = *corner[next] - *corner[k];
     const double length2 = edge.squaredNorm();
-    const double s =
-        length2 > 0 ? std::clamp(edge.dot(p - *corner[k]) / length2, 0.0, 1.0) : 0.0;
+    const double s = length2 > 0 ? std::clamp(edge.dot(p - *corner[k]) / length2, 0.0, 1.0) : 0.0;
     const double d2 = (*corner[k] + s * edge - p).squaredNorm();
     if (d2 >= least) continue;
     least = d2;

@@ -38,8 +38,8 @@ class ClosestPointTree {
  private:
   struct Node {
     Vec3 lower, upper;
-    int first = 0;   ///< leaf: first entry in order_; inner: left child
-    int count = 0;   ///< leaf: number of triangles; inner: 0
+    int first = 0;  ///< leaf: first entry in order_; inner: left child
+    int count = 0;  ///< leaf: number of triangles; inner: 0
   };
   const TriangleMesh* mesh_;
   std::vector<Node> nodes_;

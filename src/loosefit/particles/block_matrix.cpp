@@ -23,7 +23,8 @@ bool BlockMatrix::same_pattern(const BlockPattern& pattern) const {
   const auto& columns = pattern.rows_of_column();
   if (static_cast<int>(columns.size()) != particles()) return false;
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (static_cast<int>(columns[j].size()) != column_start_[j + 1] - column_start_[j]) return false;
+    if (static_cast<int>(columns[j].size()) != column_start_[j + 1] - column_start_[j])
+      return false;
     if (!std::equal(columns[j].begin(), columns[j].end(), rows_.begin() + column_start_[j]))
       return false;
   }

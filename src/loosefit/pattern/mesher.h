@@ -14,11 +14,11 @@ struct PanelMesh {
   std::vector<std::vector<int>> edge_vertices;
 };
 
-/// Irregular triangle mesh of a panel whose edge e is divided into divisions[e] segments: constrained
-/// Delaunay triangulation refined at circumcentres (Chew 1989; Shewchuk 2000), but never on the
-/// outline, so seams stay matched. Interior points are then moved to the centroids of their
-/// surroundings, which brings triangles close to equilateral.
-/// \throws GeometryError when the panel cannot be meshed.
+/// Irregular triangle mesh of a panel whose edge e is divided into divisions[e] segments:
+/// constrained Delaunay triangulation refined at circumcentres (Chew 1989; Shewchuk 2000), but
+/// never on the outline, so seams stay matched. Interior points are then moved to the centroids of
+/// their surroundings, which brings triangles close to equilateral. \throws GeometryError when the
+/// panel cannot be meshed.
 PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length);
 
 /// Smallest interior angle of a triangle [rad].

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
@@ -27,6 +28,10 @@ class ImplicitEuler : public Integrator {
       outcome.worst_particle = r.worst_particle;
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
+      if (!std::isfinite(r.norm)) {
+        outcome.reason = SettleOutcome::Reason::diverged;
+        return outcome;
+      }
       if (r.norm <= options.tolerance) {
         outcome.reason = SettleOutcome::Reason::converged;
         return outcome;

@@ -9,10 +9,10 @@ namespace loosefit {
 
 /// When to stop settling, and what to tell on the way.
 struct SettleOptions {
-  double tolerance = 1e-3;     ///< ‖F‖₂/‖W‖₂ [–]
-  int max_iterations = 1000;   ///< Newton iterations, or time steps of the dynamic integrators
-  double max_move = 0.02;      ///< largest particle move per iteration [m]
-  double first_dt = 0.01;      ///< first pseudo-time step, or the time step of implicit Euler [s]
+  double tolerance = 1e-3;    ///< ‖F‖₂/‖W‖₂ [–]
+  int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
+  double max_move = 0.02;     ///< largest particle move per iteration [m]
+  double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
   /// Called about once per iteration with (iteration, residual); true asks to stop.
   std::function<bool(int, double)> watch;
 };

@@ -10,7 +10,7 @@ namespace loosefit {
 class Newton {
  public:
   struct Options {
-    double max_move = 0.02;    ///< largest particle move in one iteration [m]
+    double max_move = 0.02;  ///< largest particle move in one iteration [m]
     int max_backtracks = 25;
   };
   struct Counters {
@@ -38,8 +38,8 @@ class Newton {
   Counters counters_;
   SparseCholesky cholesky_;
   BlockMatrix matrix_;
-  bool exact_ = false; ///< the last step used the exact Hessian
-  int wait_ = 0;       ///< iterations left in which the exact Hessian is not tried
+  bool exact_ = false;  ///< the last step used the exact Hessian
+  int wait_ = 0;        ///< iterations left in which the exact Hessian is not tried
   int patience_ = 1;
 };
 

@@ -9,9 +9,9 @@ namespace loosefit {
 /// own the energies.
 struct ParticleSystem {
   std::vector<Energy*> energies;
-  std::vector<double> mass;   ///< [kg]
-  std::vector<char> held;     ///< non-zero: the particle does not move; empty: all are free
-  double gravity = 9.80665;   ///< only for the weight in the residual [m/s²]
+  std::vector<double> mass;  ///< [kg]
+  std::vector<char> held;    ///< non-zero: the particle does not move; empty: all are free
+  double gravity = 9.80665;  ///< only for the weight in the residual [m/s²]
 
   int particles() const { return static_cast<int>(mass.size()); }
   bool is_held(int i) const { return !held.empty() && held[i]; }

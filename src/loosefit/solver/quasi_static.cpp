@@ -8,11 +8,16 @@ namespace loosefit {
 
 std::string SettleOutcome::text() const {
   switch (reason) {
-    case Reason::converged: return "converged";
-    case Reason::iteration_limit: return "iteration limit";
-    case Reason::stopped: return "time budget";
-    case Reason::stuck: return "no further descent";
-    case Reason::diverged: return "the explicit time stepping diverged";
+    case Reason::converged:
+      return "converged";
+    case Reason::iteration_limit:
+      return "iteration limit";
+    case Reason::stopped:
+      return "time budget";
+    case Reason::stuck:
+      return "no further descent";
+    case Reason::diverged:
+      return "the time stepping diverged";
   }
   return {};
 }

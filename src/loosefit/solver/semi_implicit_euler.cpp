@@ -31,7 +31,8 @@ void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, Vect
 
 namespace {
 
-constexpr int kRefreshStep = 250;      ///< steps between two estimates of the stable dt
+constexpr int kWatchStep = 10;           ///< steps between two calls of the watch
+constexpr int kRefreshStep = 250;        ///< steps between two estimates of the stable dt
 constexpr double kStabilityShare = 0.5;  ///< of the limit 2/ω
 
 /// Largest eigenvalue of M⁻¹H by power iteration [1/s²].
@@ -87,17 +88,18 @@ class SemiImplicitEuler : public Integrator {
           outcome.reason = SettleOutcome::Reason::iteration_limit;
           return outcome;
         }
-        if (options.watch && options.watch(step, r.norm)) {
-          outcome.reason = SettleOutcome::Reason::stopped;
-          return outcome;
-        }
         const double omega2 = largest_frequency2(system_, x);
         // Without any stiffness (free fall) the caller's step is as good as any.
         dt = omega2 > 0 ? kStabilityShare * 2 / std::sqrt(omega2) : options.first_dt;
       }
+      if (options.watch && step % kWatchStep == 0 && options.watch(step, outcome.residual)) {
+        outcome.reason = SettleOutcome::Reason::stopped;
+        return outcome;
+      }
       semi_implicit_euler_step(system_, x, v, dt);
       double kinetic = 0;
-      for (std::size_t i = 0; i < v.size(); ++i) kinetic += 0.5 * system_.mass[i] * v[i].squaredNorm();
+      for (std::size_t i = 0; i < v.size(); ++i)
+        kinetic += 0.5 * system_.mass[i] * v[i].squaredNorm();
       if (kinetic < kinetic_before) {
         for (Vec3& velocity : v) velocity.setZero();
         kinetic = 0;

@@ -4,7 +4,8 @@
 
 #include "loosefit/base/error.h"
 
-/// From the OpenMP run-time that CHOLMOD brings along; its header needs a compiler flag we do not set.
+/// From the OpenMP run-time that CHOLMOD brings along; its header needs a compiler flag we do not
+/// set.
 extern "C" void omp_set_max_active_levels(int levels);
 
 namespace loosefit {
@@ -13,8 +14,8 @@ struct SparseCholesky::Work {
   cholmod_common common;
   cholmod_sparse* matrix = nullptr;
   cholmod_factor* factor = nullptr;
-  std::vector<int> order;                  ///< of the scalar unknowns
-  std::vector<int> column_start, rows;     ///< block pattern that `matrix` was made for
+  std::vector<int> order;               ///< of the scalar unknowns
+  std::vector<int> column_start, rows;  ///< block pattern that `matrix` was made for
 
   Work() {
     // CHOLMOD opens four OpenMP threads whatever the machine; on two cores their waiting costs more
@@ -40,7 +41,8 @@ struct SparseCholesky::Work {
 void SparseCholesky::Work::find_order(const BlockMatrix& a) {
   const int n = a.particles();
   // Graph of the blocks; values are not needed to find an order.
-  cholmod_sparse* graph = cholmod_allocate_sparse(n, n, a.rows().size(), 1, 1, -1, CHOLMOD_PATTERN, &common);
+  cholmod_sparse* graph =
+      cholmod_allocate_sparse(n, n, a.rows().size(), 1, 1, -1, CHOLMOD_PATTERN, &common);
   if (!graph) throw SolverFailure("out of memory in the sparse factorisation");
   std::copy(a.column_start().begin(), a.column_start().end(), static_cast<int*>(graph->p));
   std::copy(a.rows().begin(), a.rows().end(), static_cast<int*>(graph->i));

@@ -7,9 +7,9 @@
 
 namespace loosefit {
 
-/// Supernodal sparse Cholesky of a block matrix (CHOLMOD; Chen, Davis, Hager and Rajamanickam 2008).
-/// The fill-reducing order is found once on the block graph and reused while contacts come and go.
-/// The only source file that includes CHOLMOD.
+/// Supernodal sparse Cholesky of a block matrix (CHOLMOD; Chen, Davis, Hager and Rajamanickam
+/// 2008). The fill-reducing order is found once on the block graph and reused while contacts come
+/// and go. The only source file that includes CHOLMOD.
 class SparseCholesky {
  public:
   SparseCholesky();

@@ -29,6 +29,8 @@ void recall(const Json& summary, CaseResult& result) {
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
   report.contacts_body = at<int>(summary, "/settle/contacts_body");
   report.contacts_self = at<int>(summary, "/settle/contacts_self");
+  report.held_off_triangles = at<int>(summary, "/settle/held_off_triangles");
+  report.largest_contact_offset = 1e-3 * at<double>(summary, "/settle/largest_contact_offset_mm");
 }
 
 }  // namespace

@@ -76,7 +76,9 @@ Json settle_json(const SettleReport& report) {
           {"factorisations", report.factorisations},
           {"ccd_queries", report.ccd_queries},
           {"contacts_body", report.contacts_body},
-          {"contacts_self", report.contacts_self}};
+          {"contacts_self", report.contacts_self},
+          {"held_off_triangles", report.held_off_triangles},
+          {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
 }
 
 }  // namespace
