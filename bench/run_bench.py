@@ -109,7 +109,8 @@ def matrix_case(options, out, name, chest):
     row["seconds"] = {key: round(value, 2) for key, value in summary["seconds"].items()}
     cut = summary["fit"].get("chest_cut", {})
     row["hoop_strain"] = cut.get("hoop_strain")
-    if cut.get("flat"):
+    # Where the armholes reach below chest level the cut does not go all round: nothing to compare.
+    if cut.get("flat") and cut["draped"] > 0.98 * summary["body"]["measured"]["chest"]:
         row["bgm_at_chest_level"] = cut["flat"] / summary["body"]["measured"]["chest"] - 1
     row["distance_median_mm"] = summary["maps"].get("distance_mm", {}).get("median")
     return row
@@ -127,7 +128,7 @@ def matrix(options, out):
             print(f"{row['body']:12} {row['chest_fit']:+6.2f} {'error':>8} {row['error']}")
             continue
         hoop, gap = row["hoop_strain"], row["distance_median_mm"]
-        bgm = row.get("bgm_at_chest_level", row["chest_fit"])
+        bgm = row.get("bgm_at_chest_level", 0)
         tight = -bgm / (1 + bgm)
         print(f"{row['body']:12} {row['chest_fit']:+6.2f} {str(row['settled']):>8} "
               f"{row['residual']:9.1e} {row['intersections']['body']:5d} "

@@ -1,6 +1,3 @@
-#include <cmath>
-#include <limits>
-
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/newton.h"
 
@@ -20,27 +17,14 @@ class ImplicitEuler : public Integrator {
     VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;
     for (int step = 0;; ++step) {
-      // Static balance: no viscosity, no inertia, friction refreshed.
-      system_.begin_step(x, std::numeric_limits<double>::infinity());
-      const Residual r = residual_of(system_, system_.gradient(x));
-      outcome.residual = r.norm;
-      outcome.residual_max = r.largest;
-      outcome.worst_particle = r.worst_particle;
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
-      if (!std::isfinite(r.norm)) {
-        outcome.reason = SettleOutcome::Reason::diverged;
-        return outcome;
-      }
-      if (r.norm <= options.tolerance) {
-        outcome.reason = SettleOutcome::Reason::converged;
-        return outcome;
-      }
+      if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
       if (step >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
-      if (options.watch && options.watch(step, r.norm)) {
+      if (options.watch && options.watch(step, outcome.residual)) {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }

@@ -26,6 +26,11 @@ struct SettleOutcome {
   std::string text() const;
 };
 
+/// Measures the static force balance at x (friction refreshed, no inertia, no viscosity) into the
+/// outcome; true when settling is over because it is met or not a number, with the reason set.
+bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
+                SettleOutcome& outcome);
+
 /// Moves particles until their forces balance. All kinds share one interface and one meaning of
 /// rest: the static residual of all energies, friction included, without inertia and viscosity.
 class Integrator {

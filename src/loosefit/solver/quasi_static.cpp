@@ -6,22 +6,6 @@
 
 namespace loosefit {
 
-std::string SettleOutcome::text() const {
-  switch (reason) {
-    case Reason::converged:
-      return "converged";
-    case Reason::iteration_limit:
-      return "iteration limit";
-    case Reason::stopped:
-      return "time budget";
-    case Reason::stuck:
-      return "no further descent";
-    case Reason::diverged:
-      return "the time stepping diverged";
-  }
-  return {};
-}
-
 namespace {
 
 constexpr int kNewtonPerStep = 6;       ///< at most, before friction and contacts are refreshed
@@ -38,21 +22,10 @@ class QuasiStatic : public Integrator {
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0;
-    const auto measure = [&] {
-      const Residual r = residual_of(system_, system_.gradient(x));
-      outcome.residual = r.norm;
-      outcome.residual_max = r.largest;
-      outcome.worst_particle = r.worst_particle;
-    };
     while (true) {
-      system_.begin_step(x, infinity);
-      measure();
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
-      if (outcome.residual <= options.tolerance) {
-        outcome.reason = SettleOutcome::Reason::converged;
-        return outcome;
-      }
+      if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
       if (outcome.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;

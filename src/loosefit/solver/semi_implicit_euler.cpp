@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "loosefit/solver/integrator.h"
 
@@ -70,20 +69,8 @@ class SemiImplicitEuler : public Integrator {
     double dt = 0, kinetic_before = 0;
     for (int step = 0;; ++step) {
       if (step % kRefreshStep == 0) {
-        system_.begin_step(x, std::numeric_limits<double>::infinity());
-        const Residual r = residual_of(system_, system_.gradient(x));
-        outcome.residual = r.norm;
-        outcome.residual_max = r.largest;
-        outcome.worst_particle = r.worst_particle;
         outcome.iterations = step;
-        if (r.norm <= options.tolerance) {
-          outcome.reason = SettleOutcome::Reason::converged;
-          return outcome;
-        }
-        if (!std::isfinite(r.norm)) {
-          outcome.reason = SettleOutcome::Reason::diverged;
-          return outcome;
-        }
+        if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
         if (step >= options.max_iterations) {
           outcome.reason = SettleOutcome::Reason::iteration_limit;
           return outcome;

@@ -1,0 +1,36 @@
+#include <cmath>
+#include <limits>
+
+#include "loosefit/solver/integrator.h"
+
+namespace loosefit {
+
+bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
+                SettleOutcome& outcome) {
+  system.begin_step(x, std::numeric_limits<double>::infinity());
+  const Residual r = residual_of(system, system.gradient(x));
+  outcome.residual = r.norm;
+  outcome.residual_max = r.largest;
+  outcome.worst_particle = r.worst_particle;
+  if (!std::isfinite(r.norm)) outcome.reason = SettleOutcome::Reason::diverged;
+  if (r.norm <= tolerance) outcome.reason = SettleOutcome::Reason::converged;
+  return !std::isfinite(r.norm) || r.norm <= tolerance;
+}
+
+std::string SettleOutcome::text() const {
+  switch (reason) {
+    case Reason::converged:
+      return "converged";
+    case Reason::iteration_limit:
+      return "iteration limit";
+    case Reason::stopped:
+      return "time budget";
+    case Reason::stuck:
+      return "no further descent";
+    case Reason::diverged:
+      return "the time stepping diverged";
+  }
+  return {};
+}
+
+}  // namespace loosefit
