@@ -8,8 +8,9 @@ PRESET ?= ci
 BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
-# Pictures need an X display; without one a virtual screen serves.
-SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24")
+# Pictures need an X display; without one a virtual screen serves. It must not reset itself when its
+# last client leaves: a test that connects at that moment would be thrown out.
+SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 
 .PHONY: help packages configure setup build demo test bench format tidy asan clean
 
