@@ -16,6 +16,10 @@ struct Material {
   double compression_factor = 1;  ///< option: stiffness ratio in compression, (0, 1]
   double bending_warp = 4.41e-6;  ///< B_v [N m]
   double bending_weft = 4.41e-6;  ///< B_u [N m]
+  /// ν_b of bending [–]: D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2, D = B.
+  double bending_poisson = 0;
+  double bending_hysteresis_warp = 0;  ///< HB_v [N]: half of the KES loop width 2HB; 0 = elastic
+  double bending_hysteresis_weft = 0;  ///< HB_u [N]
   double friction_body = 0.4;     ///< Coulomb, fabric on skin [–]
   double friction_self = 0.4;     ///< fabric on fabric [–]
   double damping = 0.02;          ///< stiffness-proportional damping time [s]; dynamics only
