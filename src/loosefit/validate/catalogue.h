@@ -1,0 +1,8 @@
+#pragma once
+#include "loosefit/validate/benchmark.h"
+
+namespace loosefit {
+
+// One function per benchmark, each in the file of its group; catalogue.cpp puts them in order.
+
+}  // namespace loosefit
