@@ -81,6 +81,41 @@ TEST(BodyContact, DefiniteHessianIsDefinite) {
   EXPECT_GT(lambda.maxCoeff(), 0);
 }
 
+TEST(BodyContact, NormalForceIsTheMagnitudeOfTheFrictionlessForceAndKnowsNoFriction) {
+  const Scene scene;
+  BodyContact contact = scene.contact(0.4);
+  contact.begin_step(scene.x, kStatic);
+  VectorField x = scene.x;
+  for (Vec3& p : x) p += 5 * kReach * p.normalized().unitOrthogonal();
+  std::vector<double> magnitude(x.size(), 0.0);
+  contact.add_normal_force(x, magnitude);
+  // A triangle here is so small that the normals of its corners differ by less than 0.16 rad: the
+  // vector sum of the frictionless forces is all but the sum of the magnitudes.
+  const VectorField vector = support::gradient(scene.contact(0), x);
+  double total = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_GE(magnitude[i], vector[i].norm() * (1 - 1e-12));
+    EXPECT_NEAR(magnitude[i], vector[i].norm(), 0.01 * vector[i].norm());
+    total += magnitude[i];
+  }
+  EXPECT_GT(total, 0);
+  // One point alone: exactly area times the pressure of the layer.
+  ContactPoint lone;
+  lone.weight[0] = 1;
+  lone.area = 3e-4;
+  lone.offset = kOffset;
+  BodyContact single({lone}, kStiffness, 0.4, kReach);
+  single.set_field(scene.field);
+  std::vector<double> force(1, 0.0);
+  single.add_normal_force({{0.05 + 0.7 * kOffset, 0, 0}}, force);
+  DistanceField::Sample at;
+  ASSERT_TRUE(scene.field->sample({0.05 + 0.7 * kOffset, 0, 0}, 0.01, false, at));
+  const double pressure = compress_layer(kStiffness, kOffset, kOffset - at.distance).pressure;
+  EXPECT_NEAR(force[0], 3e-4 * pressure * at.gradient.norm(), 1e-12 * force[0]);
+  EXPECT_NEAR(force[0], 3e-4 * compress_layer(kStiffness, kOffset, 0.3 * kOffset).pressure,
+              0.05 * force[0]);
+}
+
 TEST(BodyContact, FrictionForceNeverExceedsTheConeAndReachesIt) {
   const Scene scene;
   const double mu = 0.4;

@@ -58,6 +58,17 @@ TEST_F(Vtp, DrapeComesBackToTheLastBit) {
   EXPECT_TRUE(std::isnan(file.find("distance_mm")->values[3]));
   ASSERT_NE(file.find("velocity"), nullptr);
   EXPECT_EQ(file.find("velocity")->components, 3);
+  EXPECT_TRUE(file.drape.body_normal_force.empty());
+}
+
+TEST_F(Vtp, NormalForceOfTheBodyComesBackWithTheDrape) {
+  for (int i = 0; i < garment_.vertex_count; ++i) drape_.body_normal_force.push_back(i / 3.0);
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_);
+  const DrapeFile file = read_drape_vtp(dir_ / "d.vtp");
+  EXPECT_EQ(file.drape.body_normal_force, drape_.body_normal_force);
+  EXPECT_EQ(file.find("body_normal_force_N"), nullptr);  // it is a field of the drape
+  drape_.body_normal_force.pop_back();
+  EXPECT_THROW(write_drape_vtp(dir_ / "d.vtp", garment_, drape_), InvalidInput);
 }
 
 TEST_F(Vtp, EqualInputGivesEqualBytes) {

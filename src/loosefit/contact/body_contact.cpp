@@ -171,6 +171,18 @@ void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind 
   friction_.add_hessian(x, h);
 }
 
+void BodyContact::add_normal_force(const VectorField& x, std::vector<double>& f) const {
+  const auto touch = touches(x, false);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (touch[i].active) {
+      const ContactPoint& p = points_[i];
+      const double depth = p.offset - touch[i].sample.distance;
+      const double force = p.area * compress_layer(stiffness_, p.offset, depth).pressure *
+                           touch[i].sample.gradient.norm();
+      for (int k = 0; k < p.count; ++k) f[p.particle[k]] += p.weight[k] * force;
+    }
+}
+
 int BodyContact::active(const VectorField& x) const {
   int count = 0;
   for (const Touch& t : touches(x, false)) count += t.active;

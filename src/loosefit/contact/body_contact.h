@@ -65,6 +65,9 @@ class BodyContact : public Energy {
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
   int active(const VectorField& x) const;
+  /// f_i += Σ weight · A p ‖∇d‖ over the contact points: magnitudes of the normal force, friction
+  /// left out, shared among the particles [N]. Their sum is the total normal force exactly.
+  void add_normal_force(const VectorField& x, std::vector<double>& f) const;
 
  private:
   struct Touch {

@@ -41,6 +41,9 @@ struct SettleReport {
 struct Drape {
   std::vector<Vec3> positions;           ///< per garment vertex [m]
   std::vector<Vec3> body_contact_force;  ///< normal + friction force of the body on each vertex [N]
+  /// Magnitude of the normal force of the body alone, shared among the vertices so that the sum is
+  /// the total normal force [N]; empty where it is not known.
+  std::vector<double> body_normal_force;
   Certificate certificate;
   SettleReport report;
 };

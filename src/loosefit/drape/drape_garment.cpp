@@ -214,6 +214,8 @@ class Run {
     drape.body_contact_force.assign(x_.size(), Vec3::Zero());
     model_->body().add_gradient(x_, drape.body_contact_force);
     for (Vec3& f : drape.body_contact_force) f = -f;
+    drape.body_normal_force.assign(x_.size(), 0.0);
+    model_->body().add_normal_force(x_, drape.body_normal_force);
     drape.positions = x_;
     drape.report = report_;
     return drape;

@@ -18,7 +18,8 @@ struct VtpArray {
 };
 
 /// Writes a drape as VTK PolyData, appended raw zlib, double precision. Point arrays: the given
-/// maps under PerformanceMap::array, `pattern_uv` [m], `panel_id`, `Normals`, then `point_arrays`.
+/// maps under PerformanceMap::array, `pattern_uv` [m], `panel_id`, `Normals`, `body_normal_force_N`
+/// where the drape knows it, then `point_arrays`.
 /// Cell arrays: `panel_id`, `corner_uv` (u, v of the three corners [m]), then `cell_arrays`. Field
 /// data: the certificate and the panel names. Equal input gives equal bytes. \throws IoError when
 /// the file cannot be written in full, InvalidInput on a wrong array length.
@@ -34,7 +35,7 @@ void write_body_vtp(const std::filesystem::path& path, const Body& body);
 /// masses and edge chains are not stored, so it serves maps and pictures, not simulation.
 struct DrapeFile {
   Garment garment;
-  Drape drape;                                      ///< positions and certificate
+  Drape drape;  ///< positions, certificate, normal force of the body
   std::vector<VtpArray> point_arrays, cell_arrays;  ///< everything else found in the file
 
   /// Point array by name; nullptr if there is none.

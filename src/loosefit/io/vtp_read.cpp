@@ -190,7 +190,14 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();
 
-  file.point_arrays = others(data->GetPointData(), {"Normals", "pattern_uv", "panel_id"});
+  if (data->GetPointData()->HasArray("body_normal_force_N")) {
+    vtkDataArray* force = need(path, data->GetPointData(), "body_normal_force_N", 1, points);
+    for (vtkIdType i = 0; i < points; ++i)
+      file.drape.body_normal_force.push_back(force->GetComponent(i, 0));
+  }
+
+  file.point_arrays =
+      others(data->GetPointData(), {"Normals", "pattern_uv", "panel_id", "body_normal_force_N"});
   file.cell_arrays = others(data->GetCellData(), {"panel_id", "corner_uv"});
   return file;
 }

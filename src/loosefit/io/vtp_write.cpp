@@ -110,6 +110,8 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   for (const PerformanceMap& map : maps) add_array(point_data, map.array, 1, map.values, points);
   add_array(point_data, "pattern_uv", 2, flat(garment.vertex_uv), points);
   add_array(point_data, "panel_id", garment.vertex_panel);
+  if (!drape.body_normal_force.empty())
+    add_array(point_data, "body_normal_force_N", 1, drape.body_normal_force, points);
   for (const VtpArray& a : point_arrays)
     add_array(point_data, a.name, a.components, a.values, points);
 
