@@ -72,9 +72,7 @@ class Run {
   void make_model(double stiffness_share = 1, bool with_friction = true) {
     Material material = material_;
     if (!with_friction) material.friction_body = material.friction_self = 0;
-    material.stiffness_warp *= stiffness_share;
-    material.stiffness_weft *= stiffness_share;
-    material.stiffness_shear *= stiffness_share;
+    scale_membrane(material, stiffness_share);
     const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
     model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
     model_->body().set_field(body_->field);

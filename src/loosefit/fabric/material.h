@@ -1,7 +1,14 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace loosefit {
+
+/// One point of a measured force-strain law; the origin is always part of the law.
+struct CurvePoint {
+  double strain = 0;  ///< tension: elongation λ − 1 [–]; shear: γ = U·V [–]
+  double force = 0;   ///< tension: force per metre of reference width; shear: stress S_uv [N/m]
+};
 
 /// Measured or published constants of one fabric, SI (materials.md section 7).
 struct Material {
@@ -9,20 +16,31 @@ struct Material {
   std::string source;             ///< where the numbers come from
   double areal_density = 0.12;    ///< w [kg/m²]
   double thickness = 0.0005;      ///< [m]; half of it is the contact offset
-  double stiffness_warp = 2000;   ///< K_v, membrane [N/m]
+  double stiffness_warp = 2000;   ///< K_v, membrane [N/m]; with a curve: its initial slope
   double stiffness_weft = 2000;   ///< K_u [N/m]
   double poisson = 0.15;          ///< ν of the membrane (geometric mean of ν_uv, ν_vu) [–]
   double stiffness_shear = 40;    ///< G [N/m per rad]
   double compression_factor = 1;  ///< option: stiffness ratio in compression, (0, 1]
+  /// Measured laws that replace the stiffness of their direction (stress_curve.h); empty: linear.
+  std::vector<CurvePoint> curve_warp, curve_weft, curve_shear;
   double bending_warp = 4.41e-6;  ///< B_v [N m]
   double bending_weft = 4.41e-6;  ///< B_u [N m]
   /// ν_b of bending [–]: D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2, D = B.
   double bending_poisson = 0;
   double bending_hysteresis_warp = 0;  ///< HB_v [N]: half of the KES loop width 2HB; 0 = elastic
   double bending_hysteresis_weft = 0;  ///< HB_u [N]
-  double friction_body = 0.4;     ///< Coulomb, fabric on skin [–]
-  double friction_self = 0.4;     ///< fabric on fabric [–]
-  double damping = 0.02;          ///< stiffness-proportional damping time [s]; dynamics only
+  double friction_body = 0.4;          ///< Coulomb, fabric on skin [–]
+  double friction_self = 0.4;          ///< fabric on fabric [–]
+  double damping = 0.02;               ///< stiffness-proportional damping time [s]; dynamics only
 };
+
+/// Multiplies everything that resists in the plane, curves included, by `share`.
+inline void scale_membrane(Material& material, double share) {
+  material.stiffness_warp *= share;
+  material.stiffness_weft *= share;
+  material.stiffness_shear *= share;
+  for (auto* curve : {&material.curve_warp, &material.curve_weft, &material.curve_shear})
+    for (CurvePoint& point : *curve) point.force *= share;
+}
 
 }  // namespace loosefit
