@@ -33,7 +33,7 @@ TEST(BendingEnergy, DihedralAngleOfAKnownFold) {
   const Vec3 x0(0, 0, 0), x1(1, 0, 0), x2(0.3, 1, 0);
   const double fold = 0.8;
   const Vec3 x3(0.4, -std::cos(fold), std::sin(fold));
-  EXPECT_NEAR(std::abs(dihedral(x0, x1, x2, x3, false).angle), fold, 1e-14);
+  EXPECT_NEAR(std::abs(dihedral(x0, x1, x2, x3, nullptr).angle), fold, 1e-14);
 }
 
 // validation.md 2.4: a sheet rolled to curvature κ stores B κ²/2 per area, in whatever direction.

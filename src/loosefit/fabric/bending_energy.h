@@ -1,37 +1,38 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/fabric/bending_friction.h"
+#include "loosefit/fabric/curvature_patch.h"
+#include "loosefit/fabric/dihedral.h"
 #include "loosefit/fabric/material.h"
 #include "loosefit/particles/energy.h"
 
 namespace loosefit {
 
-/// Dihedral angle θ [rad] of the hinge (edge x0 x1, opposite corners x2 of triangle (x0, x1, x2)
-/// and x3 of triangle (x1, x0, x3)); 0 when flat. Gradient and Hessian with respect to the four
-/// points. Source: Grinspun et al. 2003; Tamstorf and Grinspun 2013, derived anew for this sign
-/// convention.
-struct Dihedral {
-  double angle = 0;
-  std::array<Vec3, 4> gradient;
-  std::array<std::array<Mat3, 4>, 4> hessian;  ///< filled only on request
-};
-Dihedral dihedral(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3,
-                  bool with_hessian);
+/// Rigidity of an orthotropic plate for (κ_uu, κ_vv, 2κ_uv) [N m]: D_u = B_u, D_v = B_v,
+/// D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2 (materials.md 7), plus an isotropic sheet
+/// of rigidity `added` and the same ν_b. B is the rigidity of a wide sheet; a narrow strip, free to
+/// contract sideways, bends with B (1 − ν_b²).
+Mat3 plate_rigidity(const Material& material, double added = 0);
 
-/// Bending of a sewn garment by the calibrated hinge energy (validation.md 2.2)
+/// Bending of a sewn garment: an orthotropic Kirchhoff plate on curvature patches,
 ///
-///   W_e = ½ B l² θ² / (A₁ + A₂)                                            [J]
+///   W = Σ A [ ½ κᵀ D κ + w_friction(κ) ],   κ = S θ                                [J]
 ///
-/// l flat edge length [m], A flat areas [m²], B rigidity [N m] of the direction across the edge,
-/// B = B_u cos⁴φ + B_v sin⁴φ + 2 √(B_u B_v) cos²φ sin²φ (φ from the weft; isotropic if B_u = B_v),
-/// plus what attachments add. Exact for cylinders on near-equilateral meshes; acts like a Kirchhoff
-/// plate with ν = −1/3. Rest angle 0, seams included. Viscosity as in MembraneEnergy.
+/// with θ the dihedral angles round a triangle (CurvaturePatch), D of plate_rigidity plus what
+/// attachments add, and the inner friction of BendingFriction. Rest angle 0, seams included.
+/// Viscosity as in MembraneEnergy: the stress τ D κ̇.
+/// The memory of the inner friction starts from flat cloth: what is bent at first has been bent
+/// there in one go.
 class BendingEnergy : public Energy {
  public:
   BendingEnergy(const std::vector<Triangle>& triangles,
                 const std::vector<std::array<Vec2, 3>>& triangle_uv,
                 const std::vector<double>& added_rigidity, const Material& material,
                 bool viscous = false);
+
+  /// Curvature (κ_uu, κ_vv, 2κ_uv) of a triangle [1/m].
+  Vec3 curvature(int triangle, const VectorField& x) const;
 
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
@@ -40,14 +41,20 @@ class BendingEnergy : public Energy {
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
  private:
-  struct Hinge {
-    std::array<int, 4> v;
-    double stiffness;  ///< B l²/(A₁+A₂) [N m]
-  };
-  std::vector<Hinge> hinges_;
-  double damping_ = 0;
-  double viscous_ratio_ = 0;
-  std::vector<double> angle_start_;
+  std::vector<double> angles(const VectorField& x) const;
+  Vec3 of_patch(std::size_t patch, const std::vector<double>& angle) const;
+  Vec3 moments(std::size_t patch, const Vec3& angle) const;
+  Mat3 tangent(std::size_t patch, const Vec3& angle) const;
+  std::vector<double> hinge_moments(const std::vector<double>& angle) const;
+
+  CurvaturePatches mesh_;
+  std::vector<Mat3> stiffness_;  ///< A Sᵀ D S per patch [N m]
+  std::vector<double> least_;    ///< smallest eigenvalue of that, borders left out [N m]
+  BendingFriction friction_;
+  std::vector<Vec3> anchor_;       ///< z₀ of the inner friction, per patch
+  double damping_ = 0;             ///< τ [s]
+  double viscous_ratio_ = 0;       ///< τ/dt of the current step
+  std::vector<Vec3> angle_start_;  ///< per patch [rad]
 };
 
 }  // namespace loosefit

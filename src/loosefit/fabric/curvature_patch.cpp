@@ -1,0 +1,166 @@
+#include "loosefit/fabric/curvature_patch.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+/// A flat triangle with the gradients of its barycentric coordinates.
+struct FlatTriangle {
+  std::array<Vec2, 3> p;
+  std::array<Vec2, 3> gradient;  ///< [1/m]
+  double area = 0;               ///< [m²]
+  double height(int corner) const { return 1 / gradient[corner].norm(); }
+};
+
+FlatTriangle flat_triangle(const std::array<Vec2, 3>& p, std::size_t index) {
+  FlatTriangle f;
+  f.p = p;
+  const Vec2 a = p[1] - p[0], b = p[2] - p[0];
+  const double twice = a[0] * b[1] - a[1] * b[0];
+  if (!(std::abs(twice) > 0))
+    throw GeometryError("pattern triangle " + std::to_string(index) + " has no area");
+  f.area = 0.5 * std::abs(twice);
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 e = p[(k + 2) % 3] - p[(k + 1) % 3];
+    f.gradient[k] = Vec2(-e[1], e[0]) / twice;
+  }
+  return f;
+}
+
+/// Second derivatives (uu, vv, 2uv) of the product of two barycentric coordinates.
+Vec3 product_curvature(const Vec2& a, const Vec2& b) {
+  return {2 * a[0] * b[0], 2 * a[1] * b[1], 2 * (a[0] * b[1] + a[1] * b[0])};
+}
+
+/// A neighbour's free corner, unfolded into the plane of `f` across the edge opposite `corner`;
+/// `along` is its foot on that edge as a share from corner + 1 to corner + 2.
+Vec2 unfold(const FlatTriangle& f, int corner, double along, double height) {
+  const Vec2 &start = f.p[(corner + 1) % 3], &end = f.p[(corner + 2) % 3];
+  return start + along * (end - start) - height * f.gradient[corner].normalized();
+}
+
+/// Columns of S for all three angles, borders included, their neighbours being mirror images.
+Mat3 quadratic_fit(const FlatTriangle& f, const std::array<Vec2, 3>& outer,
+                   const std::array<double, 3>& height) {
+  Mat3 meets;  // row: outer corner, column: product of the two other barycentric coordinates
+  Mat3 curvature;
+  const Vec2 centre = (f.p[0] + f.p[1] + f.p[2]) / 3;
+  for (int k = 0; k < 3; ++k) {
+    Vec3 lambda;
+    for (int m = 0; m < 3; ++m) lambda[m] = 1.0 / 3 + f.gradient[m].dot(outer[k] - centre);
+    for (int i = 0; i < 3; ++i) meets(k, i) = lambda[(i + 1) % 3] * lambda[(i + 2) % 3];
+    curvature.col(k) = product_curvature(f.gradient[(k + 1) % 3], f.gradient[(k + 2) % 3]);
+  }
+  Mat3 heights = Mat3::Zero();
+  for (int k = 0; k < 3; ++k) heights(k, k) = height[k];
+  // The six corners lie on a conic when `meets` is singular (two neighbours that share their free
+  // corner, for one). Then each edge bends about itself: half of every angle belongs to this side.
+  constexpr double kWorstCondition = 50;
+  const Mat3 inverse = meets.inverse();
+  if (std::abs(meets.determinant()) > 1e-9 &&
+      inverse.cwiseAbs().maxCoeff() * meets.cwiseAbs().maxCoeff() < kWorstCondition)
+    return curvature * inverse * heights;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 n = f.gradient[k].normalized();
+    const double share = 1 / f.height(k);  // l / (2 A)
+    curvature.col(k) = share * Vec3(n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]);
+  }
+  return curvature;
+}
+
+/// Border angles take the values of least energy; their columns become zero.
+Mat3 release_borders(const Mat3& s, const Mat3& rigidity, const std::array<int, 3>& hinge) {
+  Mat3 released = s;
+  Mat3 energy = s.transpose() * rigidity * s;
+  for (int k = 0; k < 3; ++k) {
+    if (hinge[k] >= 0) continue;
+    if (energy(k, k) > 0)
+      for (int j = 0; j < 3; ++j)
+        if (j != k) released.col(j) -= released.col(k) * (energy(k, j) / energy(k, k));
+    released.col(k).setZero();
+    energy = released.transpose() * rigidity * released;
+  }
+  return released;
+}
+
+/// Which particles a patch moves with, and where its hinges find theirs among them.
+void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangle& corners,
+                    CurvaturePatch& patch) {
+  for (int k = 0; k < 3; ++k) patch.particle[k] = corners[k];
+  for (int k = 0; k < 3; ++k) {
+    if (patch.hinge[k] < 0) continue;
+    for (int a = 0; a < 4; ++a) {
+      const int v = hinges[patch.hinge[k]][a];
+      int place = 0;
+      while (place < patch.count && patch.particle[place] != v) ++place;
+      if (place == patch.count) patch.particle[patch.count++] = v;
+      patch.slot[k][a] = place;
+    }
+  }
+}
+
+}  // namespace
+
+CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
+                                   const std::vector<std::array<Vec2, 3>>& triangle_uv,
+                                   const std::vector<Mat3>& rigidity) {
+  struct Side {
+    int triangle, corner;  ///< edge from corner to corner + 1
+  };
+  std::map<std::pair<int, int>, std::vector<Side>> edges;
+  std::vector<FlatTriangle> flat;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    flat.push_back(flat_triangle(triangle_uv[t], t));
+    for (int k = 0; k < 3; ++k)
+      edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])].push_back(
+          {static_cast<int>(t), k});
+  }
+  CurvaturePatches result;
+  result.patches.resize(triangles.size());
+  std::vector<std::array<Vec2, 3>> outer(triangles.size());
+  std::vector<std::array<double, 3>> height(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    result.patches[t].area = flat[t].area;
+    for (int k = 0; k < 3; ++k) {
+      height[t][k] = flat[t].height(k);
+      outer[t][k] = unfold(flat[t], k, 0.5, height[t][k]);
+    }
+  }
+  for (const auto& [key, sides] : edges) {
+    if (sides.size() != 2) continue;
+    const int hinge = static_cast<int>(result.hinges.size());
+    for (int i = 0; i < 2; ++i) {
+      const Side &here = sides[i], &there = sides[1 - i];
+      const int opposite = (here.corner + 2) % 3, foreign = (there.corner + 2) % 3;
+      const FlatTriangle& other = flat[there.triangle];
+      // The neighbour runs along the edge the other way.
+      const Vec2 &start = other.p[(there.corner + 1) % 3], &end = other.p[there.corner];
+      const double along =
+          (other.p[foreign] - start).dot(end - start) / (end - start).squaredNorm();
+      height[here.triangle][opposite] = other.height(foreign);
+      outer[here.triangle][opposite] =
+          unfold(flat[here.triangle], opposite, along, other.height(foreign));
+      result.patches[here.triangle].hinge[opposite] = hinge;
+    }
+    const Side &a = sides[0], &b = sides[1];
+    result.hinges.push_back(
+        {triangles[a.triangle][a.corner], triangles[a.triangle][(a.corner + 1) % 3],
+         triangles[a.triangle][(a.corner + 2) % 3], triangles[b.triangle][(b.corner + 2) % 3]});
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    CurvaturePatch& patch = result.patches[t];
+    list_particles(result.hinges, triangles[t], patch);
+    patch.s =
+        release_borders(quadratic_fit(flat[t], outer[t], height[t]), rigidity[t], patch.hinge);
+  }
+  return result;
+}
+
+}  // namespace loosefit
