@@ -6,6 +6,7 @@ namespace loosefit {
 enum ExitCode {
   kGood = 0,
   kNotSettled = 1,  ///< ran, but the drape did not settle; also a numerical method that gave up
+  kGateMissed = 1,  ///< a benchmark of `loosefit validate` is not met
   kBadInput = 2,    ///< bad input or usage, unreadable or unwritable files
   kInterrupted = 130
 };

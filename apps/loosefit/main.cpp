@@ -12,6 +12,7 @@
 #include "command_pattern.h"
 #include "command_run.h"
 #include "command_stages.h"
+#include "command_validate.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/version.h"
@@ -46,6 +47,7 @@ int run_command_line(int count, char** arguments) {
   add_pattern_command(app);
   add_stage_commands(app, exit_code);
   add_material_command(app);
+  add_validate_command(app, exit_code);
   add_doctor_command(app, exit_code);
   app.add_subcommand("version", "version of this program and of its libraries")->callback([] {
     for (const auto& [library, number] : versions()) fmt::print("{:10} {}\n", library, number);

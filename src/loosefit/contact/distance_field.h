@@ -8,6 +8,8 @@
 
 namespace loosefit {
 
+inline constexpr double kFieldSpacing = 0.005;  ///< of the grid in every drape [m]
+
 /// Smooth signed distance to a body surface for contact: exact point-to-surface distance sampled on
 /// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
 /// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall
@@ -16,7 +18,7 @@ class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m].
   /// \pre surface is closed and oriented outwards; the tree outlives the field.
-  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = 0.005);
+  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing);
 
   struct Sample {
     double distance = 0;  ///< [m], negative inside

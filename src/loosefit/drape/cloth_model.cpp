@@ -6,8 +6,6 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb slip [m]
-
 /// Transverse stiffness of the fabric layer [Pa/m]: 5 kPa, above the pressures of clothing
 /// (patterns.md 7), compress half the thickness; stiffer fabrics press harder in proportion.
 double layer_stiffness(const Material& m) {

@@ -12,6 +12,8 @@
 
 namespace loosefit {
 
+inline constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb slip [m]
+
 /// All energies of one garment level and the particle system that refers to them.
 class ClothModel {
  public:

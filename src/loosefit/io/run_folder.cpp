@@ -19,9 +19,9 @@ fs::path sibling(const fs::path& wanted, const std::string& purpose) {
          ("." + wanted.filename().string() + "." + purpose + "-" + std::to_string(getpid()));
 }
 
-bool is_earlier_output(const fs::path& path) {
+bool is_earlier_output(const fs::path& path, const std::string& mark = "summary.json") {
   std::error_code error;
-  return fs::is_directory(path, error) && fs::is_regular_file(path / "summary.json", error);
+  return fs::is_directory(path, error) && fs::is_regular_file(path / mark, error);
 }
 
 }  // namespace
@@ -38,15 +38,15 @@ RunFolder::RunFolder(const fs::path& wanted)
                   "choose another folder with -o");
 }
 
-RunFolder RunFolder::create(const fs::path& wanted) {
+RunFolder RunFolder::create(const fs::path& wanted, const std::string& mark) {
   if (wanted.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
   std::error_code error;
   const bool there = fs::exists(fs::symlink_status(wanted, error));
-  const bool replaceable =
-      is_earlier_output(wanted) || (fs::is_directory(wanted, error) && fs::is_empty(wanted, error));
+  const bool replaceable = is_earlier_output(wanted, mark) ||
+                           (fs::is_directory(wanted, error) && fs::is_empty(wanted, error));
   if (there && !replaceable)
     throw InvalidInput({wanted.string(), 0, ""}, "something that is not an earlier output",
-                       "a new folder, or one that holds summary.json",
+                       "a new folder, or one that holds " + mark,
                        "nothing was changed; choose another folder with -o");
   return RunFolder(wanted);
 }

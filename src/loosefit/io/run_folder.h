@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 namespace loosefit {
 
@@ -8,9 +9,10 @@ namespace loosefit {
 class RunFolder {
  public:
   /// Starts an empty folder for `wanted`. An existing folder is only ever replaced when it is empty
-  /// or an earlier output (it holds summary.json).
+  /// or an earlier output of the same kind (it holds the file `mark`).
   /// \throws InvalidInput if something else is there; IoError if the sibling cannot be made.
-  static RunFolder create(const std::filesystem::path& wanted);
+  static RunFolder create(const std::filesystem::path& wanted,
+                          const std::string& mark = "summary.json");
   /// Starts with a copy of the earlier output `existing`, to change or add files of it.
   /// \throws InvalidInput if it is not an earlier output; IoError.
   static RunFolder update(const std::filesystem::path& existing);

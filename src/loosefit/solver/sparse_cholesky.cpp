@@ -2,6 +2,8 @@
 
 #include <cholmod.h>
 
+#include <mutex>
+
 #include "loosefit/base/error.h"
 
 /// From the OpenMP run-time that CHOLMOD brings along; its header needs a compiler flag we do not
@@ -41,6 +43,9 @@ struct SparseCholesky::Work {
 void SparseCholesky::Work::find_order(const BlockMatrix& a) {
   const int n = a.particles();
   // Graph of the blocks; values are not needed to find an order.
+  // METIS draws from the one random sequence of the C library: two at a time would share it.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   cholmod_sparse* graph =
       cholmod_allocate_sparse(n, n, a.rows().size(), 1, 1, -1, CHOLMOD_PATTERN, &common);
   if (!graph) throw SolverFailure("out of memory in the sparse factorisation");

@@ -85,11 +85,13 @@ class Bench {
   std::unique_ptr<ClosestPointTree> body_tree_;
 };
 
+inline constexpr double kBenchTolerance = 1e-6;  ///< residual at which a specimen is at rest
+
 /// The one solver configuration of all benchmarks: the quasi-static integrator with the options of
 /// the drape stage, at a residual of `tolerance` (‖F‖/‖W‖; newtons without weight). Friction starts
 /// afresh. \throws SolverFailure naming the benchmark's residual when it does not settle and
 /// `must_settle`.
-SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance = 1e-6,
+SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance = kBenchTolerance,
                            bool must_settle = true, int max_iterations = 3000);
 
 /// Closed rigid shapes, outward oriented [m].

@@ -1,0 +1,85 @@
+#include "command_validate.h"
+
+#include <fmt/format.h>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "exit_code.h"
+#include "loosefit/io/run_folder.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/validate/run_validation.h"
+#include "loosefit/validate/validation_json.h"
+#include "loosefit/validate/validation_page.h"
+#include "loosefit/validate/validation_table.h"
+#include "terminal_progress.h"
+
+namespace loosefit {
+namespace {
+
+struct Arguments {
+  std::string output;
+  std::vector<std::string> only;
+  bool quick = false, list = false;
+};
+
+void print_list(const std::vector<Benchmark>& all) {
+  for (const Benchmark& b : all)
+    fmt::print("{:4}{} {}\n    {}\n", b.id, b.in_quick ? "" : " (not in --quick)", b.title,
+               b.reference);
+}
+
+int validate(const Arguments& arguments) {
+  const Effort effort = arguments.quick ? Effort::quick : Effort::full;
+  const auto chosen = select_benchmarks(benchmarks(), arguments.only, effort);
+  if (arguments.list) {
+    print_list(chosen);
+    return kGood;
+  }
+  TerminalProgress shown(false);
+  InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
+  std::optional<RunFolder> folder;
+  if (!arguments.output.empty())
+    folder.emplace(RunFolder::create(arguments.output, "validation.json"));
+  shown.stage("validate");
+  // Memory and sense both end at a handful; machines with one core get one.
+  const int workers = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  const Validation validation =
+      run_validation(chosen, effort, shown, workers, [&](const BenchmarkOutcome& outcome) {
+        shown.clear();
+        fmt::print("{}\n", outcome_table(outcome));
+        std::fflush(stdout);
+      });
+  if (folder) {
+    write_text_file((folder->path() / "validation.json").string(), validation_json(validation));
+    write_text_file((folder->path() / "validation.html").string(), validation_html(validation));
+    shown.check_cancelled();
+    folder->commit();
+  }
+  shown.clear();
+  if (folder) fmt::print("wrote validation.html and validation.json into {}\n", arguments.output);
+  fmt::print("{}\n", verdict_line(validation));
+  return validation.pass() ? kGood : kGateMissed;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "validate", "hold the simulation against exact solutions and measured fabrics");
+  command->add_option("-o,--output", arguments->output,
+                      "folder for validation.json and validation.html; replaced when it is an "
+                      "earlier one");
+  command->add_flag("--quick", arguments->quick, "the subset that fits into a minute");
+  command->add_option("--only", arguments->only, "ids of benchmarks: B1,C2")->delimiter(',');
+  command->add_flag("--list", arguments->list, "say what there is; run nothing");
+  command->callback([arguments, &exit_code] { exit_code = validate(*arguments); });
+}
+
+}  // namespace loosefit

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace loosefit {
+
+/// The one configuration that all benchmarks share, for the reader: (what, how).
+std::vector<std::pair<std::string, std::string>> solver_settings();
+
+}  // namespace loosefit

@@ -1,0 +1,161 @@
+#include "loosefit/validate/validation_page.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/base/version.h"
+#include "loosefit/report/html.h"
+#include "loosefit/report/report_style.h"
+#include "loosefit/validate/solver_settings.h"
+#include "loosefit/validate/svg_plot.h"
+#include "loosefit/validate/validation_table.h"
+
+namespace loosefit {
+namespace {
+
+constexpr const char* kPageStyle = R"css(
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(330px, 1fr)); gap: .8rem;
+  margin: .8rem 0; }
+.plots figure { padding: .4rem; }
+td.verdict-miss { color: var(--bad); font-weight: 700; }
+td.verdict-pass { color: var(--good); }
+td:last-child { white-space: normal; }
+.tag { font-size: .85rem; font-weight: 600; border-radius: 3px; padding: .1rem .5rem; }
+)css";
+
+/// One line per benchmark: the figure that comes closest to its gate, or misses it by most.
+const Finding* worst_of(const BenchmarkOutcome& o) {
+  const Finding* worst = nullptr;
+  double most = -1;
+  for (const Finding& f : o.result.findings) {
+    if (f.gate == Finding::Gate::reported) continue;
+    const double share = std::isfinite(f.error()) ? f.error() / f.limit : HUGE_VAL;
+    if (share > most || !worst) {
+      most = share;
+      worst = &f;
+    }
+  }
+  return worst;
+}
+
+std::string verdict_of(const BenchmarkOutcome& o) {
+  if (!o.pass()) return "MISS";
+  return o.gated() ? "pass" : "reported";
+}
+
+std::string anchor(const std::string& id) { return "#" + id; }
+
+std::string overview(const Validation& validation) {
+  std::string rows;
+  for (const auto& o : validation.outcomes) {
+    const Finding* worst = worst_of(o);
+    const std::string verdict = verdict_of(o);
+    rows += "<tr><th scope=\"row\"><a href=\"" + escaped(anchor(o.id)) + "\">" + escaped(o.id) +
+            "</a> " + escaped(o.title) + "</th><td>" + std::to_string(o.result.findings.size()) +
+            "</td><td>" + escaped(worst ? error_text(*worst) : "–") + "</td><td>" +
+            escaped(worst ? gate_text(*worst) : "–") + "</td><td class=\"" +
+            (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict + "</td><td>" +
+            fixed(o.seconds, 1) + "</td></tr>\n";
+  }
+  return "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">benchmark</th><th "
+         "scope=\"col\">figures</th><th scope=\"col\">error nearest its gate</th><th "
+         "scope=\"col\">gate</th><th scope=\"col\"></th><th scope=\"col\">seconds</th></tr></thead>"
+         "\n<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string findings_table(const BenchmarkOutcome& o) {
+  std::string rows;
+  for (const Finding& f : o.result.findings) {
+    const std::string unit = f.unit.empty() ? "" : " [" + f.unit + "]";
+    const std::string verdict = verdict_text(f);
+    rows += "<tr><th scope=\"row\">" + escaped(f.what + unit) + "</th><td>" +
+            number(f.expected, 6) + "</td><td>" + number(f.obtained, 6) + "</td><td>" +
+            escaped(error_text(f)) + "</td><td>" + escaped(gate_text(f)) + "</td><td class=\"" +
+            (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict + "</td><td>" +
+            escaped(f.mesh) + "</td></tr>\n";
+  }
+  return "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">figure</th><th "
+         "scope=\"col\">expected</th><th scope=\"col\">obtained</th><th "
+         "scope=\"col\">error</th><th "
+         "scope=\"col\">gate</th><th scope=\"col\"></th><th scope=\"col\">mesh</th></tr></thead>\n"
+         "<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string section(const BenchmarkOutcome& o) {
+  const std::string verdict = verdict_of(o);
+  std::string html = "<h2 id=\"" + escaped(o.id) + "\">" + escaped(o.id + " " + o.title) +
+                     " <span class=\"tag " + (verdict == "MISS" ? "bad" : "good") + "\">" +
+                     verdict + "</span></h2>\n";
+  html += element("p", "Reference: " + escaped(o.reference), "lead");
+  if (!o.error.empty())
+    html += element("div", "<strong>Not carried out.</strong> " + escaped(o.error), "box bad");
+  std::string plots;
+  for (const Plot& plot : o.result.plots) {
+    const std::string drawn = svg_plot(plot);
+    if (!drawn.empty())
+      plots += element("figure", drawn + element("figcaption", escaped(plot.title)));
+  }
+  if (!plots.empty()) html += element("div", plots, "plots");
+  if (!o.result.findings.empty()) html += findings_table(o);
+  for (const std::string& note : o.result.notes) html += element("p", escaped(note));
+  return html;
+}
+
+std::string headline(const Validation& validation) {
+  const char* effort = validation.effort == Effort::quick ? "Quick subset" : "All benchmarks";
+  return element("h1", "Loosefit against known solutions") +
+         element("p",
+                 "Each benchmark is a piece of cloth whose behaviour is known exactly, from "
+                 "beam, plate and membrane theory or from measurements. It is meshed, sewn and "
+                 "weighed like a garment and goes through the same energies and the same solver. "
+                 "The gates were set before the figures were computed.",
+                 "lead") +
+         element("div",
+                 element("strong", escaped(verdict_line(validation))) + "<br>" + effort + ", " +
+                     fixed(validation.seconds, 0) + " s.",
+                 std::string("box ") + (validation.pass() ? "good" : "bad"));
+}
+
+std::string settings() {
+  std::string list;
+  for (const auto& [what, how] : solver_settings())
+    list += element("dt", escaped(what)) + element("dd", escaped(how));
+  return element("h2", "Settings, the same for all benchmarks") + element("dl", list);
+}
+
+std::string reading_aid() {
+  return element("h2", "How to read the tables") +
+         element("dl",
+                 element("dt", "expected") +
+                     element("dd", "the figure of the reference that stands below the heading") +
+                     element("dt", "obtained") + element("dd", "the figure of this program") +
+                     element("dt", "error and gate") +
+                     element("dd",
+                             "in percent: difference over the expected figure; with a unit: the "
+                             "difference itself. The gate is the largest error allowed. "
+                             "“reported” has no gate.") +
+                     element("dt", "mesh") +
+                     element("dd",
+                             "mean edge and number of triangles; meshes are irregular, as "
+                             "those of garments are"));
+}
+
+}  // namespace
+
+std::string validation_html(const Validation& validation) {
+  std::string sections;
+  for (const auto& outcome : validation.outcomes) sections += section(outcome);
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<title>Loosefit validation</title>\n<style>" +
+         std::string(kReportStyle) + kPageStyle + "</style>\n</head>\n<body>\n" +
+         headline(validation) + overview(validation) + sections + settings() + reading_aid() +
+         element("p", "Made by Loosefit " + escaped(version()) + ": loosefit validate -o DIR",
+                 "lead") +
+         "</body>\n</html>\n";
+}
+
+}  // namespace loosefit
