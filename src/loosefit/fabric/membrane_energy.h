@@ -2,25 +2,39 @@
 #include <vector>
 
 #include "loosefit/fabric/material.h"
+#include "loosefit/fabric/stress_curve.h"
 #include "loosefit/particles/energy.h"
 
 namespace loosefit {
 
-/// In-plane elasticity of a sewn garment: orthotropic St. Venant-Kirchhoff on each triangle.
+/// In-plane elasticity of a sewn garment: orthotropic, on each triangle.
 ///
 ///   U = Σ r_ui x_i, V = Σ r_vi x_i          images of the unit weft and warp vectors [–]
 ///   ε_uu = (U·U − 1)/2, ε_vv = (V·V − 1)/2, γ = U·V                 Green-Lagrange [–]
-///   W = A [ ½ C_uu ε_uu² + C_uv ε_uu ε_vv + ½ C_vv ε_vv² + ½ G γ² ]                 [J]
+///   W = A [ w_u(ε_uu) + w_v(ε_vv) + C_uv ε_uu ε_vv + w_s(γ) ]                       [J]
+///
+/// A flat area [m²]. Without measured curves this is St. Venant-Kirchhoff:
+///
+///   w_u = ½ C_uu ε_uu², w_v = ½ C_vv ε_vv², w_s = ½ G γ²
 ///   C_uu = K_u/(1−ν²), C_vv = K_v/(1−ν²), C_uv = ν √(K_u K_v)/(1−ν²)               [N/m]
 ///
-/// A flat area [m²], K membrane stiffness [N/m], G [N/m]. With compression_factor c < 1 the tensile
-/// stiffness of a compressed direction is c times smaller (C¹ energy, coupling scaled by √(c_u
-/// c_v)). Strain-rate viscosity with damping time τ is the incremental potential of the stress τ C
-/// ε̇, ε̇ ≈ (ε − ε_start)/dt: it vanishes for rigid motion and in statics. Source: Volino and
-/// Magnenat-Thalmann 2005; Volino, Magnenat-Thalmann and Faure 2009.
+/// K membrane stiffness [N/m], G [N/m]. A measured curve replaces w of its direction
+/// (stress_curve.h). It is taken as measured with the width held, as KES-FB1 does: at ε_vv = 0 the
+/// weft force is the curve, whatever ν. The coupling stays the constant C_uv = ν √(k_u k_v), k the
+/// smallest tangent of w_u and w_v (zero if one is not positive): then an energy exists, it is
+/// convex in the strains over the measured range, and a fabric that stiffens contracts relatively
+/// less. A compression_factor c < 1 makes w c times softer at ε < 0; by the same rule the linear
+/// law is then C_uu = K_u/(1−cν²), C_uv = c ν √(K_u K_v)/(1−cν²): W is convex and C¹, and a strip
+/// pulled with free width still shows K and ν.
+///
+/// Strain-rate viscosity with damping time τ is the incremental potential of the stress τ C ε̇,
+/// ε̇ ≈ (ε − ε_start)/dt, with C the tangent at the start of the step (without its negative part):
+/// it vanishes for rigid motion and in statics. Source: Volino and Magnenat-Thalmann 2005; Volino,
+/// Magnenat-Thalmann and Faure 2009.
 class MembraneEnergy : public Energy {
  public:
   /// triangle_uv: flat corners (u weft, v warp) [m]; factor: stiffness multiplier per triangle.
+  /// \throws GeometryError for a flat triangle without area; InvalidInput as StressCurve.
   MembraneEnergy(const std::vector<Triangle>& triangles,
                  const std::vector<std::array<Vec2, 3>>& triangle_uv,
                  const std::vector<double>& factor, const Material& material, bool viscous = false);
@@ -48,14 +62,23 @@ class MembraneEnergy : public Energy {
     Vec3 u, v, strain;
   };
   Kinematics kinematics(const Element& e, const VectorField& x) const;
-  Mat3 tangent(const Element& e, const Vec3& strain) const;
-  Mat3 elastic(const Element& e, const Vec3& strain) const;
+  Mat3 linear(const Element& e) const { return e.factor * linear_; }
+  Mat3 general_tangent(const Vec3& strain) const;
+  const Mat3& viscosity(std::size_t i) const { return plain_ ? linear_ : tangent_start_[i]; }
+  double energy(std::size_t i, const Vec3& strain) const;  ///< [J]
+  Vec3 elastic_stress(const Element& e, const Vec3& strain) const;
+  Vec3 stress(std::size_t i, const Vec3& strain) const;  ///< with viscosity
+  Mat3 tangent(std::size_t i, const Vec3& strain, HessianKind kind) const;
 
   std::vector<Element> elements_;
-  double c_uu_, c_vv_, c_uv_, g_, compression_;
-  double damping_ = 0;        ///< τ [s]
-  double viscous_ratio_ = 0;  ///< τ/dt of the current step
+  bool plain_;                         ///< one constant matrix: no curve, no soft compression
+  Mat3 linear_;                        ///< of the plain law [N/m]
+  StressCurve law_u_, law_v_, law_s_;  ///< of all others
+  double coupling_ = 0;                ///< C_uv of all others [N/m]
+  double damping_ = 0;                 ///< τ [s]
+  double viscous_ratio_ = 0;           ///< τ/dt of the current step
   std::vector<Vec3> strain_start_;
+  std::vector<Mat3> tangent_start_;  ///< only for laws that are not plain
 };
 
 }  // namespace loosefit

@@ -1,0 +1,63 @@
+#include "loosefit/fabric/kes_units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+// materials.md section 5: the conversions as derived there, to the digits given.
+TEST(KesUnits, FactorsAreThoseDerived) {
+  EXPECT_NEAR(kes_to_si("B", 1), 9.80665e-5, 1e-18);
+  EXPECT_NEAR(kes_to_si("2HB", 1), 9.80665e-3, 1e-17);
+  EXPECT_NEAR(kes_to_si("F", 1), 0.980665, 1e-15);
+  EXPECT_NEAR(kes_to_si("G", 1), 56.1880, 5e-5);
+  EXPECT_NEAR(kes_to_si("2HG", 1), 0.980665, 1e-15);
+  EXPECT_NEAR(kes_to_si("2HG5", 1), 0.980665, 1e-15);
+  EXPECT_NEAR(kes_to_si("WT", 1), 0.980665, 1e-15);
+  EXPECT_NEAR(kes_to_si("W", 1), 0.01, 1e-18);
+  EXPECT_NEAR(kes_to_si("pressure", 1), 133.322, 1e-12);
+  EXPECT_NEAR(kes_to_si("FAST-B", 1), 1e-6, 1e-20);
+  EXPECT_NEAR(kes_to_si("FAST-B", 1) / kes_unit("B").factor, 0.010197, 5e-7);
+}
+
+TEST(KesUnits, EveryFactorConvertsBothWays) {
+  ASSERT_GE(kes_units().size(), 10u);
+  for (const KesUnit& unit : kes_units())
+    for (double figure : {0.0, 1.0, 0.045, 123.4}) {
+      const double si = kes_to_si(unit.quantity, figure);
+      EXPECT_DOUBLE_EQ(si_to_kes(unit.quantity, si), figure) << unit.quantity;
+      EXPECT_EQ(si > 0, figure > 0) << unit.quantity;
+    }
+}
+
+TEST(KesUnits, UnknownQuantityGetsAGuess) {
+  try {
+    kes_unit("2HH");
+    FAIL();
+  } catch (const InvalidInput& e) {
+    EXPECT_EQ(e.hint(), "did you mean \"2HB\"?");
+  }
+}
+
+// 500 gf/cm = 490.3 N/m at 5 %: materials.md section 5.
+TEST(KesUnits, TensileSecant) {
+  EXPECT_NEAR(tensile_secant(5), 490.3 / 0.05, 1);
+  EXPECT_NEAR(tensile_secant(40, 50), 49.03 / 0.4, 0.01);
+}
+
+TEST(Rounding, AcceptsWhatThePrintedDigitsAllow) {
+  const double b = kes_unit("B").factor;
+  EXPECT_TRUE(same_within_rounding(0.118, 0.118 * b, 1.15718e-5));
+  EXPECT_TRUE(same_within_rounding(0.045, 0.045 * b, 4.41e-6));
+  EXPECT_TRUE(same_within_rounding(0.12, 0.12 * b, 1.16e-5)) << "0.12 may be 0.1183";
+  EXPECT_FALSE(same_within_rounding(0.118, 0.118 * b, 1.10e-5));
+  EXPECT_FALSE(same_within_rounding(1, b, 1.03e-4)) << "never more than 2 %";
+  EXPECT_FALSE(same_within_rounding(0.045, 0.045 * b, 4.41e-5)) << "another power of ten";
+}
+
+}  // namespace
+}  // namespace loosefit
