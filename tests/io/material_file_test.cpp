@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
+#include "loosefit/base/text.h"
+#include "loosefit/fabric/stress_curve.h"
+#include "loosefit/io/text_file.h"
+#include "support/wool_sample.h"
 
 namespace loosefit {
 namespace {
@@ -33,6 +40,11 @@ TEST(MaterialCards, AllShippedCardsAreCompleteAndPlausible) {
     const MaterialCard card = load_material(name);
     EXPECT_EQ(card.material.name, name);
     EXPECT_GT(card.material.source.size(), 20u);
+    EXPECT_GT(card.status.size(), 20u);
+    EXPECT_NE(read_text_file(data_directory() / "materials" / (name + ".toml"), 100000)
+                  .find("\nbending_poisson = "),
+              std::string::npos)
+        << "stated, not left to the default";
     // A garment fabric bends over its own weight within centimetres (materials.md sections 1 and
     // 2).
     EXPECT_GT(bending_length(card.material), 0.005);
@@ -80,6 +92,155 @@ TEST(MaterialToml, ReadsBackToTheSameConstants) {
   m.damping = 0.1 + 0.2;
   const std::string text = material_toml(m);
   EXPECT_EQ(material_toml(overridden(text).material), text);
+}
+
+// Every KES figure of every card, to SI and back, and against the constant in use.
+TEST(MaterialCards, KesFiguresConvertBothWays) {
+  int figures = 0, constants = 0;
+  for (const std::string& name : material_names()) {
+    const MaterialCard card = load_material(name);
+    const Material& m = card.material;
+    for (const KesFigure& f : card.kes) {
+      SCOPED_TRACE(name + " " + f.key);
+      ++figures;
+      const double si = kes_to_si(f.unit.quantity, f.value);
+      EXPECT_DOUBLE_EQ(si_to_kes(f.unit.quantity, si), f.value);
+      const auto expect_used = [&](double used, double per_figure) {
+        ++constants;
+        EXPECT_TRUE(same_within_rounding(f.value, si, used * per_figure)) << used;
+      };
+      const bool warp = f.key.find("_weft") == std::string::npos;
+      const bool weft = f.key.find("_warp") == std::string::npos;
+      if (f.unit.quantity == "B" && warp) expect_used(m.bending_warp, 1);
+      if (f.unit.quantity == "B" && weft) expect_used(m.bending_weft, 1);
+      if (f.unit.quantity == "2HB" && warp) expect_used(m.bending_hysteresis_warp, 2);
+      if (f.unit.quantity == "2HB" && weft) expect_used(m.bending_hysteresis_weft, 2);
+      if (f.unit.quantity == "G") expect_used(m.stiffness_shear, 1);
+      if (f.unit.quantity == "EMT" && warp) expect_used(490.3325 / m.stiffness_warp, 1);
+      if (f.unit.quantity == "EMT" && weft) expect_used(490.3325 / m.stiffness_weft, 1);
+    }
+  }
+  EXPECT_GT(figures, 15);
+  EXPECT_GT(constants, 20);
+}
+
+// materials.md section 3: residual curvature HB/B of the three fabrics of Matsudaira 2015.
+TEST(MaterialCards, ResidualCurvaturesAsMeasured) {
+  const std::pair<const char*, double> expected[] = {
+      {"cotton-broad", 52.54}, {"wool-tropical", 24.63}, {"polyester-faille", 18.42}};
+  for (const auto& [name, curvature] : expected) {
+    const Material m = load_material(name).material;
+    EXPECT_NEAR(m.bending_hysteresis_warp / m.bending_warp, curvature, 0.005) << name;
+    EXPECT_NEAR(m.bending_hysteresis_weft / m.bending_weft, curvature, 0.005) << name;
+  }
+}
+
+TEST(MaterialCards, MeasuredWoolIsTheSample) {
+  const Material m = load_material("wool-measured").material, sample = support::wool_sample();
+  ASSERT_EQ(m.curve_warp.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(m.curve_warp[i].force, sample.curve_warp[i].force);
+    EXPECT_EQ(m.curve_weft[i].strain, sample.curve_weft[i].strain);
+    EXPECT_EQ(m.curve_shear[i].force, sample.curve_shear[i].force);
+  }
+  EXPECT_DOUBLE_EQ(m.stiffness_weft, StressCurve::tension(m.curve_weft).initial_tangent());
+}
+
+TEST(Kes, GivesTheConstantWhenTheSiFigureIsAbsent) {
+  const Material m = overridden(
+                         "[kes]\nB_warp = 0.1\nB_weft = 0.05\n2HB = 0.06\nG = 0.5\n"
+                         "W = 14\nT = 0.4\nEMT_warp = 5\nLT_warp = 0.7\nMIU = 0.2\n")
+                         .material;
+  EXPECT_DOUBLE_EQ(m.bending_warp, 9.80665e-6);
+  EXPECT_DOUBLE_EQ(m.bending_weft, 4.903325e-6);
+  EXPECT_DOUBLE_EQ(m.bending_hysteresis_weft, 0.03 * 9.80665e-3);
+  EXPECT_NEAR(m.stiffness_shear, 28.094, 1e-3);
+  EXPECT_DOUBLE_EQ(m.areal_density, 0.14);
+  EXPECT_DOUBLE_EQ(m.thickness, 4e-4);
+  EXPECT_NEAR(m.stiffness_warp, 9806.65, 1e-6);
+  EXPECT_EQ(m.stiffness_weft, 2000) << "no EMT_weft";
+  EXPECT_NEAR(overridden("[kes]\nEMT = 40\nEMT_load = 50\n").material.stiffness_weft, 122.58, 0.01);
+}
+
+TEST(Kes, DisagreementNamesBothFigures) {
+  const std::string no = refusal("bending_warp = 1.3e-5\n[kes]\nB = 0.118\n");
+  EXPECT_NE(no.find("bending_warp: found 1.3e-05, expected 1.15718e-05, which is kes.B = 0.118 gf"),
+            std::string::npos)
+      << no;
+  EXPECT_EQ(refusal("bending_warp = 1.16e-5\n[kes]\nB = 0.118\n"), "accepted");
+  EXPECT_NE(refusal("[kes]\n2HB_wrap = 0.1\n").find("did you mean \"2HB_warp\"?"),
+            std::string::npos);
+  EXPECT_NE(refusal("[kes]\nB = 0.1\nB_warp = 0.1\n").find("either B"), std::string::npos);
+  const std::string si = refusal("[kes]\nB = 4.4e-6\n");
+  EXPECT_NE(si.find("m.toml:2: kes.B"), std::string::npos) << si;
+  EXPECT_NE(si.find("units of the KES instruments"), std::string::npos) << si;
+}
+
+TEST(Curves, AreReadAsForceOrAsStress) {
+  const Material force =
+      overridden("[curve.warp]\nelongation = [0, 0.1, 0.2]\nforce = [0, 50, 150]\n").material;
+  ASSERT_EQ(force.curve_warp.size(), 3u);
+  EXPECT_DOUBLE_EQ(force.stiffness_warp, 500);
+  EXPECT_TRUE(force.curve_weft.empty());
+  const Material stress =
+      overridden("[curve.warp]\ngreen_strain = [0.105]\nsecond_piola_kirchhoff = [50]\n").material;
+  EXPECT_NEAR(stress.curve_warp[0].strain, 0.1, 1e-15);
+  EXPECT_NEAR(stress.curve_warp[0].force, 55, 1e-12);
+  const Material shear = overridden("[curve.shear]\nangle = [0.5]\nstress = [20]\n").material;
+  EXPECT_DOUBLE_EQ(shear.curve_shear[0].strain, std::sin(0.5));
+}
+
+TEST(Curves, BadOnesAreRefusedWithPlaceAndReason) {
+  const std::string falling = refusal("[curve.weft]\nelongation = [0.1, 0.2]\nforce = [50, 40]\n");
+  EXPECT_NE(falling.find("m.toml:3: curve.weft.force, point 2: found force 40"), std::string::npos)
+      << falling;
+  EXPECT_NE(refusal("[curve.weft]\nelongation = [0.1, 0.2]\nforce = [50]\n")
+                .find("found 1 numbers, expected 2, one for every elongation"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.weft]\nelongation = [10]\nforce = [50]\n").find("10 % is 0.1"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.weft]\nforce = [50]\n").find("elongation: found nothing"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.weft]\nelongation = [0.1]\nforce = [50]\ngreen_strain = [0.1]\n")
+                .find("either elongation with force or"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.wrap]\nforce = [50]\n").find("did you mean \"warp\"?"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.warp]\nforces = [50]\n").find("did you mean \"force\"?"),
+            std::string::npos);
+  EXPECT_NE(refusal("[curve.warp]\nelongation = [0.1]\nforce = [0.01]\n").find("initial slope"),
+            std::string::npos);
+  EXPECT_NE(refusal("stiffness_warp = 100\n[curve.warp]\nelongation = [0.1]\nforce = [50]\n")
+                .find("either stiffness_warp or curve.warp"),
+            std::string::npos);
+}
+
+MaterialCard wool_with(const std::string& text) {
+  const ConfigNode node = parse_toml(text, "m.toml");
+  ConfigReader table(node, "m.toml");
+  MaterialCard card = load_material("wool-measured");
+  read_material_constants(table, card);
+  table.finish();
+  return card;
+}
+
+TEST(Curves, ReadBackToTheSamePoints) {
+  const std::string text = material_toml(load_material("wool-measured").material);
+  EXPECT_NE(text.find("curve.warp.elongation = ["), std::string::npos) << text;
+  EXPECT_EQ(text.find("stiffness_"), std::string::npos) << text;
+  EXPECT_EQ(material_toml(wool_with(text).material), text);
+  EXPECT_EQ(material_toml(overridden(text).material), text) << "over another card, too";
+}
+
+TEST(Curves, AStiffnessTakesTheirPlace) {
+  const MaterialCard card = wool_with("stiffness_warp = 800\n");
+  EXPECT_TRUE(card.material.curve_warp.empty());
+  EXPECT_FALSE(card.material.curve_weft.empty());
+  ASSERT_EQ(card.notes.size(), 1u);
+  const std::string text = material_toml(card.material);
+  EXPECT_EQ(material_toml(wool_with(text).material), text);
+  const Material isotropic = wool_with("youngs_modulus = 1e6\nelastic_thickness = 3e-4\n").material;
+  EXPECT_TRUE(isotropic.curve_weft.empty() && isotropic.curve_shear.empty());
 }
 
 TEST(LoadMaterial, UnknownNameGetsAGuess) {

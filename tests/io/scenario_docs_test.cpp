@@ -15,6 +15,7 @@ TEST(ScenarioDocs, NameEveryKey) {
   Scenario scenario = default_scenario();
   scenario.attachments = {{"board", "back", Board{}}, {"cable", "back", Cable{}}};
   scenario.sites = {SiteSpec{}};
+  scenario.material = load_material("wool-measured");
   std::istringstream lines(scenario_toml(scenario));
   int keys = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -25,6 +26,8 @@ TEST(ScenarioDocs, NameEveryKey) {
         << line.substr(0, equals);
   }
   EXPECT_GT(keys, 50);
+  for (const std::string& key : material_keys())
+    EXPECT_NE(docs.find("`" + key + "`"), std::string::npos) << key;
 }
 
 }  // namespace

@@ -158,6 +158,19 @@ std::vector<Vec2> ConfigReader::points(const std::string& key, const NumberRange
   return values;
 }
 
+std::vector<double> ConfigReader::numbers(const std::string& key, const NumberRange& range) {
+  const ConfigNode* node = this->node(key);
+  if (!node || node->kind != Kind::array || node->items.empty() || node->items.size() > 1000)
+    throw error(key, "an array of 1 to 1000 numbers: " + expected_number(range));
+  std::vector<double> values;
+  for (const ConfigNode& item : node->items) {
+    if (!is_number(item) || !within(item.number, range))
+      throw error(key, item.describe(), expected_number(range), {});
+    values.push_back(item.number);
+  }
+  return values;
+}
+
 ConfigReader ConfigReader::table(const std::string& key) {
   static const ConfigNode kEmpty;
   const ConfigNode* node = this->node(key);

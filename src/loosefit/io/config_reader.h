@@ -44,6 +44,8 @@ class ConfigReader {
   Vec2 point(const std::string& key, const NumberRange& range);
   /// [[u, v], [u, v], …]. Required, at least `at_least`, at most 1000 points.
   std::vector<Vec2> points(const std::string& key, const NumberRange& range, std::size_t at_least);
+  /// [a, b, …] of 1 to 1000 numbers within `range`. Required.
+  std::vector<double> numbers(const std::string& key, const NumberRange& range);
   /// Sub-table; an empty one when absent.
   ConfigReader table(const std::string& key);
   /// `[[key]]`; none when absent.

@@ -7,6 +7,7 @@
 
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/material_curves.h"
 
 namespace loosefit {
 namespace {
@@ -15,6 +16,7 @@ struct Constant {
   const char* key;
   double Material::*value;
   NumberRange range;
+  bool required = true;  // of a card
 };
 
 // The one table from which reading, writing and documentation follow.
@@ -26,9 +28,12 @@ const std::vector<Constant>& constants() {
       {"stiffness_weft", &Material::stiffness_weft, {1, 1e6, "N/m"}},
       {"poisson", &Material::poisson, {-0.9, 0.9, "a number"}},
       {"stiffness_shear", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
-      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}},
+      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}, false},
       {"bending_warp", &Material::bending_warp, {1e-8, 1e-3, "N m"}},
       {"bending_weft", &Material::bending_weft, {1e-8, 1e-3, "N m"}},
+      {"bending_poisson", &Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
+      {"bending_hysteresis_warp", &Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
+      {"bending_hysteresis_weft", &Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
       {"friction_body", &Material::friction_body, {0, 3, "a coefficient"}},
       {"friction_self", &Material::friction_self, {0, 3, "a coefficient"}},
       {"damping", &Material::damping, {0, 10, "seconds"}},
@@ -47,7 +52,21 @@ void refuse_bending_in_other_units(ConfigReader& table) {
   }
 }
 
-void read_isotropic_pair(ConfigReader& table, MaterialCard& card) {
+// A stiffness in the table, in whatever form, replaces the curve the card had before.
+void drop_replaced_curves(const std::set<std::string>& set, MaterialCard& card) {
+  Material& m = card.material;
+  const std::pair<const char*, std::vector<CurvePoint>*> curves[] = {
+      {"stiffness_warp", &m.curve_warp},
+      {"stiffness_weft", &m.curve_weft},
+      {"stiffness_shear", &m.curve_shear}};
+  for (const auto& [key, curve] : curves)
+    if (set.count(key) && !curve->empty()) {
+      curve->clear();
+      card.notes.push_back(std::string(key) + " replaces the measured curve of the card");
+    }
+}
+
+void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::string>& set) {
   const auto modulus = table.optional_number("youngs_modulus", {1e3, 1e12, "Pa"});
   const auto h = table.optional_number("elastic_thickness", {1e-6, 0.01, "metres"});
   if (!modulus && !h) return;
@@ -57,14 +76,15 @@ void read_isotropic_pair(ConfigReader& table, MaterialCard& card) {
   if (!h) throw table.error("elastic_thickness", "metres from 1e-06 to 0.01", why);
   if (!modulus) throw table.error("youngs_modulus", "Pa from 1000 to 1e+12", why);
   for (const char* key : {"stiffness_warp", "stiffness_weft"})
-    if (table.has(key)) throw table.error(key, "either youngs_modulus or " + std::string(key), why);
+    if (set.count(key)) throw table.error(key, "either youngs_modulus or " + std::string(key), why);
   Material& m = card.material;
   const double sheet = *modulus * *h;
   if (sheet < 1 || sheet > 1e6)
     throw table.error("youngs_modulus", fmt::format("E h = {:g} N/m", sheet),
                       "E h from 1 to 1e6 N/m", "check the units: Pa and metres");
   m.stiffness_warp = m.stiffness_weft = sheet;
-  if (!table.has("stiffness_shear")) m.stiffness_shear = sheet / (2 * (1 + m.poisson));
+  if (!set.count("stiffness_shear")) m.stiffness_shear = sheet / (2 * (1 + m.poisson));
+  set.insert({"stiffness_warp", "stiffness_weft", "stiffness_shear"});
   const double plate = sheet * *h * *h / (12 * (1 - m.poisson * m.poisson));
   card.notes.push_back(fmt::format(
       "E = {:g} Pa with h = {:g} m is E h = {:g} N/m; a homogeneous sheet would bend with "
@@ -107,12 +127,10 @@ MaterialCard read_material_file(const std::filesystem::path& path) {
   card.status = table.text("status", "not stated");
   card.material.source = table.text("source", "");
   if (card.material.source.empty()) throw table.error("source", "where the numbers come from");
-  read_material_constants(table, card);
-  const bool isotropic = table.has("youngs_modulus");
+  const std::set<std::string> set = read_material_constants(table, card);
   for (const Constant& c : constants()) {
     const std::string key = c.key;
-    if (table.has(key) || key == "compression_factor") continue;
-    if (isotropic && key.rfind("stiffness_", 0) == 0) continue;
+    if (set.count(key) || !c.required) continue;
     throw table.error(key, fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
                       "a card states every constant");
   }
@@ -120,11 +138,21 @@ MaterialCard read_material_file(const std::filesystem::path& path) {
   return card;
 }
 
-void read_material_constants(ConfigReader& table, MaterialCard& card) {
+std::set<std::string> read_material_constants(ConfigReader& table, MaterialCard& card) {
   refuse_bending_in_other_units(table);
-  for (const Constant& c : constants())
-    card.material.*c.value = table.number(c.key, card.material.*c.value, c.range);
-  read_isotropic_pair(table, card);
+  Material& m = card.material;
+  std::set<std::string> set = read_material_kes(table, m, card.kes);
+  for (const Constant& c : constants()) {
+    const auto value = table.optional_number(c.key, c.range);
+    if (!value) continue;
+    m.*c.value = *value;
+    set.insert(c.key);
+  }
+  read_isotropic_pair(table, card, set);
+  drop_replaced_curves(set, card);
+  for (const char* direction : read_material_curves(table, m))
+    set.insert(std::string("stiffness_") + direction);
+  return set;
 }
 
 std::vector<std::string> material_keys() {
@@ -135,13 +163,21 @@ std::vector<std::string> material_keys() {
 
 std::string material_toml(const Material& material) {
   std::string text;
+  const auto has_curve = [&](double Material::*value) {
+    return (value == &Material::stiffness_warp && !material.curve_warp.empty()) ||
+           (value == &Material::stiffness_weft && !material.curve_weft.empty()) ||
+           (value == &Material::stiffness_shear && !material.curve_shear.empty());
+  };
   for (const Constant& c : constants())
-    text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
-  return text;
+    if (!has_curve(c.value)) text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
+  return text + material_curves_toml(material);
 }
 
 double bending_length(const Material& material) {
-  const double bending = std::sqrt(material.bending_warp * material.bending_weft);
+  return bending_length(material, std::sqrt(material.bending_warp * material.bending_weft));
+}
+
+double bending_length(const Material& material, double bending) {
   return std::cbrt(bending / (material.areal_density * kGravity));
 }
 

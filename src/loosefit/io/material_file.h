@@ -5,6 +5,7 @@
 
 #include "loosefit/fabric/material.h"
 #include "loosefit/io/config_reader.h"
+#include "loosefit/io/material_kes.h"
 
 namespace loosefit {
 
@@ -14,6 +15,7 @@ struct MaterialCard {
   Material material;
   std::string title;
   std::string status;              ///< how far the numbers can be trusted
+  std::vector<KesFigure> kes;      ///< as measured, in the units of the KES instruments
   std::vector<std::string> notes;  ///< said to the user: an isotropic E and its contradiction
 };
 
@@ -24,25 +26,30 @@ std::vector<std::string> material_names();
 MaterialCard load_material(const std::string& name);
 
 /// Reads a card. Every constant of Material is a key of the same name (SI) and required, except
-/// compression_factor. Instead of stiffness_warp/_weft a card may give the isotropic pair
-/// youngs_modulus [Pa] and elastic_thickness h [m]: K = E h, and G = E h / (2 (1 + ν)) unless
-/// stiffness_shear is given too.
+/// compression_factor and those of bending_poisson and bending hysteresis. A constant may instead
+/// come from the table [kes] (material_kes.h), a stiffness from a measured curve [curve.warp],
+/// [curve.weft], [curve.shear] (material_curves.h). Instead of stiffness_warp/_weft a card may give
+/// the isotropic pair youngs_modulus [Pa] and elastic_thickness h [m]: K = E h, and
+/// G = E h / (2 (1 + ν)) unless the shear stiffness is given too.
 /// \throws IoError, InvalidInput.
 MaterialCard read_material_file(const std::filesystem::path& path);
 
-/// Overwrites the constants that stand in `table` (same keys as a card); the isotropic pair is
-/// reported with E h and E h³ / (12 (1 − ν²)) in `notes`, beside the bending rigidity in use.
-/// The caller calls table.finish().
+/// Overwrites the constants that stand in `table` (same keys as a card). A stiffness that stands
+/// there replaces the measured curve of the card in its direction. The isotropic pair is reported
+/// with E h and E h³ / (12 (1 − ν²)) in `notes`, beside the bending rigidity in use. The caller
+/// calls table.finish(). Returns the SI keys that were set.
 /// \throws InvalidInput for values outside their range; bending above 1e-3 N m gets a unit hint.
-void read_material_constants(ConfigReader& table, MaterialCard& card);
+std::set<std::string> read_material_constants(ConfigReader& table, MaterialCard& card);
 
 /// Keys of all constants, in the order of the cards.
 std::vector<std::string> material_keys();
 
-/// TOML lines `key = value` of all constants.
+/// TOML lines `key = value` of all constants and curves; a stiffness with a curve is left out.
 std::string material_toml(const Material& material);
 
 /// Bending length c = (B / (w g))^(1/3) [m] of the mean bending rigidity: how stiff it looks.
 double bending_length(const Material& material);
+/// The same of one direction with bending rigidity B [N m].
+double bending_length(const Material& material, double bending);
 
 }  // namespace loosefit

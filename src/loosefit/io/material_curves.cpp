@@ -1,0 +1,124 @@
+#include "loosefit/io/material_curves.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/base/text.h"
+#include "loosefit/fabric/stress_curve.h"
+
+namespace loosefit {
+namespace {
+
+struct Direction {
+  const char* name;
+  const char* stiffness_key;
+  std::vector<CurvePoint> Material::*curve;
+  double Material::*stiffness;
+};
+
+const Direction kDirections[] = {
+    {"warp", "stiffness_warp", &Material::curve_warp, &Material::stiffness_warp},
+    {"weft", "stiffness_weft", &Material::curve_weft, &Material::stiffness_weft},
+    {"shear", "stiffness_shear", &Material::curve_shear, &Material::stiffness_shear},
+};
+
+// The two forms of a curve: names and ranges of its columns, and what a row means.
+struct Form {
+  const char *strain_key, *force_key;
+  double max_strain;
+  const char* what;
+  CurvePoint (*point)(double, double);
+};
+
+CurvePoint as_given(double strain, double force) { return {strain, force}; }
+CurvePoint sine_of_angle(double angle, double stress) { return {std::sin(angle), stress}; }
+
+constexpr double kMaxForce = 1e7;  // [N/m]
+constexpr Form kTension[] = {
+    {"elongation", "force", 5, "a fraction (10 % is 0.1)", as_given},
+    {"green_strain", "second_piola_kirchhoff", 17.5, "a strain", force_of_green},
+};
+constexpr Form kShear[] = {
+    {"angle", "stress", 1.5, "radians", sine_of_angle},
+    {"green_shear", "second_piola_kirchhoff", 10, "a shear", as_given},
+};
+
+std::vector<CurvePoint> read_curve(ConfigReader table, const Form (&forms)[2]) {
+  const bool other = table.has(forms[1].strain_key) || table.has(forms[1].force_key);
+  const bool first = table.has(forms[0].strain_key) || table.has(forms[0].force_key);
+  if (first && other)
+    throw table.error(forms[1].strain_key,
+                      fmt::format("either {} with {} or {} with {}", forms[0].strain_key,
+                                  forms[0].force_key, forms[1].strain_key, forms[1].force_key));
+  const Form& form = forms[other ? 1 : 0];
+  for (const Form& known : forms)
+    for (const char* key : {known.strain_key, known.force_key}) table.has(key);
+  table.finish();
+  const std::vector<double> strain =
+      table.numbers(form.strain_key, {0, form.max_strain, form.what});
+  const std::vector<double> force = table.numbers(form.force_key, {0, kMaxForce, "N/m"});
+  if (strain.size() != force.size())
+    throw table.error(form.force_key, fmt::format("{} numbers", force.size()),
+                      fmt::format("{}, one for every {}", strain.size(), form.strain_key), {});
+  std::vector<CurvePoint> points;
+  for (std::size_t i = 0; i < strain.size(); ++i) points.push_back(form.point(strain[i], force[i]));
+  try {
+    MonotoneCubic{points};
+  } catch (const InvalidInput& e) {
+    const InputPlace place = table.error(form.force_key, "").place();
+    throw e.at(
+        {place.file, place.line, place.key + (e.place().key.empty() ? "" : ", " + e.place().key)});
+  }
+  return points;
+}
+
+std::string column(const std::vector<CurvePoint>& points, double CurvePoint::*value) {
+  std::vector<std::string> texts;
+  for (const CurvePoint& p : points) texts.push_back(shortest(p.*value));
+  return "[" + join(texts) + "]";
+}
+
+}  // namespace
+
+std::vector<const char*> read_material_curves(ConfigReader& table, Material& material) {
+  std::vector<const char*> read;
+  if (!table.has("curve")) return read;
+  ConfigReader curves = table.table("curve");
+  for (const Direction& d : kDirections) {
+    if (!curves.has(d.name)) continue;
+    const std::string clash = table.has(d.stiffness_key)    ? d.stiffness_key
+                              : table.has("youngs_modulus") ? "youngs_modulus"
+                                                            : "";
+    if (!clash.empty())
+      throw table.error(clash, "either " + clash + " or curve." + d.name,
+                        "the stiffness is the initial slope of the measured curve");
+    const bool shear = d.curve == &Material::curve_shear;
+    std::vector<CurvePoint> points = read_curve(curves.table(d.name), shear ? kShear : kTension);
+    const double slope = MonotoneCubic(points).initial_slope();
+    if (!(slope >= (shear ? 0.1 : 1) && slope <= 1e6))
+      throw curves.error(d.name, fmt::format("an initial slope of {:g} N/m", slope),
+                         fmt::format("a slope from {} to 1e6 N/m", shear ? "0.1" : "1"),
+                         "check the units: N/m of width and fractions, not percent");
+    material.*d.curve = std::move(points);
+    material.*d.stiffness = slope;
+    read.push_back(d.name);
+  }
+  curves.finish();
+  return read;
+}
+
+std::string material_curves_toml(const Material& material) {
+  std::string text;
+  for (const Direction& d : kDirections) {
+    const std::vector<CurvePoint>& points = material.*d.curve;
+    if (points.empty()) continue;
+    const Form& form = d.curve == &Material::curve_shear ? kShear[1] : kTension[0];
+    text += fmt::format("curve.{0}.{1} = {2}\ncurve.{0}.{3} = {4}\n", d.name, form.strain_key,
+                        column(points, &CurvePoint::strain), form.force_key,
+                        column(points, &CurvePoint::force));
+  }
+  return text;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,31 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "loosefit/fabric/kes_units.h"
+#include "loosefit/fabric/material.h"
+#include "loosefit/io/config_reader.h"
+
+namespace loosefit {
+
+/// One figure of a card in the unit in which it was measured.
+struct KesFigure {
+  std::string key;  ///< "B_warp"
+  KesUnit unit;
+  double value;
+};
+
+/// Reads the optional table [kes]: KES figures in KES units. B, 2HB, EMT, LT, WT, RT take _warp or
+/// _weft, or stand for both directions without it; G, 2HG, 2HG5, T, W, MIU, MMD, SMD, LC, WC, RC
+/// stand alone; EMT_load [gf/cm] is the load of EMT (500).
+///
+/// B, 2HB (HB = 2HB/2), G, T, W and EMT (secant stiffness load/EMT) are constants of a material:
+/// where `table` does not give the SI constant it is converted; where it does, the two must agree
+/// within rounding. EMT and G leave a direction alone whose curve `table` gives.
+/// Returns the SI keys that were set from KES figures; appends the figures to `figures`.
+/// \throws InvalidInput that names both keys when they disagree.
+std::set<std::string> read_material_kes(ConfigReader& table, Material& material,
+                                        std::vector<KesFigure>& figures);
+
+}  // namespace loosefit
