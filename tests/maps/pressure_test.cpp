@@ -33,12 +33,13 @@ struct PlacedTube {
 };
 PlacedTube placed_tube(double radius, double hoop, double axial) {
   PlacedTube p;
-  const double girth = 2 * kPi * radius / hoop;
+  const double lying = radius + 5e-5;  // half the thickness off the skin
+  const double girth = 2 * kPi * lying / hoop;
   p.body = testing::cylinder_body(radius, 1.0, 200, 100);
   p.garment = testing::tube_garment(girth, 0.1, 120, 40);
   p.drape = testing::settled_drape(p.garment, [&](const Vec2& uv) {
-    const double a = 2 * kPi * uv.x() / girth, r = radius + 5e-5;
-    return Vec3(r * std::cos(a), r * std::sin(a), 0.45 + axial * uv.y());
+    const double a = 2 * kPi * uv.x() / girth;
+    return Vec3(lying * std::cos(a), lying * std::sin(a), 0.45 + axial * uv.y());
   });
   p.drape.body_normal_force.assign(p.garment.vertex_count, 1.0 / p.garment.vertex_count);
   return p;
