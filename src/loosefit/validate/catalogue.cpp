@@ -4,8 +4,24 @@ namespace loosefit {
 
 std::vector<Benchmark> benchmarks() {
   return {
+      {"B1", "Heavy cantilever",
+       "validation.md 4.1: heavy elastica θ″ = −Γ s cos θ; “cantilever” of Romero et al. 2021",
+       true, benchmark_heavy_cantilever},
+      {"B2", "Cantilever test of fabrics", "validation.md 4.2: heavy elastica at Γ = 8", true,
+       benchmark_overhang},
+      {"B3", "Cantilever with a load on its end",
+       "validation.md 4.3: elastica (α = 1: Bisshopp and Drucker 1945)", true,
+       benchmark_tip_load},
+      {"B4", "Self-buckling of an upright strip", "validation.md 4.4: linear buckling", true,
+       benchmark_self_buckling},
+      {"B5", "Ring, pear and heart loops", "validation.md 4.5: heavy elastica", true,
+       benchmark_loops},
       {"D1", "Cusick drape of an elastic sheet", "validation.md 5.3: energy minima with hinges", true,
        benchmark_cusick_drape},
+      {"T1", "Free fall with the integrator of the paper", "validation.md 7", true,
+       benchmark_free_fall},
+      {"T2", "Swing of a hanging strip", "validation.md 7: zeros of J0 (Bernoulli)", true,
+       benchmark_hanging_swing},
   };
 }
 

@@ -5,6 +5,13 @@ namespace loosefit {
 
 // One function per benchmark, each in the file of its group; catalogue.cpp puts them in order.
 
+BenchmarkResult benchmark_heavy_cantilever(Effort effort, Progress& progress);
+BenchmarkResult benchmark_overhang(Effort effort, Progress& progress);
+BenchmarkResult benchmark_tip_load(Effort effort, Progress& progress);
+BenchmarkResult benchmark_self_buckling(Effort effort, Progress& progress);
+BenchmarkResult benchmark_loops(Effort effort, Progress& progress);
+BenchmarkResult benchmark_free_fall(Effort effort, Progress& progress);
+BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress);
 BenchmarkResult benchmark_cusick_drape(Effort effort, Progress& progress);
 
 }  // namespace loosefit

@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "loosefit/validate/specimen.h"
+
+namespace loosefit {
+
+/// The fabric of all beam benchmarks: cotton of 120 g/m² with the bending rigidity of the paper
+/// (materials.md 1), B = 4.41e-6 N m, hence a bending length of 15.5 mm. Membrane 2000 N/m and
+/// shear 1000 N/m without Poisson contraction: the tensions of these tests, at most 0.5 N/m,
+/// stretch it by less than 0.03 %, while it stays soft enough not to hinder triangles from
+/// following a curve (membrane locking grows with K κ² h⁴/B). Bending without Poisson contraction,
+/// so that a strip is a beam of rigidity B whatever its width. Thickness 10 µm: the references have
+/// none, and layers that meet must not hold each other off. No viscosity.
+Material beam_fabric();
+
+/// A strip [x0, x0 + length] × [0, width] of the flat pattern, cut in `panels` equal pieces that
+/// are sewn end to end, with a piece of the same cloth sewn to each clamped end; the vertices of
+/// the clamp pieces, seam included, are to be held.
+///
+/// Where the strip begins: the angle at the mesh line of the clamp stands for the curvature from
+/// half a triangle height behind the line to half a triangle height before it. The strip is
+/// therefore clamped at second order in the edge length not at the line but half a triangle height
+/// (of the clamp piece) behind it. `x0` and `length` are measured there.
+struct ClampedStrip {
+  Specimen specimen;
+  double x0 = 0, length = 0, width = 0;  ///< effective [m]
+  std::vector<int> clamp;                ///< vertices of the clamp at the start
+  std::vector<int> end_clamp;            ///< of the clamp at the end, when there is one
+  std::vector<int> end;                  ///< vertices on the line at the end of the last panel
+
+  /// Share of the length at a flat position: 0 at the clamp, 1 at the end.
+  double share(const Vec2& flat) const { return (flat[0] - x0) / length; }
+};
+
+enum class Ends {
+  free,       ///< clamped at the start only
+  clamped,    ///< a clamp piece at either end
+  one_clamp,  ///< both ends sewn to one clamp piece, from either side: a tube
+};
+
+/// `length` is met to within a fraction of an edge; ask the strip. \throws as assemble does.
+ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
+                               const Material& material, Ends ends = Ends::free, int panels = 1);
+
+/// Mean position of the vertices of a line across the strip, each weighing as much as the part of
+/// the line that belongs to it [m].
+Vec3 mean_of_line(const std::vector<int>& line, const std::vector<Vec2>& flat,
+                  const VectorField& x);
+/// The same weights; they sum up to 1.
+std::vector<double> line_weights(const std::vector<int>& line, const std::vector<Vec2>& flat);
+
+}  // namespace loosefit
