@@ -188,6 +188,10 @@ TEST_F(CommandLine, MaterialsAreListedWithTheirSource) {
   EXPECT_NE(list.output.find("paper-cotton-literal"), std::string::npos) << list.output;
   EXPECT_NE(loosefit("material show wool").output.find("source:"), std::string::npos);
   expect_refused(loosefit("material show wol"), "");
+  const std::string wool = loosefit("material show wool-measured").output;
+  for (const char* told : {"bending length: warp 16.5 mm", "HB/B after a tight bend: warp 24.6 1/m",
+                           "0.067 gf cm2/cm    = 6.57046e-06 N m", "initial 365.6, to 5 % 2487"})
+    EXPECT_NE(wool.find(told), std::string::npos) << told << " in\n" << wool;
 }
 
 }  // namespace
