@@ -4,6 +4,12 @@ namespace loosefit {
 
 std::vector<Benchmark> benchmarks() {
   return {
+      {"M1", "Homogeneous strain on an irregular mesh", "validation.md 1.4 a: closed form", true,
+       benchmark_homogeneous_strain},
+      {"M2", "Forces and stiffness are derivatives of the energy",
+       "validation.md 1.1: finite differences", true, benchmark_derivatives},
+      {"M3", "Strip cut at an angle", "validation.md 6.3: orthotropic compliance", true,
+       benchmark_off_axis},
       {"B1", "Heavy cantilever",
        "validation.md 4.1: heavy elastica θ″ = −Γ s cos θ; “cantilever” of Romero et al. 2021",
        true, benchmark_heavy_cantilever},

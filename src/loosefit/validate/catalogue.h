@@ -5,6 +5,9 @@ namespace loosefit {
 
 // One function per benchmark, each in the file of its group; catalogue.cpp puts them in order.
 
+BenchmarkResult benchmark_homogeneous_strain(Effort effort, Progress& progress);
+BenchmarkResult benchmark_derivatives(Effort effort, Progress& progress);
+BenchmarkResult benchmark_off_axis(Effort effort, Progress& progress);
 BenchmarkResult benchmark_heavy_cantilever(Effort effort, Progress& progress);
 BenchmarkResult benchmark_overhang(Effort effort, Progress& progress);
 BenchmarkResult benchmark_tip_load(Effort effort, Progress& progress);
