@@ -27,6 +27,11 @@ fit = { chest = 0.15, waist = 0.12, hip = 0.08, sleeve = 0.15, wrist = 0.2 }
 [material]
 name = "cotton-jersey"
 bending_warp = 9e-6
+[material.curve.warp]
+elongation = [0.05, 0.2]
+force = [3.0, 30.0]
+[material.kes]
+2HB = 0.03
 [[attachment]]
 kind = "board"
 name = "logger"

@@ -99,8 +99,11 @@ TEST(Scenario, ReadsEveryKey) {
 }
 
 TEST(Scenario, ResolvedTextReadsBackToTheSame) {
-  for (const char* text : {"", kFull, "[body]\nsex = 0.4\nage = 10\nheight = 1.4\n",
-                           "[body]\nposture = \"sitting\"\n"}) {
+  for (const char* text :
+       {"", kFull, "[body]\nsex = 0.4\nage = 10\nheight = 1.4\n", "[body]\nposture = \"sitting\"\n",
+        "[material]\nname = \"wool-measured\"\nstiffness_weft = 500\n",
+        "[material.curve.warp]\nelongation = [0.1, 0.2]\nforce = [9, 40]\n",
+        "[material.kes]\nB = 0.067\n2HB = 0.033\n"}) {
     const std::string resolved = scenario_toml(parsed(text));
     EXPECT_EQ(scenario_toml(parsed(resolved)), resolved);
   }

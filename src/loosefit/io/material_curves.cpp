@@ -26,7 +26,7 @@ const Direction kDirections[] = {
 // The two forms of a curve: names and ranges of its columns, and what a row means.
 struct Form {
   const char *strain_key, *force_key;
-  double max_strain;
+  double max_strain, max_force;
   const char* what;
   CurvePoint (*point)(double, double);
 };
@@ -34,14 +34,13 @@ struct Form {
 CurvePoint as_given(double strain, double force) { return {strain, force}; }
 CurvePoint sine_of_angle(double angle, double stress) { return {std::sin(angle), stress}; }
 
-constexpr double kMaxForce = 1e7;  // [N/m]
 constexpr Form kTension[] = {
-    {"elongation", "force", 5, "a fraction (10 % is 0.1)", as_given},
-    {"green_strain", "second_piola_kirchhoff", 17.5, "a strain", force_of_green},
+    {"elongation", "force", 5, 1e7, "a fraction (10 % is 0.1)", as_given},
+    {"green_strain", "second_piola_kirchhoff", 17.5, 1e6, "a strain", force_of_green},
 };
 constexpr Form kShear[] = {
-    {"angle", "stress", 1.5, "radians", sine_of_angle},
-    {"green_shear", "second_piola_kirchhoff", 10, "a shear", as_given},
+    {"angle", "stress", 1.5, 1e7, "radians", sine_of_angle},
+    {"green_shear", "second_piola_kirchhoff", 10, 1e7, "a shear", as_given},
 };
 
 std::vector<CurvePoint> read_curve(ConfigReader table, const Form (&forms)[2]) {
@@ -57,7 +56,7 @@ std::vector<CurvePoint> read_curve(ConfigReader table, const Form (&forms)[2]) {
   table.finish();
   const std::vector<double> strain =
       table.numbers(form.strain_key, {0, form.max_strain, form.what});
-  const std::vector<double> force = table.numbers(form.force_key, {0, kMaxForce, "N/m"});
+  const std::vector<double> force = table.numbers(form.force_key, {0, form.max_force, "N/m"});
   if (strain.size() != force.size())
     throw table.error(form.force_key, fmt::format("{} numbers", force.size()),
                       fmt::format("{}, one for every {}", strain.size(), form.strain_key), {});
