@@ -17,6 +17,7 @@ namespace {
 
 struct Arguments {
   std::string folder;
+  std::vector<std::string> maps;  ///< instead of the scenario's
   bool allow_unsettled = false, quiet = false;
 };
 
@@ -27,6 +28,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
   RunFolder folder = RunFolder::update(arguments.folder);
   CaseResult result = load_case(arguments.folder, shown);
+  if (!arguments.maps.empty()) result.scenario.output.maps = arguments.maps;
   StageClock clock(shown);
   clock.stage("maps");
   result.maps = make_maps(result, arguments.allow_unsettled);
@@ -47,6 +49,12 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("DIR", arguments->folder, "folder of an earlier run or drape")->required();
+  command
+      ->add_option("--map", arguments->maps,
+                   "strain, distance, angular-deviation, pressure; may be repeated; replaces the "
+                   "maps of the scenario")
+      ->check(CLI::IsMember(map_names()))
+      ->allow_extra_args(false);
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,
                     "make maps even of a drape that did not settle");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/maps/compute_maps.h"
 #include "support/cloth_scene.h"
 #include "support/tube_garment.h"
 
@@ -234,6 +235,38 @@ TEST(Agreement, IsThatOfTwoKnownFields) {
   EXPECT_DOUBLE_EQ(chest.contact_area, 4);
   EXPECT_TRUE(std::isnan(compare_pressures(field, regions, Region::abdomen).correlation));
   EXPECT_EQ(compare_pressures(field, regions, Region::hips).contact_area, 0);
+}
+
+TEST(Agreement, ClassesShareTheWornArea) {
+  PressureField field;
+  field.contact = {0, 299, 300, 699, 2000, 3999, 4000, 9000};
+  field.membrane = field.contact;
+  field.area = {2, 1, 1, 1, 1, 1, 1, 2};
+  field.touching.assign(8, 1);
+  const std::vector<double> share = pressure_class_shares(field);
+  const std::vector<double> expected = {0.2, 0.1, 0.2, 0.1, 0.1, 0.3};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(share[i], expected[i], 1e-12) << i;
+}
+
+TEST(PressureMap, ShowsBothEstimatesInKilopascalWithTheClassesAsBreaks) {
+  const PlacedTube tube = placed_tube(0.05, 1.2, 1);
+  const WornGarment worn = relate(tube.garment, tube.drape.positions, tube.body);
+  const PressureField field = contact_pressure(tube.garment, tube.drape, tube.body, knit(200, 0.3));
+  const auto maps =
+      compute_maps(tube.garment, tube.drape, worn, {"pressure"}, {.pressure = &field});
+  ASSERT_EQ(maps.size(), 3u);
+  EXPECT_EQ(maps[0].array, "pressure_kPa");
+  EXPECT_EQ(maps[1].array, "pressure_membrane_kPa");
+  EXPECT_EQ(maps[2].array, "pressure_difference_kPa");
+  EXPECT_TRUE(maps[0].pictured);
+  EXPECT_FALSE(maps[1].pictured);
+  EXPECT_EQ(maps[0].breaks, (std::vector<double>{0, 0.3, 0.7, 2.7, 4}));
+  for (std::size_t v = 0; v < field.contact.size(); ++v) {
+    EXPECT_DOUBLE_EQ(maps[0].values[v], field.contact[v] / 1000);
+    EXPECT_NEAR(maps[1].values[v], 1.16044, 0.012);  // the table, held, 1.2
+    EXPECT_NEAR(maps[2].values[v], maps[1].values[v] - maps[0].values[v], 1e-12);
+  }
+  EXPECT_THROW(compute_maps(tube.garment, tube.drape, worn, {"pressure"}), InvalidInput);
 }
 
 /// A tight tube with its seam, settled without friction on an upright body of any section.

@@ -132,8 +132,9 @@ TEST_F(SealedDrape, IsRefusedUnlessAskedByName) {
     if (fault == 1) bad.certificate.intersections_body = 1;
     if (fault == 2) bad.certificate.intersections_self = -1;
     EXPECT_THROW(compute_maps(garment_, bad, body_), Error) << fault;
-    EXPECT_EQ(compute_maps(garment_, bad, body_, map_names(), {.allow_unsettled = true}).size(),
-              7u);
+    EXPECT_EQ(
+        compute_maps(garment_, bad, body_, default_map_names(), {.allow_unsettled = true}).size(),
+        7u);
   }
 }
 

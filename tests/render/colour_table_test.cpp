@@ -54,5 +54,18 @@ TEST(ColourTable, ValuesAreClampedAndNanIsNeutral) {
   EXPECT_EQ(colour_of(map, std::nan("")), kUndefinedColour);
 }
 
+TEST(ColourTable, BreaksLieAtEqualStepsOfTheBar) {
+  PerformanceMap map;
+  map.range_high = 4;
+  map.breaks = {0, 0.3, 0.7, 2.7, 4};
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(colour_share(map, map.breaks[i]), 0.25 * i, 1e-12);
+  EXPECT_NEAR(colour_share(map, 0.15), 0.125, 1e-12);
+  EXPECT_NEAR(colour_share(map, 1.7), 0.625, 1e-12);
+  EXPECT_EQ(colour_share(map, -1), 0);
+  EXPECT_EQ(colour_share(map, 99), 1);
+  EXPECT_EQ(colour_of(map, 4), sequential_colours()[255]);
+  EXPECT_TRUE(std::isnan(colour_share(map, std::nan(""))));
+}
+
 }  // namespace
 }  // namespace loosefit

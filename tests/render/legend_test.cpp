@@ -28,6 +28,15 @@ TEST(Legend, BarRunsThroughAllColoursInOrder) {
   EXPECT_EQ(inked(0, 180), 0);
 }
 
+TEST(Legend, TicksStandAtTheBreaksOfABrokenScale) {
+  PerformanceMap map{"pressure_kPa", "Pressure", "kPa", 0, 4, {1, 5}, "pressure", true, false};
+  map.breaks = {0, 0.3, 0.7, 2.7, 4, 8};
+  Image image(900, 300);
+  draw_legend(image, map, 120);
+  const int under = 180 + 120 * 10 / 16 + 3;  // in the tick marks below the bar
+  for (int i = 0; i < 6; ++i) EXPECT_LT(image.at(112 + 675 * i / 5, under)[1], 128) << i;
+}
+
 TEST(Legend, TicksAreShort) {
   EXPECT_EQ(tick_text(20), "20");
   EXPECT_EQ(tick_text(0.025), "0.025");

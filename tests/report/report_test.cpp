@@ -86,6 +86,25 @@ TEST_F(Report, ShowsTheNumbersOfTheResult) {
   EXPECT_NE(html.find("<polyline"), std::string::npos);           // residual history
 }
 
+TEST_F(Report, ShowsThePressureByBothEstimates) {
+  EXPECT_EQ(report_html(result_, {}).find("two estimates"), std::string::npos);  // none is known
+  PressureField& field = result_.maps.pressure.field;
+  field.contact = {500, 0};
+  field.membrane = {450, 0};
+  field.area = {0.01, 0.01};
+  field.touching = {1, 0};
+  result_.maps.pressure.overall = compare_pressures(field, {});
+  result_.maps.pressure.regional[Region::upper_back] = result_.maps.pressure.overall;
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("two estimates"), std::string::npos);
+  // 1 dm² touches; 0.5 and 0.45 kPa; 5 and 4.5 N; they differ by 0.05 kPa; no correlation of one.
+  EXPECT_NE(html.find("<td>1.00</td><td>0.500</td><td>0.450</td><td>5.00</td><td>4.50</td>"
+                      "<td>0.050</td><td>–</td>"),
+            std::string::npos);
+  EXPECT_NE(html.find("upper back"), std::string::npos);
+  EXPECT_NE(html.find("<td>50.0 %</td><td>0.0 %</td><td>50.0 %</td>"), std::string::npos);
+}
+
 TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   result_.drape.certificate.residual = 0.2;
   result_.maps = {};

@@ -64,6 +64,29 @@ TEST(Summary, HasTheStableKeys) {
   EXPECT_EQ(json["scenario_sha256"].get<std::string>().size(), 64u);
 }
 
+TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
+  CaseResult result = small_result();
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("pressure"));
+  PressureField& field = result.maps.pressure.field;
+  field.contact = {500, 500, 0};
+  field.membrane = {450, 550, 0};
+  field.area = {0.01, 0.01, 0.02};
+  field.touching = {1, 1, 0};
+  result.maps.pressure.overall = compare_pressures(field, {});
+  result.maps.pressure.regional[Region::chest] = result.maps.pressure.overall;
+  const auto json = nlohmann::json::parse(summary_json(result))["pressure"];
+  EXPECT_DOUBLE_EQ(json["contact_area_m2"], 0.02);
+  EXPECT_DOUBLE_EQ(json["mean_kPa"], 0.5);
+  EXPECT_DOUBLE_EQ(json["mean_membrane_kPa"], 0.5);
+  EXPECT_DOUBLE_EQ(json["normal_force_N"], 10);
+  EXPECT_DOUBLE_EQ(json["normal_force_membrane_N"], 10);
+  EXPECT_DOUBLE_EQ(json["rms_difference_kPa"], 0.05);
+  EXPECT_TRUE(json["correlation"].is_null()) << "one of them does not vary";
+  EXPECT_DOUBLE_EQ(json["area_share"]["none"], 0.5);
+  EXPECT_DOUBLE_EQ(json["area_share"]["marginal"], 0.5);
+  EXPECT_DOUBLE_EQ(json["regions"]["chest"]["mean_kPa"], 0.5);
+}
+
 TEST(Summary, DigestFollowsTheScenarioOnly) {
   CaseResult a = small_result(), b = small_result();
   b.seconds.clear();

@@ -3,6 +3,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario_sections.h"
+#include "loosefit/maps/compute_maps.h"
 
 // [material], [simulation] and [output]: how it is computed and shown.
 namespace loosefit {
@@ -44,7 +45,7 @@ ScenarioSimulation read_simulation_section(ConfigReader table) {
 
 ScenarioOutput read_output_section(ConfigReader table) {
   ScenarioOutput o;
-  o.maps = table.choices("maps", o.maps, {"strain", "distance", "angular-deviation"});
+  o.maps = table.choices("maps", o.maps, map_names());
   o.views = table.choices("views", o.views, {"front", "back", "left", "right"});
   o.undecorated = table.boolean("undecorated", o.undecorated);
   o.preset_sites = table.boolean("preset_sites", o.preset_sites);

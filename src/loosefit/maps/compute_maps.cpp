@@ -15,6 +15,7 @@ namespace {
 constexpr double kStrainRange = 0.05;   // [–], both signs
 constexpr double kDistanceRange = 40;   // [mm]
 constexpr double kDeviationRange = 40;  // [deg]
+constexpr double kPressureGap = 1;      // shown difference of the two estimates [kPa]
 
 PerformanceMap strain_map(const std::string& array, const std::string& title, bool pictured,
                           std::vector<double> values) {
@@ -65,10 +66,54 @@ void add_angular_deviation(const WornGarment& worn, std::vector<PerformanceMap>&
     map.values.push_back(angle_deg(worn.normals[v], worn.partners[v].normal));
   maps.push_back(std::move(map));
 }
+
+void add_pressure(const PressureField* field, std::vector<PerformanceMap>& maps) {
+  if (!field || field->empty())
+    throw InvalidInput(
+        "the drape does not know the forces of its contact, which the map "
+        "'pressure' is made of",
+        "it was made by an earlier version: make it again");
+  constexpr double kTop = kPressureClasses[std::size(kPressureClasses) - 1] / 1000;
+  std::vector<double> breaks = {0};
+  for (double bound : kPressureClasses) breaks.push_back(bound / 1000);
+  PerformanceMap contact{"pressure_kPa", "Contact pressure", "kPa", 0, kTop, {}, "pressure"};
+  PerformanceMap membrane{"pressure_membrane_kPa",
+                          "Contact pressure from tension and curvature",
+                          "kPa",
+                          0,
+                          kTop,
+                          {},
+                          "pressure-membrane",
+                          false};
+  PerformanceMap difference{"pressure_difference_kPa",
+                            "Pressure by tension and curvature minus contact pressure",
+                            "kPa",
+                            -kPressureGap,
+                            kPressureGap,
+                            {},
+                            "pressure-difference",
+                            false,
+                            true};
+  contact.breaks = membrane.breaks = breaks;
+  for (std::size_t v = 0; v < field->contact.size(); ++v) {
+    contact.values.push_back(field->contact[v] / 1000);
+    membrane.values.push_back(field->membrane[v] / 1000);
+    difference.values.push_back((field->membrane[v] - field->contact[v]) / 1000);
+  }
+  maps.push_back(std::move(contact));
+  maps.push_back(std::move(membrane));
+  maps.push_back(std::move(difference));
+}
 }  // namespace
 
 const std::vector<std::string>& map_names() {
-  static const std::vector<std::string> names = {"strain", "distance", "angular-deviation"};
+  static const std::vector<std::string> names = {"strain", "distance", "angular-deviation",
+                                                 "pressure"};
+  return names;
+}
+
+const std::vector<std::string>& default_map_names() {
+  static const std::vector<std::string> names(map_names().begin(), map_names().begin() + 3);
   return names;
 }
 
@@ -101,6 +146,7 @@ std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& dr
   if (asked("strain")) add_strain(garment, drape, maps);
   if (asked("distance")) add_distance(worn, maps);
   if (asked("angular-deviation")) add_angular_deviation(worn, maps);
+  if (asked("pressure")) add_pressure(options.pressure, maps);
   return maps;
 }
 

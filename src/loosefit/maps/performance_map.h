@@ -14,6 +14,9 @@ struct PerformanceMap {
   std::string map;         ///< user's word for it and stem of its pictures: "strain", "distance"
   bool pictured = true;    ///< drawn by default; companions of a map are only written
   bool diverging = false;  ///< signed quantity: colours split at zero
+  /// Values that lie at equal steps of the colour bar, ascending from range_low to range_high:
+  /// between them the scale is linear. Empty: one linear scale.
+  std::vector<double> breaks = {};
 };
 
 }  // namespace loosefit

@@ -150,6 +150,21 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
   return field;
 }
 
+std::vector<double> pressure_class_shares(const PressureField& field) {
+  std::vector<double> share(std::size(kPressureClassNames), 0.0);
+  double total = 0;
+  for (std::size_t i = 0; i < field.contact.size(); ++i) {
+    std::size_t k = field.contact[i] > 0 ? 1 : 0;
+    if (k == 1)
+      for (double bound : kPressureClasses) k += field.contact[i] >= bound;
+    share[k] += field.area[i];
+    total += field.area[i];
+  }
+  if (total > 0)
+    for (double& s : share) s /= total;
+  return share;
+}
+
 PressureAgreement compare_pressures(const PressureField& field, const std::vector<Region>& regions,
                                     std::optional<Region> only) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

@@ -61,8 +61,13 @@ struct PressureAgreement {
 PressureAgreement compare_pressures(const PressureField& field, const std::vector<Region>& regions,
                                     std::optional<Region> only = {});
 
-/// Classes of validation.md 9.3 [Pa]: below the first electrodes are unreliable, then marginal,
-/// then good, then firm, and above the last uncomfortable.
+/// Bounds of the classes of validation.md 9.3 [Pa], and the classes from no contact on: below the
+/// first bound an electrode is unreliable, then marginal, then good, then firm, and above the last
+/// bound the wearer is uncomfortable.
 inline constexpr double kPressureClasses[] = {300, 700, 2700, 4000};
+inline constexpr const char* kPressureClassNames[] = {"none", "unreliable", "marginal",
+                                                      "good", "firm",       "uncomfortable"};
+/// Share of the worn area in each class by the contact-force estimate; they sum to one.
+std::vector<double> pressure_class_shares(const PressureField& field);
 
 }  // namespace loosefit

@@ -98,10 +98,22 @@ const ColourTable& colours_of(const PerformanceMap& map) {
   return map.diverging ? diverging_colours() : sequential_colours();
 }
 
+double colour_share(const PerformanceMap& map, double value) {
+  if (std::isnan(value)) return value;
+  const std::vector<double>& breaks = map.breaks;
+  if (breaks.size() < 2)
+    return std::clamp((value - map.range_low) / (map.range_high - map.range_low), 0.0, 1.0);
+  if (value >= breaks.back()) return 1;
+  for (std::size_t i = breaks.size() - 1; i-- > 0;)
+    if (value >= breaks[i])
+      return (static_cast<double>(i) + (value - breaks[i]) / (breaks[i + 1] - breaks[i])) /
+             static_cast<double>(breaks.size() - 1);
+  return 0;
+}
+
 Rgb colour_of(const PerformanceMap& map, double value) {
   if (std::isnan(value)) return kUndefinedColour;
-  const double share = (value - map.range_low) / (map.range_high - map.range_low);
-  return colours_of(map)[static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0)))];
+  return colours_of(map)[static_cast<int>(std::lround(255 * colour_share(map, value)))];
 }
 
 }  // namespace loosefit

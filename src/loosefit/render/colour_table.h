@@ -22,6 +22,10 @@ const ColourTable& colours_of(const PerformanceMap& map);
 
 inline constexpr Rgb kUndefinedColour = {128, 128, 128};  ///< NaN
 
+/// Place of a value on the map's colour bar: 0 at range_low, 1 at range_high, linear between the
+/// map's breaks; beyond the ends it stays at them. NaN for NaN.
+double colour_share(const PerformanceMap& map, double value);
+
 /// Colour of one value: clamped to the map's fixed range, NaN neutral.
 Rgb colour_of(const PerformanceMap& map, double value);
 

@@ -33,14 +33,18 @@ void draw_legend(Image& image, const PerformanceMap& map, int height) {
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-  constexpr int kTicks = 5;
-  for (int i = 0; i < kTicks; ++i) {
-    const double value = map.range_low + (map.range_high - map.range_low) * i / (kTicks - 1);
-    const int x = left + (right - 1 - left) * i / (kTicks - 1);
+  std::vector<double> ticks = map.breaks;
+  if (ticks.empty())
+    for (int i = 0; i < 5; ++i)
+      ticks.push_back(map.range_low + (map.range_high - map.range_low) * i / 4);
+  const int last = static_cast<int>(ticks.size()) - 1;
+  for (int i = 0; i <= last; ++i) {
+    const double value = ticks[i];
+    const int x = left + (right - 1 - left) * i / last;
     fill(image, x, bar_bottom, x + 1, bar_bottom + height / 20, {60, 60, 60});
     std::string text = tick_text(value);
     if (i == 0 && lowest < map.range_low) text = "\u2264 " + text;
-    if (i == kTicks - 1 && highest > map.range_high) text = "\u2265 " + text;
+    if (i == last && highest > map.range_high) text = "\u2265 " + text;
     draw_text(image, text, x, bar_bottom + height / 14, text_size, 0);
   }
 }

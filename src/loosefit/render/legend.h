@@ -4,8 +4,9 @@
 
 namespace loosefit {
 
-/// Draws the map's colours as a horizontal bar with title, unit and five ticks into the band of
-/// `height` pixels at the foot of `image`. Ends that stand for "and beyond" carry ≤ and ≥.
+/// Draws the map's colours as a horizontal bar with title, unit and ticks, five or at its breaks,
+/// into the band of `height` pixels at the foot of `image`. Ends that stand for "and beyond" carry
+/// ≤ and ≥.
 void draw_legend(Image& image, const PerformanceMap& map, int height);
 
 /// Tick text without needless digits: 0.05 → "0.05", 20 → "20", −0.1 → "−0.1".

@@ -233,10 +233,12 @@ Image Scene::colours(const PerformanceMap* map, Rgb cloth) {
   if (map) {
     vtkNew<vtkDoubleArray> scalars;
     scalars->SetName(map->array.c_str());
-    for (double value : map->values) scalars->InsertNextValue(value);
+    const bool broken = !map->breaks.empty();  // then the place on the bar is what is drawn
+    for (double value : map->values)
+      scalars->InsertNextValue(broken ? colour_share(*map, value) : value);
     vtkNew<vtkLookupTable> table;
     table->SetNumberOfTableValues(256);
-    table->SetTableRange(map->range_low, map->range_high);
+    table->SetTableRange(broken ? 0 : map->range_low, broken ? 1 : map->range_high);
     const ColourTable& colours = colours_of(*map);
     for (int i = 0; i < 256; ++i)
       table->SetTableValue(i, colours[i][0] / 255.0, colours[i][1] / 255.0, colours[i][2] / 255.0);

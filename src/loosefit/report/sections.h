@@ -19,7 +19,9 @@ std::string picture_section(const CaseResult& result, const std::vector<Picture>
 std::string definition_section(const CaseResult& result);
 /// Statistics per map, then medians per body region.
 std::string map_section(const CaseResult& result);
-/// The three quantities at every site.
+/// Contact pressure by both estimates, over the garment and per region, with their disagreement.
+std::string pressure_section(const CaseResult& result);
+/// The quantities of the maps at every site.
 std::string site_section(const CaseResult& result);
 /// Fit per level, body asked and measured.
 std::string fit_section(const CaseResult& result);

@@ -32,6 +32,21 @@ constexpr Definition kDefinitions[] = {
      "Angle between the garment's normal and the smooth body normal at that nearest point: an "
      "orientation sensor sewn there shows the body's inclination wrongly by at most this much, as "
      "long as nothing is calibrated away."},
+    {"pressure_kPa", "Contact pressure",
+     "Normal force of the body on a vertex of the cloth, friction left out, over the worn area "
+     "that "
+     "belongs to the vertex (a third of the triangles round it): p = f / a. The sum of p a is the "
+     "total normal force. Zero where nothing touches. The body is rigid; soft tissue would spread "
+     "the peaks, so read means over a footprint and not single points."},
+    {"pressure_membrane_kPa", "Contact pressure from tension and curvature",
+     "p = N : κ + w n, not below zero: N = F S Fᵀ / J the membrane tension per worn length, κ the "
+     "curvature tensor of the body under the cloth, carried out to the cloth's middle surface and "
+     "positive where the body is convex, w the weight per worn area along the normal (generalised "
+     "Laplace law). Where the body is flat or hollow along the pull it is zero: the cloth bridges. "
+     "Zero also where the gap exceeds the contact tolerance, the larger of 0.5 mm and three "
+     "quarters of the fabric's thickness."},
+    {"pressure_difference_kPa", "Difference of the two pressures",
+     "The second minus the first, a check of both: zero for a fine mesh on a smooth body."},
 };
 }  // namespace
 

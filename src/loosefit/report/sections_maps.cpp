@@ -30,7 +30,16 @@ std::string with_unit(const PerformanceMap& map) {
   return unit.empty() || unit == "–" ? map.title : map.title + " [" + unit + "]";
 }
 
+/// Written and summed up, but not shown per region and site.
+bool is_companion(const PerformanceMap& map) {
+  for (const char* array :
+       {"strain_max", "distance_particle_mm", "pressure_membrane_kPa", "pressure_difference_kPa"})
+    if (map.array == array) return true;
+  return false;
+}
+
 std::string value_text(const PerformanceMap& map, double value) {
+  if (map.unit == "kPa") return fixed(value, 3);
   return is_strain(map) ? fixed(100 * value, 2) : fixed(value, 1);
 }
 
@@ -58,9 +67,12 @@ std::string picture_section(const CaseResult& result, const std::vector<Picture>
     }
     html += element("div", row, "pictures") + "<p></p>\n";
   }
-  return html + element("p",
-                        "Colour ranges are fixed, so that reports can be compared; grey cloth "
-                        "means that a value is not defined. Seams and edges are drawn dark.");
+  return html +
+         element(
+             "p",
+             "Colour ranges are fixed, so that reports can be compared; that of the pressure has "
+             "its ticks, the bounds of the classes below, at equal steps; grey cloth "
+             "means that a value is not defined. Seams and edges are drawn dark.");
 }
 
 std::string map_section(const CaseResult& result) {
@@ -76,7 +88,7 @@ std::string map_section(const CaseResult& result) {
   std::vector<std::string> head = {"Region"};
   std::vector<const CaseMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
-    if (entry.map.array == "strain_max" || entry.map.array == "distance_particle_mm") continue;
+    if (is_companion(entry.map)) continue;
     shown.push_back(&entry);
     head.push_back(with_unit(entry.map));
   }
@@ -99,9 +111,10 @@ std::string map_section(const CaseResult& result) {
   }
   std::string html = element("h2", "Numbers") + overall.html();
   html += element("h3", "By region of the body: median (5 % … 95 %)") + regions.html();
-  return html + element("p",
-                        "All statistics are weighted by flat cloth area. Left and right are the "
-                        "wearer's.");
+  return html +
+         element("p",
+                 "All statistics of maps are weighted by flat cloth area. Left and right are the "
+                 "wearer's.");
 }
 
 std::string site_section(const CaseResult& result) {
@@ -109,7 +122,7 @@ std::string site_section(const CaseResult& result) {
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
   std::vector<const PerformanceMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
-    if (entry.map.array == "strain_max" || entry.map.array == "distance_particle_mm") continue;
+    if (is_companion(entry.map)) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
   }

@@ -23,10 +23,18 @@ struct CaseMap {
   std::map<Region, MapStatistics> regional;
 };
 
+/// Contact pressure of one case: always made, the map "pressure" only shows it.
+struct CasePressure {
+  PressureField field;  ///< empty when the drape does not know its forces
+  PressureAgreement overall;
+  std::map<Region, PressureAgreement> regional;  ///< where the garment touches
+};
+
 /// Stage "maps".
 struct CaseMaps {
   WornGarment worn;
   std::vector<CaseMap> maps;
+  CasePressure pressure;
   GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
 };
 

@@ -21,6 +21,20 @@ std::vector<PerformanceMap> plain_maps(const CaseMaps& maps) {
   return plain;
 }
 
+CasePressure make_pressure(const CaseResult& result, const WornGarment& worn) {
+  CasePressure made;
+  if (result.drape.body_normal_force.empty()) return made;
+  made.field =
+      contact_pressure(result.mesh(), result.drape, result.body.body,
+                       result.scenario.material.material, result.scenario.simulation.gravity);
+  made.overall = compare_pressures(made.field, worn.regions);
+  for (Region region : all_regions()) {
+    const PressureAgreement here = compare_pressures(made.field, worn.regions, region);
+    if (here.contact_area > 0) made.regional[region] = here;
+  }
+  return made;
+}
+
 }  // namespace
 
 DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
@@ -39,8 +53,10 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
   const std::vector<Vec3>& positions = result.drape.positions;
   CaseMaps made;
   made.worn = relate(garment, positions, result.body.body);
-  for (PerformanceMap& map : compute_maps(garment, result.drape, made.worn,
-                                          result.scenario.output.maps, {allow_unsettled})) {
+  made.pressure = make_pressure(result, made.worn);
+  for (PerformanceMap& map :
+       compute_maps(garment, result.drape, made.worn, result.scenario.output.maps,
+                    {allow_unsettled, &made.pressure.field})) {
     CaseMap entry;
     entry.overall = statistics(map.values, made.worn.areas);
     entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);

@@ -26,6 +26,26 @@ Json maps_json(const std::vector<CaseMap>& maps) {
   return json;
 }
 
+Json agreement_json(const PressureAgreement& a) {
+  return {{"contact_area_m2", a.contact_area},
+          {"mean_kPa", a.contact_mean / 1000},
+          {"mean_membrane_kPa", a.membrane_mean / 1000},
+          {"normal_force_N", a.contact_force},
+          {"normal_force_membrane_N", a.membrane_force},
+          {"rms_difference_kPa", a.rms_difference / 1000},
+          {"correlation", a.correlation}};
+}
+
+Json pressure_json(const CasePressure& pressure) {
+  Json json = agreement_json(pressure.overall);
+  const std::vector<double> shares = pressure_class_shares(pressure.field);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    json["area_share"][kPressureClassNames[i]] = shares[i];
+  for (const auto& [region, agreement] : pressure.regional)
+    json["regions"][name(region)] = agreement_json(agreement);
+  return json;
+}
+
 Json body_json(const CaseBody& body) {
   Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
   for (const auto& [key, value] : body.body.measured) json["measured"][key] = value;
@@ -105,6 +125,7 @@ std::string summary_json(const CaseResult& result) {
                       {"source", result.scenario.material.material.source},
                       {"bending_length_m", bending_length(result.scenario.material.material)}};
   json["maps"] = maps_json(result.maps.maps);
+  if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
   json["sites"] = Json::object();
   for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
   for (const auto& [key, spread] : result.repeats)
