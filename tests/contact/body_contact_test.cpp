@@ -169,6 +169,38 @@ TEST(Friction, KeepsItsAnchorAcrossStepsAndSlidesOnlyBeyondIt) {
   EXPECT_EQ(force().norm(), 0);
 }
 
+TEST(Friction, IterationsOnOneBalanceTakeBackWhatSlidTooFar) {
+  Friction friction(0.5, kReach);
+  FrictionContact c;
+  c.weight = {1, 0, 0, 0};
+  c.count = 1;
+  c.normal_force = 1;
+  VectorField x = {Vec3::Zero()};
+  const auto force = [&] {
+    VectorField g(1, Vec3::Zero());
+    friction.add_gradient(x, g);
+    return Vec3(-g[0]);
+  };
+  friction.restart({c}, x);
+  x[0][0] = 50 * kReach;  // too far, because the normal force lagged behind
+  c.normal_force = 3;
+  friction.iterate({c}, x);
+  EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);
+  friction.iterate({}, x);  // lifted off for a moment
+  EXPECT_EQ(force().norm(), 0);
+  x[0][0] = 20 * kReach;
+  friction.iterate({c}, x);
+  EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);  // still held back: not a reversal of the slip
+  friction.restart({c}, x);                  // the next step of the history is
+  x[0][0] = 19 * kReach;
+  EXPECT_NEAR(force().norm(), 0, 1e-12);
+  // Farther than the memory the anchor follows.
+  x[0][0] = 500 * kReach;
+  friction.iterate({c}, x);
+  x[0][0] = (500 - Friction::kMemory) * kReach;
+  EXPECT_NEAR(force().norm(), 0, 1e-12);
+}
+
 TEST(Friction, SlidingThereAndBackDissipates) {
   Friction friction(0.5, kReach);
   FrictionContact c;

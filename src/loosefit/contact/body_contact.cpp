@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <map>
 
 namespace loosefit {
@@ -99,7 +100,7 @@ std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x,
   return result;
 }
 
-void BodyContact::begin_step(const VectorField& x, double) {
+void BodyContact::begin_step(const VectorField& x, double dt) {
   if (friction_.coefficient() <= 0) return;
   std::vector<FrictionContact> contacts;
   const auto touch = touches(x, false);
@@ -121,7 +122,10 @@ void BodyContact::begin_step(const VectorField& x, double) {
         compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance).pressure;
     contacts.push_back(c);
   }
-  friction_.restart(std::move(contacts), x);
+  if (std::isfinite(dt))
+    friction_.restart(std::move(contacts), x);
+  else
+    friction_.iterate(std::move(contacts), x);
 }
 
 double BodyContact::value(const VectorField& x) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace loosefit {
 
@@ -11,7 +12,8 @@ Vec3 Friction::slide(const FrictionContact& c, const VectorField& x) const {
   return u - c.normal * c.normal.dot(u);
 }
 
-void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
+void Friction::carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
+                             double reach) const {
   for (FrictionContact& c : contacts) {
     c.offset.setZero();
     const auto old =
@@ -20,9 +22,33 @@ void Friction::restart(std::vector<FrictionContact> contacts, const VectorField&
     if (old == contacts_.end() || old->key != c.key) continue;
     Vec3 u = slide(*old, x);
     const double length = u.norm();
-    if (length > reach_) u *= reach_ / length;
+    if (length > reach) u *= reach / length;
     c.offset = u - c.normal * c.normal.dot(u);
   }
+}
+
+void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
+  carry_anchors(contacts, x, reach_);
+  contacts_ = std::move(contacts);
+  start_ = x;
+}
+
+void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField& x) {
+  std::vector<FrictionContact> lost;
+  std::size_t k = 0;
+  for (const FrictionContact& old : contacts_) {
+    while (k < contacts.size() && contacts[k].key < old.key) ++k;
+    if (k < contacts.size() && contacts[k].key == old.key) continue;
+    lost.push_back(old);
+    lost.back().normal_force = 0;
+  }
+  if (!lost.empty()) {
+    std::vector<FrictionContact> all;
+    std::merge(contacts.begin(), contacts.end(), lost.begin(), lost.end(), std::back_inserter(all),
+               [](const FrictionContact& a, const FrictionContact& b) { return a.key < b.key; });
+    contacts = std::move(all);
+  }
+  carry_anchors(contacts, x, kMemory * reach_);
   contacts_ = std::move(contacts);
   start_ = x;
 }

@@ -26,16 +26,25 @@ struct FrictionContact {
 /// so |F_t| ≤ μ λ always, sticking is a spring of reach ε [m], and sliding dissipates because
 /// `restart` moves the anchor: the stored u is returned to the circle |u| ≤ ε (elastic predictor,
 /// plastic corrector). Not conservative over steps; within a step it is a potential.
-/// Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping, Simo and Hughes
-/// 1998.
+///
+/// Iterations on one static balance are not steps of a history: the normal forces are still on
+/// their way, and where they lag behind, the cloth slides too far. So between them `iterate` renews
+/// normals and normal forces but lets the anchor trail by up to kMemory ε, also through a lost
+/// contact; what slid too far comes back, and the forces end on the cone that belongs to the final
+/// normal forces. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping,
+/// Simo and Hughes 1998.
 class Friction {
  public:
   Friction(double coefficient, double stick_reach)
       : coefficient_(coefficient), reach_(stick_reach) {}
   double coefficient() const { return coefficient_; }
 
+  static constexpr double kMemory = 100;  ///< of `iterate`, in stick reaches
+
   /// Contacts of the new step at x (sorted by key); contacts known before keep their anchors.
   void restart(std::vector<FrictionContact> contacts, const VectorField& x);
+  /// The same for another iteration on the static balance of the present step.
+  void iterate(std::vector<FrictionContact> contacts, const VectorField& x);
   /// Drops all contacts with their anchors.
   void forget() { contacts_.clear(); }
 
@@ -47,6 +56,8 @@ class Friction {
 
  private:
   Vec3 slide(const FrictionContact& c, const VectorField& x) const;
+  void carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
+                     double reach) const;
   double coefficient_, reach_;
   std::vector<FrictionContact> contacts_;
   VectorField start_;

@@ -23,7 +23,8 @@ enum class HessianKind {
 class Energy {
  public:
   virtual ~Energy() = default;
-  /// A new time step of length dt [s] starts at x; dt = ∞ for a purely static step.
+  /// A new time step of length dt [s] starts at x. dt = ∞: no time passes, x is the next iterate of
+  /// the static balance of the step that began last.
   virtual void begin_step(const VectorField& /*x*/, double /*dt*/) {}
   /// A line search from x along dx is about to start. Returns the largest share in (0, 1] of dx
   /// that is admissible (1 = all of it).

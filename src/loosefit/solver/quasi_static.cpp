@@ -22,6 +22,8 @@ class QuasiStatic : public Integrator {
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0;
+    system_.begin_step(x,
+                       dt);  // one step of the load history; what follows iterates on its balance
     while (true) {
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
