@@ -260,7 +260,7 @@ TEST(PressureMap, ShowsBothEstimatesInKilopascalWithTheClassesAsBreaks) {
   EXPECT_EQ(maps[2].array, "pressure_difference_kPa");
   EXPECT_TRUE(maps[0].pictured);
   EXPECT_FALSE(maps[1].pictured);
-  EXPECT_EQ(maps[0].breaks, (std::vector<double>{0, 0.3, 0.7, 2.7, 4}));
+  EXPECT_EQ(maps[0].breaks, (std::vector<double>{0, 0.05, 0.3, 0.7, 2.7, 4}));
   for (std::size_t v = 0; v < field.contact.size(); ++v) {
     EXPECT_DOUBLE_EQ(maps[0].values[v], field.contact[v] / 1000);
     EXPECT_NEAR(maps[1].values[v], 1.16044, 0.012);  // the table, held, 1.2

@@ -74,7 +74,9 @@ void add_pressure(const PressureField* field, std::vector<PerformanceMap>& maps)
         "'pressure' is made of",
         "it was made by an earlier version: make it again");
   constexpr double kTop = kPressureClasses[std::size(kPressureClasses) - 1] / 1000;
-  std::vector<double> breaks = {0};
+  // Below the classes, one more step for cloth that only hangs or clings: it must not look like
+  // cloth that does not touch.
+  std::vector<double> breaks = {0, 0.05};
   for (double bound : kPressureClasses) breaks.push_back(bound / 1000);
   PerformanceMap contact{"pressure_kPa", "Contact pressure", "kPa", 0, kTop, {}, "pressure"};
   PerformanceMap membrane{"pressure_membrane_kPa",

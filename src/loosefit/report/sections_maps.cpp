@@ -71,7 +71,7 @@ std::string picture_section(const CaseResult& result, const std::vector<Picture>
          element(
              "p",
              "Colour ranges are fixed, so that reports can be compared; that of the pressure has "
-             "its ticks, the bounds of the classes below, at equal steps; grey cloth "
+             "its ticks, bounds of use, at equal steps; grey cloth "
              "means that a value is not defined. Seams and edges are drawn dark.");
 }
 
