@@ -4,7 +4,8 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <cmath>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "loosefit/fabric/stress_curve.h"
@@ -38,10 +39,8 @@ void show_bending(const Material& m) {
   const double warp = m.bending_hysteresis_warp / m.bending_warp;
   const double weft = m.bending_hysteresis_weft / m.bending_weft;
   if (warp > 0 || weft > 0)
-    fmt::print(
-        "# residual curvature HB/B after a tight bend: warp {:.1f} 1/m, weft {:.1f} 1/m "
-        "(radius {:.0f}, {:.0f} mm)\n",
-        warp, weft, 1e3 / warp, 1e3 / weft);
+    fmt::print("# residual curvature HB/B after a tight bend: warp {:.1f} 1/m, weft {:.1f} 1/m\n",
+               warp, weft);
 }
 
 void show_kes(const std::vector<KesFigure>& figures) {
@@ -79,7 +78,8 @@ void show_curves(const Material& m) {
 }
 
 void show_material(const std::string& name) {
-  const MaterialCard card = load_material(name);
+  const bool file = std::filesystem::path(name).extension() == ".toml";
+  const MaterialCard card = file ? read_material_file(name) : load_material(name);
   fmt::print("# {}\n# source: {}\n# status: {}\n", card.title, card.material.source, card.status);
   show_bending(card.material);
   show_kes(card.kes);
@@ -98,7 +98,7 @@ void add_material_command(CLI::App& app) {
   auto name = std::make_shared<std::string>();
   CLI::App* show = material->add_subcommand(
       "show", "constants, measured figures, curves and source of one card");
-  show->add_option("NAME", *name, "name of the card")->required();
+  show->add_option("NAME", *name, "name of a card, or path of a .toml card")->required();
   show->callback([name] { show_material(*name); });
 }
 

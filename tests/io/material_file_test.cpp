@@ -1,8 +1,12 @@
 #include "loosefit/io/material_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
@@ -174,6 +178,34 @@ TEST(Kes, DisagreementNamesBothFigures) {
   const std::string si = refusal("[kes]\nB = 4.4e-6\n");
   EXPECT_NE(si.find("m.toml:2: kes.B"), std::string::npos) << si;
   EXPECT_NE(si.find("units of the KES instruments"), std::string::npos) << si;
+}
+
+MaterialCard own_card(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("loosefit-card-" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(path) << text;
+  const std::unique_ptr<const std::filesystem::path, void (*)(const std::filesystem::path*)> guard(
+      &path, [](const std::filesystem::path* p) { std::filesystem::remove(*p); });
+  return read_material_file(path);
+}
+
+// A card may be written from a KES sheet alone; what the instruments do not tell is still required.
+TEST(Kes, MakesACompleteCard) {
+  const std::string sheet =
+      "title = \"own\"\nsource = \"own measurement\"\npoisson = 0\nfriction_body = 0.4\n"
+      "friction_self = 0.4\ndamping = 0.02\n[kes]\nW = 12\nT = 0.5\nB = 0.045\n2HB = 0.04\n"
+      "EMT_warp = 3\nEMT_weft = 6\n";
+  const Material m = own_card(sheet + "G = 0.7\n").material;
+  EXPECT_DOUBLE_EQ(m.areal_density, 0.12);
+  EXPECT_DOUBLE_EQ(m.stiffness_warp, 2 * m.stiffness_weft);
+  try {
+    own_card(sheet);
+    FAIL() << "no shear stiffness";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("stiffness_shear: found nothing"), std::string::npos);
+  }
+  const std::string curve = "[curve.shear]\nangle = [0.1]\nstress = [4]\n";
+  EXPECT_NEAR(own_card(sheet + curve).material.stiffness_shear, 40, 0.1);
 }
 
 TEST(Curves, AreReadAsForceOrAsStress) {
