@@ -45,7 +45,8 @@ ClothModel::ClothModel(const Garment& garment, const Material& material,
   membrane_ = std::make_unique<MembraneEnergy>(garment.triangles, garment.triangle_uv,
                                                garment.triangle_membrane_factor, m, viscous);
   bending_ = std::make_unique<BendingEnergy>(garment.triangles, garment.triangle_uv,
-                                             garment.triangle_added_bending, m, viscous);
+                                             garment.triangle_added_bending, m, viscous,
+                                             garment.triangle_built_in);
   gravity_ = std::make_unique<GravityEnergy>(garment.vertex_mass, options.gravity);
   const auto area = flat_areas(garment);
   body_ = std::make_unique<BodyContact>(

@@ -48,14 +48,14 @@ Mat3 plate_rigidity(const Material& m, double added) {
 BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
                              const std::vector<std::array<Vec2, 3>>& triangle_uv,
                              const std::vector<double>& added_rigidity, const Material& material,
-                             bool viscous)
+                             bool viscous, const std::vector<char>& built_in)
     : friction_({material.bending_hysteresis_weft, material.bending_hysteresis_warp},
                 {material.bending_weft, material.bending_warp}),
       damping_(viscous ? material.damping : 0) {
   std::vector<Mat3> rigidity;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     rigidity.push_back(plate_rigidity(material, added_rigidity.empty() ? 0.0 : added_rigidity[t]));
-  mesh_ = curvature_patches(triangles, triangle_uv, rigidity);
+  mesh_ = curvature_patches(triangles, triangle_uv, rigidity, built_in);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const CurvaturePatch& p = mesh_.patches[t];
     stiffness_.push_back(p.area * p.s.transpose() * rigidity[t] * p.s);

@@ -29,9 +29,9 @@ class BendingEnergy : public Energy {
   BendingEnergy(const std::vector<Triangle>& triangles,
                 const std::vector<std::array<Vec2, 3>>& triangle_uv,
                 const std::vector<double>& added_rigidity, const Material& material,
-                bool viscous = false);
+                bool viscous = false, const std::vector<char>& built_in = {});
 
-  /// Curvature (κ_uu, κ_vv, 2κ_uv) of a triangle [1/m].
+  /// Curvature (κ_uu, κ_vv, 2κ_uv) of a triangle [1/m], positive where the outside is convex.
   Vec3 curvature(int triangle, const VectorField& x) const;
 
   void begin_step(const VectorField& x, double dt) override;

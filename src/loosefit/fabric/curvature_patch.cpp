@@ -110,7 +110,9 @@ void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangl
 
 CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
                                    const std::vector<std::array<Vec2, 3>>& triangle_uv,
-                                   const std::vector<Mat3>& rigidity) {
+                                   const std::vector<Mat3>& rigidity,
+                                   const std::vector<char>& built_in) {
+  const auto is_built_in = [&](int t) { return !built_in.empty() && built_in[t]; };
   struct Side {
     int triangle, corner;  ///< edge from corner to corner + 1
   };
@@ -129,8 +131,10 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     result.patches[t].area = flat[t].area;
     for (int k = 0; k < 3; ++k) {
+      const Vec2 &start = flat[t].p[(k + 1) % 3], &end = flat[t].p[(k + 2) % 3];
+      const double along = (flat[t].p[k] - start).dot(end - start) / (end - start).squaredNorm();
       height[t][k] = flat[t].height(k);
-      outer[t][k] = unfold(flat[t], k, 0.5, height[t][k]);
+      outer[t][k] = unfold(flat[t], k, along, height[t][k]);
     }
   }
   for (const auto& [key, sides] : edges) {
@@ -144,10 +148,15 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
       const Vec2 &start = other.p[(there.corner + 1) % 3], &end = other.p[there.corner];
       const double along =
           (other.p[foreign] - start).dot(end - start) / (end - start).squaredNorm();
+      result.patches[here.triangle].hinge[opposite] = hinge;
+      if (is_built_in(there.triangle)) {
+        // The mirror image across the clamp line: twice the angle, at this triangle's own height.
+        height[here.triangle][opposite] *= 2;
+        continue;
+      }
       height[here.triangle][opposite] = other.height(foreign);
       outer[here.triangle][opposite] =
           unfold(flat[here.triangle], opposite, along, other.height(foreign));
-      result.patches[here.triangle].hinge[opposite] = hinge;
     }
     const Side &a = sides[0], &b = sides[1];
     result.hinges.push_back(
@@ -157,6 +166,7 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     CurvaturePatch& patch = result.patches[t];
     list_particles(result.hinges, triangles[t], patch);
+    if (is_built_in(static_cast<int>(t))) continue;
     patch.s =
         release_borders(quadratic_fit(flat[t], outer[t], height[t]), rigidity[t], patch.hinge);
   }

@@ -34,9 +34,12 @@ struct CurvaturePatches {
 
 /// `rigidity[t]` (3 × 3, for κ_uu, κ_vv, 2κ_uv) enters at free borders only: the unknown angle
 /// there is the one of least energy, which is the natural condition of a moment-free border.
+/// `built_in[t]` (may be empty) marks triangles held in a rigid clamp: they store nothing, and
+/// their neighbours bend as if mirrored in the clamp line, which is the condition w' = 0 there.
 /// \throws GeometryError for a pattern triangle without area.
 CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
                                    const std::vector<std::array<Vec2, 3>>& triangle_uv,
-                                   const std::vector<Mat3>& rigidity);
+                                   const std::vector<Mat3>& rigidity,
+                                   const std::vector<char>& built_in = {});
 
 }  // namespace loosefit

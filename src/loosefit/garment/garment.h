@@ -25,6 +25,8 @@ struct Garment {
       triangle_membrane_factor;                ///< in-plane stiffness multiplier (1 = plain fabric)
   std::vector<double> triangle_added_bending;  ///< isotropic rigidity added by attachments [N m]
 
+  std::vector<char> triangle_built_in;  ///< held in a rigid clamp; empty: none
+
   /// Vertices along a panel edge in outline order, ends included.
   struct EdgeChain {
     int panel = 0;
