@@ -36,22 +36,6 @@ void sew(Pattern& pattern, int first, int second) {
   pattern.stitches.push_back(stitch);
 }
 
-/// Mean height of the clamp's triangles over the mesh line x = at.
-double height_over_line(const Specimen& s, int panel, double at) {
-  double area = 0, base = 0;
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    if (s.triangle_panel[t] != panel) continue;
-    const auto& p = s.triangle_uv[t];
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 &a = p[k], &b = p[(k + 1) % 3], &c = p[(k + 2) % 3];
-      if (std::abs(a[0] - at) > 1e-9 || std::abs(b[0] - at) > 1e-9) continue;
-      area += 0.5 * std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
-      base += (b - a).norm();
-    }
-  }
-  return 2 * area / base;
-}
-
 std::vector<int> vertices_of_panel(const Specimen& s, int panel) {
   std::vector<char> in(s.vertex_count, 0);
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
@@ -80,22 +64,22 @@ Material beam_fabric() {
   return m;
 }
 
+double clamp_depth(Ends ends, double edge_length) {
+  return ends == Ends::one_clamp ? 0.05 * edge_length : 2 * edge_length;
+}
+
 ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
                                const Material& material, Ends ends, int panels) {
-  const double row = 0.5 * std::sqrt(3.0) * edge_length;  // height of an equilateral triangle
-  const double reach = 0.5 * row;                         // by which a clamp line lies inside
-  const bool far_clamp = ends != Ends::free;
-  const double from = reach, to = length - (far_clamp ? reach : 0);
   Pattern pattern;
   pattern.name = "clamped strip";
   for (int i = 0; i < panels; ++i)
-    pattern.panels.push_back(rectangle(fmt::format("strip_{}", i), from + (to - from) * i / panels,
-                                       from + (to - from) * (i + 1) / panels, width));
+    pattern.panels.push_back(rectangle(fmt::format("strip_{}", i), length * i / panels,
+                                       length * (i + 1) / panels, width));
   const int clamp = panels, end_clamp = panels + 1;
-  const double depth = ends == Ends::one_clamp ? row : 2 * row;
-  pattern.panels.push_back(rectangle("clamp", from - depth, from, width));
+  const double depth = clamp_depth(ends, edge_length);
+  pattern.panels.push_back(rectangle("clamp", -depth, 0, width));
   if (ends == Ends::clamped)
-    pattern.panels.push_back(rectangle("end_clamp", to, to + depth, width));
+    pattern.panels.push_back(rectangle("end_clamp", length, length + depth, width));
   for (int i = 0; i + 1 < panels; ++i) sew(pattern, i, i + 1);
   sew(pattern, clamp, 0);
   if (ends == Ends::clamped) sew(pattern, panels - 1, end_clamp);
@@ -106,12 +90,10 @@ ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
   ClampedStrip strip;
   strip.specimen = assemble(pattern, edge_length, material);
   const Specimen& s = strip.specimen;
+  for (const int panel : s.triangle_panel)
+    strip.specimen.triangle_built_in.push_back(panel >= clamp);
   strip.width = width;
-  strip.x0 = from - 0.5 * height_over_line(s, clamp, from);
-  double end = to;
-  if (ends == Ends::clamped) end += 0.5 * height_over_line(s, end_clamp, to);
-  if (ends == Ends::one_clamp) end += 0.5 * height_over_line(s, clamp, from - depth);
-  strip.length = end - strip.x0;
+  strip.length = length;
   strip.clamp = vertices_of_panel(s, clamp);
   if (ends == Ends::clamped) strip.end_clamp = vertices_of_panel(s, end_clamp);
   strip.end = s.find_chain(pattern.panels[panels - 1].name, "right")->vertices;

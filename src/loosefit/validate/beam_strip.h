@@ -15,20 +15,17 @@ namespace loosefit {
 /// none, and layers that meet must not hold each other off. No viscosity.
 Material beam_fabric();
 
-/// A strip [x0, x0 + length] × [0, width] of the flat pattern, cut in `panels` equal pieces that
-/// are sewn end to end, with a piece of the same cloth sewn to each clamped end; the vertices of
-/// the clamp pieces, seam included, are to be held.
-///
-/// Where the strip begins: the angle at the mesh line of the clamp stands for the curvature from
-/// half a triangle height behind the line to half a triangle height before it. The strip is
-/// therefore clamped at second order in the edge length not at the line but half a triangle height
-/// (of the clamp piece) behind it. `x0` and `length` are measured there.
+/// A strip [0, length] × [0, width] of the flat pattern, cut in `panels` equal pieces that are sewn
+/// end to end, with a piece of the same cloth sewn to each clamped end. The clamp pieces are built
+/// in (Garment::triangle_built_in): their vertices, seam included, are to be held, and the strip
+/// leaves the clamp line with the slope of the clamp.
 struct ClampedStrip {
   Specimen specimen;
-  double x0 = 0, length = 0, width = 0;  ///< effective [m]
-  std::vector<int> clamp;                ///< vertices of the clamp at the start
-  std::vector<int> end_clamp;            ///< of the clamp at the end, when there is one
-  std::vector<int> end;                  ///< vertices on the line at the end of the last panel
+  double x0 = 0;                 ///< where it begins [m]
+  double length = 0, width = 0;  ///< [m]
+  std::vector<int> clamp;        ///< vertices of the clamp at the start
+  std::vector<int> end_clamp;    ///< of the clamp at the end, when there is one
+  std::vector<int> end;          ///< vertices on the line at the end of the last panel
 
   /// Share of the length at a flat position: 0 at the clamp, 1 at the end.
   double share(const Vec2& flat) const { return (flat[0] - x0) / length; }
@@ -40,7 +37,10 @@ enum class Ends {
   one_clamp,  ///< both ends sewn to one clamp piece, from either side: a tube
 };
 
-/// `length` is met to within a fraction of an edge; ask the strip. \throws as assemble does.
+/// Length of a clamp piece along the strip [m].
+double clamp_depth(Ends ends, double edge_length);
+
+/// \throws as assemble does.
 ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
                                const Material& material, Ends ends = Ends::free, int panels = 1);
 

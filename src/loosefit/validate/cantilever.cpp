@@ -18,17 +18,16 @@ CantileverShape settle_cantilever(const CantileverCase& wanted, Progress& progre
   const Material fabric = beam_fabric();
   const double b = fabric.bending_weft;  // along x of the pattern
   const double bending_length = std::cbrt(b / (fabric.areal_density * kGravity));
-  const double nominal =
+  const double l =
       wanted.length > 0 ? wanted.length : bending_length * std::cbrt(wanted.gravity_number);
-  const double edge = nominal / wanted.elements;
-  ClampedStrip strip = cut_clamped_strip(nominal, kEdgesAcross * edge, edge, fabric);
-  const double l = strip.length;
+  const double edge = l / wanted.elements;
+  const ClampedStrip strip = cut_clamped_strip(l, kEdgesAcross * edge, edge, fabric);
   Bench::Options options;
   options.gravity = wanted.gravity_number * b / (l * l * l * fabric.areal_density);
   const double force = wanted.force_number * b / (l * l) * strip.width;  // [N]
 
   Bench bench(
-      strip.specimen, fabric, [&](const Vec2& p) { return Vec3(p[0], p[1], 0); }, options);
+      strip.specimen, fabric, [](const Vec2& p) { return Vec3(p[0], p[1], 0); }, options);
   bench.hold(strip.clamp);
   const std::vector<double> weight = line_weights(strip.end, bench.flat());
   for (std::size_t i = 0; i < strip.end.size(); ++i)
@@ -36,7 +35,7 @@ CantileverShape settle_cantilever(const CantileverCase& wanted, Progress& progre
   // Without weight the residual is in newtons.
   settle_bench(bench, progress, options.gravity > 0 ? kBenchTolerance : kBenchTolerance * force);
   const Vec3 tip = mean_of_line(strip.end, bench.flat(), bench.x);
-  return {(tip[0] - strip.x0) / l, -tip[2] / l, mesh_text(bench.specimen())};
+  return {tip[0] / l, -tip[2] / l, mesh_text(bench.specimen())};
 }
 
 }  // namespace loosefit

@@ -23,7 +23,6 @@ struct CantileverShape {
 };
 
 /// Cuts, clamps and settles it, from the straight start.
-/// Γ and α are met exactly: the length is that of the clamped strip as meshed, the load follows.
 CantileverShape settle_cantilever(const CantileverCase& wanted, Progress& progress);
 
 /// Edges along the length that resolve both the length and the boundary layer √(B/(q L)) at the

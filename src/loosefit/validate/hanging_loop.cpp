@@ -26,7 +26,7 @@ std::vector<Vec2> half_loop(LoopKind kind, double swell, int steps) {
 /// The guess that closes: the middle of the loop below its clamp.
 std::vector<Vec2> closed_half_loop(LoopKind kind) {
   constexpr int kSteps = 400;
-  double low = -0.5, high = 2.5;  // a larger swell leads farther out
+  double low = -1.5, high = 2;  // in between, a larger swell leads farther out
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (half_loop(kind, middle, kSteps).back()[0] < 0 ? low : high) = middle;
@@ -41,7 +41,7 @@ HangingLoop::HangingLoop(LoopKind kind, int elements) : kind_(kind), fabric_(bea
   const double edge = kLength / elements;
   strip_ = cut_clamped_strip(kLength, 6 * edge, edge, fabric_,
                              kind == LoopKind::ring ? Ends::one_clamp : Ends::clamped, 2);
-  gap_ = kind == LoopKind::ring ? 0 : 2 * fabric_.thickness;
+  gap_ = kind == LoopKind::ring ? 0.5 * clamp_depth(Ends::one_clamp, edge) : 2 * fabric_.thickness;
 
   const std::vector<Vec2> half = closed_half_loop(kind);
   const double l = strip_.length, a = direction(kind, 0, 0);
@@ -70,10 +70,10 @@ HangingLoop::HangingLoop(LoopKind kind, int elements) : kind_(kind), fabric_(bea
       x_[v] = Vec3(side * (before * std::cos(a) + gap_), s.vertex_uv[v][1], before * std::sin(a));
     }
   };
-  straighten(strip_.clamp, 1, strip_.x0);
-  straighten(strip_.end_clamp, -1, strip_.x0 + l);
+  straighten(strip_.clamp, 1, 0);
+  straighten(strip_.end_clamp, -1, l);
   if (kind == LoopKind::ring)  // one piece, whose far side is the end of the strip
-    for (int v : strip_.end) x_[v] = Vec3(s.vertex_uv[v][0] - strip_.x0 - l, s.vertex_uv[v][1], 0);
+    for (int v : strip_.end) x_[v] = Vec3(-gap_, s.vertex_uv[v][1], 0);
 }
 
 void HangingLoop::settle(double gravity_number, Progress& progress) {

@@ -28,7 +28,7 @@ class HangingLoop {
   LoopKind kind_;
   Material fabric_;
   ClampedStrip strip_;
-  double gap_ = 0;  ///< half the distance between the ends [m]
+  double gap_ = 0;  ///< half the distance between the ends, which the references do not have [m]
   VectorField x_;
 };
 
