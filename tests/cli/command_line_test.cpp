@@ -194,5 +194,33 @@ TEST_F(CommandLine, MaterialsAreListedWithTheirSource) {
     EXPECT_NE(wool.find(told), std::string::npos) << told << " in\n" << wool;
 }
 
+TEST_F(CommandLine, ValidateListsRefusesAndReports) {
+  const ProgramRun list = loosefit("validate --list");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.output.find("B1"), std::string::npos) << list.output;
+  const ProgramRun unknown = loosefit("validate --only B1,BB4");
+  expect_refused(unknown, "--only: found \"BB4\"");
+  EXPECT_NE(unknown.output.find("did you mean"), std::string::npos) << unknown.output;
+
+  const std::string out = (base / "out").string();
+  const ProgramRun run = loosefit("validate --quick --only t1 -o " + out);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("1 of 1 gated benchmarks pass"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(base / "out/validation.json"));
+  EXPECT_TRUE(fs::exists(base / "out/validation.html"));
+  EXPECT_EQ(loosefit("validate --quick --only T1 -o " + out).exit_code, 0) << "replaces its own";
+  fs::create_directories(base / "run");
+  file("run/summary.json", "{}");
+  expect_refused(loosefit("validate --only T1 -o " + (base / "run").string()), "validation.json");
+}
+
+TEST_F(CommandLine, InterruptedValidationLeavesNothingBehind) {
+  const ProgramRun run = run_program("timeout -s INT 2 " + std::string(LOOSEFIT_BINARY) +
+                                     " validate -o " + (base / "out").string());
+  EXPECT_EQ(run.exit_code, 124) << run.output;
+  EXPECT_NE(run.output.find("interrupted"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::is_empty(base));
+}
+
 }  // namespace
 }  // namespace loosefit
