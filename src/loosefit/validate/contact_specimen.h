@@ -20,7 +20,8 @@ Grip try_grip(Bench& bench, const std::function<double()>& travel, double slip, 
               Progress& progress, int max_iterations = 2000);
 
 /// Least coefficient in [low, high] that holds, by bisection to a width of `width`·low; `holds` is
-/// asked for single coefficients. \pre low slips, high holds (checked: \throws SolverFailure).
+/// asked for single coefficients. `low` when it holds already, `high` when it does not: choose them
+/// farther apart than the gate.
 double least_friction(double low, double high, double width,
                       const std::function<bool(double)>& holds);
 
