@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Table and plot of docs/accuracy.md from results.json.
+
+    python3 validation/convergence/tables.py          # needs python3-matplotlib
+"""
+
+import json
+import math
+import pathlib
+import statistics
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "loosefit"
+import matplotlib.pyplot as plot
+
+HERE = pathlib.Path(__file__).resolve().parent
+REPOSITORY = HERE.parent.parent
+PAGE = REPOSITORY / "docs" / "accuracy.md"
+PICTURE = REPOSITORY / "docs" / "images" / "convergence.svg"
+MAPS = {"strain_max": ("strain, largest principal", 100, "%"),
+        "distance_mm": ("distance", 1, "mm"),
+        "angular_deviation_deg": ("angular deviation", 1, "°")}
+STATISTIC = "area_mean"
+LIMIT = 0.10
+
+
+def samples(results, edge, name, region, statistic=STATISTIC):
+    """The figure of every settled drape at this edge length."""
+    return [r["maps"][name][region][statistic] for r in results[edge].values() if r["settled"]]
+
+
+def mean_and_deviation(values):
+    return statistics.fmean(values), statistics.stdev(values) if len(values) > 1 else 0.0
+
+
+def regions(results):
+    first = next(r for r in results["20"].values() if r["settled"])
+    return [r for r in first["maps"]["distance_mm"]]
+
+
+def change(results, edge, finest, name, region):
+    """Relative difference of the means from the finest mesh, and its standard error."""
+    a, da = mean_and_deviation(samples(results, edge, name, region))
+    b, db = mean_and_deviation(samples(results, finest, name, region))
+    na = len(samples(results, edge, name, region))
+    nb = len(samples(results, finest, name, region))
+    return abs(a - b) / b, math.sqrt(da * da / na + db * db / nb) / b
+
+
+def region_table(results, name, edges):
+    title, scale, unit = MAPS[name]
+    lines = [f"**{title}** ({unit}), area mean ± standard deviation over the starts", "",
+             "| region | " + " | ".join(f"{e} mm" for e in edges) + " | spread at 10 mm |",
+             "|---|" + "---|" * (len(edges) + 1)]
+    for region in regions(results):
+        cells = []
+        for edge in edges:
+            m, d = mean_and_deviation(samples(results, edge, name, region))
+            cells.append(f"{m * scale:.3g} ± {d * scale:.2g}")
+        m, d = mean_and_deviation(samples(results, "10", name, region))
+        lines.append(f"| {region.replace('_', ' ')} | " + " | ".join(cells) + f" | {d / m:.0%} |")
+    return lines + [""]
+
+
+def need_table(results, edges):
+    finest = edges[-1]
+    lines = [f"Difference of the area mean from the {finest} mm mesh, over the 17 regions:", "",
+             "| map | " + " | ".join(f"{e} mm: median, worst" for e in edges[:-1])
+             + f" | edge length for {LIMIT:.0%} in the median region, in nine regions of ten |",
+             "|---|" + "---|" * len(edges)]
+    for name, (title, _, _) in MAPS.items():
+        cells, median_ok, most_ok = [], [], []
+        for edge in edges[:-1]:
+            errors = sorted(change(results, edge, finest, name, r)[0]
+                            for r in regions(results) if r != "whole")
+            cells.append(f"{statistics.median(errors):.0%}, {errors[-1]:.0%}")
+            if statistics.median(errors) <= LIMIT:
+                median_ok.append(edge)
+            if errors[math.ceil(0.9 * len(errors)) - 1] <= LIMIT:
+                most_ok.append(edge)
+        need = (f"{median_ok[0]} mm" if median_ok else f"below {edges[-2]} mm") + ", " + (
+            f"{most_ok[0]} mm" if most_ok else f"below {edges[-2]} mm")
+        lines.append(f"| {title} | " + " | ".join(cells) + f" | {need} |")
+    return lines + [""]
+
+
+def draw(results, edges):
+    figure, axes = plot.subplots(1, 3, figsize=(11, 3.6))
+    for axis, (name, (title, scale, unit)) in zip(axes, MAPS.items()):
+        for region in ["whole", "scapula_L", "upper_back", "mid_back", "lower_back", "chest"]:
+            values = [mean_and_deviation(samples(results, e, name, region)) for e in edges]
+            axis.errorbar([float(e) for e in edges], [m * scale for m, _ in values],
+                          [d * scale for _, d in values], marker="o", markersize=3, capsize=2,
+                          linewidth=1, label=region.replace("_", " "))
+        axis.set_xlabel("edge length [mm]")
+        axis.set_title(f"{title} [{unit}]", fontsize=10)
+        axis.set_xlim(0, 22)
+        axis.set_ylim(bottom=0)
+        axis.grid(alpha=0.3)
+    axes[0].legend(fontsize=7, frameon=False)
+    figure.tight_layout()
+    PICTURE.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(PICTURE, metadata={"Date": None})
+
+
+def main():
+    results = json.loads((HERE / "results.json").read_text())
+    edges = sorted(results, key=float, reverse=True)
+    lines = []
+    count = {e: sum(r["settled"] for r in results[e].values()) for e in edges}
+    lines.append("Drapes settled: " + ", ".join(f"{e} mm {count[e]} of {len(results[e])}"
+                                               for e in edges) + ".")
+    lines.append("")
+    lines += need_table(results, edges)
+    for name in MAPS:
+        lines += region_table(results, name, edges)
+    draw(results, edges)
+    page = PAGE.read_text()
+    begin, end = "<!-- convergence: begin -->", "<!-- convergence: end -->"
+    if begin not in page or end not in page:
+        raise SystemExit(f"error: {PAGE}: found no place for the tables, expected {begin} … {end}")
+    head, rest = page.split(begin, 1)
+    tail = rest.split(end, 1)[1]
+    PAGE.write_text(head + begin + "\n" + "\n".join(lines) + end + tail)
+
+
+if __name__ == "__main__":
+    main()
