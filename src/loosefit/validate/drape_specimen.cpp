@@ -62,7 +62,9 @@ Specimen cut_drape_specimen(const DrapeTester& tester, double edge_length,
   pattern.panel_order = {0, 1, 2};
   pattern.stitches = {sew(0, 0, 1, 3, "disc_back"), sew(0, 1, 2, 3, "disc_front"),
                       sew(1, 2, 2, 0, "ring_left"), sew(1, 0, 2, 2, "ring_right")};
-  return assemble(pattern, edge_length, material);
+  Specimen specimen = assemble(pattern, edge_length, material);
+  for (int panel : specimen.triangle_panel) specimen.triangle_built_in.push_back(panel == 0);
+  return specimen;
 }
 
 std::function<Vec3(const Vec2&)> folded_start(const DrapeTester& tester, int folds, double lean,

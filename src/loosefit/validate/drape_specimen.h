@@ -10,7 +10,8 @@ struct DrapeTester {
 };
 
 /// The circular specimen, sewn of the part over the disc and two half rings so that a line of
-/// vertices lies on the disc's rim; the centre is at the origin of the pattern.
+/// vertices lies on the disc's rim; the centre is at the origin of the pattern. What lies on the
+/// disc is built in (Garment::triangle_built_in).
 Specimen cut_drape_specimen(const DrapeTester& tester, double edge_length,
                             const Material& material);
 
