@@ -28,6 +28,8 @@ std::vector<Benchmark> benchmarks() {
        benchmark_lateral_buckling},
       {"B8", "Bending does not see the mesh", "validation.md 2.3: energy of cylinders", true,
        benchmark_bending_direction},
+      {"B9", "Residual curvature after release", "validation.md 2.5: KES loop M = B kappa +- HB",
+       true, benchmark_residual_curvature},
       {"C1", "Block on an incline", "validation.md 3.3: Coulomb", true, benchmark_incline},
       {"C2", "Belt over a cylinder", "validation.md 3.4: capstan", true, benchmark_capstan},
       {"C3", "Strip pressed on a frictional floor",
@@ -45,6 +47,8 @@ std::vector<Benchmark> benchmarks() {
        benchmark_free_fall},
       {"T2", "Swing of a hanging strip", "validation.md 7: zeros of J0 (Bernoulli)", true,
        benchmark_hanging_swing},
+      {"G1", "Gap and angular deviation of an eccentric tube", "validation.md 8: two circles", true,
+       benchmark_eccentric_tube},
   };
 }
 

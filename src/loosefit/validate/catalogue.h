@@ -16,6 +16,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress);
 BenchmarkResult benchmark_twist_plate(Effort effort, Progress& progress);
 BenchmarkResult benchmark_lateral_buckling(Effort effort, Progress& progress);
 BenchmarkResult benchmark_bending_direction(Effort effort, Progress& progress);
+BenchmarkResult benchmark_residual_curvature(Effort effort, Progress& progress);
 BenchmarkResult benchmark_incline(Effort effort, Progress& progress);
 BenchmarkResult benchmark_capstan(Effort effort, Progress& progress);
 BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress);
