@@ -49,6 +49,8 @@ std::vector<Benchmark> benchmarks() {
        benchmark_hanging_swing},
       {"G1", "Gap and angular deviation of an eccentric tube", "validation.md 8: two circles", true,
        benchmark_eccentric_tube},
+      {"S1", "Four sensors on the back", "Harms, Amft and Tröster 2012, section 3", false,
+       benchmark_back_sensors},
   };
 }
 

@@ -27,5 +27,6 @@ BenchmarkResult benchmark_free_fall(Effort effort, Progress& progress);
 BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress);
 BenchmarkResult benchmark_cusick_drape(Effort effort, Progress& progress);
 BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress);
+BenchmarkResult benchmark_back_sensors(Effort effort, Progress& progress);
 
 }  // namespace loosefit
