@@ -225,7 +225,7 @@ BenchmarkResult benchmark_ruck(Effort effort, Progress& progress) {
       line[k].x.push_back(row.excess);
       line[k].y.push_back(expected[k]);
     }
-    if (effort == Effort::quick && row.lifted != 1.8) continue;
+    if (effort == Effort::quick && row.lifted != 2.8) continue;
     const double flat = std::max(2.0, 2 * (row.force - row.lifted));
     Ruck ruck(row, flat, progress);
     const auto add = [&](const std::string& what, double wanted, double obtained) {
