@@ -75,17 +75,28 @@ Mat3 quadratic_fit(const FlatTriangle& f, const std::array<Vec2, 3>& outer,
   return curvature;
 }
 
-/// Border angles take the values of least energy; their columns become zero.
-Mat3 release_borders(const Mat3& s, const Mat3& rigidity, const std::array<int, 3>& hinge) {
+/// The angles at borders are unknown; they follow from the others by the natural condition that
+/// the moment about a free border vanishes (M_nn = 0), so that any constant curvature that obeys it
+/// is exact. Where the patch says little about κ_nn, and in corners with two borders, they take the
+/// values of least energy. The columns of border angles become zero.
+Mat3 release_borders(const Mat3& s, const Mat3& rigidity, const FlatTriangle& f,
+                     const std::array<int, 3>& hinge) {
+  const int borders = (hinge[0] < 0) + (hinge[1] < 0) + (hinge[2] < 0);
   Mat3 released = s;
-  Mat3 energy = s.transpose() * rigidity * s;
   for (int k = 0; k < 3; ++k) {
     if (hinge[k] >= 0) continue;
-    if (energy(k, k) > 0)
+    const Vec3 own = released.col(k);
+    const Vec2 n = f.gradient[k].normalized();
+    const Vec3 normal(n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]);
+    constexpr double kLeastCosine = 0.5;
+    const double cosine = normal.dot(rigidity * own) /
+                          std::sqrt(normal.dot(rigidity * normal) * own.dot(rigidity * own));
+    const Vec3 test = borders == 1 && std::abs(cosine) > kLeastCosine ? normal : own;
+    const double own_moment = test.dot(rigidity * own);
+    if (std::abs(own_moment) > 0)
       for (int j = 0; j < 3; ++j)
-        if (j != k) released.col(j) -= released.col(k) * (energy(k, j) / energy(k, k));
+        if (j != k) released.col(j) -= own * (test.dot(rigidity * released.col(j)) / own_moment);
     released.col(k).setZero();
-    energy = released.transpose() * rigidity * released;
   }
   return released;
 }
@@ -167,8 +178,8 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
     CurvaturePatch& patch = result.patches[t];
     list_particles(result.hinges, triangles[t], patch);
     if (is_built_in(static_cast<int>(t))) continue;
-    patch.s =
-        release_borders(quadratic_fit(flat[t], outer[t], height[t]), rigidity[t], patch.hinge);
+    patch.s = release_borders(quadratic_fit(flat[t], outer[t], height[t]), rigidity[t], flat[t],
+                              patch.hinge);
   }
   return result;
 }
