@@ -9,7 +9,7 @@ namespace loosefit {
 namespace {
 
 const DrapeTester kTester{0.5 * 0.127, 0.5 * 0.254};  ///< the Japanese drape tester
-constexpr double kEdge = 0.0055, kQuickEdge = 0.008;  ///< [m]
+constexpr double kEdge = 0.0055, kQuickEdge = 0.011;  ///< [m]
 constexpr int kLoweringSteps = 10;
 constexpr double kWaviness = 0.01;  ///< slope of the flat specimen's imperfection [rad]
 
