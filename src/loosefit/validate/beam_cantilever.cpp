@@ -48,7 +48,8 @@ double order_of(const std::vector<double>& elements, const std::vector<double>& 
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Refines one cantilever and reports how fast its end comes to its place.
+/// Refines one cantilever and reports how fast its end comes to its place. Ten edges are drawn but
+/// not counted: there the stretch of flat triangles along a curve, of fourth order, prevails.
 void add_convergence(BenchmarkResult& result, Progress& progress, double from, double to) {
   constexpr HeavyRow kRow = {8, 0.72442473, 0.64063072};
   std::vector<double> elements, errors;
@@ -65,12 +66,12 @@ void add_convergence(BenchmarkResult& result, Progress& progress, double from, d
     errors.push_back(std::hypot(shape.w - kRow.w, shape.h - kRow.h));
   }
   Finding f;
-  f.what = "order of convergence at Γ = 8, from 10 to 80 edges along L";
+  f.what = "order of convergence at Γ = 8, from 20 to 80 edges along L";
   f.expected = 2;
-  f.obtained = order_of(elements, errors);
+  f.obtained = order_of({elements.begin() + 1, elements.end()}, {errors.begin() + 1, errors.end()});
   f.gate = Finding::Gate::absolute;
   f.limit = 0.5;
-  f.mesh = "4 meshes";
+  f.mesh = "3 meshes";
   result.findings.push_back(f);
   plot.series.push_back({"second order", elements, {}, true});
   for (const double n : elements)

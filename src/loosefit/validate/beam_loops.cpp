@@ -103,7 +103,9 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
   result.notes = {
       "A strip of 100 mm whose ends are held in one clamp and which is sewn in its middle; the "
       "ring "
-      "is sewn to its clamp from both sides, a tube with real seams. Gravity is raised from zero.",
+      "is sewn to its clamp from both sides, a tube with real seams. Gravity is raised from zero. "
+      "At "
+      "rest means against the weight or the force 4π² B/L² of bending, whichever is larger.",
       "The ends of pear and heart lie 40 µm apart, two layers of 10 µm and air; half widths are "
       "counted from each end."};
   return result;
