@@ -20,7 +20,8 @@ constexpr const char* kPageStyle = R"css(
 .plots figure { padding: .4rem; }
 td.verdict-miss { color: var(--bad); font-weight: 700; }
 td.verdict-pass { color: var(--good); }
-td:last-child { white-space: normal; }
+tbody th:first-child { white-space: normal; }
+td.mesh { white-space: normal; min-width: 13rem; text-align: left; padding-left: .7rem; }
 .tag { font-size: .85rem; font-weight: 600; border-radius: 3px; padding: .1rem .5rem; }
 )css";
 
@@ -73,8 +74,8 @@ std::string findings_table(const BenchmarkOutcome& o) {
     rows += "<tr><th scope=\"row\">" + escaped(f.what + unit) + "</th><td>" +
             number(f.expected, 6) + "</td><td>" + number(f.obtained, 6) + "</td><td>" +
             escaped(error_text(f)) + "</td><td>" + escaped(gate_text(f)) + "</td><td class=\"" +
-            (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict + "</td><td>" +
-            escaped(f.mesh) + "</td></tr>\n";
+            (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict +
+            "</td><td class=\"mesh\">" + escaped(f.mesh) + "</td></tr>\n";
   }
   return "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">figure</th><th "
          "scope=\"col\">expected</th><th scope=\"col\">obtained</th><th "
