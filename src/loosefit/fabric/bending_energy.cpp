@@ -24,7 +24,7 @@ Matrix12 definite_part(const Dihedral& d, const DihedralHessian& second, double 
 }
 
 /// Smallest stiffness of a patch against any combination of its real angles.
-double least_stiffness(const Mat3& stiffness, const std::array<int, 3>& hinge) {
+double least_stiffness(const Mat3& stiffness, const std::array<int, 9>& hinge) {
   Mat3 m = stiffness;
   double largest = stiffness.trace();
   for (int k = 0; k < 3; ++k)
@@ -59,9 +59,10 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const CurvaturePatch& p = mesh_.patches[t];
     stiffness_.push_back(p.area * p.s.transpose() * rigidity[t] * p.s);
-    least_.push_back(least_stiffness(stiffness_.back(), p.hinge));
+    near_.push_back(p.area * p.fit.transpose() * rigidity[t] * p.fit);
+    least_.push_back(least_stiffness(near_.back(), p.hinge));
   }
-  angle_start_.assign(triangles.size(), Vec3::Zero());
+  angle_start_.assign(triangles.size(), Vector9::Zero());
   anchor_.assign(triangles.size(), Vec3::Zero());
 }
 
@@ -74,24 +75,24 @@ std::vector<double> BendingEnergy::angles(const VectorField& x) const {
   return angle;
 }
 
-Vec3 BendingEnergy::of_patch(std::size_t t, const std::vector<double>& angle) const {
-  Vec3 three;
-  for (int k = 0; k < 3; ++k) {
-    const int hinge = mesh_.patches[t].hinge[k];
-    three[k] = hinge < 0 ? 0.0 : angle[hinge];
-  }
-  return three;
+BendingEnergy::Vector9 BendingEnergy::of_patch(std::size_t t,
+                                               const std::vector<double>& angle) const {
+  const CurvaturePatch& p = mesh_.patches[t];
+  Vector9 mine = Vector9::Zero();
+  for (int k = 0; k < p.hinges; ++k)
+    if (p.hinge[k] >= 0) mine[k] = angle[p.hinge[k]];
+  return mine;
 }
 
 Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
   const CurvaturePatch& p = mesh_.patches[triangle];
-  Vec3 three = Vec3::Zero();
-  for (int k = 0; k < 3; ++k)
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < p.hinges; ++k)
     if (p.hinge[k] >= 0) {
       const auto& v = mesh_.hinges[p.hinge[k]];
-      three[k] = dihedral_angle(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+      sum += dihedral_angle(x[v[0]], x[v[1]], x[v[2]], x[v[3]]) * p.s.col(k);
     }
-  return p.s * three;
+  return sum;
 }
 
 void BendingEnergy::begin_step(const VectorField& x, double dt) {
@@ -108,24 +109,26 @@ void BendingEnergy::begin_step(const VectorField& x, double dt) {
 
 double BendingEnergy::value(const VectorField& x) const {
   const std::vector<double> angle = angles(x);
-  double energy = 0;
-  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-    const Vec3 a = of_patch(t, angle);
-    energy += 0.5 * a.dot(stiffness_[t] * a);
+  std::vector<double> part(mesh_.patches.size());
+  tbb::parallel_for(std::size_t{0}, part.size(), [&](std::size_t t) {
+    const Vector9 a = of_patch(t, angle);
+    part[t] = 0.5 * a.dot(stiffness_[t] * a);
     if (viscous_ratio_ > 0) {
-      const Vec3 change = a - angle_start_[t];
-      energy += 0.5 * viscous_ratio_ * change.dot(stiffness_[t] * change);
+      const Vector9 change = a - angle_start_[t];
+      part[t] += 0.5 * viscous_ratio_ * change.dot(stiffness_[t] * change);
     }
     if (friction_.active()) {
       const CurvaturePatch& p = mesh_.patches[t];
-      energy += p.area * friction_.respond(p.s * a, anchor_[t]).energy;
+      part[t] += p.area * friction_.respond(p.s * a, anchor_[t]).energy;
     }
-  }
+  });
+  double energy = 0;
+  for (double p : part) energy += p;
   return energy;
 }
 
-Vec3 BendingEnergy::moments(std::size_t t, const Vec3& angle) const {
-  Vec3 m = stiffness_[t] * angle;
+BendingEnergy::Vector9 BendingEnergy::moments(std::size_t t, const Vector9& angle) const {
+  Vector9 m = stiffness_[t] * angle;
   if (viscous_ratio_ > 0) m += viscous_ratio_ * (stiffness_[t] * (angle - angle_start_[t]));
   if (friction_.active()) {
     const CurvaturePatch& p = mesh_.patches[t];
@@ -134,22 +137,14 @@ Vec3 BendingEnergy::moments(std::size_t t, const Vec3& angle) const {
   return m;
 }
 
-Mat3 BendingEnergy::tangent(std::size_t t, const Vec3& angle) const {
-  Mat3 k = (1 + viscous_ratio_) * stiffness_[t];
-  if (friction_.active()) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    k += p.area * p.s.transpose() * friction_.respond(p.s * angle, anchor_[t]).tangent * p.s;
-  }
-  return k;
-}
-
 std::vector<double> BendingEnergy::hinge_moments(const std::vector<double>& angle) const {
+  std::vector<Vector9> part(mesh_.patches.size());
+  tbb::parallel_for(std::size_t{0}, part.size(),
+                    [&](std::size_t t) { part[t] = moments(t, of_patch(t, angle)); });
   std::vector<double> moment(mesh_.hinges.size(), 0.0);
-  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-    const Vec3 m = moments(t, of_patch(t, angle));
-    for (int k = 0; k < 3; ++k)
-      if (mesh_.patches[t].hinge[k] >= 0) moment[mesh_.patches[t].hinge[k]] += m[k];
-  }
+  for (std::size_t t = 0; t < part.size(); ++t)
+    for (int k = 0; k < mesh_.patches[t].hinges; ++k)
+      if (mesh_.patches[t].hinge[k] >= 0) moment[mesh_.patches[t].hinge[k]] += part[t][k];
   return moment;
 }
 
@@ -168,8 +163,57 @@ void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
 
 void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
   for (const CurvaturePatch& p : mesh_.patches)
-    for (int a = 0; a < p.count; ++a)
+    for (int a = 0; a < (tangent_ == TangentReach::full ? p.count : p.near); ++a)
       for (int b = 0; b < a; ++b) pattern.add(p.particle[a], p.particle[b]);
+}
+
+template <int Hinges>
+Eigen::Matrix<double, Hinges, Hinges> BendingEnergy::tangent(std::size_t t,
+                                                             const Vector9& angle) const {
+  const CurvaturePatch& p = mesh_.patches[t];
+  Eigen::Matrix<double, Hinges, Hinges> k;
+  Eigen::Matrix<double, 3, Hinges> s;
+  if constexpr (Hinges == 9) {
+    k = (1 + viscous_ratio_) * stiffness_[t];
+    s = p.s;
+  } else {
+    k = (1 + viscous_ratio_) * near_[t];
+    s = p.fit;
+  }
+  if (friction_.active())
+    k += p.area * s.transpose() * friction_.respond(p.s * angle, anchor_[t]).tangent * s;
+  return k;
+}
+
+template <int Hinges, int Points>
+void BendingEnergy::add_patches(const std::vector<Dihedral>& hinge,
+                                const std::vector<double>& angle, bool exact,
+                                BlockMatrix& h) const {
+  std::vector<std::array<Mat3, Points*(Points + 1) / 2>> blocks(mesh_.patches.size());
+  const auto points = [](const CurvaturePatch& p) { return Hinges == 9 ? p.count : p.near; };
+  tbb::parallel_for(std::size_t{0}, mesh_.patches.size(), [&](std::size_t t) {
+    const CurvaturePatch& p = mesh_.patches[t];
+    Eigen::Matrix<double, Hinges, Hinges> k = tangent<Hinges>(t, of_patch(t, angle));
+    if (!exact) k.diagonal().array() -= (1 + viscous_ratio_) * least_[t];
+    Eigen::Matrix<double, 3 * Points, Hinges> gradient;
+    gradient.setZero();
+    for (int c = 0; c < std::min(Hinges, p.hinges); ++c)
+      if (p.hinge[c] >= 0)
+        for (int a = 0; a < 4; ++a)
+          gradient.template block<3, 1>(3 * p.slot[c][a], c) = hinge[p.hinge[c]].gradient[a];
+    const Eigen::Matrix<double, 3 * Points, Hinges> weighted = gradient * k;
+    int block = 0;
+    for (int a = 0; a < points(p); ++a)
+      for (int b = 0; b <= a; ++b)
+        blocks[t][block++].noalias() = weighted.template block<3, Hinges>(3 * a, 0) *
+                                       gradient.template block<3, Hinges>(3 * b, 0).transpose();
+  });
+  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
+    const CurvaturePatch& p = mesh_.patches[t];
+    int block = 0;
+    for (int a = 0; a < points(p); ++a)
+      for (int b = 0; b <= a; ++b) h.add(p.particle[a], p.particle[b], blocks[t][block++]);
+  }
 }
 
 void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
@@ -188,8 +232,9 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
   std::vector<double> share(hinge.size(), 0.0);
   if (!exact)
     for (std::size_t t = 0; t < mesh_.patches.size(); ++t)
-      for (int k : mesh_.patches[t].hinge)
-        if (k >= 0) share[k] += (1 + viscous_ratio_) * least_[t];
+      for (int k = 0; k < 3; ++k)
+        if (mesh_.patches[t].hinge[k] >= 0)
+          share[mesh_.patches[t].hinge[k]] += (1 + viscous_ratio_) * least_[t];
 
   const std::vector<double> moment = hinge_moments(angle);
   std::vector<std::array<Mat3, 10>> of_hinge(hinge.size());
@@ -220,29 +265,10 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
         h.add(mesh_.hinges[i][a], mesh_.hinges[i][b], of_hinge[i][slot++]);
   }
 
-  std::vector<std::array<Mat3, 21>> of_patch_blocks(mesh_.patches.size());
-  tbb::parallel_for(std::size_t{0}, mesh_.patches.size(), [&](std::size_t t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    Mat3 k = tangent(t, of_patch(t, angle));
-    if (!exact) k -= (1 + viscous_ratio_) * least_[t] * Mat3::Identity();
-    Eigen::Matrix<double, 18, 3> gradient = Eigen::Matrix<double, 18, 3>::Zero();
-    for (int c = 0; c < 3; ++c)
-      if (p.hinge[c] >= 0)
-        for (int a = 0; a < 4; ++a)
-          gradient.block<3, 1>(3 * p.slot[c][a], c) = hinge[p.hinge[c]].gradient[a];
-    const Eigen::Matrix<double, 18, 3> weighted = gradient * k;
-    int block = 0;
-    for (int a = 0; a < p.count; ++a)
-      for (int b = 0; b <= a; ++b)
-        of_patch_blocks[t][block++].noalias() =
-            weighted.block<3, 3>(3 * a, 0) * gradient.block<3, 3>(3 * b, 0).transpose();
-  });
-  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    int block = 0;
-    for (int a = 0; a < p.count; ++a)
-      for (int b = 0; b <= a; ++b) h.add(p.particle[a], p.particle[b], of_patch_blocks[t][block++]);
-  }
+  if (exact && tangent_ == TangentReach::full)
+    add_patches<9, 12>(hinge, angle, exact, h);
+  else
+    add_patches<3, 6>(hinge, angle, exact, h);
 }
 
 }  // namespace loosefit

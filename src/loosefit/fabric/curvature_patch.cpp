@@ -80,7 +80,7 @@ Mat3 quadratic_fit(const FlatTriangle& f, const std::array<Vec2, 3>& outer,
 /// is exact. Where the patch says little about κ_nn, and in corners with two borders, they take the
 /// values of least energy. The columns of border angles become zero.
 Mat3 release_borders(const Mat3& s, const Mat3& rigidity, const FlatTriangle& f,
-                     const std::array<int, 3>& hinge) {
+                     const std::array<int, 9>& hinge) {
   const int borders = (hinge[0] < 0) + (hinge[1] < 0) + (hinge[2] < 0);
   Mat3 released = s;
   for (int k = 0; k < 3; ++k) {
@@ -101,11 +101,31 @@ Mat3 release_borders(const Mat3& s, const Mat3& rigidity, const FlatTriangle& f,
   return released;
 }
 
+/// (κ_uu, κ_vv, 2κ_uv) → aᵀ κ a.
+Vec3 along(const Vec2& a) { return {a[0] * a[0], a[1] * a[1], a[0] * a[1]}; }
+
+/// Slope, out of the triangle and over its plane, at the middle of the edge opposite `corner`, of
+/// the height function with curvature κ that vanishes at the corners: v · κ.
+Vec3 mid_edge_slope(const FlatTriangle& f, int corner) {
+  const Vec2 &start = f.p[(corner + 1) % 3], &end = f.p[(corner + 2) % 3];
+  return (0.5 * along(f.p[corner] - 0.5 * (start + end)) - 0.125 * along(end - start)) /
+         f.height(corner);
+}
+
+/// Index of `hinge` in the patch; the next free one if it is new.
+int place_of(CurvaturePatch& patch, int hinge) {
+  for (int k = 0; k < patch.hinges; ++k)
+    if (patch.hinge[k] == hinge) return k;
+  patch.hinge[patch.hinges] = hinge;
+  return patch.hinges++;
+}
+
 /// Which particles a patch moves with, and where its hinges find theirs among them.
 void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangle& corners,
                     CurvaturePatch& patch) {
   for (int k = 0; k < 3; ++k) patch.particle[k] = corners[k];
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < patch.hinges; ++k) {
+    if (k == 3) patch.near = patch.count;
     if (patch.hinge[k] < 0) continue;
     for (int a = 0; a < 4; ++a) {
       const int v = hinges[patch.hinge[k]][a];
@@ -115,6 +135,7 @@ void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangl
       patch.slot[k][a] = place;
     }
   }
+  if (patch.hinges == 3) patch.near = patch.count;
 }
 
 }  // namespace
@@ -139,6 +160,10 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
   result.patches.resize(triangles.size());
   std::vector<std::array<Vec2, 3>> outer(triangles.size());
   std::vector<std::array<double, 3>> height(triangles.size());
+  struct Neighbour {
+    int triangle = -1, corner = 0;  ///< −1: a free border; its corner opposite the shared edge
+  };
+  std::vector<std::array<Neighbour, 3>> neighbour(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     result.patches[t].area = flat[t].area;
     for (int k = 0; k < 3; ++k) {
@@ -160,6 +185,7 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
       const double along =
           (other.p[foreign] - start).dot(end - start) / (end - start).squaredNorm();
       result.patches[here.triangle].hinge[opposite] = hinge;
+      neighbour[here.triangle][opposite] = {there.triangle, foreign};
       if (is_built_in(there.triangle)) {
         // The mirror image across the clamp line: twice the angle, at this triangle's own height.
         height[here.triangle][opposite] *= 2;
@@ -174,12 +200,35 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
         {triangles[a.triangle][a.corner], triangles[a.triangle][(a.corner + 1) % 3],
          triangles[a.triangle][(a.corner + 2) % 3], triangles[b.triangle][(b.corner + 2) % 3]});
   }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (!is_built_in(static_cast<int>(t)))
+      result.patches[t].fit = release_borders(quadratic_fit(flat[t], outer[t], height[t]),
+                                              rigidity[t], flat[t], result.patches[t].hinge);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     CurvaturePatch& patch = result.patches[t];
+    if (!is_built_in(static_cast<int>(t)))
+      for (int k = 0; k < 3; ++k) {
+        // s = ½ (θ + own slope − neighbour's slope); in a clamp line s = θ, at a border the own.
+        const double length = (flat[t].p[(k + 1) % 3] - flat[t].p[(k + 2) % 3]).norm();
+        const Vec2 n = flat[t].gradient[k].normalized();
+        const Vec3 nn = length / flat[t].area * Vec3(n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]);
+        const auto [other, corner] = neighbour[t][k];
+        if (other >= 0 && is_built_in(other)) {
+          patch.s.col(k) += nn;
+          continue;
+        }
+        const double half = other < 0 ? 1.0 : 0.5;
+        patch.s.leftCols<3>() += half * nn * (mid_edge_slope(flat[t], k).transpose() * patch.fit);
+        if (other < 0) continue;
+        patch.s.col(k) += half * nn;
+        const CurvaturePatch& there = result.patches[other];
+        const Eigen::RowVector3d slope =
+            mid_edge_slope(flat[other], corner).transpose() * there.fit;
+        for (int j = 0; j < 3; ++j)
+          if (there.hinge[j] >= 0)
+            patch.s.col(place_of(patch, there.hinge[j])) -= half * slope[j] * nn;
+      }
     list_particles(result.hinges, triangles[t], patch);
-    if (is_built_in(static_cast<int>(t))) continue;
-    patch.s = release_borders(quadratic_fit(flat[t], outer[t], height[t]), rigidity[t], flat[t],
-                              patch.hinge);
   }
   return result;
 }

@@ -11,8 +11,15 @@ using VectorField = std::vector<Vec3>;
 
 /// Which second derivative the solver wants.
 enum class HessianKind {
-  exact,     ///< the derivative of the gradient, possibly indefinite
+  exact,     ///< the derivative of the gradient, possibly indefinite (see TangentReach)
   definite,  ///< a positive semi-definite approximation: every element block is ⪰ 0
+};
+
+/// How far HessianKind::exact reaches. An energy with a wide stencil may offer a cheaper matrix on
+/// a narrow one that lies close enough for Newton's method to converge, if only linearly.
+enum class TangentReach {
+  near,  ///< the narrow stencil, where there is one
+  full,  ///< the derivative of the gradient
 };
 
 /// A contribution to the total potential Π(x) [J] of the particles. Force = −∂Π/∂x.
@@ -29,6 +36,8 @@ class Energy {
   /// A line search from x along dx is about to start. Returns the largest share in (0, 1] of dx
   /// that is admissible (1 = all of it).
   virtual double begin_search(const VectorField& /*x*/, const VectorField& /*dx*/) { return 1.0; }
+  /// Applies to add_pattern and add_hessian from now on; energies start with `full`.
+  virtual void set_tangent(TangentReach /*reach*/) {}
   /// Π [J]; +∞ where x is not admissible.
   virtual double value(const VectorField& x) const = 0;
   /// g += ∂Π/∂x [N].

@@ -13,6 +13,7 @@ class ImplicitEuler : public Integrator {
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
     Newton newton(system_, {options.max_move, 25});
+    system_.set_tangent(TangentReach::full);
     SettleOutcome outcome;
     VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;

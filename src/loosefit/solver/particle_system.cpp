@@ -5,6 +5,10 @@
 
 namespace loosefit {
 
+void ParticleSystem::set_tangent(TangentReach reach) const {
+  for (Energy* e : energies) e->set_tangent(reach);
+}
+
 void ParticleSystem::begin_step(const VectorField& x, double dt) const {
   for (Energy* e : energies) e->begin_step(x, dt);
 }

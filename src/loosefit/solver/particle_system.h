@@ -16,6 +16,7 @@ struct ParticleSystem {
   int particles() const { return static_cast<int>(mass.size()); }
   bool is_held(int i) const { return !held.empty() && held[i]; }
 
+  void set_tangent(TangentReach reach) const;
   void begin_step(const VectorField& x, double dt) const;
   double begin_search(const VectorField& x, const VectorField& dx) const;
   double potential(const VectorField& x) const;

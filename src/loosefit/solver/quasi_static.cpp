@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kNewtonPerStep = 6;       ///< at most, before friction and contacts are refreshed
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
+constexpr int kSlowSteps = 3;           ///< with the near tangent, before the full one is taken
 constexpr double kStaticDt = 1e3;       ///< pseudo-time [s] beyond which inertia is left out
 
 class QuasiStatic : public Integrator {
@@ -21,9 +22,10 @@ class QuasiStatic : public Integrator {
     SettleOutcome outcome;
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
-    int stalls = 0;
-    system_.begin_step(x,
-                       dt);  // one step of the load history; what follows iterates on its balance
+    int stalls = 0, slow = 0;
+    system_.set_tangent(TangentReach::near);
+    // One step of the load history; what follows iterates on its balance.
+    system_.begin_step(x, dt);
     while (true) {
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
@@ -34,7 +36,7 @@ class QuasiStatic : public Integrator {
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
-      bool moved = false;
+      bool moved = false, reduced = false;
       for (int k = 0; k < kNewtonPerStep; ++k) {
         if (options.watch && options.watch(newton.counters().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
@@ -48,8 +50,12 @@ class QuasiStatic : public Integrator {
         }
         moved = true;
         last_share = step.share;
-        if (k > 0 && step.force < kStepReduction * first_force) break;
+        reduced = k > 0 && step.force < kStepReduction * first_force;
+        if (reduced) break;
       }
+      // Whole steps that bring little: the near tangent is too far from the truth here.
+      slow = !reduced && last_share > 0.9 ? slow + 1 : 0;
+      if (slow == kSlowSteps) system_.set_tangent(TangentReach::full);
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
       if (last_share > 0.9)
         dt *= 4;

@@ -4,9 +4,9 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/types.h"
-#include "loosefit/solver/sparse_cholesky.h"
 #include "loosefit/validate/beam_strip.h"
 #include "loosefit/validate/catalogue.h"
+#include "loosefit/validate/stability.h"
 
 namespace loosefit {
 namespace {
@@ -40,7 +40,7 @@ class Column {
     for (const Vec3& p : bench.x)
       if (std::abs(p[0]) > 1e-6 * l)
         throw SolverFailure(fmt::format("the strip left its plane at a load of {:g}", load_number));
-    return definite(bench);
+    return is_stable(bench);
   }
 
   /// The load at which stability is lost, by bisection to 1e-5.
@@ -57,16 +57,6 @@ class Column {
   ClampedStrip cut(int elements) const {
     const double l = std::cbrt(8 * fabric_.bending_weft / (fabric_.areal_density * kGravity));
     return cut_clamped_strip(l, 6 * l / elements, l / elements, fabric_);
-  }
-  static bool definite(Bench& bench) {
-    const ParticleSystem& system = bench.system();
-    BlockPattern pattern(system.particles());
-    for (const Energy* e : system.energies) e->add_pattern(bench.x, pattern);
-    pattern.compress();
-    BlockMatrix hessian(pattern);
-    for (const Energy* e : system.energies) e->add_hessian(bench.x, hessian, HessianKind::exact);
-    SparseCholesky cholesky;
-    return cholesky.factorise(hessian, std::vector<double>(system.particles(), 0.0), system.held);
   }
 
   Load load_;

@@ -8,6 +8,7 @@ namespace loosefit {
 
 bool is_stable(Bench& bench) {
   const ParticleSystem& system = bench.system();
+  system.set_tangent(TangentReach::full);
   BlockPattern pattern(system.particles());
   for (const Energy* e : system.energies) e->add_pattern(bench.x, pattern);
   pattern.compress();
