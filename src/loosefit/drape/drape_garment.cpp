@@ -86,6 +86,7 @@ class Run {
         is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
     SettleOptions settle;
     settle.tolerance = tolerance;
+    settle.tangent = TangentReach::near;  // half the cost of an iteration, as many of them
     settle.max_iterations =
         kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
     settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kNewtonPerStep = 6;       ///< at most, before friction and contacts are refreshed
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
-constexpr int kSlowSteps = 3;           ///< with the near tangent, before the full one is taken
-constexpr double kStaticDt = 1e3;       ///< pseudo-time [s] beyond which inertia is left out
+constexpr int kSlowSteps = 30;     ///< in a row with the near tangent, before the full one is taken
+constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
 
 class QuasiStatic : public Integrator {
  public:
@@ -23,7 +23,7 @@ class QuasiStatic : public Integrator {
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0, slow = 0;
-    system_.set_tangent(TangentReach::near);
+    system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
     system_.begin_step(x, dt);
     while (true) {
@@ -55,7 +55,7 @@ class QuasiStatic : public Integrator {
       }
       // Whole steps that bring little: the near tangent is too far from the truth here.
       slow = !reduced && last_share > 0.9 ? slow + 1 : 0;
-      if (slow == kSlowSteps) system_.set_tangent(TangentReach::full);
+      if (slow == kSlowSteps || stalls == 4) system_.set_tangent(TangentReach::full);
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
       if (last_share > 0.9)
         dt *= 4;
