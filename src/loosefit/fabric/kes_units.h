@@ -36,8 +36,8 @@ double si_to_kes(const std::string& quantity, double value);
 double tensile_secant(double emt_percent, double load_gf_per_cm = 500);
 
 /// Whether a measured figure, converted to `converted`, and the SI figure printed beside it are the
-/// same number: they differ by at most half a unit in the last digit of either, and never by more
-/// than 2 %.
+/// same number: they differ by at most half a unit in the last digit of the one plus half a unit in
+/// that of the other, and never by more than 2 %.
 bool same_within_rounding(double measured, double converted, double si);
 
 }  // namespace loosefit

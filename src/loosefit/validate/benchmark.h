@@ -44,10 +44,10 @@ struct BenchmarkResult {
   std::vector<std::string> notes;  ///< what a sceptical reader has to know
 };
 
-/// quick: the subset that fits into a test run; full: every row of the tables.
+/// quick: the subset that fits into a test run; full: all rows that the benchmark's own file holds.
 enum class Effort { quick, full };
 
-/// One entry of the benchmark list of validation.md section 0.
+/// One entry of the benchmark list of validation.md section 0; B9 is added to it (section 2.5).
 struct Benchmark {
   std::string id;         ///< "B1"
   std::string title;      ///< "Heavy cantilever"

@@ -87,10 +87,11 @@ class Bench {
 
 inline constexpr double kBenchTolerance = 1e-6;  ///< residual at which a specimen is at rest
 
-/// The one solver configuration of all benchmarks: the quasi-static integrator with the options of
-/// the drape stage, at a residual of `tolerance` (‖F‖/‖W‖; newtons without weight). Friction starts
-/// afresh. \throws SolverFailure naming the benchmark's residual when it does not settle and
-/// `must_settle`.
+/// The one solver configuration of all benchmarks: the quasi-static integrator with its own options
+/// (the full tangent, where drapes take the near one) at a residual of `tolerance` (‖F‖/‖W‖;
+/// newtons without weight). Each call is one step of the load history: friction keeps the anchors
+/// that earlier calls on this bench left. \throws SolverFailure naming the residual when it does
+/// not settle and `must_settle`.
 SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance = kBenchTolerance,
                            bool must_settle = true, int max_iterations = 3000);
 
