@@ -2,27 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/validate/catalogue.h"
-
 namespace loosefit {
 namespace {
-
-void expect_all_pass(const BenchmarkResult& result, std::size_t at_least) {
-  EXPECT_GE(result.findings.size(), at_least);
-  for (const Finding& f : result.findings)
-    EXPECT_TRUE(f.pass()) << f.what << ": expected " << f.expected << ", obtained " << f.obtained;
-}
-
-TEST(MembraneBenchmarks, HomogeneousStrainAndDerivativesMeetTheirGates) {
-  Progress silent;
-  expect_all_pass(benchmark_homogeneous_strain(Effort::quick, silent), 19);
-  expect_all_pass(benchmark_derivatives(Effort::quick, silent), 14);
-}
-
-TEST(MembraneBenchmarks, OffAxisStripsMeetTheirGates) {
-  Progress silent;
-  expect_all_pass(benchmark_off_axis(Effort::quick, silent), 8);
-}
 
 TEST(Roughen, KeepsTheOutlineAndTheArea) {
   Specimen s = cut_rectangle(0.1, 0.12, 0.01, Material{});
