@@ -41,12 +41,20 @@ def regions(results):
 
 
 def change(results, edge, finest, name, region):
-    """Relative difference of the means from the finest mesh, and its standard error."""
-    a, da = mean_and_deviation(samples(results, edge, name, region))
-    b, db = mean_and_deviation(samples(results, finest, name, region))
-    na = len(samples(results, edge, name, region))
-    nb = len(samples(results, finest, name, region))
-    return abs(a - b) / b, math.sqrt(da * da / na + db * db / nb) / b
+    """Relative difference of the means from the finest mesh."""
+    a, _ = mean_and_deviation(samples(results, edge, name, region))
+    b, _ = mean_and_deviation(samples(results, finest, name, region))
+    return abs(a - b) / b
+
+
+def coarsest(edges, good):
+    """The longest edge from which on every finer mesh is good too."""
+    enough = None
+    for edge in reversed(edges):
+        if not good[edge]:
+            break
+        enough = edge
+    return f"{enough} mm" if enough else f"below {edges[-1]} mm"
 
 
 def region_table(results, name, edges):
@@ -71,17 +79,14 @@ def need_table(results, edges):
              + f" | edge length for {LIMIT:.0%} in the median region, in nine regions of ten |",
              "|---|" + "---|" * len(edges)]
     for name, (title, _, _) in MAPS.items():
-        cells, median_ok, most_ok = [], [], []
+        cells, median_ok, most_ok = [], {}, {}
         for edge in edges[:-1]:
-            errors = sorted(change(results, edge, finest, name, r)[0]
+            errors = sorted(change(results, edge, finest, name, r)
                             for r in regions(results) if r != "whole")
             cells.append(f"{statistics.median(errors):.0%}, {errors[-1]:.0%}")
-            if statistics.median(errors) <= LIMIT:
-                median_ok.append(edge)
-            if errors[math.ceil(0.9 * len(errors)) - 1] <= LIMIT:
-                most_ok.append(edge)
-        need = (f"{median_ok[0]} mm" if median_ok else f"below {edges[-2]} mm") + ", " + (
-            f"{most_ok[0]} mm" if most_ok else f"below {edges[-2]} mm")
+            median_ok[edge] = statistics.median(errors) <= LIMIT
+            most_ok[edge] = errors[math.ceil(0.9 * len(errors)) - 1] <= LIMIT
+        need = coarsest(edges[:-1], median_ok) + ", " + coarsest(edges[:-1], most_ok)
         lines.append(f"| {title} | " + " | ".join(cells) + f" | {need} |")
     return lines + [""]
 
