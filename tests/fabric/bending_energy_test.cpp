@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/flat_garment.h"
 #include "support/law_checker.h"
 
@@ -215,6 +217,45 @@ TEST(BendingFriction, ReleasedStripKeepsTheResidualCurvature) {
   // The other way round the loop is as wide.
   while (kappa > -250) last = moment(kappa -= 0.5);
   EXPECT_NEAR(last, rigidity * kappa - hysteresis, 1e-3 * std::abs(last));
+}
+
+// Weft and warp may have loops of very different width; each keeps its own residual curvature.
+TEST(BendingFriction, UnequalDirectionsKeepTheirOwn) {
+  const Vec2 rigidity(1e-5, 1e-5);
+  for (double share : {1.0, 0.3, 0.1}) {
+    const Vec2 hysteresis(share * 6e-4, 6e-4);
+    const BendingFriction friction(hysteresis, rigidity);
+    for (int direction : {0, 1}) {
+      const double residual = hysteresis[direction] / rigidity[direction];
+      Vec3 anchor = Vec3::Zero(), k = Vec3::Zero();
+      for (int step = 0; step <= 100; ++step) {
+        k[direction] = 1.5 * residual * step / 100;
+        anchor = friction.carried(friction.slide(k), anchor);
+      }
+      double moment = 1;
+      for (; moment > 0 && k[direction] > 0; k[direction] -= 1e-3 * residual) {
+        moment = rigidity[direction] * k[direction] + friction.respond(k, anchor).moment[direction];
+        anchor = friction.carried(friction.slide(k), anchor);
+      }
+      EXPECT_NEAR(k[direction], residual, 0.01 * residual) << share << " " << direction;
+    }
+  }
+}
+
+// Iterates of one static balance are no steps of history.
+TEST(BendingFriction, StaticIteratesLeaveNoTrace) {
+  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  Material m;
+  m.bending_hysteresis_weft = m.bending_hysteresis_warp = 2e-4;
+  BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
+  energy.begin_step(mesh.vertices, 0.1);
+  const VectorField x = crumpled(mesh);
+  const double once = energy.value(x);
+  VectorField overshoot = x;
+  for (Vec3& p : overshoot) p[2] *= 3;
+  energy.begin_step(overshoot, std::numeric_limits<double>::infinity());
+  energy.begin_step(x, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(energy.value(x), once);
 }
 
 }  // namespace

@@ -23,16 +23,6 @@ Matrix12 definite_part(const Dihedral& d, const DihedralHessian& second, double 
          eigen.eigenvectors().transpose();
 }
 
-/// Smallest stiffness of a patch against any combination of its real angles.
-double least_stiffness(const Mat3& stiffness, const std::array<int, 9>& hinge) {
-  Mat3 m = stiffness;
-  double largest = stiffness.trace();
-  for (int k = 0; k < 3; ++k)
-    if (hinge[k] < 0) m(k, k) = largest;
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(m, Eigen::EigenvaluesOnly);
-  return std::max(0.0, eigen.eigenvalues()[0]);
-}
-
 }  // namespace
 
 Mat3 plate_rigidity(const Material& m, double added) {
@@ -59,8 +49,13 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const CurvaturePatch& p = mesh_.patches[t];
     stiffness_.push_back(p.area * p.s.transpose() * rigidity[t] * p.s);
-    near_.push_back(p.area * p.fit.transpose() * rigidity[t] * p.fit);
-    least_.push_back(least_stiffness(near_.back(), p.hinge));
+  }
+  hinge_stiffness_.assign(mesh_.hinges.size(), 0.0);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const CurvaturePatch& p = mesh_.patches[t];
+    for (int k = 0; k < 3; ++k)
+      if (p.hinge[k] >= 0)
+        hinge_stiffness_[p.hinge[k]] += p.area * p.fit.col(k).dot(rigidity[t] * p.fit.col(k));
   }
   angle_start_.assign(triangles.size(), Vector9::Zero());
   anchor_.assign(triangles.size(), Vec3::Zero());
@@ -101,7 +96,8 @@ void BendingEnergy::begin_step(const VectorField& x, double dt) {
   const std::vector<double> angle = angles(x);
   for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
     angle_start_[t] = of_patch(t, angle);
-    if (friction_.active())
+    // The yarns slide from step to step; iterates of one balance leave no trace.
+    if (friction_.active() && std::isfinite(dt))
       anchor_[t] =
           friction_.carried(friction_.slide(mesh_.patches[t].s * angle_start_[t]), anchor_[t]);
   }
@@ -162,56 +158,58 @@ void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
 }
 
 void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
+  if (tangent_ == TangentReach::near) {
+    for (const auto& h : mesh_.hinges) pattern.add_clique(h);
+    return;
+  }
   for (const CurvaturePatch& p : mesh_.patches)
-    for (int a = 0; a < (tangent_ == TangentReach::full ? p.count : p.near); ++a)
+    for (int a = 0; a < p.count; ++a)
       for (int b = 0; b < a; ++b) pattern.add(p.particle[a], p.particle[b]);
 }
 
-template <int Hinges>
-Eigen::Matrix<double, Hinges, Hinges> BendingEnergy::tangent(std::size_t t,
-                                                             const Vector9& angle) const {
+BendingEnergy::Matrix9 BendingEnergy::tangent(std::size_t t, const Vector9& angle) const {
   const CurvaturePatch& p = mesh_.patches[t];
-  Eigen::Matrix<double, Hinges, Hinges> k;
-  Eigen::Matrix<double, 3, Hinges> s;
-  if constexpr (Hinges == 9) {
-    k = (1 + viscous_ratio_) * stiffness_[t];
-    s = p.s;
-  } else {
-    k = (1 + viscous_ratio_) * near_[t];
-    s = p.fit;
-  }
+  Matrix9 k = (1 + viscous_ratio_) * stiffness_[t];
   if (friction_.active())
-    k += p.area * s.transpose() * friction_.respond(p.s * angle, anchor_[t]).tangent * s;
+    k += p.area * p.s.transpose() * friction_.respond(p.s * angle, anchor_[t]).tangent * p.s;
   return k;
 }
 
-template <int Hinges, int Points>
+std::vector<double> BendingEnergy::hinge_stiffness(const std::vector<double>& angle) const {
+  std::vector<double> stiffness = hinge_stiffness_;
+  for (double& k : stiffness) k *= 1 + viscous_ratio_;
+  if (friction_.active())
+    for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
+      const CurvaturePatch& p = mesh_.patches[t];
+      const Mat3 inner = friction_.respond(p.s * of_patch(t, angle), anchor_[t]).tangent;
+      for (int k = 0; k < 3; ++k)
+        if (p.hinge[k] >= 0)
+          stiffness[p.hinge[k]] += p.area * p.fit.col(k).dot(inner * p.fit.col(k));
+    }
+  return stiffness;
+}
+
 void BendingEnergy::add_patches(const std::vector<Dihedral>& hinge,
-                                const std::vector<double>& angle, bool exact,
-                                BlockMatrix& h) const {
-  std::vector<std::array<Mat3, Points*(Points + 1) / 2>> blocks(mesh_.patches.size());
-  const auto points = [](const CurvaturePatch& p) { return Hinges == 9 ? p.count : p.near; };
+                                const std::vector<double>& angle, BlockMatrix& h) const {
+  std::vector<std::array<Mat3, 78>> blocks(mesh_.patches.size());
   tbb::parallel_for(std::size_t{0}, mesh_.patches.size(), [&](std::size_t t) {
     const CurvaturePatch& p = mesh_.patches[t];
-    Eigen::Matrix<double, Hinges, Hinges> k = tangent<Hinges>(t, of_patch(t, angle));
-    if (!exact) k.diagonal().array() -= (1 + viscous_ratio_) * least_[t];
-    Eigen::Matrix<double, 3 * Points, Hinges> gradient;
-    gradient.setZero();
-    for (int c = 0; c < std::min(Hinges, p.hinges); ++c)
+    Eigen::Matrix<double, 36, 9> gradient = Eigen::Matrix<double, 36, 9>::Zero();
+    for (int c = 0; c < p.hinges; ++c)
       if (p.hinge[c] >= 0)
         for (int a = 0; a < 4; ++a)
-          gradient.template block<3, 1>(3 * p.slot[c][a], c) = hinge[p.hinge[c]].gradient[a];
-    const Eigen::Matrix<double, 3 * Points, Hinges> weighted = gradient * k;
+          gradient.block<3, 1>(3 * p.slot[c][a], c) = hinge[p.hinge[c]].gradient[a];
+    const Eigen::Matrix<double, 36, 9> weighted = gradient * tangent(t, of_patch(t, angle));
     int block = 0;
-    for (int a = 0; a < points(p); ++a)
+    for (int a = 0; a < p.count; ++a)
       for (int b = 0; b <= a; ++b)
-        blocks[t][block++].noalias() = weighted.template block<3, Hinges>(3 * a, 0) *
-                                       gradient.template block<3, Hinges>(3 * b, 0).transpose();
+        blocks[t][block++].noalias() =
+            weighted.block<3, 9>(3 * a, 0) * gradient.block<3, 9>(3 * b, 0).transpose();
   });
   for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
     const CurvaturePatch& p = mesh_.patches[t];
     int block = 0;
-    for (int a = 0; a < points(p); ++a)
+    for (int a = 0; a < p.count; ++a)
       for (int b = 0; b <= a; ++b) h.add(p.particle[a], p.particle[b], blocks[t][block++]);
   }
 }
@@ -227,14 +225,11 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
     angle[i] = hinge[i].angle;
   });
 
-  // What a hinge may count on for itself when its own block is made definite: the part of the
-  // patches' stiffness that is a multiple of the identity.
-  std::vector<double> share(hinge.size(), 0.0);
-  if (!exact)
-    for (std::size_t t = 0; t < mesh_.patches.size(); ++t)
-      for (int k = 0; k < 3; ++k)
-        if (mesh_.patches[t].hinge[k] >= 0)
-          share[mesh_.patches[t].hinge[k]] += (1 + viscous_ratio_) * least_[t];
+  // The full tangent has the stiffness of the angles from the patches; otherwise each hinge has its
+  // own.
+  const bool patches = exact && tangent_ == TangentReach::full;
+  std::vector<double> stiffness(hinge.size(), 0.0);
+  if (!patches) stiffness = hinge_stiffness(angle);
 
   const std::vector<double> moment = hinge_moments(angle);
   std::vector<std::array<Mat3, 10>> of_hinge(hinge.size());
@@ -244,17 +239,21 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
     if (!exact && std::abs(angle[i]) <= kFlat) {
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b <= a; ++b)
-          of_hinge[i][slot++] = share[i] * hinge[i].gradient[a] * hinge[i].gradient[b].transpose();
+          of_hinge[i][slot++] =
+              stiffness[i] * hinge[i].gradient[a] * hinge[i].gradient[b].transpose();
       return;
     }
     DihedralHessian second;
     dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]], &second);
     if (exact) {
       for (int a = 0; a < 4; ++a)
-        for (int b = 0; b <= a; ++b) of_hinge[i][slot++] = moment[i] * second[a][b];
+        for (int b = 0; b <= a; ++b)
+          of_hinge[i][slot++] =
+              stiffness[i] * hinge[i].gradient[a] * hinge[i].gradient[b].transpose() +
+              moment[i] * second[a][b];
       return;
     }
-    const Matrix12 h12 = definite_part(hinge[i], second, share[i], moment[i]);
+    const Matrix12 h12 = definite_part(hinge[i], second, stiffness[i], moment[i]);
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b) of_hinge[i][slot++] = h12.block<3, 3>(3 * a, 3 * b);
   });
@@ -265,10 +264,7 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
         h.add(mesh_.hinges[i][a], mesh_.hinges[i][b], of_hinge[i][slot++]);
   }
 
-  if (exact && tangent_ == TangentReach::full)
-    add_patches<9, 12>(hinge, angle, exact, h);
-  else
-    add_patches<3, 6>(hinge, angle, exact, h);
+  if (patches) add_patches(hinge, angle, h);
 }
 
 }  // namespace loosefit

@@ -22,9 +22,9 @@ Mat3 plate_rigidity(const Material& material, double added = 0);
 /// with θ the dihedral angles round a triangle (CurvaturePatch), D of plate_rigidity plus what
 /// attachments add, and the inner friction of BendingFriction. Rest angle 0, seams included.
 /// Viscosity as in MembraneEnergy: the stress τ D κ̇.
-/// The near tangent is that of the fit with a triangle's own angles alone (CurvaturePatch, step 1):
-/// it couples half as many particles; eigenvalues of the full one against it are 0.4 to 1.4 on
-/// irregular meshes.
+/// The near tangent, and the definite one, give each hinge a stiffness of its own (the diagonal of
+/// the fit with a triangle's own angles, CurvaturePatch step 1): four particles a hinge instead of
+/// twelve a triangle.
 /// The memory of the inner friction starts from flat cloth: what is bent at first has been bent
 /// there in one go.
 class BendingEnergy : public Energy {
@@ -50,17 +50,15 @@ class BendingEnergy : public Energy {
   std::vector<double> angles(const VectorField& x) const;
   Vector9 of_patch(std::size_t patch, const std::vector<double>& angle) const;
   Vector9 moments(std::size_t patch, const Vector9& angle) const;
-  template <int Hinges>
-  Eigen::Matrix<double, Hinges, Hinges> tangent(std::size_t patch, const Vector9& angle) const;
-  template <int Hinges, int Points>
-  void add_patches(const std::vector<Dihedral>& hinge, const std::vector<double>& angle, bool exact,
+  Matrix9 tangent(std::size_t patch, const Vector9& angle) const;
+  std::vector<double> hinge_stiffness(const std::vector<double>& angle) const;
+  void add_patches(const std::vector<Dihedral>& hinge, const std::vector<double>& angle,
                    BlockMatrix& h) const;
   std::vector<double> hinge_moments(const std::vector<double>& angle) const;
 
   CurvaturePatches mesh_;
-  std::vector<Matrix9> stiffness_;  ///< A Sᵀ D S per patch [N m]
-  std::vector<Mat3> near_;          ///< the same for the fit with its own angles alone [N m]
-  std::vector<double> least_;       ///< smallest eigenvalue of that, borders left out [N m]
+  std::vector<Matrix9> stiffness_;       ///< A Sᵀ D S per patch [N m]
+  std::vector<double> hinge_stiffness_;  ///< of the near tangent [N m]
   BendingFriction friction_;
   TangentReach tangent_ = TangentReach::full;
   std::vector<Vec3> anchor_;          ///< z₀ of the inner friction, per patch

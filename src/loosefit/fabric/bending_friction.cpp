@@ -13,7 +13,7 @@ BendingFriction::BendingFriction(const Vec2& hysteresis, const Vec2& rigidity) {
   scale_ = {a[0], a[1], std::sqrt(0.5 * a[0] * a[1])};
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 2; ++i)
-    if (hysteresis[i] > 0) least = std::min(least, hysteresis[i] / rigidity[i]);
+    if (hysteresis[i] > 0) least = std::min(least, a[i] * hysteresis[i] / rigidity[i]);
   reach_ = kReachShare * least;
 }
 

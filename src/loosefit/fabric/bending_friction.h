@@ -13,7 +13,8 @@ namespace loosefit {
 /// so that the moment of pure bending in warp never exceeds HB_v (in weft HB_u) and a strip that
 /// is released from a tight bend stops at κ_res = HB/B. z₀ follows by return mapping at the start
 /// of every step: not conservative over steps, within a step a potential.
-/// κ_r is a tenth of the smaller κ_res: the elastic reach before the yarns slide.
+/// κ_r is the least of a_i κ_res,i / 10, so that in either direction the yarns slide after an
+/// elastic reach of at most a tenth of the curvature that they would keep.
 class BendingFriction {
  public:
   /// hysteresis HB [N] and rigidity B [N m], weft and warp. Inactive when both HB are 0.

@@ -125,7 +125,6 @@ void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangl
                     CurvaturePatch& patch) {
   for (int k = 0; k < 3; ++k) patch.particle[k] = corners[k];
   for (int k = 0; k < patch.hinges; ++k) {
-    if (k == 3) patch.near = patch.count;
     if (patch.hinge[k] < 0) continue;
     for (int a = 0; a < 4; ++a) {
       const int v = hinges[patch.hinge[k]][a];
@@ -135,7 +134,6 @@ void list_particles(const std::vector<std::array<int, 4>>& hinges, const Triangl
       patch.slot[k][a] = place;
     }
   }
-  if (patch.hinges == 3) patch.near = patch.count;
 }
 
 }  // namespace

@@ -32,7 +32,6 @@ struct CurvaturePatch {
   /// Corners, free corners of the neighbours, then the rest.
   std::array<int, 12> particle{};
   int count = 3;                             ///< of particles
-  int near = 3;                              ///< of particles that the own hinges have
   std::array<std::array<int, 4>, 9> slot{};  ///< places in `particle` of the points of each hinge
 };
 
@@ -44,7 +43,8 @@ struct CurvaturePatches {
 };
 
 /// `rigidity[t]` (3 × 3, for κ_uu, κ_vv, 2κ_uv) enters at free borders only: the unknown angle
-/// there is the one of least energy, which is the natural condition of a moment-free border.
+/// there is the one for which the border carries no moment; in corners with two borders, and where
+/// the patch says little about that moment, the one of least energy.
 /// `built_in[t]` (may be empty) marks triangles held in a rigid clamp: they store nothing, and
 /// their neighbours bend as if mirrored in the clamp line, which is the condition w' = 0 there.
 /// \throws GeometryError for a pattern triangle without area.
