@@ -49,11 +49,13 @@ double order_of(const std::vector<double>& elements, const std::vector<double>& 
 }
 
 /// Refines one cantilever and reports how fast its end comes to its place. Ten edges are drawn but
-/// not counted: there the stretch of flat triangles along a curve, of fourth order, prevails.
+/// not counted: there the stretch of flat triangles along a curve, of fourth order, prevails. At
+/// Γ = 1, because errors of opposite sign meet at larger Γ (that of H/W vanishes near Γ = 15) and
+/// hide the order.
 void add_convergence(BenchmarkResult& result, Progress& progress, double from, double to) {
-  constexpr HeavyRow kRow = {8, 0.72442473, 0.64063072};
+  constexpr HeavyRow kRow = {1, 0.99124640, 0.12347140};
   std::vector<double> elements, errors;
-  Plot plot{"Refinement of the heavy cantilever at Γ = 8",
+  Plot plot{"Refinement of the heavy cantilever at Γ = 1",
             "edges along the length",
             "distance of the end from its place over L",
             true,
@@ -66,7 +68,7 @@ void add_convergence(BenchmarkResult& result, Progress& progress, double from, d
     errors.push_back(std::hypot(shape.w - kRow.w, shape.h - kRow.h));
   }
   Finding f;
-  f.what = "order of convergence at Γ = 8, from 20 to 80 edges along L";
+  f.what = "order of convergence at Γ = 1, from 20 to 80 edges along L";
   f.expected = 2;
   f.obtained = order_of({elements.begin() + 1, elements.end()}, {errors.begin() + 1, errors.end()});
   f.gate = Finding::Gate::absolute;

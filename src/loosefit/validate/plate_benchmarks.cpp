@@ -40,7 +40,7 @@ Finding twist_finding(double poisson, double edge_length, Progress& progress) {
   const int loaded = corner(side, side).at(0);
   const double force = wanted * 2 * rigidity * (1 - poisson) / (side * side);
   bench.loads().force[loaded] = Vec3(0, 0, force);
-  settle_bench(bench, progress, 1e-6 * force);
+  settle_bench(bench, progress, 1e-5 * force);
   return {fmt::format("corner deflection over P a²/(2D(1−ν)), ν = {:.2g}", poisson),
           "",
           1.0,
