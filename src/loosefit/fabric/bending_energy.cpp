@@ -23,6 +23,23 @@ Matrix12 definite_part(const Dihedral& d, const DihedralHessian& second, double 
          eigen.eigenvectors().transpose();
 }
 
+std::vector<Dihedral> dihedrals(const std::vector<std::array<int, 4>>& hinges,
+                                const VectorField& x) {
+  std::vector<Dihedral> result(hinges.size());
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    const auto& v = hinges[i];
+    result[i] = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+  });
+  return result;
+}
+
+std::vector<double> angles_of(const std::vector<Dihedral>& hinge) {
+  std::vector<double> angle;
+  angle.reserve(hinge.size());
+  for (const Dihedral& d : hinge) angle.push_back(d.angle);
+  return angle;
+}
+
 }  // namespace
 
 Mat3 plate_rigidity(const Material& m, double added) {
@@ -145,13 +162,8 @@ std::vector<double> BendingEnergy::hinge_moments(const std::vector<double>& angl
 }
 
 void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
-  std::vector<Dihedral> hinge(mesh_.hinges.size());
-  std::vector<double> angle(hinge.size());
-  tbb::parallel_for(std::size_t{0}, hinge.size(), [&](std::size_t i) {
-    const auto& v = mesh_.hinges[i];
-    hinge[i] = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    angle[i] = hinge[i].angle;
-  });
+  const std::vector<Dihedral> hinge = dihedrals(mesh_.hinges, x);
+  const std::vector<double> angle = angles_of(hinge);
   const std::vector<double> moment = hinge_moments(angle);
   for (std::size_t i = 0; i < hinge.size(); ++i)
     for (int a = 0; a < 4; ++a) g[mesh_.hinges[i][a]] += moment[i] * hinge[i].gradient[a];
@@ -217,13 +229,8 @@ void BendingEnergy::add_patches(const std::vector<Dihedral>& hinge,
 void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
   constexpr double kFlat = 0.25;  // [rad]; below it the moment part of a hinge may be left out
-  std::vector<Dihedral> hinge(mesh_.hinges.size());
-  std::vector<double> angle(hinge.size());
-  tbb::parallel_for(std::size_t{0}, hinge.size(), [&](std::size_t i) {
-    const auto& v = mesh_.hinges[i];
-    hinge[i] = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    angle[i] = hinge[i].angle;
-  });
+  const std::vector<Dihedral> hinge = dihedrals(mesh_.hinges, x);
+  const std::vector<double> angle = angles_of(hinge);
 
   // The full tangent has the stiffness of the angles from the patches; otherwise each hinge has its
   // own.
