@@ -20,12 +20,16 @@
 namespace loosefit {
 namespace {
 
-// OpenBLAS reads its thread count while it is loaded, before main; a second thread only slows our
-// small supernodes down and would make sums depend on the machine. So start over with it set.
+// OpenBLAS reads its settings while it is loaded, before main; a second thread only slows our
+// small fronts down and would make sums depend on the machine. So start over with them set. Debian
+// 12's OpenBLAS does not know newer processors and falls back to narrow kernels: name it wide ones.
 void pin_blas_threads(char** arguments) {
   const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
   if (threads && std::strcmp(threads, "1") == 0) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
   execv("/proc/self/exe", arguments);  // returns only when it fails; then go on as we are
 }
 

@@ -232,9 +232,9 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
   const std::vector<Dihedral> hinge = dihedrals(mesh_.hinges, x);
   const std::vector<double> angle = angles_of(hinge);
 
-  // The full tangent has the stiffness of the angles from the patches; otherwise each hinge has its
-  // own.
-  const bool patches = exact && tangent_ == TangentReach::full;
+  // The full tangent has the stiffness of the angles from the patches (definite in itself);
+  // otherwise each hinge has its own.
+  const bool patches = tangent_ == TangentReach::full;
   std::vector<double> stiffness(hinge.size(), 0.0);
   if (!patches) stiffness = hinge_stiffness(angle);
 

@@ -1,5 +1,7 @@
 #include "loosefit/particles/block_matrix.h"
 
+#include <atomic>
+
 namespace loosefit {
 
 void BlockPattern::compress() {
@@ -10,6 +12,8 @@ void BlockPattern::compress() {
 }
 
 BlockMatrix::BlockMatrix(const BlockPattern& pattern) {
+  static std::atomic<std::uint64_t> made{0};
+  pattern_id_ = ++made;
   const auto& columns = pattern.rows_of_column();
   column_start_.reserve(columns.size() + 1);
   for (const auto& rows : columns) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "loosefit/base/types.h"
@@ -45,6 +46,12 @@ class BlockMatrix {
     else
       blocks_[find(j, i)] += block.transpose();
   }
+  /// Place of block (i, j), i ≥ j, for add_at. \pre the block is in the pattern
+  int slot(int i, int j) const { return find(i, j); }
+  /// Adds to the block at a place from `slot`; the caller has brought it to i ≥ j.
+  void add_at(int slot, const Mat3& block) { blocks_[slot] += block; }
+  /// Differs between matrices whose patterns were made separately; for callers that keep slots.
+  std::uint64_t pattern_id() const { return pattern_id_; }
   /// y = A x for flat vectors of 3 n numbers (both triangles).
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
@@ -60,6 +67,7 @@ class BlockMatrix {
     const auto last = rows_.begin() + column_start_[column + 1];
     return static_cast<int>(std::lower_bound(first, last, row) - rows_.begin());
   }
+  std::uint64_t pattern_id_ = 0;
   std::vector<int> column_start_{0};
   std::vector<int> rows_;
   std::vector<Mat3> blocks_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "loosefit/base/types.h"
@@ -42,8 +43,17 @@ class Energy {
   virtual double value(const VectorField& x) const = 0;
   /// g += ∂Π/∂x [N].
   virtual void add_gradient(const VectorField& x, VectorField& g) const = 0;
-  /// Blocks (i, j) that add_hessian will touch at x.
+  /// Both in one pass, where that is cheaper: g += ∂Π/∂x, returns Π.
+  virtual double value_and_gradient(const VectorField& x, VectorField& g) const {
+    const double energy = value(x);
+    add_gradient(x, g);
+    return energy;
+  }
+  /// Blocks (i, j) that add_hessian will touch at x; more are allowed.
   virtual void add_pattern(const VectorField& x, BlockPattern& pattern) const = 0;
+  /// Changes when add_pattern would no longer give the same blocks as at the last call, so that a
+  /// matrix and its symbolic factor can be kept until then.
+  virtual std::uint64_t pattern_version(const VectorField& /*x*/) const { return 0; }
   /// H += ∂²Π/∂x² [N/m].
   virtual void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "loosefit/solver/stopwatch.h"
+
 namespace loosefit {
 namespace {
 
@@ -19,7 +21,8 @@ Newton::Newton(const ParticleSystem& system, const Options& options)
     : system_(system), options_(options) {}
 
 VectorField Newton::gradient(const VectorField& x, const VectorField& target,
-                             double per_dt2) const {
+                             double per_dt2) {
+  const Stopwatch watch(counters_.evaluate);
   VectorField g = system_.gradient(x);
   if (per_dt2 > 0)
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -28,7 +31,8 @@ VectorField Newton::gradient(const VectorField& x, const VectorField& target,
   return g;
 }
 
-double Newton::objective(const VectorField& x, const VectorField& target, double per_dt2) const {
+double Newton::objective(const VectorField& x, const VectorField& target, double per_dt2) {
+  const Stopwatch watch(counters_.evaluate);
   double sum = system_.potential(x);
   if (per_dt2 > 0)
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -37,15 +41,19 @@ double Newton::objective(const VectorField& x, const VectorField& target, double
 }
 
 bool Newton::solve(const VectorField& x, const VectorField& g, double per_dt2, VectorField& dx) {
-  BlockPattern pattern(system_.particles());
-  for (const Energy* e : system_.energies) e->add_pattern(x, pattern);
-  pattern.compress();
-  if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
+  {
+    const Stopwatch watch(counters_.assemble);
+    BlockPattern pattern(system_.particles());
+    for (const Energy* e : system_.energies) e->add_pattern(x, pattern);
+    pattern.compress();
+    if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
+  }
 
   VectorField rhs(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) rhs[i] = -g[i];
   std::vector<double> shift(system_.particles());
   const auto assemble = [&](HessianKind kind) {
+    const Stopwatch watch(counters_.assemble);
     matrix_.set_zero();
     for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
   };
@@ -53,7 +61,11 @@ bool Newton::solve(const VectorField& x, const VectorField& g, double per_dt2, V
     for (int i = 0; i < system_.particles(); ++i)
       shift[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++counters_.factorisations;
-    if (!cholesky_.factorise(matrix_, shift, system_.held)) return false;
+    {
+      const Stopwatch watch(counters_.factorise);
+      if (!cholesky_.factorise(matrix_, shift, system_.held)) return false;
+    }
+    const Stopwatch watch(counters_.solve);
     cholesky_.solve(rhs, dx);
     return true;
   };
@@ -98,7 +110,11 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
   const double stretch = std::min(exact_ ? 1.0 : kStretch, options_.max_move / largest);
   for (Vec3& d : dx) d *= stretch;
   slope *= stretch;
-  const double limit = system_.begin_search(x, dx);
+  double limit = 1;
+  {
+    const Stopwatch watch(counters_.collide);
+    limit = system_.begin_search(x, dx);
+  }
   const double whole = std::min(1.0, 1.0 / stretch);  // the Newton step itself
   const double before = objective(x, target, per_dt2);
   VectorField trial(x.size());

@@ -15,6 +15,8 @@ class Newton {
   };
   struct Counters {
     int iterations = 0, factorisations = 0;
+    /// Wall seconds: matrices, their factors, solutions, step limits, energies and forces.
+    double assemble = 0, factorise = 0, solve = 0, collide = 0, evaluate = 0;
   };
   struct Outcome {
     bool moved = false;  ///< false: no descent possible
@@ -30,14 +32,15 @@ class Newton {
   const Counters& counters() const { return counters_; }
 
  private:
-  VectorField gradient(const VectorField& x, const VectorField& target, double per_dt2) const;
-  double objective(const VectorField& x, const VectorField& target, double per_dt2) const;
+  VectorField gradient(const VectorField& x, const VectorField& target, double per_dt2);
+  double objective(const VectorField& x, const VectorField& target, double per_dt2);
   bool solve(const VectorField& x, const VectorField& g, double per_dt2, VectorField& dx);
   const ParticleSystem& system_;
   Options options_;
   Counters counters_;
   SparseCholesky cholesky_;
   BlockMatrix matrix_;
+public:
   bool exact_ = false;  ///< the last step used the exact Hessian
   int wait_ = 0;        ///< iterations left in which the exact Hessian is not tried
   int patience_ = 1;

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
@@ -29,7 +31,9 @@ class QuasiStatic : public Integrator {
     while (true) {
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
-      if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
+      const bool rest = judge_rest(system_, x, options.tolerance, outcome);
+      if (getenv("LF_TRACE")) { const auto& c = newton.counters(); fprintf(stderr, "T n %d its %d fact %d asm %.2f fac %.2f sol %.2f col %.2f eva %.2f\n", system_.particles(), c.iterations, c.factorisations, c.assemble, c.factorise, c.solve, c.collide, c.evaluate); }
+      if (rest) return outcome;
       if (outcome.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
@@ -44,6 +48,7 @@ class QuasiStatic : public Integrator {
         }
         const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
+        if (getenv("LF_TRACE")) fprintf(stderr, "it %d n %d res %.3g force %.3g dt %.3g share %.3g exact %d fact %d\n", newton.counters().iterations, system_.particles(), outcome.residual, step.force, dt, step.share, newton.exact_, newton.counters().factorisations);
         if (!step.moved) {
           last_share = 0;
           break;

@@ -1,146 +1,244 @@
 #include "loosefit/solver/sparse_cholesky.h"
 
-#include <cholmod.h>
+#include <cblas.h>
+#include <tbb/task_group.h>
 
-#include <mutex>
+#include <atomic>
+#include <memory>
+#include <new>
 
 #include "loosefit/base/error.h"
+#include "loosefit/solver/fill_order.h"
+#include "loosefit/solver/front_tree.h"
 
-/// From the OpenMP run-time that CHOLMOD brings along; its header needs a compiler flag we do not
-/// set.
-extern "C" void omp_set_max_active_levels(int levels);
+extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace loosefit {
+namespace {
+
+constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
+
+using Buffer = std::unique_ptr<double[]>;
+
+/// Cholesky factor in place of the lower triangle of a, n × n, leading dimension lda.
+bool factorise_dense(double* a, int n, int lda) {
+  int info = 0;
+  dpotrf_("L", &n, a, &lda, &info);
+  return info == 0;
+}
+
+}  // namespace
 
 struct SparseCholesky::Work {
-  cholmod_common common;
-  cholmod_sparse* matrix = nullptr;
-  cholmod_factor* factor = nullptr;
-  std::vector<int> order;               ///< of the scalar unknowns
-  std::vector<int> column_start, rows;  ///< block pattern that `matrix` was made for
+  FrontTree tree;
+  std::vector<int> column_start, rows;  ///< block pattern that the tree was made for
+  std::vector<double> subtree_flops;
+  /// Where a block of A goes.
+  struct Entry {
+    int block;        ///< of A, which couples the particles i (row) and j (column)
+    int i, j;
+    int row, column;  ///< place in the front, in blocks
+    bool transposed;
+  };
+  std::vector<std::vector<Entry>> entries;
+  std::vector<Buffer> factor;  ///< per front: 3(p+r) × 3p, column major
+  std::vector<Buffer> border;  ///< per front until its parent has taken it: 3r × 3r
+  std::atomic<bool> definite{true};
+  const BlockMatrix* a = nullptr;
+  const std::vector<double>* shift = nullptr;
+  const std::vector<char>* held = nullptr;
 
-  Work() {
-    // CHOLMOD opens four OpenMP threads whatever the machine; on two cores their waiting costs more
-    // than the whole factorisation.
-    omp_set_max_active_levels(0);
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.final_ll = 1;
-    common.print = 0;
-    common.error_handler = nullptr;
-  }
-  ~Work() {
-    if (factor) cholmod_free_factor(&factor, &common);
-    if (matrix) cholmod_free_sparse(&matrix, &common);
-    cholmod_finish(&common);
-  }
-
-  void find_order(const BlockMatrix& a);
-  void analyse(const BlockMatrix& a);
-  void fill(const BlockMatrix& a, const std::vector<double>& shift, const std::vector<char>& held);
+  void analyse(const BlockMatrix& matrix);
+  void eliminate_subtree(int front);
+  void eliminate(int front);
+  void add_entries(int front, double* f);
+  void add_child(int child, double* f, Buffer& border_of_parent);
 };
 
-void SparseCholesky::Work::find_order(const BlockMatrix& a) {
-  const int n = a.particles();
-  // Graph of the blocks; values are not needed to find an order.
-  // METIS draws from the one random sequence of the C library: two at a time would share it.
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  cholmod_sparse* graph =
-      cholmod_allocate_sparse(n, n, a.rows().size(), 1, 1, -1, CHOLMOD_PATTERN, &common);
-  if (!graph) throw SolverFailure("out of memory in the sparse factorisation");
-  std::copy(a.column_start().begin(), a.column_start().end(), static_cast<int*>(graph->p));
-  std::copy(a.rows().begin(), a.rows().end(), static_cast<int*>(graph->i));
-  const int methods = common.nmethods;
-  const auto ordering = common.method[0].ordering;
-  common.nmethods = 1;
-  common.method[0].ordering = n > 500 ? CHOLMOD_METIS : CHOLMOD_AMD;
-  cholmod_factor* symbolic = cholmod_analyze(graph, &common);
-  common.nmethods = methods;
-  common.method[0].ordering = ordering;
-  cholmod_free_sparse(&graph, &common);
-  if (!symbolic) throw SolverFailure("out of memory in the sparse factorisation");
-  order.resize(3 * n);
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < 3; ++c) order[3 * k + c] = 3 * static_cast<int*>(symbolic->Perm)[k] + c;
-  cholmod_free_factor(&symbolic, &common);
-}
-
-void SparseCholesky::Work::analyse(const BlockMatrix& a) {
-  if (static_cast<int>(order.size()) != 3 * a.particles()) find_order(a);
-  if (factor) cholmod_free_factor(&factor, &common);
-  if (matrix) cholmod_free_sparse(&matrix, &common);
-  column_start = a.column_start();
-  rows = a.rows();
-  const int n = a.particles();
-  const std::size_t entries = rows.size() * 9 - std::size_t(n) * 3;
-  matrix = cholmod_allocate_sparse(3 * n, 3 * n, entries, 1, 1, -1, CHOLMOD_REAL, &common);
-  if (!matrix) throw SolverFailure("out of memory in the sparse factorisation");
-  int* p = static_cast<int*>(matrix->p);
-  int* i = static_cast<int*>(matrix->i);
-  int at = 0;
-  for (int j = 0; j < n; ++j)
-    for (int c = 0; c < 3; ++c) {
-      p[3 * j + c] = at;
-      for (int k = column_start[j]; k < column_start[j + 1]; ++k)
-        for (int r = rows[k] == j ? c : 0; r < 3; ++r) i[at++] = 3 * rows[k] + r;
+void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
+  const std::vector<int> order =
+      static_cast<int>(tree.order.size()) == matrix.particles()
+          ? tree.order
+          : fill_reducing_order(matrix.column_start(), matrix.rows());
+  column_start = matrix.column_start();
+  rows = matrix.rows();
+  tree = build_front_tree(column_start, rows, order);
+  const std::size_t fronts = tree.fronts.size();
+  subtree_flops.assign(fronts, 0);
+  for (std::size_t f = 0; f < fronts; ++f) {
+    const Front& front = tree.fronts[f];
+    const double p = 3.0 * front.columns, r = 3.0 * static_cast<double>(front.rows.size());
+    subtree_flops[f] += p * p * p / 3 + p * p * r + p * r * r;
+    if (front.parent >= 0) subtree_flops[front.parent] += subtree_flops[f];
+  }
+  entries.assign(fronts, {});
+  for (int j = 0; j < matrix.particles(); ++j)
+    for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
+      const int a_number = tree.number[j], b_number = tree.number[rows[k]];
+      const auto [low, high] = std::minmax(a_number, b_number);
+      const int f = tree.front_of[low];
+      const Front& front = tree.fronts[f];
+      Entry e{k, rows[k], j, 0, low - front.first, b_number < a_number};
+      if (high < front.first + front.columns)
+        e.row = high - front.first;
+      else
+        e.row = front.columns +
+                static_cast<int>(
+                    std::lower_bound(front.rows.begin(), front.rows.end(), high) -
+                    front.rows.begin());
+      entries[f].push_back(e);
     }
-  p[3 * n] = at;
-  const int methods = common.nmethods;
-  const auto ordering = common.method[0].ordering;
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_GIVEN;
-  factor = cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common);
-  common.nmethods = methods;
-  common.method[0].ordering = ordering;
-  if (!factor) throw SolverFailure("out of memory in the sparse factorisation");
+  factor.clear();
+  factor.resize(fronts);
+  border.clear();
+  border.resize(fronts);
+  for (std::size_t f = 0; f < fronts; ++f) {
+    const Front& front = tree.fronts[f];
+    factor[f] = std::make_unique_for_overwrite<double[]>(9 * std::size_t(front.size()) *
+                                                         front.columns);
+  }
 }
 
-void SparseCholesky::Work::fill(const BlockMatrix& a, const std::vector<double>& shift,
-                                const std::vector<char>& held) {
-  double* value = static_cast<double*>(matrix->x);
-  const bool any_held = !held.empty();
-  int at = 0;
-  for (int j = 0; j < a.particles(); ++j)
+void SparseCholesky::Work::add_entries(int front, double* f) {
+  const int height = 3 * tree.fronts[front].size();
+  const bool any_held = !held->empty();
+  for (const Entry& e : entries[front]) {
+    const Mat3& block = a->blocks()[e.block];
+    double* at = f + 3 * std::size_t(e.column) * height + 3 * e.row;
+    if (any_held && ((*held)[e.i] || (*held)[e.j])) {
+      if (e.i == e.j)
+        for (int c = 0; c < 3; ++c) at[std::size_t(c) * height + c] += 1;
+      continue;
+    }
     for (int c = 0; c < 3; ++c)
-      for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
-        const int row = rows[k];
-        const bool off = any_held && (held[j] || held[row]);
-        for (int r = row == j ? c : 0; r < 3; ++r) {
-          double v = off ? 0.0 : a.blocks()[k](r, c);
-          if (row == j && r == c) v = off ? 1.0 : v + shift[j];
-          value[at++] = v;
-        }
+      for (int r = 0; r < 3; ++r)
+        at[std::size_t(c) * height + r] += e.transposed ? block(c, r) : block(r, c);
+    if (e.i == e.j)
+      for (int c = 0; c < 3; ++c) at[std::size_t(c) * height + c] += (*shift)[e.j];
+  }
+}
+
+void SparseCholesky::Work::add_child(int child, double* f, Buffer& border_of_parent) {
+  const Front& from = tree.fronts[child];
+  const Front& to = tree.fronts[from.parent];
+  const int n = static_cast<int>(from.rows.size());
+  const std::size_t height = 3 * std::size_t(to.size()), below = 3 * to.rows.size();
+  const double* source = border[child].get();
+  for (int c = 0; c < n; ++c) {
+    const int column = from.place[c];
+    const bool eliminated = column < to.columns;
+    double* target = eliminated ? f + 3 * column * height
+                                : border_of_parent.get() + 3 * (column - to.columns) * below;
+    const std::size_t step = eliminated ? height : below;
+    const int less = eliminated ? 0 : to.columns;
+    for (int k = 0; k < 3; ++k) {
+      const double* s = source + (3 * std::size_t(c) + k) * (3 * std::size_t(n));
+      double* t = target + k * step;
+      for (int r = c; r < n; ++r) {
+        double* at = t + 3 * (from.place[r] - less);
+        at[0] += s[3 * r];
+        at[1] += s[3 * r + 1];
+        at[2] += s[3 * r + 2];
       }
+    }
+  }
+  border[child].reset();
+}
+
+void SparseCholesky::Work::eliminate(int index) {
+  const Front& front = tree.fronts[index];
+  const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
+  double* f = factor[index].get();
+  std::fill_n(f, std::size_t(height) * p, 0.0);
+  if (r > 0) border[index] = std::make_unique<double[]>(std::size_t(r) * r);
+  add_entries(index, f);
+  for (int child : front.children) add_child(child, f, border[index]);
+  if (!factorise_dense(f, p, height)) {
+    definite = false;
+    return;
+  }
+  if (r == 0) return;
+  cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, r, p, 1.0, f, height,
+              f + p, height);
+  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, r, p, -1.0, f + p, height, 1.0,
+              border[index].get(), r);
+}
+
+void SparseCholesky::Work::eliminate_subtree(int index) {
+  const Front& front = tree.fronts[index];
+  tbb::task_group group;
+  bool parallel = false;
+  for (std::size_t k = 0; k < front.children.size(); ++k) {
+    const int child = front.children[k];
+    if (subtree_flops[child] > kTaskFlops && k + 1 < front.children.size()) {
+      group.run([this, child] { eliminate_subtree(child); });
+      parallel = true;
+    } else {
+      eliminate_subtree(child);
+    }
+  }
+  if (parallel) group.wait();
+  if (definite) eliminate(index);
 }
 
 SparseCholesky::SparseCholesky() : work_(std::make_unique<Work>()) {}
 SparseCholesky::~SparseCholesky() = default;
 
 bool SparseCholesky::factorise(const BlockMatrix& a, const std::vector<double>& shift,
-                               const std::vector<char>& held) {
+                               const std::vector<char>& held) try {
   Work& w = *work_;
-  if (!w.factor || w.column_start != a.column_start() || w.rows != a.rows()) w.analyse(a);
-  w.fill(a, shift, held);
-  cholmod_factorize(w.matrix, w.factor, &w.common);
-  if (w.common.status == CHOLMOD_OUT_OF_MEMORY)
-    throw SolverFailure("out of memory in the sparse factorisation");
-  return w.common.status == CHOLMOD_OK;
+  if (w.tree.order.empty() || w.column_start != a.column_start() || w.rows != a.rows())
+    w.analyse(a);
+  w.a = &a;
+  w.shift = &shift;
+  w.held = &held;
+  w.definite = true;
+  tbb::task_group roots;
+  for (std::size_t f = 0; f < w.tree.fronts.size(); ++f)
+    if (w.tree.fronts[f].parent < 0)
+      roots.run([&w, f] { w.eliminate_subtree(static_cast<int>(f)); });
+  roots.wait();
+  if (!w.definite)
+    for (auto& border : w.border) border.reset();
+  return w.definite;
+} catch (const std::bad_alloc&) {
+  throw SolverFailure("out of memory in the sparse factorisation");
 }
 
 void SparseCholesky::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) {
-  Work& w = *work_;
-  const std::size_t n = rhs.size();
-  cholmod_dense* b = cholmod_allocate_dense(3 * n, 1, 3 * n, CHOLMOD_REAL, &w.common);
-  double* values = static_cast<double*>(b->x);
-  for (std::size_t i = 0; i < n; ++i)
-    for (int c = 0; c < 3; ++c) values[3 * i + c] = rhs[i][c];
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, w.factor, b, &w.common);
+  const Work& w = *work_;
+  const int n = static_cast<int>(rhs.size());
+  Eigen::VectorXd y(3 * n), part;
+  for (int k = 0; k < n; ++k) y.segment<3>(3 * k) = rhs[w.tree.order[k]];
+  for (std::size_t f = 0; f < w.tree.fronts.size(); ++f) {
+    const Front& front = w.tree.fronts[f];
+    const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
+    double* pivot = y.data() + 3 * front.first;
+    cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, p, w.factor[f].get(), height,
+                pivot, 1);
+    if (r == 0) continue;
+    part.resize(r);
+    cblas_dgemv(CblasColMajor, CblasNoTrans, r, p, 1.0, w.factor[f].get() + p, height, pivot, 1, 0.0,
+                part.data(), 1);
+    for (std::size_t i = 0; i < front.rows.size(); ++i)
+      y.segment<3>(3 * front.rows[i]) -= part.segment<3>(3 * static_cast<long>(i));
+  }
+  for (std::size_t f = w.tree.fronts.size(); f-- > 0;) {
+    const Front& front = w.tree.fronts[f];
+    const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
+    double* pivot = y.data() + 3 * front.first;
+    if (r > 0) {
+      part.resize(r);
+      for (std::size_t i = 0; i < front.rows.size(); ++i)
+        part.segment<3>(3 * static_cast<long>(i)) = y.segment<3>(3 * front.rows[i]);
+      cblas_dgemv(CblasColMajor, CblasTrans, r, p, -1.0, w.factor[f].get() + p, height, part.data(),
+                  1, 1.0, pivot, 1);
+    }
+    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, p, w.factor[f].get(), height,
+                pivot, 1);
+  }
   x.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (int c = 0; c < 3; ++c) x[i][c] = static_cast<double*>(solution->x)[3 * i + c];
-  cholmod_free_dense(&b, &w.common);
-  cholmod_free_dense(&solution, &w.common);
+  for (int k = 0; k < n; ++k) x[w.tree.order[k]] = y.segment<3>(3 * k);
 }
 
 }  // namespace loosefit

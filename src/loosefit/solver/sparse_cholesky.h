@@ -7,9 +7,10 @@
 
 namespace loosefit {
 
-/// Supernodal sparse Cholesky of a block matrix (CHOLMOD; Chen, Davis, Hager and Rajamanickam
-/// 2008). The fill-reducing order is found once on the block graph and reused while contacts come
-/// and go. The only source file that includes CHOLMOD.
+/// Multifrontal sparse Cholesky of a block matrix (Duff and Reid 1983; Liu 1992): dense BLAS
+/// kernels on the fronts, branches of the elimination tree side by side on all cores. Sums are taken
+/// in the order of the tree, so the bits do not depend on the number of threads. The fill-reducing
+/// order is found once on the block graph and reused while contacts come and go.
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -18,7 +19,8 @@ class SparseCholesky {
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
   /// Factorises A + diag(shift), rows of held particles replaced by identity. shift has one entry
-  /// per particle [N/m]; held may be empty. False when the matrix is not positive definite.
+  /// per particle [N/m]; held may be empty. False when the matrix is not positive definite; the
+  /// factor is then lost. \throws SolverFailure when memory runs out.
   bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held);
   /// Solves with the last successful factorisation. \pre factorise returned true

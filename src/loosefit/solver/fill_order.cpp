@@ -1,0 +1,50 @@
+#include "loosefit/solver/fill_order.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+constexpr int kSmallGraph = 500;  ///< vertices up to which minimum degree is as good
+
+struct Common {
+  cholmod_common c;
+  Common() {
+    cholmod_start(&c);
+    c.print = 0;
+    c.error_handler = nullptr;
+    c.nmethods = 1;
+  }
+  ~Common() { cholmod_finish(&c); }
+};
+
+}  // namespace
+
+std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
+                                     const std::vector<int>& rows) {
+  const int n = static_cast<int>(column_start.size()) - 1;
+  // METIS draws from the one random sequence of the C library: two at a time would share it.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  Common common;
+  common.c.method[0].ordering = n > kSmallGraph ? CHOLMOD_METIS : CHOLMOD_AMD;
+  cholmod_sparse* graph =
+      cholmod_allocate_sparse(n, n, rows.size(), 1, 1, -1, CHOLMOD_PATTERN, &common.c);
+  if (!graph) throw SolverFailure("out of memory in the sparse factorisation");
+  std::copy(column_start.begin(), column_start.end(), static_cast<int*>(graph->p));
+  std::copy(rows.begin(), rows.end(), static_cast<int*>(graph->i));
+  cholmod_factor* symbolic = cholmod_analyze(graph, &common.c);
+  cholmod_free_sparse(&graph, &common.c);
+  if (!symbolic) throw SolverFailure("out of memory in the sparse factorisation");
+  const int* perm = static_cast<const int*>(symbolic->Perm);
+  std::vector<int> order(perm, perm + n);
+  cholmod_free_factor(&symbolic, &common.c);
+  return order;
+}
+
+}  // namespace loosefit
