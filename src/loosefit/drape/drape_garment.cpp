@@ -27,7 +27,8 @@ constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a p
 constexpr double kPoseStep = 0.07;        ///< largest joint angle of one step of the path [rad]
 constexpr double kCoarseLayer = 2.0;      ///< coarse levels keep layers this much farther apart
 constexpr int kCutRounds = 8;             ///< attempts to free the last cuts into the body
-constexpr double kCutTolerance = 1.0;     ///< residual at which cuts are first looked for
+/// Residuals on the way down at which cuts are looked for.
+constexpr double kCutTolerances[] = {30.0, 5.0, 1.0};
 constexpr double kFieldSpacing = 0.005;   ///< [m]
 
 using Clock = std::chrono::steady_clock;
@@ -166,18 +167,22 @@ class Run {
       settle(kCoarseTolerance, options_.max_iterations, 0.02);
       refine();
     }
-    // Cuts into the skin are looked for before the last digits of the balance are sought.
+    // Cuts into the skin are looked for long before the last digits of the balance are sought.
     std::map<int, int> times_cut;
     const auto settle_and_hold_off = [&](double tolerance) {
       for (int round = 0;; ++round) {
-        settle(tolerance, options_.max_iterations, round == 0 ? 0.02 : 0.5);
+        settle(tolerance, options_.max_iterations, round == 0 ? 0.5 : 100);
         if (round == kCutRounds || seconds() > options_.time_budget) return;
         if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
                            times_cut))
           return;
       }
     };
-    settle_and_hold_off(std::max(kCutTolerance, options_.residual_tolerance));
+    for (double tolerance : kCutTolerances) {
+      settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, 0.02);
+      if (seconds() > options_.time_budget) return;
+      hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, times_cut);
+    }
     settle_and_hold_off(options_.residual_tolerance);
     report_.held_off_triangles = static_cast<int>(times_cut.size());
   }

@@ -1,5 +1,7 @@
 #include "loosefit/drape/hold_off_cuts.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <set>
 
@@ -9,8 +11,9 @@ namespace loosefit {
 namespace {
 
 constexpr int kLattice = 4;          ///< intervals along an edge of a cut triangle
-constexpr double kClear = 8e-5;      ///< clearance asked of a triangle that cut [m]
+constexpr double kClear = 1.2e-4;      ///< clearance asked of a triangle that cut [m]
 constexpr double kEachTime = 3e-5;   ///< more for each time that it cut [m]
+constexpr double kAboutToCut = 8e-5; ///< clearance below which a triangle counts as cut [m]
 constexpr double kFarField = 0.002;  ///< largest correction at one time [m]
 
 /// Least signed distance to the skin of a lattice over the triangle [m].
@@ -25,6 +28,22 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
   return least;
 }
 
+/// The same of every triangle, in parallel; kFarField where its corners are plainly farther.
+std::vector<double> least_distances(const ClosestPointTree& skin,
+                                    const std::vector<Triangle>& triangles,
+                                    const std::vector<Vec3>& x) {
+  std::vector<double> corner(x.size());
+  tbb::parallel_for(std::size_t{0}, x.size(),
+                    [&](std::size_t i) { corner[i] = skin.signed_distance(x[i]); });
+  std::vector<double> least(triangles.size(), kFarField);
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+    const Triangle& t = triangles[i];
+    if (std::min({corner[t[0]], corner[t[1]], corner[t[2]]}) < kFarField)
+      least[i] = least_distance(skin, t, x);
+  });
+  return least;
+}
+
 }  // namespace
 
 bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
@@ -35,6 +54,11 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
   std::set<int> cut;
   for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
     cut.insert(t);
+  const bool any = !cut.empty();
+  // Those that are about to cut are treated alike, or each round would find their neighbours.
+  const std::vector<double> least = least_distances(*body.tree, triangles, x);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
   const auto area = flat_areas(garment);
   BodyContact& contact = model.body();
   std::map<int, std::vector<int>> cuts_at;  // vertex → cut triangles
@@ -43,8 +67,7 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
     if (++times_cut[t] == 1)
       add_lattice(triangles[t], area[t], half_thickness, kLattice, contact.points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
-    raise[t] = std::clamp(kClear - least_distance(*body.tree, triangles[t], x), 0.0, kFarField) +
-               kEachTime * times_cut[t];
+    raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
   }
   for (ContactPoint& p : contact.points()) {
     const auto near = cuts_at.find(p.particle[0]);
@@ -57,7 +80,7 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
     const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
     p.offset = std::max(p.offset, half_thickness + std::clamp(error, 0.0, kFarField)) + most;
   }
-  return !cut.empty();
+  return any;
 }
 
 }  // namespace loosefit

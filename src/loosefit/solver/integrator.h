@@ -33,6 +33,9 @@ struct SettleOutcome {
 /// outcome; true when settling is over because it is met or not a number, with the reason set.
 bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
                 SettleOutcome& outcome);
+/// The same with the gradient at x known, friction refreshed by the caller.
+bool judge_rest(const ParticleSystem& system, const VectorField& x, const VectorField& gradient,
+                double tolerance, SettleOutcome& outcome);
 
 /// Moves particles until their forces balance. All kinds share one interface and one meaning of
 /// rest: the static residual of all energies, friction included, without inertia and viscosity.

@@ -34,6 +34,22 @@ VectorField ParticleSystem::gradient(const VectorField& x) const {
   return g;
 }
 
+double ParticleSystem::potential_and_gradient(const VectorField& x, VectorField& g) const {
+  g.assign(x.size(), Vec3::Zero());
+  double sum = 0;
+  for (const Energy* e : energies) sum += e->value_and_gradient(x, g);
+  if (!held.empty())
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (held[i]) g[i].setZero();
+  return sum;
+}
+
+std::uint64_t ParticleSystem::pattern_version(const VectorField& x) const {
+  std::uint64_t sum = 0;  // versions only grow
+  for (const Energy* e : energies) sum += e->pattern_version(x);
+  return sum;
+}
+
 Residual residual_of(const ParticleSystem& system, const VectorField& gradient) {
   Residual r;
   double force2 = 0, weight2 = 0, weight = 0, largest2 = -1;

@@ -22,6 +22,10 @@ struct ParticleSystem {
   double potential(const VectorField& x) const;
   /// ∂Π/∂x, zero for held particles.
   VectorField gradient(const VectorField& x) const;
+  /// Both at once; returns Π.
+  double potential_and_gradient(const VectorField& x, VectorField& g) const;
+  /// Changes when the union of all energies' patterns may have changed.
+  std::uint64_t pattern_version(const VectorField& x) const;
 };
 
 /// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (design.md section 5).

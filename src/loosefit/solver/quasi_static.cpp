@@ -10,7 +10,7 @@ namespace loosefit {
 
 namespace {
 
-constexpr int kNewtonPerStep = 6;       ///< at most, before friction and contacts are refreshed
+constexpr int kNewtonPerStep = 3;       ///< at most, before friction and contacts are refreshed
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
 constexpr int kSlowSteps = 30;     ///< in a row with the near tangent, before the full one is taken
 constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
@@ -20,7 +20,9 @@ class QuasiStatic : public Integrator {
   explicit QuasiStatic(const ParticleSystem& system) : system_(system) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    Newton newton(system_, {options.max_move, 25});
+    Newton::Options o{options.max_move, 25};
+    if (getenv("LF_REUSE")) sscanf(getenv("LF_REUSE"), "%d,%d,%d,%lf,%lf", &o.max_reuse, &o.memory, &o.curved, &o.probe, &o.most_bend);
+    Newton newton(system_, o);
     SettleOutcome outcome;
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
@@ -31,7 +33,9 @@ class QuasiStatic : public Integrator {
     while (true) {
       outcome.iterations = newton.counters().iterations;
       outcome.factorisations = newton.counters().factorisations;
-      const bool rest = judge_rest(system_, x, options.tolerance, outcome);
+      system_.begin_step(x, infinity);
+      newton.energies_changed();
+      const bool rest = judge_rest(system_, x, newton.gradient(x), options.tolerance, outcome);
       if (getenv("LF_TRACE")) { const auto& c = newton.counters(); fprintf(stderr, "T n %d its %d fact %d asm %.2f fac %.2f sol %.2f col %.2f eva %.2f\n", system_.particles(), c.iterations, c.factorisations, c.assemble, c.factorise, c.solve, c.collide, c.evaluate); }
       if (rest) return outcome;
       if (outcome.iterations >= options.max_iterations) {
@@ -41,14 +45,15 @@ class QuasiStatic : public Integrator {
       const VectorField start = x;
       double first_force = -1, last_share = 1;
       bool moved = false, reduced = false;
-      for (int k = 0; k < kNewtonPerStep; ++k) {
+      const int nps = getenv("LF_NPS") ? atoi(getenv("LF_NPS")) : kNewtonPerStep;
+      for (int k = 0; k < nps; ++k) {
         if (options.watch && options.watch(newton.counters().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
           return outcome;
         }
         const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
-        if (getenv("LF_TRACE")) fprintf(stderr, "it %d n %d res %.3g force %.3g dt %.3g share %.3g exact %d fact %d\n", newton.counters().iterations, system_.particles(), outcome.residual, step.force, dt, step.share, newton.exact_, newton.counters().factorisations);
+        if (getenv("LF_TRACE")) fprintf(stderr, "it %d n %d res %.3g force %.3g dt %.3g share %.3g exact %d fact %d bent %.3g\n", newton.counters().iterations, system_.particles(), outcome.residual, step.force, dt, step.share, step.exact + 10 * step.fresh, newton.counters().factorisations, step.bent);
         if (!step.moved) {
           last_share = 0;
           break;

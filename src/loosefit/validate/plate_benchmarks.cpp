@@ -104,7 +104,7 @@ std::unique_ptr<Bench> plate_on_edge(double width_over_length, double poisson, d
   const double length = 0.2, width = width_over_length * length;
   const double edge = std::clamp(width / 14, 0.001, 0.01);
   const double rigidity = 1e-5;
-  Material m = isotropic_plate(rigidity, poisson, 2e5);
+  Material m = isotropic_plate(rigidity, poisson, 2e4);
   m.areal_density = gamma * rigidity / (kGravity * length * length * length);
   auto bench = std::make_unique<Bench>(
       cut_clamped_rectangle(length, width, 1.5 * edge, edge, m), m, [&](const Vec2& p) {
