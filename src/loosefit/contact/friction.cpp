@@ -39,8 +39,10 @@ void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField&
   for (const FrictionContact& old : contacts_) {
     while (k < contacts.size() && contacts[k].key < old.key) ++k;
     if (k < contacts.size() && contacts[k].key == old.key) continue;
+    if (old.lost >= patience_) continue;
     lost.push_back(old);
     lost.back().normal_force = 0;
+    ++lost.back().lost;
   }
   if (!lost.empty()) {
     std::vector<FrictionContact> all;
@@ -56,32 +58,40 @@ void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField&
 double Friction::value(const VectorField& x) const {
   double energy = 0;
   for (const FrictionContact& c : contacts_) {
+    if (c.normal_force == 0) continue;
     const double s = slide(c, x).norm() / reach_;
     // Integral of s(2 − s) up to 1, then linear.
     const double f = s < 1 ? s * s * (1 - s / 3) : s - 1.0 / 3.0;
-    energy += coefficient_ * c.normal_force * reach_ * f;
+    energy += strength(c) * reach_ * f;
   }
   return energy;
 }
 
-void Friction::add_gradient(const VectorField& x, VectorField& g) const {
+double Friction::value_and_gradient(const VectorField& x, VectorField& g) const {
+  double energy = 0;
   for (const FrictionContact& c : contacts_) {
+    if (c.normal_force == 0) continue;
     const Vec3 u = slide(c, x);
     const double s = u.norm() / reach_;
+    energy += strength(c) * reach_ * (s < 1 ? s * s * (1 - s / 3) : s - 1.0 / 3.0);
     const double per_length = s < 1 ? (2 - s) / reach_ : 1 / (s * reach_);  // f₀'/|u|
-    const Vec3 force = coefficient_ * c.normal_force * per_length * u;
+    const Vec3 force = strength(c) * per_length * u;
     for (int k = 0; k < c.count; ++k) g[c.particle[k]] += c.weight[k] * force;
   }
+  return energy;
 }
 
 void Friction::add_pattern(BlockPattern& pattern) const {
-  for (const FrictionContact& c : contacts_)
+  for (const FrictionContact& c : contacts_) {
+    if (c.normal_force == 0) continue;
     for (int a = 0; a < c.count; ++a)
       for (int b = 0; b < a; ++b) pattern.add(c.particle[a], c.particle[b]);
+  }
 }
 
 void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
   for (const FrictionContact& c : contacts_) {
+    if (c.normal_force == 0) continue;
     const Vec3 u = slide(c, x);
     const double length = u.norm(), s = length / reach_;
     const Mat3 plane = Mat3::Identity() - c.normal * c.normal.transpose();
@@ -91,7 +101,7 @@ void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
       // d(f₀'/|u|)/d|u| · |u|: −s/reach inside, −1/|u| outside.
       stiffness -= (s < 1 ? s / reach_ : 1 / length) * t * t.transpose();
     }
-    stiffness *= coefficient_ * c.normal_force;
+    stiffness *= strength(c);
     for (int a = 0; a < c.count; ++a)
       for (int b = 0; b <= a; ++b)
         h.add(c.particle[a], c.particle[b], c.weight[a] * c.weight[b] * stiffness);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "loosefit/particles/energy.h"
@@ -14,8 +15,10 @@ struct FrictionContact {
   std::array<double, 4> weight{};
   int count = 0;
   Vec3 normal = Vec3::UnitZ();
-  double normal_force = 0;     ///< λ ≥ 0 [N]
-  Vec3 offset = Vec3::Zero();  ///< elastic tangential displacement at the start of the step [m]
+  double normal_force = 0;       ///< λ ≥ 0 [N]
+  Vec3 offset = Vec3::Zero();    ///< elastic tangential displacement at the start of the step [m]
+  double relative_friction = 1;  ///< μ of this contact as a share of the coefficient of Friction
+  int lost = 0;                  ///< iterations since it last bore a force; Friction counts them
 };
 
 /// Coulomb friction with lagged normal force as an incremental potential
@@ -35,8 +38,9 @@ struct FrictionContact {
 /// Simo and Hughes 1998.
 class Friction {
  public:
-  Friction(double coefficient, double stick_reach)
-      : coefficient_(coefficient), reach_(stick_reach) {}
+  /// patience: how many iterations a lost contact keeps its anchor; see `iterate`.
+  Friction(double coefficient, double stick_reach, int patience = std::numeric_limits<int>::max())
+      : coefficient_(coefficient), reach_(stick_reach), patience_(patience) {}
   double coefficient() const { return coefficient_; }
 
   static constexpr double kMemory = 100;  ///< of `iterate`, in stick reaches
@@ -49,16 +53,22 @@ class Friction {
   void forget() { contacts_.clear(); }
 
   double value(const VectorField& x) const;
-  void add_gradient(const VectorField& x, VectorField& g) const;
+  void add_gradient(const VectorField& x, VectorField& g) const { value_and_gradient(x, g); }
+  double value_and_gradient(const VectorField& x, VectorField& g) const;
   void add_pattern(BlockPattern& pattern) const;
   void add_hessian(const VectorField& x, BlockMatrix& h) const;
   const std::vector<FrictionContact>& contacts() const { return contacts_; }
 
  private:
+  /// μ λ of one contact [N].
+  double strength(const FrictionContact& c) const {
+    return coefficient_ * c.relative_friction * c.normal_force;
+  }
   Vec3 slide(const FrictionContact& c, const VectorField& x) const;
   void carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
                      double reach) const;
   double coefficient_, reach_;
+  int patience_;
   std::vector<FrictionContact> contacts_;
   VectorField start_;
 };

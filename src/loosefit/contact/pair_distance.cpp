@@ -52,23 +52,90 @@ PairDistance edge_edge_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2, 
   return from_weights({1 - s, s, -(1 - t), -t}, x0, x1, x2, x3);
 }
 
-double time_of_impact(PairKind kind, const std::array<Vec3, 4>& x0, const std::array<Vec3, 4>& dx0,
-                      double upper) {
+PairDistance pair_distance(PairKind kind, const PairPoints& x) {
+  return kind == PairKind::point_triangle ? point_triangle_distance(x[0], x[1], x[2], x[3])
+                                          : edge_edge_distance(x[0], x[1], x[2], x[3]);
+}
+
+PairMatrix distance_hessian(PairKind kind, const PairPoints& x, const PairDistance& d) {
+  // ½ d² is the minimum over the free parameters p of ½ |r|², r = Σ w_k(p) x_k, w linear in p. With
+  // c_j = ∂w/∂p_j and t_j = Σ c_jk x_k its Hessian is (envelope theorem, then Schur complement)
+  //   w wᵀ ⊗ I − Σ_ij (c_i ⊗ r + w ⊗ t_i) (tᵀt)⁻¹_ij (c_j ⊗ r + w ⊗ t_j)ᵀ.
+  using Weights = Eigen::Vector4d;
+  const Weights w(d.weight[0], d.weight[1], d.weight[2], d.weight[3]);
+  std::array<Weights, 2> c;
+  int free = 0;
+  if (kind == PairKind::edge_edge) {
+    if (w[0] != 0 && w[1] != 0) c[free++] = Weights(-1, 1, 0, 0);
+    if (w[2] != 0 && w[3] != 0) c[free++] = Weights(0, 0, 1, -1);
+  } else {
+    int last = 0;  // corners that bear weight; the first of them gives what the others take
+    for (int k = 1; k < 4; ++k) {
+      if (w[k] == 0) continue;
+      if (last > 0) {
+        c[free].setZero();
+        c[free][last] = 1;
+        c[free++][k] = -1;
+      }
+      last = last > 0 ? last : k;
+    }
+  }
+  std::array<Vec3, 2> t;
+  for (int j = 0; j < free; ++j) {
+    t[j].setZero();
+    for (int k = 0; k < 4; ++k) t[j] += c[j][k] * x[k];
+  }
+  Eigen::Matrix2d inverse = Eigen::Matrix2d::Zero();
+  if (free == 1) {
+    inverse(0, 0) = 1 / t[0].squaredNorm();
+  } else if (free == 2) {
+    const double aa = t[0].squaredNorm(), bb = t[1].squaredNorm(), ab = t[0].dot(t[1]);
+    const double determinant = aa * bb - ab * ab;
+    constexpr double kParallel = 1e-12;  // sin² below which the nearest points are not unique
+    if (determinant > kParallel * aa * bb)
+      inverse << bb / determinant, -ab / determinant, -ab / determinant, aa / determinant;
+    else
+      inverse(0, 0) = 1 / aa;
+  }
+  PairMatrix h;
+  const Mat3 across = (Mat3::Identity() - d.normal * d.normal.transpose()) / d.distance;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) h.block<3, 3>(3 * a, 3 * b) = w[a] * w[b] * across;
+  Eigen::Matrix<double, 12, 2> slide = Eigen::Matrix<double, 12, 2>::Zero();
+  for (int j = 0; j < free; ++j)
+    for (int k = 0; k < 4; ++k)
+      slide.block<3, 1>(3 * k, j) = c[j][k] * d.distance * d.normal + w[k] * t[j];
+  h -= slide * (inverse / d.distance) * slide.transpose();
+  return h;
+}
+
+double separation(PairKind kind, const PairPoints& x) {
+  const bool point = kind == PairKind::point_triangle;
+  const Vec3 axis = point ? Vec3(x[0] - (x[1] + x[2] + x[3]) / 3) : Vec3(x[0] + x[1] - x[2] - x[3]);
+  const double length = axis.norm();
+  if (!(length > 0)) return 0;
+  const double p0 = axis.dot(x[0]), p1 = axis.dot(x[1]), p2 = axis.dot(x[2]), p3 = axis.dot(x[3]);
+  const double gap = point ? p0 - std::max({p1, p2, p3}) : std::min(p0, p1) - std::max(p2, p3);
+  return std::max(0.0, gap / length);
+}
+
+double motion_bound(PairKind kind, const PairPoints& dx) {
+  const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
+  const auto length = [&](int k) { return (dx[k] - mean).norm(); };
+  return kind == PairKind::point_triangle
+             ? length(0) + std::max({length(1), length(2), length(3)})
+             : std::max(length(0), length(1)) + std::max(length(2), length(3));
+}
+
+double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx, double upper) {
   constexpr double kKeep = 0.1;      // share of the distance that is kept
   constexpr int kMaxAdvances = 200;  // a conservative stop; the bound stays valid
-  std::array<Vec3, 4> x = x0, dx = dx0;
-  const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
-  for (Vec3& d : dx) d -= mean;
-  const auto length = [&](int i) { return dx[i].norm(); };
-  const double reach = kind == PairKind::point_triangle
-                           ? length(0) + std::max({length(1), length(2), length(3)})
-                           : std::max(length(0), length(1)) + std::max(length(2), length(3));
+  const double reach = motion_bound(kind, dx);
   if (reach <= 0) return upper;
-  const auto distance = [&] {
-    return kind == PairKind::point_triangle
-               ? point_triangle_distance(x[0], x[1], x[2], x[3]).distance
-               : edge_edge_distance(x[0], x[1], x[2], x[3]).distance;
-  };
+  PairPoints x = x0, way = dx;
+  const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
+  for (Vec3& v : way) v -= mean;
+  const auto distance = [&] { return pair_distance(kind, x).distance; };
   double d = distance();
   const double keep = kKeep * d;
   double t = 0;
@@ -77,7 +144,7 @@ double time_of_impact(PairKind kind, const std::array<Vec3, 4>& x0, const std::a
     if (t + advance >= upper) return upper;
     if (i > 0 && advance * reach < 1e-3 * keep) return t;
     t += advance;
-    for (int k = 0; k < 4; ++k) x[k] = x0[k] + t * dx[k];
+    for (int k = 0; k < 4; ++k) x[k] = x0[k] + t * way[k];
     d = distance();
     if (d <= keep) return t;
   }

@@ -1,21 +1,20 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/contact/candidate_pairs.h"
 #include "loosefit/contact/friction.h"
-#include "loosefit/contact/pair_distance.h"
+#include "loosefit/contact/pair_barrier.h"
+#include "loosefit/contact/remembered_blocks.h"
 
 namespace loosefit {
 
-/// Contact of the cloth with itself (and of layers with each other) by point-triangle and
-/// edge-edge pairs. A barrier keeps them apart, continuous detection limits every step, so cloth
-/// that starts free of intersections stays so (Li et al. 2020; Li, Kaufman and Jiang 2021).
+/// Contact of the cloth with itself, and of layers with each other, by point-triangle and edge-edge
+/// pairs. A barrier (BarrierPair) keeps them apart, continuous detection limits every step, so
+/// cloth that starts free of intersections stays so (Li et al. 2020; Li, Kaufman and Jiang 2021).
+/// Features that share a vertex are no pairs. The reach of a pair is the mean thickness of its two
+/// features, half a thickness on either side. Friction as in Friction.
 ///
-///   Π = Σ e · p₀ A d̂ · b(d/d̂),   b(s) = −(s − 1)² ln s for 0 < s < 1, 0 beyond             [J]
-///
-/// d distance, d̂ fabric thickness [m], A tributary area [m²], p₀ pressure scale [Pa]; e is the
-/// parallel-edge mollifier for edge pairs (1 for point-triangle pairs). Features that share a
-/// vertex are no pairs. Friction as in
-/// Friction.
+/// One caller at a time: working memory is kept between the calls, the const ones too.
 class SelfContact : public Energy {
  public:
   struct Options {
@@ -23,8 +22,15 @@ class SelfContact : public Energy {
     double pressure = 1000;     ///< p₀ [Pa]
     double friction = 0.4;      ///< Coulomb [–]
     double stick_reach = 1e-4;  ///< ε [m]
+    /// Thickness of each triangle [m], for several materials in one mesh; empty: `thickness`.
+    std::vector<double> triangle_thickness;
+    /// Layer of each triangle, 0, 1, …; empty: all in layer 0.
+    std::vector<int> triangle_layer;
+    /// μ between two layers [–], symmetric, as many rows as layers; empty: `friction`.
+    Eigen::MatrixXd layer_friction;
   };
-  /// triangle_area: flat areas [m²], for the tributary areas.
+  /// triangle_area: flat areas [m²], for the tributary areas. Throws InvalidInput when the numbers
+  /// of triangles or layers do not match, and as ContactFeatures does.
   SelfContact(const std::vector<Triangle>& triangles, const std::vector<double>& triangle_area,
               int particles, const Options& options);
 
@@ -33,39 +39,34 @@ class SelfContact : public Energy {
   double begin_search(const VectorField& x, const VectorField& dx) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
+  double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
+  std::uint64_t pattern_version(const VectorField& x) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
   int active(const VectorField& x) const;
   long searches() const { return searches_; }  ///< continuous detections so far
+  std::size_t pairs() const { return pairs_.size(); }
+  const CandidatePairs& candidates() const { return candidates_; }
 
  private:
-  struct Pair {
-    PairKind kind;
-    int first, second;  ///< vertex + triangle, or two edges
-    std::array<int, 4> particle;
-    double area;
-    double parallel_threshold;  ///< of |e₁ × e₂|², 0 for point-triangle
-  };
-  struct Term {
-    PairDistance d;
-    double energy = 0;     ///< [J]
-    double slope = 0;      ///< dΠ/dd [N]
-    double curvature = 0;  ///< d²Π/dd² [N/m]; all three without the mollifier
-    bool active = false;
-  };
-  Term evaluate(const Pair& pair, const VectorField& x) const;
-  double mollifier(const Pair& pair, const VectorField& x) const;
-  void find_pairs(const VectorField& x, const VectorField* dx);
+  double friction_between(const FeaturePair& pair) const;
+  void take_pairs(const std::vector<FeaturePair>& near, const VectorField& x);
+  void evaluate(const VectorField& x) const;
+  void remember(const VectorField& x) const;
 
-  std::vector<Triangle> triangles_;
-  std::vector<std::array<int, 2>> edges_;
-  std::vector<double> vertex_area_, edge_area_;
   Options options_;
-  std::vector<int> used_vertices_;
-  std::vector<Pair> pairs_;
+  CandidatePairs candidates_;
+  std::vector<BarrierPair> pairs_;
   Friction friction_;
   long searches_ = 0;
+  mutable RememberedBlocks blocks_;
+  // Working memory.
+  std::vector<double> share_;
+  mutable std::vector<Barrier> barrier_;  ///< of pairs_, at the last `evaluate`
+  mutable std::vector<PairPoints> force_;
+  mutable std::vector<int> active_;
+  mutable std::vector<PairMatrix> stiffness_;
 };
 
 }  // namespace loosefit

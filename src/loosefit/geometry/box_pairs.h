@@ -1,13 +1,10 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <utility>
 #include <vector>
 
-#include "loosefit/base/types.h"
+#include "loosefit/geometry/box_grid.h"
 
 namespace loosefit {
-
-using Box3 = Eigen::AlignedBox3d;
 
 /// Pairs (i, j) of overlapping boxes, i from `a`, j from `b`, sorted. Uniform grid, built per call;
 /// best for many boxes of similar size. Closed boxes: touching counts as overlap.

@@ -1,0 +1,40 @@
+#include "loosefit/contact/remembered_blocks.h"
+
+#include <algorithm>
+
+namespace loosefit {
+
+void RememberedBlocks::use_block(int i, int j) {
+  const int row = std::max(i, j);
+  auto& rows = rows_of_column_[std::min(i, j)];
+  for (Entry& e : rows) {
+    if (e.row != row) continue;
+    used_ += e.last_use != now_;
+    e.last_use = now_;
+    return;
+  }
+  rows.push_back({row, now_});
+  ++size_;
+  ++used_;
+  grown_ = true;
+}
+
+void RememberedBlocks::end() {
+  const bool trim = size_ > 2 * used_ + kSpare;
+  if (trim) {
+    for (auto& rows : rows_of_column_)
+      rows.erase(std::remove_if(rows.begin(), rows.end(),
+                                [&](const Entry& e) { return e.last_use != now_; }),
+                 rows.end());
+    size_ = used_;
+  }
+  if (trim || grown_) ++version_;
+  grown_ = false;
+}
+
+void RememberedBlocks::add_to(BlockPattern& pattern) const {
+  for (std::size_t column = 0; column < rows_of_column_.size(); ++column)
+    for (const Entry& e : rows_of_column_[column]) pattern.add(e.row, static_cast<int>(column));
+}
+
+}  // namespace loosefit

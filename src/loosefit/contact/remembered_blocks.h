@@ -1,0 +1,46 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "loosefit/particles/block_matrix.h"
+
+namespace loosefit {
+
+/// The blocks of a matrix that changing contacts have needed lately. It only grows while contacts
+/// come and go, so that a matrix and its symbolic factor last; when more than twice the blocks that
+/// are in use plus kSpare have piled up it shrinks to those in use.
+class RememberedBlocks {
+ public:
+  static constexpr std::size_t kSpare = 2000;
+  explicit RememberedBlocks(int particles) : rows_of_column_(particles) {}
+
+  /// A new set of contacts follows: `use` each of them, then `end`.
+  void begin() { ++now_, used_ = 0; }
+  template <class Stencil>
+  void use(const Stencil& particles, int count) {
+    for (int a = 0; a < count; ++a)
+      for (int b = 0; b < a; ++b) use_block(particles[a], particles[b]);
+  }
+  void end();
+
+  /// Changes with the set of blocks.
+  std::uint64_t version() const { return version_; }
+  std::size_t size() const { return size_; }
+  std::size_t used() const { return used_; }
+  void add_to(BlockPattern& pattern) const;
+
+ private:
+  struct Entry {
+    int row;
+    std::uint32_t last_use;
+  };
+  void use_block(int i, int j);
+  std::vector<std::vector<Entry>> rows_of_column_;
+  std::size_t size_ = 0, used_ = 0;
+  std::uint32_t now_ = 0;
+  std::uint64_t version_ = 0;
+  bool grown_ = false;
+};
+
+}  // namespace loosefit
