@@ -1,8 +1,5 @@
 #include "loosefit/fabric/membrane_energy.h"
 
-#include <tbb/parallel_for.h>
-
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "loosefit/base/error.h"
@@ -18,19 +15,20 @@ StressCurve tension_law(const std::vector<CurvePoint>& curve, double stiffness,
 }
 
 // Nearest positive semi-definite matrix of a tangent whose shear does not couple.
-Mat3 without_negative_part(Mat3 c) {
-  const double mean = 0.5 * (c(0, 0) + c(1, 1)), half = 0.5 * (c(0, 0) - c(1, 1));
-  const double radius = std::hypot(half, c(0, 1));
+void drop_negative_part(MembraneTangent& c, int i) {
+  const double mean = 0.5 * (c[0][i] + c[1][i]), half = 0.5 * (c[0][i] - c[1][i]);
+  const double radius = std::hypot(half, c[2][i]);
   if (mean - radius < 0) {
     const double high = std::max(0.0, mean + radius);  // the eigenvalue that stays
     const double share = radius > 0 ? half / radius : 0;
-    c(0, 0) = 0.5 * high * (1 + share);
-    c(1, 1) = 0.5 * high * (1 - share);
-    c(0, 1) = c(1, 0) = radius > 0 ? 0.5 * high * c(0, 1) / radius : 0;
+    c[0][i] = 0.5 * high * (1 + share);
+    c[1][i] = 0.5 * high * (1 - share);
+    c[2][i] = radius > 0 ? 0.5 * high * c[2][i] / radius : 0;
   }
-  c(2, 2) = std::max(0.0, c(2, 2));
-  return c;
+  c[3][i] = std::max(0.0, c[3][i]);
 }
+
+constexpr std::array<TileRow, 3> kNoStrain{};
 
 }  // namespace
 
@@ -44,169 +42,162 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   const double squeeze = m.compression_factor;
   plain_ = m.curve_warp.empty() && m.curve_weft.empty() && m.curve_shear.empty() && squeeze == 1;
   const double plate = 1 - nu * nu * squeeze;
-  linear_ = Mat3::Zero();
-  linear_(0, 0) = ku / plate;
-  linear_(1, 1) = kv / plate;
-  linear_(0, 1) = linear_(1, 0) = nu * std::sqrt(ku * kv) / plate;
-  linear_(2, 2) = m.stiffness_shear;
+  linear_[0].fill(ku / plate);
+  linear_[1].fill(kv / plate);
+  linear_[2].fill(nu * std::sqrt(ku * kv) / plate);
+  linear_[3].fill(m.stiffness_shear);
   law_u_ = tension_law(m.curve_weft, ku / plate, squeeze);
   law_v_ = tension_law(m.curve_warp, kv / plate, squeeze);
   law_s_ = m.curve_shear.empty() ? StressCurve::linear(m.stiffness_shear)
                                  : StressCurve::shear(m.curve_shear);
   coupling_ = nu * std::sqrt(std::max(0.0, law_u_.smallest_tangent()) *
                              std::max(0.0, law_v_.smallest_tangent()));
-  elements_.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  count_ = triangles.size();
+  factor_ = factor.empty() ? std::vector<double>(count_, 1.0) : factor;
+  tiles_.assign(tiles_for(count_), MembraneTile{});
+  std::vector<int> particle;
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t i = 0; i < count_; ++i) {
     const auto& [a, b, c] = triangle_uv[i];
     const double d = a[0] * (b[1] - c[1]) + b[0] * (c[1] - a[1]) + c[0] * (a[1] - b[1]);
     if (!(std::abs(d) > 0))
       throw GeometryError("pattern triangle " + std::to_string(i) + " has no area");
-    Element e;
-    e.t = triangles[i];
-    e.ru = {(b[1] - c[1]) / d, (c[1] - a[1]) / d, (a[1] - b[1]) / d};
-    e.rv = {(c[0] - b[0]) / d, (a[0] - c[0]) / d, (b[0] - a[0]) / d};
-    e.area = 0.5 * std::abs(d);
-    e.factor = factor.empty() ? 1.0 : factor[i];
-    elements_.push_back(e);
+    const double ru[] = {(b[1] - c[1]) / d, (c[1] - a[1]) / d, (a[1] - b[1]) / d};
+    const double rv[] = {(c[0] - b[0]) / d, (a[0] - c[0]) / d, (b[0] - a[0]) / d};
+    MembraneTile& tile = tiles_[i / kTile];
+    for (int k = 0; k < 3; ++k) {
+      tile.corner[k][i % kTile] = triangles[i][k];
+      tile.ru[k][i % kTile] = ru[k];
+      tile.rv[k][i % kTile] = rv[k];
+      particle.push_back(triangles[i][k]);
+      for (int j = 0; j <= k; ++j) pairs.push_back({triangles[i][k], triangles[i][j]});
+    }
+    tile.weight[i % kTile] = 0.5 * std::abs(d) * factor_[i];
   }
-  strain_start_.assign(elements_.size(), Vec3::Zero());
-  if (!plain_) tangent_start_.assign(elements_.size(), Mat3::Zero());
+  to_particles_ = ParticleGather(particle);
+  to_blocks_ = BlockGather(pairs);
+  strain_start_.assign(tiles_.size(), kNoStrain);
+  if (!plain_) tangent_start_.assign(tiles_.size(), MembraneTangent{});
+  energy_.resize(tiles_.size());
+  force_.resize(3 * kTile * tiles_.size());
 }
 
-MembraneEnergy::Kinematics MembraneEnergy::kinematics(const Element& e,
-                                                      const VectorField& x) const {
-  Kinematics k;
-  k.u = e.ru[0] * x[e.t[0]] + e.ru[1] * x[e.t[1]] + e.ru[2] * x[e.t[2]];
-  k.v = e.rv[0] * x[e.t[0]] + e.rv[1] * x[e.t[1]] + e.rv[2] * x[e.t[2]];
-  k.strain = {0.5 * (k.u.squaredNorm() - 1), 0.5 * (k.v.squaredNorm() - 1), k.u.dot(k.v)};
-  return k;
-}
-
-double MembraneEnergy::energy(std::size_t i, const Vec3& strain) const {
-  const Element& e = elements_[i];
-  double sum = plain_ ? 0.5 * e.area * strain.dot(linear(e) * strain)
-                      : e.area * e.factor *
-                            (law_u_.at(strain[0]).energy + law_v_.at(strain[1]).energy +
-                             law_s_.at(strain[2]).energy + coupling_ * strain[0] * strain[1]);
-  if (viscous_ratio_ > 0) {
-    const Vec3 d = strain - strain_start_[i];
-    sum += 0.5 * e.area * viscous_ratio_ * d.dot((e.factor * viscosity(i)) * d);
+void MembraneEnergy::respond(const MembraneStrain& s, MembraneResponse& out,
+                             MembraneTangent* tangent) const {
+  if (plain_) {
+    out = MembraneResponse{};
+    add_quadratic(linear_, s.strain, kNoStrain, 1, out);
+    if (tangent) *tangent = linear_;
+    return;
   }
-  return sum;
+  for (int i = 0; i < kTile; ++i) {
+    const double eu = s.strain[0][i], ev = s.strain[1][i];
+    const auto u = law_u_.at(eu), v = law_v_.at(ev), shear = law_s_.at(s.strain[2][i]);
+    out.energy[i] = u.energy + v.energy + shear.energy + coupling_ * eu * ev;
+    out.stress[0][i] = u.stress + coupling_ * ev;
+    out.stress[1][i] = v.stress + coupling_ * eu;
+    out.stress[2][i] = shear.stress;
+    if (!tangent) continue;
+    (*tangent)[0][i] = u.tangent;
+    (*tangent)[1][i] = v.tangent;
+    (*tangent)[2][i] = coupling_;
+    (*tangent)[3][i] = shear.tangent;
+  }
 }
 
-Vec3 MembraneEnergy::elastic_stress(const Element& e, const Vec3& strain) const {
-  if (plain_) return linear(e) * strain;
-  return e.factor * Vec3(law_u_.at(strain[0]).stress + coupling_ * strain[1],
-                         law_v_.at(strain[1]).stress + coupling_ * strain[0],
-                         law_s_.at(strain[2]).stress);
-}
-
-Vec3 MembraneEnergy::stress(std::size_t i, const Vec3& strain) const {
-  const Element& e = elements_[i];
-  Vec3 s = elastic_stress(e, strain);
+void MembraneEnergy::tile_state(int t, const VectorField& x, bool with_tangent,
+                                TileState& state) const {
+  gather_points(x, tiles_[t].corner, state.x);
+  membrane_strain(tiles_[t], state.x, state.s);
+  respond(state.s, state.response, with_tangent ? &state.tangent : nullptr);
   if (viscous_ratio_ > 0)
-    s += viscous_ratio_ * ((e.factor * viscosity(i)) * (strain - strain_start_[i]));
-  return s;
-}
-
-Mat3 MembraneEnergy::general_tangent(const Vec3& strain) const {
-  Mat3 c = Mat3::Zero();
-  c(0, 0) = law_u_.at(strain[0]).tangent;
-  c(1, 1) = law_v_.at(strain[1]).tangent;
-  c(0, 1) = c(1, 0) = coupling_;
-  c(2, 2) = law_s_.at(strain[2]).tangent;
-  return c;
-}
-
-Mat3 MembraneEnergy::tangent(std::size_t i, const Vec3& strain, HessianKind kind) const {
-  const Element& e = elements_[i];
-  if (plain_) return linear(e) * (1 + viscous_ratio_);
-  Mat3 c = general_tangent(strain);
-  if (kind == HessianKind::definite) c = without_negative_part(c);
-  if (viscous_ratio_ > 0) c += viscous_ratio_ * viscosity(i);
-  return e.factor * c;
+    add_quadratic(plain_ ? linear_ : tangent_start_[t], state.s.strain, strain_start_[t],
+                  viscous_ratio_, state.response);
 }
 
 void MembraneEnergy::begin_step(const VectorField& x, double dt) {
   viscous_ratio_ = std::isfinite(dt) && dt > 0 ? damping_ / dt : 0;
   if (!(viscous_ratio_ > 0)) return;
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    strain_start_[i] = kinematics(elements_[i], x).strain;
-    if (!plain_) tangent_start_[i] = without_negative_part(general_tangent(strain_start_[i]));
-  }
+  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+    TileState state;
+    gather_points(x, tiles_[t].corner, state.x);
+    membrane_strain(tiles_[t], state.x, state.s);
+    strain_start_[t] = state.s.strain;
+    if (plain_) return;
+    respond(state.s, state.response, &tangent_start_[t]);
+    for (int i = 0; i < kTile; ++i) drop_negative_part(tangent_start_[t], i);
+  });
 }
 
-double MembraneEnergy::value(const VectorField& x) const {
-  std::vector<double> part(elements_.size());
-  tbb::parallel_for(std::size_t{0}, elements_.size(), [&](std::size_t i) {
-    part[i] = energy(i, kinematics(elements_[i], x).strain);
+double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
+  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+    TileState state;
+    tile_state(t, x, false, state);
+    TileRow& energy = state.response.energy;
+    for (int i = 0; i < kTile; ++i) energy[i] *= tiles_[t].weight[i];
+    energy_[t] = sum_of(energy);
+    if (!forces) return;
+    std::array<TileRow, 9> row;
+    membrane_gradient(tiles_[t], state.s, state.response.stress, row);
+    spread(row, force_[3 * kTile * t].data());
   });
   double sum = 0;
-  for (double p : part) sum += p;
+  for (double e : energy_) sum += e;
   return sum;
 }
 
+double MembraneEnergy::value(const VectorField& x) const { return evaluate(x, false); }
+
 void MembraneEnergy::add_gradient(const VectorField& x, VectorField& g) const {
-  std::vector<std::array<Vec3, 3>> part(elements_.size());
-  tbb::parallel_for(std::size_t{0}, elements_.size(), [&](std::size_t i) {
-    const Element& e = elements_[i];
-    const Kinematics k = kinematics(e, x);
-    const Vec3 s = stress(i, k.strain);
-    const Vec3 pu = e.area * (s[0] * k.u + s[2] * k.v), pv = e.area * (s[2] * k.u + s[1] * k.v);
-    for (int j = 0; j < 3; ++j) part[i][j] = e.ru[j] * pu + e.rv[j] * pv;
-  });
-  for (std::size_t i = 0; i < elements_.size(); ++i)
-    for (int j = 0; j < 3; ++j) g[elements_[i].t[j]] += part[i][j];
+  value_and_gradient(x, g);
+}
+
+double MembraneEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
+  const double energy = evaluate(x, true);
+  to_particles_.add(force_, g);
+  return energy;
 }
 
 void MembraneEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
-  for (const Element& e : elements_) pattern.add_clique(e.t);
+  to_blocks_.add_pattern(pattern);
 }
 
 void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  std::vector<std::array<Mat3, 6>> part(elements_.size());
-  tbb::parallel_for(std::size_t{0}, elements_.size(), [&](std::size_t i) {
-    const Element& e = elements_[i];
-    const Kinematics k = kinematics(e, x);
-    const Mat3 c = tangent(i, k.strain, kind);
-    const Vec3 s = stress(i, k.strain);
-    Mat2 stress;
-    stress << s[0], s[2], s[2], s[1];
-    if (kind == HessianKind::definite) {
-      // Keep only the tensile part of the geometric stiffness (Volino et al. 2009).
-      const Eigen::SelfAdjointEigenSolver<Mat2> eigen(stress);
-      stress = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-               eigen.eigenvectors().transpose();
+  const bool definite = kind == HessianKind::definite;
+  block_.resize(6 * kTile * tiles_.size());
+  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+    TileState state;
+    tile_state(t, x, true, state);
+    MembraneTangent& c = state.tangent;
+    if (!plain_ && definite)
+      for (int i = 0; i < kTile; ++i) drop_negative_part(c, i);
+    if (viscous_ratio_ > 0) {
+      const MembraneTangent& viscosity = plain_ ? linear_ : tangent_start_[t];
+      for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < kTile; ++i) c[k][i] += viscous_ratio_ * viscosity[k][i];
     }
-    Eigen::Matrix<double, 3, 3> grad[3];  // columns: derivative of the three strains
-    for (int j = 0; j < 3; ++j) {
-      grad[j].col(0) = e.ru[j] * k.u;
-      grad[j].col(1) = e.rv[j] * k.v;
-      grad[j].col(2) = e.ru[j] * k.v + e.rv[j] * k.u;
-    }
-    int slot = 0;
-    for (int a = 0; a < 3; ++a) {
-      const Mat3 gc = e.area * grad[a] * c;
-      for (int b = 0; b <= a; ++b) {
-        const Vec2 ra(e.ru[a], e.rv[a]), rb(e.ru[b], e.rv[b]);
-        part[i][slot] = gc * grad[b].transpose();
-        part[i][slot].diagonal().array() += e.area * ra.dot(stress * rb);
-        ++slot;
-      }
-    }
+    std::array<TileRow, 54> row;
+    membrane_blocks(tiles_[t], state.s, state.response.stress, c, definite, row);
+    spread(row, block_[6 * kTile * t].data());
   });
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    int slot = 0;
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b <= a; ++b) h.add(elements_[i].t[a], elements_[i].t[b], part[i][slot++]);
-  }
+  to_blocks_.add(block_, h);
 }
 
 MembraneEnergy::State MembraneEnergy::state(int triangle, const VectorField& x) const {
-  const Element& e = elements_[triangle];
-  const Vec3 strain = kinematics(e, x).strain;
-  return {strain, elastic_stress(e, strain)};
+  const int t = triangle / kTile, i = triangle % kTile;
+  const MembraneTile& tile = tiles_[t];
+  Vec3 u = Vec3::Zero(), v = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    u += tile.ru[k][i] * x[tile.corner[k][i]];
+    v += tile.rv[k][i] * x[tile.corner[k][i]];
+  }
+  const double factor = factor_[triangle];
+  const Vec3 e(0.5 * (u.squaredNorm() - 1), 0.5 * (v.squaredNorm() - 1), u.dot(v));
+  if (plain_)
+    return {e, factor * Vec3(linear_[0][i] * e[0] + linear_[2][i] * e[1],
+                             linear_[2][i] * e[0] + linear_[1][i] * e[1], linear_[3][i] * e[2])};
+  return {e, factor * Vec3(law_u_.at(e[0]).stress + coupling_ * e[1],
+                           law_v_.at(e[1]).stress + coupling_ * e[0], law_s_.at(e[2]).stress)};
 }
 
 }  // namespace loosefit

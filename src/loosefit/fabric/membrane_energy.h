@@ -2,8 +2,11 @@
 #include <vector>
 
 #include "loosefit/fabric/material.h"
+#include "loosefit/fabric/membrane_kernel.h"
 #include "loosefit/fabric/stress_curve.h"
+#include "loosefit/particles/block_gather.h"
 #include "loosefit/particles/energy.h"
+#include "loosefit/particles/particle_gather.h"
 
 namespace loosefit {
 
@@ -42,6 +45,7 @@ class MembraneEnergy : public Energy {
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
+  double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
@@ -52,33 +56,36 @@ class MembraneEnergy : public Energy {
   State state(int triangle, const VectorField& x) const;
 
  private:
-  struct Element {
-    Triangle t;
-    std::array<double, 3> ru, rv;  ///< gradients of the shape functions [1/m]
-    double area;                   ///< [m²]
-    double factor;
+  /// Second Piola-Kirchhoff stress without viscosity and factor, energy and tangent [N/m].
+  void respond(const MembraneStrain& s, MembraneResponse& out, MembraneTangent* tangent) const;
+  double evaluate(const VectorField& x, bool forces) const;
+  /// Strain, stress with viscosity and tangent of a tile.
+  struct TileState {
+    TrianglePoints x;
+    MembraneStrain s;
+    MembraneResponse response;
+    MembraneTangent tangent;
   };
-  struct Kinematics {
-    Vec3 u, v, strain;
-  };
-  Kinematics kinematics(const Element& e, const VectorField& x) const;
-  Mat3 linear(const Element& e) const { return e.factor * linear_; }
-  Mat3 general_tangent(const Vec3& strain) const;
-  const Mat3& viscosity(std::size_t i) const { return plain_ ? linear_ : tangent_start_[i]; }
-  double energy(std::size_t i, const Vec3& strain) const;  ///< [J]
-  Vec3 elastic_stress(const Element& e, const Vec3& strain) const;
-  Vec3 stress(std::size_t i, const Vec3& strain) const;  ///< with viscosity
-  Mat3 tangent(std::size_t i, const Vec3& strain, HessianKind kind) const;
+  void tile_state(int tile, const VectorField& x, bool with_tangent, TileState& state) const;
 
-  std::vector<Element> elements_;
+  std::size_t count_ = 0;
+  std::vector<MembraneTile> tiles_;
+  std::vector<double> factor_;
   bool plain_;                         ///< one constant matrix: no curve, no soft compression
-  Mat3 linear_;                        ///< of the plain law [N/m]
+  MembraneTangent linear_;             ///< of the plain law, the same for all
   StressCurve law_u_, law_v_, law_s_;  ///< of all others
   double coupling_ = 0;                ///< C_uv of all others [N/m]
   double damping_ = 0;                 ///< τ [s]
   double viscous_ratio_ = 0;           ///< τ/dt of the current step
-  std::vector<Vec3> strain_start_;
-  std::vector<Mat3> tangent_start_;  ///< only for laws that are not plain
+  std::vector<std::array<TileRow, 3>> strain_start_;
+  std::vector<MembraneTangent> tangent_start_;  ///< only for laws that are not plain
+
+  ParticleGather to_particles_;
+  BlockGather to_blocks_;
+  // Room that is kept from call to call: an energy belongs to one thread at a time.
+  mutable std::vector<double> energy_;  ///< per tile
+  mutable std::vector<Vec3> force_;     ///< per corner
+  mutable std::vector<Mat3> block_;     ///< six per triangle
 };
 
 }  // namespace loosefit

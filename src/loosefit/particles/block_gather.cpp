@@ -1,0 +1,86 @@
+#include "loosefit/particles/block_gather.h"
+
+#include <algorithm>
+
+#include "loosefit/particles/tile.h"
+
+namespace loosefit {
+
+BlockGather::BlockGather(const std::vector<std::array<int, 2>>& pairs) {
+  int particles = 0;
+  for (const auto& [i, j] : pairs) particles = std::max({particles, i + 1, j + 1});
+  // Counting sort by column, then within a column by row, as they are before flipped.
+  struct Entry {
+    int row, flip, source;
+  };
+  std::vector<int> begin(particles + 1, 0);
+  for (const auto& [i, j] : pairs)
+    if (i >= 0) ++begin[std::min(i, j) + 1];
+  for (int c = 0; c < particles; ++c) begin[c + 1] += begin[c];
+  std::vector<Entry> entry(begin.back());
+  std::vector<int> next(begin.begin(), begin.end() - 1);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [i, j] = pairs[k];
+    if (i >= 0) entry[next[std::min(i, j)]++] = {std::max(i, j), i < j, static_cast<int>(k)};
+  }
+  column_start_.assign(1, 0);
+  source_.reserve(entry.size());
+  for (int c = 0; c < particles; ++c) {
+    const auto first = entry.begin() + begin[c], last = entry.begin() + begin[c + 1];
+    std::sort(first, last, [](const Entry& a, const Entry& b) {
+      return std::array{a.row, a.flip, a.source} < std::array{b.row, b.flip, b.source};
+    });
+    for (auto e = first; e != last;) {
+      row_.push_back(e->row);
+      const int row = e->row;
+      for (; e != last && e->row == row && !e->flip; ++e) source_.push_back(e->source);
+      flipped_.push_back(static_cast<int>(source_.size()));
+      for (; e != last && e->row == row; ++e) source_.push_back(e->source);
+      first_.push_back(static_cast<int>(source_.size()));
+    }
+    column_start_.push_back(static_cast<int>(row_.size()));
+  }
+}
+
+void BlockGather::add_pattern(BlockPattern& pattern) const {
+  for (std::size_t c = 0; c + 1 < column_start_.size(); ++c)
+    for (int k = column_start_[c]; k < column_start_[c + 1]; ++k)
+      if (row_[k] != static_cast<int>(c)) pattern.add(row_[k], static_cast<int>(c));
+}
+
+void BlockGather::find_slots(const BlockMatrix& h) const {
+  if (pattern_id_ == h.pattern_id()) return;
+  slot_.resize(row_.size());
+  for_ranges(static_cast<int>(column_start_.size()) - 1, 512, [&](int begin, int end) {
+    for (int c = begin; c < end; ++c) {
+      int slot = h.column_start()[c];  // the rows of both rise
+      for (int k = column_start_[c]; k < column_start_[c + 1]; ++k) {
+        while (h.rows()[slot] < row_[k]) ++slot;
+        slot_[k] = slot;
+      }
+    }
+  });
+  pattern_id_ = h.pattern_id();
+}
+
+void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h) const {
+  find_slots(h);
+  for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
+    for (int p = begin; p < end; ++p) {
+      double sum[9] = {}, turned[9] = {};
+      for (int k = first_[p]; k < flipped_[p]; ++k) {
+        const double* b = blocks[source_[k]].data();
+        for (int c = 0; c < 9; ++c) sum[c] += b[c];
+      }
+      for (int k = flipped_[p]; k < first_[p + 1]; ++k) {
+        const double* b = blocks[source_[k]].data();
+        for (int c = 0; c < 9; ++c) turned[c] += b[c];
+      }
+      double* to = h.block(slot_[p]).data();
+      for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) to[3 * c + r] += sum[3 * c + r] + turned[3 * r + c];
+    }
+  });
+}
+
+}  // namespace loosefit
