@@ -27,8 +27,8 @@ constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a p
 constexpr double kPoseStep = 0.07;        ///< largest joint angle of one step of the path [rad]
 constexpr double kCoarseLayer = 2.0;      ///< coarse levels keep layers this much farther apart
 constexpr int kCutRounds = 8;             ///< attempts to free the last cuts into the body
-/// Residuals on the way down at which cuts are looked for.
-constexpr double kCutTolerances[] = {30.0, 5.0, 1.0};
+/// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
+constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr double kFieldSpacing = 0.005;   ///< [m]
 
 using Clock = std::chrono::steady_clock;
@@ -174,14 +174,16 @@ class Run {
         settle(tolerance, options_.max_iterations, round == 0 ? 0.5 : 100);
         if (round == kCutRounds || seconds() > options_.time_budget) return;
         if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                           times_cut))
+                           false, times_cut))
           return;
       }
     };
-    for (double tolerance : kCutTolerances) {
-      settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, 0.02);
+    for (const auto& [tolerance, first_dt] : kCutTolerances) {
+      settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations,
+             first_dt);
       if (seconds() > options_.time_budget) return;
-      hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, times_cut);
+      hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, true,
+                    times_cut);
     }
     settle_and_hold_off(options_.residual_tolerance);
     report_.held_off_triangles = static_cast<int>(times_cut.size());

@@ -48,13 +48,14 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
 
 bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
                    const std::vector<Vec3>& x, double half_thickness,
-                   std::map<int, int>& times_cut) {
+                   bool look_ahead, std::map<int, int>& times_cut) {
   const auto& skin = body.body.surface;
   const auto& triangles = garment.triangles;
   std::set<int> cut;
   for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
     cut.insert(t);
   const bool any = !cut.empty();
+  if (!any && !look_ahead) return false;
   // Those that are about to cut are treated alike, or each round would find their neighbours.
   const std::vector<double> least = least_distances(*body.tree, triangles, x);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -10,10 +10,12 @@ namespace loosefit {
 /// Flat triangles can cut a curved skin between their contact points. Finds such cuts with the
 /// exact test; a cut triangle gets a lattice of contact points, whose offsets make up for the error
 /// of the distance field there, and is held off by what it lacks of clearing the skin, more so each
-/// time. times_cut counts per triangle over the rounds. Returns false when nothing cuts; otherwise
-/// the cloth has to be settled again. half_thickness: offset of an undisturbed contact point [m].
+/// time; so are triangles that are about to cut, when any cuts or with look_ahead. times_cut counts
+/// per triangle over the rounds. Returns false when nothing cuts (then nothing is changed unless
+/// look_ahead); otherwise the cloth has to be settled again. half_thickness: offset of an
+/// undisturbed contact point [m].
 bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
                    const std::vector<Vec3>& x, double half_thickness,
-                   std::map<int, int>& times_cut);
+                   bool look_ahead, std::map<int, int>& times_cut);
 
 }  // namespace loosefit

@@ -61,7 +61,8 @@ class QuasiStatic : public Integrator {
         moved = true;
         last_share = step.share;
         reduced = k > 0 && step.force < kStepReduction * first_force;
-        if (reduced) break;
+        // Newton proper gets there at once: what is left then is friction and contacts.
+        if (reduced || (step.exact && last_share > 0.9)) break;
       }
       // Whole steps that bring little: the near tangent is too far from the truth here.
       slow = !reduced && last_share > 0.9 ? slow + 1 : 0;
