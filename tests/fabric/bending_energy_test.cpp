@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "loosefit/fabric/dihedral.h"
 #include "support/flat_garment.h"
 #include "support/law_checker.h"
 

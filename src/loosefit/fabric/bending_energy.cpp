@@ -1,46 +1,10 @@
 #include "loosefit/fabric/bending_energy.h"
 
-#include <tbb/parallel_for.h>
-
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "loosefit/fabric/dihedral.h"
+
 namespace loosefit {
-namespace {
-
-using Matrix12 = Eigen::Matrix<double, 12, 12>;
-
-/// stiffness ∇θ∇θᵀ + moment ∇²θ without its negative eigenvalues.
-Matrix12 definite_part(const Dihedral& d, const DihedralHessian& second, double stiffness,
-                       double moment) {
-  Matrix12 h;
-  for (int a = 0; a < 4; ++a)
-    for (int b = 0; b < 4; ++b)
-      h.block<3, 3>(3 * a, 3 * b) =
-          stiffness * d.gradient[a] * d.gradient[b].transpose() + moment * second[a][b];
-  const Eigen::SelfAdjointEigenSolver<Matrix12> eigen(h);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
-
-std::vector<Dihedral> dihedrals(const std::vector<std::array<int, 4>>& hinges,
-                                const VectorField& x) {
-  std::vector<Dihedral> result(hinges.size());
-  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
-    const auto& v = hinges[i];
-    result[i] = dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-  });
-  return result;
-}
-
-std::vector<double> angles_of(const std::vector<Dihedral>& hinge) {
-  std::vector<double> angle;
-  angle.reserve(hinge.size());
-  for (const Dihedral& d : hinge) angle.push_back(d.angle);
-  return angle;
-}
-
-}  // namespace
 
 Mat3 plate_rigidity(const Material& m, double added) {
   const double root = std::sqrt(m.bending_weft * m.bending_warp), nu = m.bending_poisson;
@@ -63,37 +27,68 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t)
     rigidity.push_back(plate_rigidity(material, added_rigidity.empty() ? 0.0 : added_rigidity[t]));
   mesh_ = curvature_patches(triangles, triangle_uv, rigidity, built_in);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    stiffness_.push_back(p.area * p.s.transpose() * rigidity[t] * p.s);
-  }
-  hinge_stiffness_.assign(mesh_.hinges.size(), 0.0);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    for (int k = 0; k < 3; ++k)
-      if (p.hinge[k] >= 0)
-        hinge_stiffness_[p.hinge[k]] += p.area * p.fit.col(k).dot(rigidity[t] * p.fit.col(k));
-  }
-  angle_start_.assign(triangles.size(), Vector9::Zero());
-  anchor_.assign(triangles.size(), Vec3::Zero());
+  build_tiles(rigidity);
 }
 
-std::vector<double> BendingEnergy::angles(const VectorField& x) const {
-  std::vector<double> angle(mesh_.hinges.size());
-  tbb::parallel_for(std::size_t{0}, angle.size(), [&](std::size_t i) {
-    const auto& v = mesh_.hinges[i];
-    angle[i] = dihedral_angle(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-  });
-  return angle;
-}
+void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
+  const std::size_t hinges = mesh_.hinges.size(), patches = mesh_.patches.size();
+  hinge_tiles_.assign(tiles_for(hinges), HingeTile{});
+  patch_tiles_.assign(tiles_for(patches), PatchTile{});
+  const int no_angle = kTile * static_cast<int>(hinge_tiles_.size());
+  const int no_moment = 9 * kTile * static_cast<int>(patch_tiles_.size());
+  const int no_stiffness = 3 * kTile * static_cast<int>(patch_tiles_.size());
 
-BendingEnergy::Vector9 BendingEnergy::of_patch(std::size_t t,
-                                               const std::vector<double>& angle) const {
-  const CurvaturePatch& p = mesh_.patches[t];
-  Vector9 mine = Vector9::Zero();
-  for (int k = 0; k < p.hinges; ++k)
-    if (p.hinge[k] >= 0) mine[k] = angle[p.hinge[k]];
-  return mine;
+  std::vector<int> particle(4 * kTile * hinge_tiles_.size(), -1);
+  std::vector<std::array<int, 2>> pairs(10 * kTile * hinge_tiles_.size(), {-1, -1});
+  for (std::size_t t = 0; t < hinge_tiles_.size(); ++t) {
+    for (TileIndex& row : hinge_tiles_[t].moment) row.fill(no_moment);
+    for (TileIndex& row : hinge_tiles_[t].own) row.fill(no_stiffness);
+    for (int i = 0; i < kTile; ++i) {
+      const std::size_t hinge = t * kTile + i;
+      const auto& v = mesh_.hinges[hinge < hinges ? hinge : 0];
+      for (int a = 0; a < 4; ++a) hinge_tiles_[t].corner[a][i] = v[a];
+      if (hinge >= hinges) continue;
+      int slot = 0;
+      for (int a = 0; a < 4; ++a) {
+        particle[4 * hinge + a] = v[a];
+        for (int b = 0; b <= a; ++b) pairs[10 * hinge + slot++] = {v[a], v[b]};
+      }
+    }
+  }
+  to_particles_ = ParticleGather(particle);
+  to_blocks_ = BlockGather(pairs);
+
+  for (PatchTile& tile : patch_tiles_)
+    for (TileIndex& row : tile.hinge) row.fill(no_angle);
+  std::vector<int> acting(hinges, 0), owned(hinges, 0);
+  for (std::size_t t = 0; t < patches; ++t) {
+    const CurvaturePatch& p = mesh_.patches[t];
+    const int block = static_cast<int>(t) / kTile, i = static_cast<int>(t) % kTile;
+    PatchTile& tile = patch_tiles_[block];
+    tile.area[i] = p.area;
+    const Mat3 d = p.area * rigidity[t];
+    const double entry[] = {d(0, 0), d(1, 1), d(0, 1), d(2, 2)};
+    for (int k = 0; k < 4; ++k) tile.rigidity[k][i] = entry[k];
+    for (int k = 0; k < p.hinges; ++k) {
+      const int hinge = p.hinge[k];
+      if (hinge < 0) continue;
+      HingeTile& about = hinge_tiles_[hinge / kTile];
+      const int place = hinge % kTile;
+      tile.hinge[k][i] = hinge;
+      for (int c = 0; c < 3; ++c) tile.s[k][c][i] = p.s(c, k);
+      about.moment[acting[hinge]++][place] = (9 * block + k) * kTile + i;
+      if (k >= 3) continue;
+      about.own[owned[hinge]++][place] = (3 * block + k) * kTile + i;
+      about.stiffness[place] += p.fit.col(k).dot(d * p.fit.col(k));
+    }
+  }
+  curvature_start_.assign(patch_tiles_.size(), kZeroRows);
+  anchor_.assign(patch_tiles_.size(), kZeroRows);
+  angle_.assign(no_angle + 1, 0.0);
+  moment_.assign(no_moment + 1, 0.0);
+  gradient_.resize(hinge_tiles_.size());
+  energy_.resize(patch_tiles_.size());
+  force_.resize(4 * kTile * hinge_tiles_.size());
 }
 
 Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
@@ -107,171 +102,91 @@ Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
   return sum;
 }
 
+void BendingEnergy::find_angles(const VectorField& x, bool with_gradient) const {
+  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+    HingePoints point;
+    gather_points(x, hinge_tiles_[t].corner, point);
+    TileRow angle;
+    if (with_gradient)
+      hinge_angles(point, angle, gradient_[t]);
+    else
+      hinge_angles(point, angle);
+    std::copy(angle.begin(), angle.end(), angle_.begin() + kTile * t);
+  });
+}
+
+void BendingEnergy::patch_response(int t, PlaneRows& curvature, PlaneResponse& response) const {
+  const PatchTile& tile = patch_tiles_[t];
+  patch_curvature(tile, angle_.data(), curvature);
+  response = PlaneResponse{};
+  add_quadratic(tile.rigidity, curvature, kZeroRows, 1, response);
+  if (viscous_ratio_ > 0)
+    add_quadratic(tile.rigidity, curvature, curvature_start_[t], viscous_ratio_, response);
+  if (friction_.active()) friction_.add(curvature, anchor_[t], tile.area, response);
+}
+
+double BendingEnergy::bend(bool with_moments) const {
+  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+    PlaneRows curvature;
+    PlaneResponse response;
+    patch_response(t, curvature, response);
+    energy_[t] = sum_of(response.energy);
+    if (!with_moments) return;
+    std::array<TileRow, 9> moment;
+    patch_moments(patch_tiles_[t], response.stress, moment);
+    for (int k = 0; k < 9; ++k)
+      std::copy(moment[k].begin(), moment[k].end(), moment_.begin() + (9 * t + k) * kTile);
+  });
+  double sum = 0;
+  for (double e : energy_) sum += e;
+  return sum;
+}
+
+TileRow BendingEnergy::moments_about(const HingeTile& tile) const {
+  TileRow sum{};
+  for (const TileIndex& from : tile.moment)
+    for (int i = 0; i < kTile; ++i) sum[i] += moment_[from[i]];
+  return sum;
+}
+
 void BendingEnergy::begin_step(const VectorField& x, double dt) {
   viscous_ratio_ = std::isfinite(dt) && dt > 0 ? damping_ / dt : 0;
   if (viscous_ratio_ <= 0 && !friction_.active()) return;
-  const std::vector<double> angle = angles(x);
-  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-    angle_start_[t] = of_patch(t, angle);
-    // The yarns slide from step to step; iterates of one balance leave no trace.
-    if (friction_.active() && std::isfinite(dt))
-      anchor_[t] =
-          friction_.carried(friction_.slide(mesh_.patches[t].s * angle_start_[t]), anchor_[t]);
-  }
+  // The yarns slide from step to step; iterates of one balance leave no trace.
+  const bool slide = friction_.active() && std::isfinite(dt);
+  find_angles(x, false);
+  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+    PlaneRows& now = curvature_start_[t];
+    patch_curvature(patch_tiles_[t], angle_.data(), now);
+    if (!slide) return;
+    for (int i = 0; i < kTile; ++i) {
+      const Vec3 curvature(now[0][i], now[1][i], now[2][i]),
+          before(anchor_[t][0][i], anchor_[t][1][i], anchor_[t][2][i]);
+      const Vec3 after = friction_.carried(friction_.slide(curvature), before);
+      for (int c = 0; c < 3; ++c) anchor_[t][c][i] = after[c];
+    }
+  });
 }
 
 double BendingEnergy::value(const VectorField& x) const {
-  const std::vector<double> angle = angles(x);
-  std::vector<double> part(mesh_.patches.size());
-  tbb::parallel_for(std::size_t{0}, part.size(), [&](std::size_t t) {
-    const Vector9 a = of_patch(t, angle);
-    part[t] = 0.5 * a.dot(stiffness_[t] * a);
-    if (viscous_ratio_ > 0) {
-      const Vector9 change = a - angle_start_[t];
-      part[t] += 0.5 * viscous_ratio_ * change.dot(stiffness_[t] * change);
-    }
-    if (friction_.active()) {
-      const CurvaturePatch& p = mesh_.patches[t];
-      part[t] += p.area * friction_.respond(p.s * a, anchor_[t]).energy;
-    }
-  });
-  double energy = 0;
-  for (double p : part) energy += p;
-  return energy;
-}
-
-BendingEnergy::Vector9 BendingEnergy::moments(std::size_t t, const Vector9& angle) const {
-  Vector9 m = stiffness_[t] * angle;
-  if (viscous_ratio_ > 0) m += viscous_ratio_ * (stiffness_[t] * (angle - angle_start_[t]));
-  if (friction_.active()) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    m += p.area * p.s.transpose() * friction_.respond(p.s * angle, anchor_[t]).moment;
-  }
-  return m;
-}
-
-std::vector<double> BendingEnergy::hinge_moments(const std::vector<double>& angle) const {
-  std::vector<Vector9> part(mesh_.patches.size());
-  tbb::parallel_for(std::size_t{0}, part.size(),
-                    [&](std::size_t t) { part[t] = moments(t, of_patch(t, angle)); });
-  std::vector<double> moment(mesh_.hinges.size(), 0.0);
-  for (std::size_t t = 0; t < part.size(); ++t)
-    for (int k = 0; k < mesh_.patches[t].hinges; ++k)
-      if (mesh_.patches[t].hinge[k] >= 0) moment[mesh_.patches[t].hinge[k]] += part[t][k];
-  return moment;
+  find_angles(x, false);
+  return bend(false);
 }
 
 void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
-  const std::vector<Dihedral> hinge = dihedrals(mesh_.hinges, x);
-  const std::vector<double> angle = angles_of(hinge);
-  const std::vector<double> moment = hinge_moments(angle);
-  for (std::size_t i = 0; i < hinge.size(); ++i)
-    for (int a = 0; a < 4; ++a) g[mesh_.hinges[i][a]] += moment[i] * hinge[i].gradient[a];
+  value_and_gradient(x, g);
 }
 
-void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
-  if (tangent_ == TangentReach::near) {
-    for (const auto& h : mesh_.hinges) pattern.add_clique(h);
-    return;
-  }
-  for (const CurvaturePatch& p : mesh_.patches)
-    for (int a = 0; a < p.count; ++a)
-      for (int b = 0; b < a; ++b) pattern.add(p.particle[a], p.particle[b]);
-}
-
-BendingEnergy::Matrix9 BendingEnergy::tangent(std::size_t t, const Vector9& angle) const {
-  const CurvaturePatch& p = mesh_.patches[t];
-  Matrix9 k = (1 + viscous_ratio_) * stiffness_[t];
-  if (friction_.active())
-    k += p.area * p.s.transpose() * friction_.respond(p.s * angle, anchor_[t]).tangent * p.s;
-  return k;
-}
-
-std::vector<double> BendingEnergy::hinge_stiffness(const std::vector<double>& angle) const {
-  std::vector<double> stiffness = hinge_stiffness_;
-  for (double& k : stiffness) k *= 1 + viscous_ratio_;
-  if (friction_.active())
-    for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-      const CurvaturePatch& p = mesh_.patches[t];
-      const Mat3 inner = friction_.respond(p.s * of_patch(t, angle), anchor_[t]).tangent;
-      for (int k = 0; k < 3; ++k)
-        if (p.hinge[k] >= 0)
-          stiffness[p.hinge[k]] += p.area * p.fit.col(k).dot(inner * p.fit.col(k));
-    }
-  return stiffness;
-}
-
-void BendingEnergy::add_patches(const std::vector<Dihedral>& hinge,
-                                const std::vector<double>& angle, BlockMatrix& h) const {
-  std::vector<std::array<Mat3, 78>> blocks(mesh_.patches.size());
-  tbb::parallel_for(std::size_t{0}, mesh_.patches.size(), [&](std::size_t t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    Eigen::Matrix<double, 36, 9> gradient = Eigen::Matrix<double, 36, 9>::Zero();
-    for (int c = 0; c < p.hinges; ++c)
-      if (p.hinge[c] >= 0)
-        for (int a = 0; a < 4; ++a)
-          gradient.block<3, 1>(3 * p.slot[c][a], c) = hinge[p.hinge[c]].gradient[a];
-    const Eigen::Matrix<double, 36, 9> weighted = gradient * tangent(t, of_patch(t, angle));
-    int block = 0;
-    for (int a = 0; a < p.count; ++a)
-      for (int b = 0; b <= a; ++b)
-        blocks[t][block++].noalias() =
-            weighted.block<3, 9>(3 * a, 0) * gradient.block<3, 9>(3 * b, 0).transpose();
+double BendingEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
+  find_angles(x, true);
+  const double energy = bend(true);
+  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+    std::array<TileRow, 12> row;
+    hinge_forces(gradient_[t], moments_about(hinge_tiles_[t]), row);
+    spread(row, force_[4 * kTile * t].data());
   });
-  for (std::size_t t = 0; t < mesh_.patches.size(); ++t) {
-    const CurvaturePatch& p = mesh_.patches[t];
-    int block = 0;
-    for (int a = 0; a < p.count; ++a)
-      for (int b = 0; b <= a; ++b) h.add(p.particle[a], p.particle[b], blocks[t][block++]);
-  }
-}
-
-void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  const bool exact = kind == HessianKind::exact;
-  constexpr double kFlat = 0.25;  // [rad]; below it the moment part of a hinge may be left out
-  const std::vector<Dihedral> hinge = dihedrals(mesh_.hinges, x);
-  const std::vector<double> angle = angles_of(hinge);
-
-  // The full tangent has the stiffness of the angles from the patches (definite in itself);
-  // otherwise each hinge has its own.
-  const bool patches = tangent_ == TangentReach::full;
-  std::vector<double> stiffness(hinge.size(), 0.0);
-  if (!patches) stiffness = hinge_stiffness(angle);
-
-  const std::vector<double> moment = hinge_moments(angle);
-  std::vector<std::array<Mat3, 10>> of_hinge(hinge.size());
-  tbb::parallel_for(std::size_t{0}, hinge.size(), [&](std::size_t i) {
-    const auto& v = mesh_.hinges[i];
-    int slot = 0;
-    if (!exact && std::abs(angle[i]) <= kFlat) {
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b <= a; ++b)
-          of_hinge[i][slot++] =
-              stiffness[i] * hinge[i].gradient[a] * hinge[i].gradient[b].transpose();
-      return;
-    }
-    DihedralHessian second;
-    dihedral(x[v[0]], x[v[1]], x[v[2]], x[v[3]], &second);
-    if (exact) {
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b <= a; ++b)
-          of_hinge[i][slot++] =
-              stiffness[i] * hinge[i].gradient[a] * hinge[i].gradient[b].transpose() +
-              moment[i] * second[a][b];
-      return;
-    }
-    const Matrix12 h12 = definite_part(hinge[i], second, stiffness[i], moment[i]);
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b <= a; ++b) of_hinge[i][slot++] = h12.block<3, 3>(3 * a, 3 * b);
-  });
-  for (std::size_t i = 0; i < hinge.size(); ++i) {
-    int slot = 0;
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b <= a; ++b)
-        h.add(mesh_.hinges[i][a], mesh_.hinges[i][b], of_hinge[i][slot++]);
-  }
-
-  if (patches) add_patches(hinge, angle, h);
+  to_particles_.add(force_, g);
+  return energy;
 }
 
 }  // namespace loosefit

@@ -1,11 +1,16 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "loosefit/fabric/bending_friction.h"
 #include "loosefit/fabric/curvature_patch.h"
-#include "loosefit/fabric/dihedral.h"
+#include "loosefit/fabric/hinge_kernel.h"
 #include "loosefit/fabric/material.h"
+#include "loosefit/fabric/patch_kernel.h"
+#include "loosefit/fabric/patch_tangent.h"
+#include "loosefit/particles/block_gather.h"
 #include "loosefit/particles/energy.h"
+#include "loosefit/particles/particle_gather.h"
 
 namespace loosefit {
 
@@ -22,9 +27,10 @@ Mat3 plate_rigidity(const Material& material, double added = 0);
 /// with θ the dihedral angles round a triangle (CurvaturePatch), D of plate_rigidity plus what
 /// attachments add, and the inner friction of BendingFriction. Rest angle 0, seams included.
 /// Viscosity as in MembraneEnergy: the stress τ D κ̇.
-/// The near tangent, and the definite one, give each hinge a stiffness of its own (the diagonal of
-/// the fit with a triangle's own angles, CurvaturePatch step 1): four particles a hinge instead of
-/// twelve a triangle.
+/// The near tangent gives each hinge a stiffness of its own (the diagonal of the fit with a
+/// triangle's own angles, CurvaturePatch step 1): four particles a hinge instead of twelve a
+/// triangle. The definite one of either reach leaves out the moments of hinges that are nearly flat
+/// and takes the positive part of the others (hinge_definite_blocks).
 /// The memory of the inner friction starts from flat cloth: what is bent at first has been bent
 /// there in one go.
 class BendingEnergy : public Energy {
@@ -41,30 +47,56 @@ class BendingEnergy : public Energy {
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
+  double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
+  /// The two reaches have patterns of their own.
+  std::uint64_t pattern_version(const VectorField&) const override {
+    return tangent_ == TangentReach::full ? 1 : 0;
+  }
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
  private:
-  using Vector9 = Eigen::Matrix<double, 9, 1>;
-  using Matrix9 = Eigen::Matrix<double, 9, 9>;
-  std::vector<double> angles(const VectorField& x) const;
-  Vector9 of_patch(std::size_t patch, const std::vector<double>& angle) const;
-  Vector9 moments(std::size_t patch, const Vector9& angle) const;
-  Matrix9 tangent(std::size_t patch, const Vector9& angle) const;
-  std::vector<double> hinge_stiffness(const std::vector<double>& angle) const;
-  void add_patches(const std::vector<Dihedral>& hinge, const std::vector<double>& angle,
-                   BlockMatrix& h) const;
-  std::vector<double> hinge_moments(const std::vector<double>& angle) const;
+  /// A tile of hinges; missing ones at the end repeat the first.
+  struct HingeTile {
+    std::array<TileIndex, 4> corner;
+    std::array<TileIndex, 6> moment;  ///< places in moment_ that act about it
+    std::array<TileIndex, 2> own;     ///< places in friction_stiffness_
+    TileRow stiffness;                ///< of the near tangent [N m]
+  };
+  void build_tiles(const std::vector<Mat3>& rigidity);
+  /// Angles into angle_, with gradients into gradient_ if these are wanted.
+  void find_angles(const VectorField& x, bool with_gradient) const;
+  /// Energy; moments about the hinges into moment_ if these are wanted. \pre find_angles
+  double bend(bool with_moments) const;
+  void patch_response(int tile, PlaneRows& curvature, PlaneResponse& response) const;
+  TileRow moments_about(const HingeTile& tile) const;
+  Mat3 friction_tangent(const PlaneRows& curvature, int tile, int i) const;
+  TileRow hinge_stiffness(const HingeTile& tile) const;
+  void find_friction_stiffness() const;
+  void add_patches(BlockMatrix& h) const;
+  PatchTangent& patch_tangent() const;
 
   CurvaturePatches mesh_;
-  std::vector<Matrix9> stiffness_;       ///< A Sᵀ D S per patch [N m]
-  std::vector<double> hinge_stiffness_;  ///< of the near tangent [N m]
+  std::vector<HingeTile> hinge_tiles_;
+  std::vector<PatchTile> patch_tiles_;
   BendingFriction friction_;
   TangentReach tangent_ = TangentReach::full;
-  std::vector<Vec3> anchor_;          ///< z₀ of the inner friction, per patch
-  double damping_ = 0;                ///< τ [s]
-  double viscous_ratio_ = 0;          ///< τ/dt of the current step
-  std::vector<Vector9> angle_start_;  ///< per patch [rad]
+  std::vector<PlaneRows> anchor_;  ///< z₀ of the inner friction, per patch
+  double damping_ = 0;             ///< τ [s]
+  double viscous_ratio_ = 0;       ///< τ/dt of the current step
+  std::vector<PlaneRows> curvature_start_;
+
+  ParticleGather to_particles_;
+  BlockGather to_blocks_;
+  mutable std::unique_ptr<PatchTangent> patch_tangent_;  ///< made when it is first asked for
+  // Room that is kept from call to call: an energy belongs to one thread at a time.
+  mutable std::vector<double> angle_;  ///< per hinge [rad]; the last stays 0
+  mutable std::vector<HingeGradient> gradient_;
+  mutable std::vector<double> energy_;  ///< per tile of patches
+  mutable std::vector<double> moment_;  ///< rows of nine per tile of patches; the last stays 0
+  mutable std::vector<double> friction_stiffness_;  ///< rows of three, likewise
+  mutable std::vector<Vec3> force_;                 ///< four per hinge
+  mutable std::vector<Mat3> block_;                 ///< ten per hinge
 };
 
 }  // namespace loosefit

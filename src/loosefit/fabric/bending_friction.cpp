@@ -5,6 +5,26 @@
 
 namespace loosefit {
 
+LOOSEFIT_VECTORISED
+static void add_friction(const std::array<double, 3>& scale, double limit, double reach,
+                         const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
+                         PlaneResponse& out) {
+  for (int i = 0; i < kTile; ++i) {
+    const double z0 = scale[0] * curvature[0][i] - anchor[0][i],
+                 z1 = scale[1] * curvature[1][i] - anchor[1][i],
+                 z2 = scale[2] * curvature[2][i] - anchor[2][i];
+    const double length = std::sqrt(z0 * z0 + z1 * z1 + z2 * z2), s = length / reach;
+    const bool slides = s >= 1;
+    const double energy = slides ? s - 1.0 / 3.0 : s * s * (1 - s / 3);
+    const double per = slides ? 1 / (slides ? length : 1.0) : (2 - s) / reach;
+    const double force = area[i] * limit * per;
+    out.energy[i] += area[i] * limit * reach * energy;
+    out.stress[0][i] += force * scale[0] * z0;
+    out.stress[1][i] += force * scale[1] * z1;
+    out.stress[2][i] += force * scale[2] * z2;
+  }
+}
+
 BendingFriction::BendingFriction(const Vec2& hysteresis, const Vec2& rigidity) {
   constexpr double kReachShare = 0.1;
   limit_ = hysteresis.maxCoeff();
@@ -38,6 +58,11 @@ BendingFriction::Response BendingFriction::respond(const Vec3& curvature,
   }
   r.tangent = limit_ * scale_.asDiagonal() * tangent * scale_.asDiagonal();
   return r;
+}
+
+void BendingFriction::add(const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
+                          PlaneResponse& out) const {
+  add_friction({scale_[0], scale_[1], scale_[2]}, limit_, reach_, curvature, anchor, area, out);
 }
 
 }  // namespace loosefit

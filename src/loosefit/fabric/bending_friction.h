@@ -1,5 +1,6 @@
 #pragma once
 #include "loosefit/base/types.h"
+#include "loosefit/fabric/plane_law.h"
 
 namespace loosefit {
 
@@ -33,6 +34,9 @@ class BendingFriction {
     Mat3 tangent = Mat3::Zero();  ///< ∂²w/∂κ² [N m], positive semi-definite
   };
   Response respond(const Vec3& curvature, const Vec3& anchor) const;
+  /// The same without the tangent for a tile of triangles: adds area × energy and moment.
+  void add(const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
+           PlaneResponse& out) const;
 
  private:
   double limit_ = 0;  ///< H̄ [N]

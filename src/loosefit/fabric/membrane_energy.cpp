@@ -15,7 +15,7 @@ StressCurve tension_law(const std::vector<CurvePoint>& curve, double stiffness,
 }
 
 // Nearest positive semi-definite matrix of a tangent whose shear does not couple.
-void drop_negative_part(MembraneTangent& c, int i) {
+void drop_negative_part(PlaneTangent& c, int i) {
   const double mean = 0.5 * (c[0][i] + c[1][i]), half = 0.5 * (c[0][i] - c[1][i]);
   const double radius = std::hypot(half, c[2][i]);
   if (mean - radius < 0) {
@@ -27,8 +27,6 @@ void drop_negative_part(MembraneTangent& c, int i) {
   }
   c[3][i] = std::max(0.0, c[3][i]);
 }
-
-constexpr std::array<TileRow, 3> kNoStrain{};
 
 }  // namespace
 
@@ -76,17 +74,17 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   }
   to_particles_ = ParticleGather(particle);
   to_blocks_ = BlockGather(pairs);
-  strain_start_.assign(tiles_.size(), kNoStrain);
-  if (!plain_) tangent_start_.assign(tiles_.size(), MembraneTangent{});
+  strain_start_.assign(tiles_.size(), kZeroRows);
+  if (!plain_) tangent_start_.assign(tiles_.size(), PlaneTangent{});
   energy_.resize(tiles_.size());
   force_.resize(3 * kTile * tiles_.size());
 }
 
-void MembraneEnergy::respond(const MembraneStrain& s, MembraneResponse& out,
-                             MembraneTangent* tangent) const {
+void MembraneEnergy::respond(const MembraneStrain& s, PlaneResponse& out,
+                             PlaneTangent* tangent) const {
   if (plain_) {
-    out = MembraneResponse{};
-    add_quadratic(linear_, s.strain, kNoStrain, 1, out);
+    out = PlaneResponse{};
+    add_quadratic(linear_, s.strain, kZeroRows, 1, out);
     if (tangent) *tangent = linear_;
     return;
   }
@@ -168,11 +166,11 @@ void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKi
   for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
     TileState state;
     tile_state(t, x, true, state);
-    MembraneTangent& c = state.tangent;
+    PlaneTangent& c = state.tangent;
     if (!plain_ && definite)
       for (int i = 0; i < kTile; ++i) drop_negative_part(c, i);
     if (viscous_ratio_ > 0) {
-      const MembraneTangent& viscosity = plain_ ? linear_ : tangent_start_[t];
+      const PlaneTangent& viscosity = plain_ ? linear_ : tangent_start_[t];
       for (int k = 0; k < 4; ++k)
         for (int i = 0; i < kTile; ++i) c[k][i] += viscous_ratio_ * viscosity[k][i];
     }

@@ -57,14 +57,14 @@ class MembraneEnergy : public Energy {
 
  private:
   /// Second Piola-Kirchhoff stress without viscosity and factor, energy and tangent [N/m].
-  void respond(const MembraneStrain& s, MembraneResponse& out, MembraneTangent* tangent) const;
+  void respond(const MembraneStrain& s, PlaneResponse& out, PlaneTangent* tangent) const;
   double evaluate(const VectorField& x, bool forces) const;
   /// Strain, stress with viscosity and tangent of a tile.
   struct TileState {
     TrianglePoints x;
     MembraneStrain s;
-    MembraneResponse response;
-    MembraneTangent tangent;
+    PlaneResponse response;
+    PlaneTangent tangent;
   };
   void tile_state(int tile, const VectorField& x, bool with_tangent, TileState& state) const;
 
@@ -72,13 +72,13 @@ class MembraneEnergy : public Energy {
   std::vector<MembraneTile> tiles_;
   std::vector<double> factor_;
   bool plain_;                         ///< one constant matrix: no curve, no soft compression
-  MembraneTangent linear_;             ///< of the plain law, the same for all
+  PlaneTangent linear_;                ///< of the plain law, the same for all
   StressCurve law_u_, law_v_, law_s_;  ///< of all others
   double coupling_ = 0;                ///< C_uv of all others [N/m]
   double damping_ = 0;                 ///< τ [s]
   double viscous_ratio_ = 0;           ///< τ/dt of the current step
-  std::vector<std::array<TileRow, 3>> strain_start_;
-  std::vector<MembraneTangent> tangent_start_;  ///< only for laws that are not plain
+  std::vector<PlaneRows> strain_start_;
+  std::vector<PlaneTangent> tangent_start_;  ///< only for laws that are not plain
 
   ParticleGather to_particles_;
   BlockGather to_blocks_;

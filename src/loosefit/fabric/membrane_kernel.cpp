@@ -22,24 +22,8 @@ void membrane_strain(const MembraneTile& tile, const TrianglePoints& x, Membrane
 }
 
 LOOSEFIT_VECTORISED
-void add_quadratic(const MembraneTangent& c, const std::array<TileRow, 3>& strain,
-                   const std::array<TileRow, 3>& start, double share, MembraneResponse& out) {
-  for (int i = 0; i < kTile; ++i) {
-    const double d0 = strain[0][i] - start[0][i], d1 = strain[1][i] - start[1][i],
-                 d2 = strain[2][i] - start[2][i];
-    const double s0 = share * (c[0][i] * d0 + c[2][i] * d1);
-    const double s1 = share * (c[2][i] * d0 + c[1][i] * d1);
-    const double s2 = share * (c[3][i] * d2);
-    out.energy[i] += 0.5 * (s0 * d0 + s1 * d1 + s2 * d2);
-    out.stress[0][i] += s0;
-    out.stress[1][i] += s1;
-    out.stress[2][i] += s2;
-  }
-}
-
-LOOSEFIT_VECTORISED
-void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s,
-                       const std::array<TileRow, 3>& stress, std::array<TileRow, 9>& out) {
+void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
+                       std::array<TileRow, 9>& out) {
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < kTile; ++i) {
       const double w = tile.weight[i];
@@ -50,11 +34,10 @@ void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s,
 }
 
 LOOSEFIT_VECTORISED
-void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s,
-                     const std::array<TileRow, 3>& stress, const MembraneTangent& c, bool definite,
-                     std::array<TileRow, 54>& out) {
+void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
+                     const PlaneTangent& c, bool definite, std::array<TileRow, 54>& out) {
   // Geometric stiffness: w rᵃᵀ stress rᵇ on the diagonal of block (a, b).
-  std::array<TileRow, 3> g;
+  PlaneRows g;
   for (int i = 0; i < kTile; ++i) {
     const double mean = 0.5 * (stress[0][i] + stress[1][i]),
                  half = 0.5 * (stress[0][i] - stress[1][i]), off = stress[2][i];

@@ -10,33 +10,36 @@ BlockGather::BlockGather(const std::vector<std::array<int, 2>>& pairs) {
   int particles = 0;
   for (const auto& [i, j] : pairs) particles = std::max({particles, i + 1, j + 1});
   // Counting sort by column, then within a column by row, as they are before flipped.
-  struct Entry {
-    int row, flip, source;
-  };
   std::vector<int> begin(particles + 1, 0);
   for (const auto& [i, j] : pairs)
     if (i >= 0) ++begin[std::min(i, j) + 1];
   for (int c = 0; c < particles; ++c) begin[c + 1] += begin[c];
-  std::vector<Entry> entry(begin.back());
+  std::vector<std::uint64_t> entry(begin.back());  // row, flip, source
   std::vector<int> next(begin.begin(), begin.end() - 1);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
-    if (i >= 0) entry[next[std::min(i, j)]++] = {std::max(i, j), i < j, static_cast<int>(k)};
+    if (i < 0) continue;
+    entry[next[std::min(i, j)]++] = std::uint64_t(std::max(i, j)) << 33 |
+                                    std::uint64_t(i < j) << 32 | static_cast<std::uint32_t>(k);
   }
-  column_start_.assign(1, 0);
+  for_ranges(particles, 64, [&](int from, int to) {
+    for (int c = from; c < to; ++c)
+      std::sort(entry.begin() + begin[c], entry.begin() + begin[c + 1]);
+  });
+  const auto row_of = [](std::uint64_t e) { return static_cast<int>(e >> 33); };
+  const auto flip_of = [](std::uint64_t e) { return (e >> 32 & 1) != 0; };
   source_.reserve(entry.size());
   for (int c = 0; c < particles; ++c) {
-    const auto first = entry.begin() + begin[c], last = entry.begin() + begin[c + 1];
-    std::sort(first, last, [](const Entry& a, const Entry& b) {
-      return std::array{a.row, a.flip, a.source} < std::array{b.row, b.flip, b.source};
-    });
-    for (auto e = first; e != last;) {
-      row_.push_back(e->row);
-      const int row = e->row;
-      for (; e != last && e->row == row && !e->flip; ++e) source_.push_back(e->source);
-      flipped_.push_back(static_cast<int>(source_.size()));
-      for (; e != last && e->row == row; ++e) source_.push_back(e->source);
-      first_.push_back(static_cast<int>(source_.size()));
+    for (int e = begin[c]; e < begin[c + 1];) {
+      const int row = row_of(entry[e]);
+      row_.push_back(row);
+      const auto take = [&](bool flip) {
+        while (e < begin[c + 1] && row_of(entry[e]) == row && flip_of(entry[e]) == flip)
+          source_.push_back(static_cast<int>(entry[e++] & 0xffffffff));
+        return static_cast<int>(source_.size());
+      };
+      flipped_.push_back(take(false));
+      first_.push_back(take(true));
     }
     column_start_.push_back(static_cast<int>(row_.size()));
   }
