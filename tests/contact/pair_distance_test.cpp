@@ -177,5 +177,53 @@ TEST(TimeOfImpact, StopsAThinSheetShotAtWithHugeSpeed) {
   EXPECT_LT(t * 100, 0.95e-3);
 }
 
+TEST(PairDistance, HessianIsTheDerivativeOfTheGradient) {
+  std::mt19937 rng(6);
+  const double h = 1e-6;
+  for (int i = 0; i < 300; ++i) {
+    const PairKind kind = i % 2 ? PairKind::edge_edge : PairKind::point_triangle;
+    const Points x = random_points(rng);
+    const PairDistance d = pair_distance(kind, x);
+    if (d.distance < 0.1) continue;
+    const PairMatrix exact = distance_hessian(kind, x, d);
+    double worst = 0;
+    bool same_part = true;
+    for (int k = 0; k < 4; ++k)
+      for (int c = 0; c < 3; ++c) {
+        Points plus = x, minus = x;
+        plus[k][c] += h;
+        minus[k][c] -= h;
+        const PairDistance up = pair_distance(kind, plus), down = pair_distance(kind, minus);
+        for (int j = 0; j < 4; ++j) {
+          same_part &= (up.weight[j] == 0) == (down.weight[j] == 0);
+          const Vec3 slope = (up.weight[j] * up.normal - down.weight[j] * down.normal) / (2 * h);
+          worst = std::max(worst, (slope - exact.block<3, 1>(3 * j, 3 * k + c)).norm());
+        }
+      }
+    if (same_part) {
+      EXPECT_LT(worst, 1e-6 * (1 + exact.norm())) << i;
+    }
+  }
+}
+
+TEST(PairDistance, SeparationAndMotionBoundHold) {
+  std::mt19937 rng(7);
+  int close = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const PairKind kind = i % 2 ? PairKind::edge_edge : PairKind::point_triangle;
+    const Points x = random_points(rng), dx = random_points(rng);
+    const double d = distance(kind, x), gap = separation(kind, x), loss = motion_bound(kind, dx);
+    ASSERT_LE(gap, d * (1 + 1e-12));
+    close += gap > 0.8 * d;
+    Points y = x;
+    for (int k = 0; k < 4; ++k) y[k] += dx[k];
+    ASSERT_GE(distance(kind, y), d - loss - 1e-12);
+    Points common;
+    common.fill(dx[0]);
+    ASSERT_LT(motion_bound(kind, common), 1e-12);
+  }
+  EXPECT_GT(close, 500);  // the quick bound is worth its while
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "loosefit/base/error.h"
 #include "support/law_checker.h"
 #include "support/shapes.h"
 
@@ -131,6 +132,94 @@ TEST(SelfContact, LimitsAStepThatWouldPassThrough) {
   EXPECT_GT(share * 0.01, 0.8e-3);
   for (Vec3& d : dx) d = Vec3(0.3, -0.2, 0.1);
   EXPECT_EQ(contact.begin_search(x, dx), 1);
+}
+
+TEST(SelfContact, FusedPassEqualsValueAndGradient) {
+  SelfContact contact = two_triangles(0.4);
+  VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  contact.begin_step(x, 0.1);
+  x[3] += Vec3(5e-5, 0, 1e-4);
+  VectorField g(6, Vec3::Zero());
+  EXPECT_DOUBLE_EQ(contact.value_and_gradient(x, g), contact.value(x));
+  const VectorField expected = support::gradient(contact, x);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(g[i], expected[i]);
+  EXPECT_GT(g[3].norm(), 0);
+}
+
+TEST(SelfContact, PatternIsSteadyWhileContactsComeAndGoAndHoldsWhatTheHessianTouches) {
+  SelfContact contact = two_triangles(0.4);
+  const VectorField near = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  VectorField apart = near;
+  for (int i = 3; i < 6; ++i) apart[i][2] += 0.01;
+  contact.begin_step(near, 0.1);
+  const auto version = contact.pattern_version(near);
+  for (int k = 0; k < 3; ++k) {
+    contact.begin_step(apart, kStatic);
+    EXPECT_EQ(contact.active(apart), 0);
+    EXPECT_EQ(contact.pattern_version(apart), version);
+    BlockPattern pattern(6);
+    contact.add_pattern(apart, pattern);
+    EXPECT_EQ(contact.pattern_version(apart), version);
+    pattern.compress();
+    BlockMatrix h(pattern);
+    contact.begin_step(near, kStatic);
+    EXPECT_EQ(contact.pattern_version(near), version);
+    contact.add_hessian(near, h, HessianKind::exact);  // on the kept pattern
+    EXPECT_LT(
+        (support::dense(h) - support::dense_hessian(contact, near, HessianKind::exact)).norm(),
+        1e-12);
+  }
+  // A contact of other particles is new.
+  const VectorField other = over({0.02, 0.02, 0.02}, {0.008, 0.005, 1e-3}, {-0.01, 0.01, 0.03});
+  contact.begin_step(other, kStatic);
+  EXPECT_NE(contact.pattern_version(other), version);
+}
+
+TEST(SelfContact, LayersOfTwoMaterialsRepelWithinTheMeanOfTheirThicknesses) {
+  SelfContact::Options options;
+  options.friction = 0;
+  options.triangle_thickness = {1e-3, 3e-3};
+  SelfContact mixed({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
+  SelfContact even = two_triangles(0);  // 2 mm everywhere
+  for (double d : {1e-4, 1e-3, 1.99e-3, 2.01e-3}) {
+    const VectorField x = over({0.008, 0.005, d}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+    mixed.begin_step(x, kStatic);
+    even.begin_step(x, kStatic);
+    EXPECT_DOUBLE_EQ(mixed.value(x), even.value(x)) << d;
+    EXPECT_EQ(mixed.active(x) > 0, d < 2e-3) << d;
+  }
+  options.triangle_thickness = {1e-3, 1e-3};
+  SelfContact thin({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
+  const VectorField x = over({0.008, 0.005, 1.5e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  thin.begin_step(x, kStatic);
+  EXPECT_EQ(thin.active(x), 0);
+}
+
+TEST(SelfContact, FrictionIsThatOfThePairOfLayers) {
+  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  VectorField slid = start;
+  slid[3] += Vec3(2e-3, 0, 0);
+  const auto drag = [&](const Eigen::MatrixXd& between, std::vector<int> layers) {
+    SelfContact::Options options;
+    options.thickness = kThickness;
+    options.friction = 0.4;
+    options.layer_friction = between;
+    options.triangle_layer = layers;
+    SelfContact contact({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
+    contact.begin_step(start, 0.1);
+    return support::gradient(contact, slid)[3][0];
+  };
+  const double usual = drag({}, {});
+  EXPECT_GT(usual, 0);
+  Eigen::MatrixXd mu(2, 2);
+  mu << 0.9, 0.2, 0.2, 0.5;
+  EXPECT_NEAR(drag(mu, {0, 1}), 0.5 * usual, 1e-12 * usual);
+  EXPECT_NEAR(drag(mu, {0, 0}) * 0.5 / 0.9, drag(mu, {1, 1}), 1e-12 * usual);  // pairs of one layer
+  EXPECT_THROW(drag(mu, {0, 2}), InvalidInput);
+  mu(0, 1) = 0.3;
+  EXPECT_THROW(drag(mu, {0, 1}), InvalidInput);
+  mu << 0.9, -0.2, -0.2, 0.5;
+  EXPECT_THROW(drag(mu, {0, 1}), InvalidInput);
 }
 
 }  // namespace

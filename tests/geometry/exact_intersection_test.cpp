@@ -49,6 +49,22 @@ TEST(BoxPairs, GridAgreesWithBruteForceOnRandomBoxes) {
       if (boxes[i].intersects(boxes[j])) expected.emplace_back(i, j);
   EXPECT_GT(expected.size(), 20u);
   EXPECT_EQ(overlapping_boxes(boxes), expected);
+  // The same by asking for each box alone.
+  std::vector<std::pair<int, int>> both;
+  for (const auto& [i, j] : overlapping_boxes(boxes, boxes))
+    if (i < j) both.emplace_back(i, j);
+  EXPECT_EQ(both, expected);
+}
+
+TEST(BoxPairs, BoxesInOnePlaceAndBoxesThatJustTouchAreFound) {
+  const Box3 unit(Vec3::Zero(), Vec3::Ones());
+  const Box3 beside(Vec3(1, 0, 0), Vec3(2, 1, 1));
+  const Box3 apart(Vec3(2 + 1e-9, 0, 0), Vec3(3, 1, 1));
+  using Pairs = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(overlapping_boxes({unit, unit, beside, apart}), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+  EXPECT_EQ(overlapping_boxes({unit}, {beside, apart}), (Pairs{{0, 0}}));
+  EXPECT_TRUE(overlapping_boxes({}).empty());
+  EXPECT_TRUE(overlapping_boxes({unit}, {}).empty());
 }
 
 }  // namespace

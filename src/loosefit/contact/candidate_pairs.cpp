@@ -25,13 +25,36 @@ double longest(const std::vector<Vec3>& v) {
   return std::sqrt(largest);
 }
 
-/// Whether the boxes that the two features sweep on the way from x to y come within `reach`.
-bool sweeps_meet(PairKind kind, const PairPoints& x, const PairPoints& dx, double reach) {
+/// Whether along one of thirteen fixed axes the features are farther apart than `limit`, on the
+/// same side, at both ends of the move. In between they are so too: the gap of the projections of
+/// two moving hulls is a concave function of time.
+bool kept_apart(PairKind kind, const PairPoints& x, const PairPoints& dx, double limit) {
+  constexpr double k2 = 0.70710678118654752, k3 = 0.57735026918962576;
+  static const std::array<Vec3, 13> kAxes{
+      Vec3(1, 0, 0),     Vec3(0, 1, 0),     Vec3(0, 0, 1),    Vec3(k2, k2, 0),  Vec3(k2, -k2, 0),
+      Vec3(k2, 0, k2),   Vec3(k2, 0, -k2),  Vec3(0, k2, k2),  Vec3(0, k2, -k2), Vec3(k3, k3, k3),
+      Vec3(k3, k3, -k3), Vec3(k3, -k3, k3), Vec3(-k3, k3, k3)};
   const int split = kind == PairKind::point_triangle ? 1 : 2;
-  Box3 a, b;
-  for (int k = 0; k < 4; ++k) (k < split ? a : b).extend(x[k]).extend(Vec3(x[k] + dx[k]));
-  return ((a.min() - b.max()).array() <= reach).all() &&
-         ((b.min() - a.max()).array() <= reach).all();
+  const auto gaps = [&](const Vec3& axis, const PairPoints& p) {
+    double a0 = axis.dot(p[0]), a1 = a0, b0 = axis.dot(p[3]), b1 = b0;
+    for (int k = 1; k < 3; ++k) {
+      const double at = axis.dot(p[k]);
+      double &low = k < split ? a0 : b0, &high = k < split ? a1 : b1;
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    return std::array<double, 2>{a0 - b1, b0 - a1};
+  };
+  PairPoints y;
+  for (int k = 0; k < 4; ++k) y[k] = x[k] + dx[k];
+  for (const Vec3& axis : kAxes) {
+    const auto before = gaps(axis, x);
+    if (!(before[0] > limit) && !(before[1] > limit)) continue;
+    const auto after = gaps(axis, y);
+    if ((before[0] > limit && after[0] > limit) || (before[1] > limit && after[1] > limit))
+      return true;
+  }
+  return false;
 }
 
 /// Quick no for two triangles all of whose parts stay farther apart than `limit`.
@@ -74,22 +97,42 @@ bool CandidatePairs::covers(const std::vector<Vec3>& x, Move dx) const {
   return true;
 }
 
+/// Whether the pair is to be returned, were its reach longer by `extra`. motion: an upper bound of
+/// motion_bound, to save work.
+bool CandidatePairs::is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx,
+                             double motion, double extra, double* distance) const {
+  const PairPoints p = pair.points(x);
+  const double reach = pair.reach + extra, gap = separation(pair.kind, p);
+  if (gap >= reach + motion) return false;
+  double limit = reach;
+  if (dx) {
+    const PairPoints d = pair.points(*dx);
+    limit += motion_bound(pair.kind, d);
+    if (gap >= limit || kept_apart(pair.kind, p, d, reach)) return false;
+  }
+  *distance = pair_distance(pair.kind, p).distance;
+  return *distance < limit;
+}
+
 void CandidatePairs::add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx,
-                               std::vector<FeaturePair>& found) const {
+                               std::vector<Candidate>& found) const {
   const ContactFeatures& f = features_;
   const Triangle &ta = f.triangles[a], &tb = f.triangles[b];
-  double limit = f.max_thickness + 2 * margin_;
-  if (dx) {
+  const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
+  const double limit = f.max_thickness + 2 * margin_, motion = travel_[a] + travel_[b];
+  if (far_apart(corners, limit + motion)) return;
+  if (motion > margin_) {
     const auto& d = *dx;
-    limit += motion_of_triangles({d[ta[0]], d[ta[1]], d[ta[2]], d[tb[0]], d[tb[1]], d[tb[2]]});
+    if (far_apart(corners, limit + motion_of_triangles({d[ta[0]], d[ta[1]], d[ta[2]], d[tb[0]],
+                                                        d[tb[1]], d[tb[2]]})))
+      return;
   }
-  if (far_apart({x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]}, limit)) return;
   const auto add = [&](const FeaturePair& pair) {
-    const PairPoints p = pair.points(x);
-    double farthest = pair.reach + 2 * margin_;
-    if (dx) farthest += motion_bound(pair.kind, pair.points(*dx));
-    if (separation(pair.kind, p) < farthest && pair_distance(pair.kind, p).distance < farthest)
-      found.push_back(pair);
+    Candidate candidate{pair};
+    if (is_near(pair, x, dx, motion, 2 * margin_, &candidate.spare)) {
+      candidate.spare -= pair.reach;
+      found.push_back(candidate);
+    }
   };
   const auto add_vertices = [&](int owner, int t) {
     const Triangle& tri = f.triangles[t];
@@ -120,58 +163,83 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   ++builds_;
   double sum = 0;
   for (const auto& e : features_.edges) sum += (x[e[1]] - x[e[0]]).norm();
-  margin_ = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
   start_ = x;
   if (dx)
     way_ = *dx;
   else
     way_.assign(x.size(), Vec3::Zero());
   longest_way_ = longest(way_);
+  margin_ = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
+  // After a long way the next one will not be like it, whatever the margin.
+  if (longest_way_ > 2 * margin_) margin_ *= 0.1;
 
   const std::size_t triangles = features_.triangles.size();
   const Vec3 around = Vec3::Constant(0.5 * features_.max_thickness + margin_);
   boxes_.resize(triangles);
+  travel_.assign(triangles, 0.0);
   tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t t) {
     Box3 box;
     for (int v : features_.triangles[t]) {
       box.extend(x[v]);
-      if (dx) box.extend(Vec3(x[v] + (*dx)[v]));
+      if (!dx) continue;
+      box.extend(Vec3(x[v] + (*dx)[v]));
+      travel_[t] = std::max(travel_[t], (*dx)[v].norm());
     }
     boxes_[t] = Box3(box.min() - around, box.max() + around);
   });
   grid_.build(boxes_);
 
-  constexpr std::size_t kBlock = 64;  // of triangles; fixed, so that no result depends on threads
-  found_.resize((triangles + kBlock - 1) / kBlock);
+  constexpr std::size_t kBlock = 16;  // of cells; fixed, so that no result depends on threads
+  const std::size_t cells = grid_.busy_cells();
+  found_.resize((cells + kBlock - 1) / kBlock);
   tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t block) {
     auto& found = found_[block];
     found.clear();
-    for (std::size_t a = block * kBlock; a < std::min(triangles, (block + 1) * kBlock); ++a)
-      grid_.query(boxes_[a], [&](int b) {
-        if (static_cast<int>(a) < b) add_pairs(static_cast<int>(a), b, x, dx, found);
-      });
+    grid_.visit_pairs(block * kBlock, std::min(cells, (block + 1) * kBlock),
+                      [&](int a, int b) { add_pairs(a, b, x, dx, found); });
   });
-  candidates_.clear();
-  for (const auto& found : found_)
-    candidates_.insert(candidates_.end(), found.begin(), found.end());
-  tbb::parallel_sort(candidates_.begin(), candidates_.end(),
-                     [](const FeaturePair& a, const FeaturePair& b) { return a.key() < b.key(); });
+  unsorted_.clear();
+  for (const auto& found : found_) unsorted_.insert(unsorted_.end(), found.begin(), found.end());
+  order_.resize(unsorted_.size());
+  for (std::size_t i = 0; i < unsorted_.size(); ++i)
+    order_[i] = {unsorted_[i].key(), static_cast<int>(i)};
+  tbb::parallel_sort(order_.begin(), order_.end());
+  candidates_.resize(unsorted_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) candidates_[i] = unsorted_[order_[i].second];
+  spare_.resize(candidates_.size());
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    spare_[i] = std::nextafter(static_cast<float>(candidates_[i].spare), -1e30f);
+}
+
+/// Fills motion_ and returns its largest number.
+double CandidatePairs::measure_motion(const std::vector<Vec3>& x, Move dx) {
+  motion_.resize(x.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    motion_[i] = (x[i] - start_[i]).norm() + (dx ? (*dx)[i].norm() : 0.0);
+    largest = std::max(largest, motion_[i]);
+  }
+  return largest;
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
   if (!covers(x, dx)) build(x, dx);
+  const double largest = measure_motion(x, dx);
   chosen_.resize(candidates_.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, candidates_.size(), 512), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      chosen_[i] = 0;
+      // What has moved too little since the list was made needs no new distance.
+      if (spare_[i] >= 2 * largest) continue;
       const FeaturePair& pair = candidates_[i];
-      const PairPoints p = pair.points(x);
-      double limit = pair.reach;
-      PairPoints d;
-      if (dx) limit += motion_bound(pair.kind, d = pair.points(*dx));
-      chosen_[i] = separation(pair.kind, p) < limit &&
-                   pair_distance(pair.kind, p).distance < limit &&
-                   (!dx || sweeps_meet(pair.kind, p, d, pair.reach));
+      const auto& p = pair.particle;
+      const bool point = pair.kind == PairKind::point_triangle;
+      const double m0 = motion_[p[0]], m1 = motion_[p[1]], m2 = motion_[p[2]], m3 = motion_[p[3]];
+      if (spare_[i] >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
+        continue;
+      double distance = 0;
+      chosen_[i] = is_near(pair, x, dx, 2 * largest, 0, &distance);
     }
   });
   near_.clear();

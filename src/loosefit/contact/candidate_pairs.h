@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "loosefit/contact/contact_features.h"
 #include "loosefit/geometry/box_grid.h"
 
@@ -20,8 +22,8 @@ class CandidatePairs {
   /// Pairs at x nearer than their reach, sorted by key.
   const std::vector<FeaturePair>& touching(const std::vector<Vec3>& x);
   /// Pairs that might come nearer than their reach on the way from x to x + dx, sorted by key:
-  /// distance at x less motion_bound below the reach, and boxes swept by the features no farther
-  /// apart than the reach.
+  /// distance at x less motion_bound below the reach, and no gap as wide as the reach between the
+  /// projections on one of a few fixed axes at both ends of the way.
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
   std::size_t candidates() const { return candidates_.size(); }
@@ -29,14 +31,22 @@ class CandidatePairs {
 
  private:
   using Move = const std::vector<Vec3>*;  ///< null: no motion
+  struct Candidate : FeaturePair {
+    double spare = 0;  ///< distance at r less the reach [m]
+  };
   bool covers(const std::vector<Vec3>& x, Move dx) const;
+  double measure_motion(const std::vector<Vec3>& x, Move dx);
+  bool is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx, double motion,
+               double extra, double* distance) const;
   void build(const std::vector<Vec3>& x, Move dx);
   void add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx,
-                 std::vector<FeaturePair>& found) const;
+                 std::vector<Candidate>& found) const;
   const std::vector<FeaturePair>& select(const std::vector<Vec3>& x, Move dx);
 
   ContactFeatures features_;
-  std::vector<FeaturePair> candidates_, near_;
+  std::vector<Candidate> candidates_;
+  std::vector<float> spare_;  ///< of the candidates, rounded down
+  std::vector<FeaturePair> near_;
   std::vector<Vec3> start_, way_;  ///< r and s of the list
   double margin_ = -1;             ///< m [m]
   double longest_way_ = 0;         ///< max |s| [m]
@@ -44,8 +54,12 @@ class CandidatePairs {
   // Working memory, kept so that calls do not allocate.
   std::vector<Box3> boxes_;
   BoxGrid grid_;
-  std::vector<std::vector<FeaturePair>> found_;
+  std::vector<std::vector<Candidate>> found_;
+  std::vector<double> travel_;  ///< longest move of a corner of each triangle [m]
+  std::vector<std::pair<std::uint64_t, int>> order_;
+  std::vector<Candidate> unsorted_;
   std::vector<char> chosen_;
+  std::vector<double> motion_;  ///< of each particle since the list was made and on dx [m]
 };
 
 }  // namespace loosefit

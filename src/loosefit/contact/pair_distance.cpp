@@ -120,11 +120,16 @@ double separation(PairKind kind, const PairPoints& x) {
 }
 
 double motion_bound(PairKind kind, const PairPoints& dx) {
-  const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
-  const auto length = [&](int k) { return (dx[k] - mean).norm(); };
-  return kind == PairKind::point_triangle
-             ? length(0) + std::max({length(1), length(2), length(3)})
-             : std::max(length(0), length(1)) + std::max(length(2), length(3));
+  const auto bound = [&](const Vec3& common) {
+    PairPoints v;
+    for (int k = 0; k < 4; ++k) v[k] = dx[k] - common;
+    const double l0 = v[0].squaredNorm(), l1 = v[1].squaredNorm(), l2 = v[2].squaredNorm(),
+                 l3 = v[3].squaredNorm();
+    return kind == PairKind::point_triangle
+               ? std::sqrt(l0) + std::sqrt(std::max({l1, l2, l3}))
+               : std::sqrt(std::max(l0, l1)) + std::sqrt(std::max(l2, l3));
+  };
+  return std::min(bound(Vec3::Zero()), bound(0.25 * (dx[0] + dx[1] + dx[2] + dx[3])));
 }
 
 double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx, double upper) {

@@ -31,7 +31,7 @@ PairMatrix distance_hessian(PairKind kind, const PairPoints& x, const PairDistan
 /// Quick lower bound of the distance: the gap of the projections on the line through the centres.
 double separation(PairKind kind, const PairPoints& x);
 
-/// Upper bound of the loss of distance while the points move along dx; common motion is free.
+/// Upper bound of the loss of distance while the points move along dx. Common motion is free.
 double motion_bound(PairKind kind, const PairPoints& dx);
 
 /// First contact of two features moving linearly from x to x + dx, as a share of dx in [0, 1];

@@ -28,10 +28,10 @@ double largest_friction(const SelfContact::Options& o) {
   if (m.size() == 0) return o.friction;
   int layers = 1;
   for (int l : o.triangle_layer) layers = std::max(layers, l + 1);
-  if (m.rows() != m.cols() || m.rows() != layers || m != m.transpose() || m.minCoeff() < 0)
+  if (m.rows() != m.cols() || m.rows() < layers || m != m.transpose() || m.minCoeff() < 0)
     throw InvalidInput(InputPlace{"", 0, "layer_friction"},
                        std::to_string(m.rows()) + " x " + std::to_string(m.cols()) + " numbers",
-                       "a symmetric matrix without negative numbers, one row for each of " +
+                       "a symmetric matrix without negative numbers, a row for each of " +
                            std::to_string(layers) + " layers");
   return m.maxCoeff();
 }

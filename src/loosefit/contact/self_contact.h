@@ -26,7 +26,7 @@ class SelfContact : public Energy {
     std::vector<double> triangle_thickness;
     /// Layer of each triangle, 0, 1, …; empty: all in layer 0.
     std::vector<int> triangle_layer;
-    /// μ between two layers [–], symmetric, as many rows as layers; empty: `friction`.
+    /// μ between two layers [–], symmetric, a row for each layer; empty: `friction`.
     Eigen::MatrixXd layer_friction;
   };
   /// triangle_area: flat areas [m²], for the tributary areas. Throws InvalidInput when the numbers

@@ -1,5 +1,8 @@
 #include "loosefit/geometry/box_grid.h"
 
+#include <cmath>
+#include <limits>
+
 namespace loosefit {
 
 void BoxGrid::build(const std::vector<Box3>& boxes) {
@@ -12,6 +15,7 @@ void BoxGrid::build(const std::vector<Box3>& boxes) {
     bounds_.extend(b);
     sum += b.sizes().maxCoeff();
   }
+  busy_.clear();
   if (boxes.empty()) return;
   inverse_ = 1 / std::max(kCell * sum / static_cast<double>(boxes.size()), 1e-9);
   const Vec3 extent = bounds_.sizes();
@@ -24,6 +28,13 @@ void BoxGrid::build(const std::vector<Box3>& boxes) {
     if (cells <= kMaxCells) break;
     inverse_ *= 0.5;
   }
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  rounded_.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (int d = 0; d < 3; ++d) {
+      rounded_[i][d] = std::nextafter(static_cast<float>(boxes[i].min()[d]), -kFar);
+      rounded_[i][d + 3] = std::nextafter(static_cast<float>(boxes[i].max()[d]), kFar);
+    }
   start_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
   lower_.resize(boxes.size());
   upper_.resize(boxes.size());
@@ -38,6 +49,22 @@ void BoxGrid::build(const std::vector<Box3>& boxes) {
   for (std::size_t i = boxes.size(); i-- > 0;)
     for_cells(lower_[i], upper_[i],
               [&](int c, const Cell&) { entries_[--start_[c]] = static_cast<int>(i); });
+  for (std::size_t c = 0; c + 1 < start_.size(); ++c)
+    if (start_[c + 1] - start_[c] > 1) busy_.push_back(static_cast<int>(c));
+}
+
+void BoxGrid::gather_sides(const int* boxes, int n, std::vector<float>& sides) const {
+  sides.resize(static_cast<std::size_t>(n) * 6);
+  for (int i = 0; i < n; ++i)
+    for (int d = 0; d < 6; ++d) sides[d * n + i] = rounded_[boxes[i]][d];
+}
+
+void BoxGrid::compare_sides(const float* sides, int n, int a, char* meets) {
+  const float *x0 = sides, *y0 = x0 + n, *z0 = y0 + n, *x1 = z0 + n, *y1 = x1 + n, *z1 = y1 + n;
+  const float ax0 = x0[a], ay0 = y0[a], az0 = z0[a], ax1 = x1[a], ay1 = y1[a], az1 = z1[a];
+  for (int b = a + 1; b < n; ++b)
+    meets[b] = static_cast<char>((x0[b] <= ax1) & (ax0 <= x1[b]) & (y0[b] <= ay1) & (ay0 <= y1[b]) &
+                                 (z0[b] <= az1) & (az0 <= z1[b]));
 }
 
 }  // namespace loosefit

@@ -35,6 +35,33 @@ class BoxGrid {
     });
   }
 
+  /// Cells that hold two boxes or more, for visit_pairs.
+  std::size_t busy_cells() const { return busy_.size(); }
+  /// Calls visit(i, j), i < j, for the overlapping boxes that meet in the busy cells [from, to).
+  /// All busy cells together give every pair of the grid just once.
+  template <class Visit>
+  void visit_pairs(std::size_t from, std::size_t to, Visit visit) const {
+    std::vector<float> sides;
+    std::vector<char> meets;
+    for (std::size_t k = from; k < to; ++k) {
+      const int c = busy_[k], n = start_[c + 1] - start_[c];
+      const int* const entries = entries_.data() + start_[c];
+      const Cell cell{c % size_[0], c / size_[0] % size_[1], c / size_[0] / size_[1]};
+      gather_sides(entries, n, sides);
+      meets.resize(n);
+      for (int a = 0; a + 1 < n; ++a) {
+        compare_sides(sides.data(), n, a, meets.data());
+        for (int b = a + 1; b < n; ++b) {
+          if (!meets[b]) continue;
+          const int i = entries[a], j = entries[b];
+          bool first = true;
+          for (int d = 0; d < 3; ++d) first &= cell[d] == std::max(lower_[i][d], lower_[j][d]);
+          if (first && boxes_[i].intersects(boxes_[j])) visit(i, j);
+        }
+      }
+    }
+  }
+
  private:
   using Cell = std::array<int, 3>;
   Cell cell_of(const Vec3& p) const {
@@ -54,11 +81,17 @@ class BoxGrid {
           f((z * size_[1] + y) * size_[0] + x, Cell{x, y, z});
   }
 
+  /// The rounded sides of some boxes as six rows of n numbers.
+  void gather_sides(const int* boxes, int n, std::vector<float>& sides) const;
+  /// Whether box a meets each box after it.
+  static void compare_sides(const float* sides, int n, int a, char* meets);
+
   Box3 bounds_;
   double inverse_ = 1;
   Cell size_{1, 1, 1};
   std::vector<Box3> boxes_;
-  std::vector<int> start_, entries_;
+  std::vector<std::array<float, 6>> rounded_;  ///< sides in single precision, rounded outwards
+  std::vector<int> start_, entries_, busy_;
   std::vector<Cell> lower_, upper_;
 };
 

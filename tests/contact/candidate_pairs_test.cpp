@@ -1,0 +1,220 @@
+#include "loosefit/contact/candidate_pairs.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <random>
+
+#include "loosefit/base/error.h"
+#include "support/shapes.h"
+
+namespace loosefit {
+namespace {
+
+using Field = std::vector<Vec3>;
+
+/// A crumpled sheet over another one, of different thickness.
+struct Cloth {
+  Field x;
+  std::vector<Triangle> triangles;
+  std::vector<double> area, thickness;
+
+  Cloth() {
+    std::mt19937 rng(5);
+    std::normal_distribution<double> normal;
+    for (int layer = 0; layer < 2; ++layer) {
+      const TriangleMesh sheet = support::sheet(0.06, 0.05, 0.01, 0.2, 1 + layer);
+      const int first = static_cast<int>(x.size());
+      for (const Triangle& t : sheet.triangles) {
+        triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        area.push_back(4e-5);
+        thickness.push_back(layer == 0 ? 1e-3 : 3e-3);
+      }
+      for (const Vec3& p : sheet.vertices)
+        x.push_back(p + Vec3(0, 0, 0.004 * layer) +
+                    0.002 * Vec3(normal(rng), normal(rng), normal(rng)));
+    }
+  }
+  ContactFeatures features() const {
+    return ContactFeatures(triangles, area, static_cast<int>(x.size()), 1, thickness, {});
+  }
+};
+
+std::vector<FeaturePair> all_pairs(const ContactFeatures& f) {
+  std::vector<FeaturePair> pairs;
+  for (int v = 0; v < static_cast<int>(f.of_vertex.size()); ++v)
+    for (int t = 0; t < static_cast<int>(f.triangles.size()); ++t) {
+      const Triangle& tri = f.triangles[t];
+      if (v == tri[0] || v == tri[1] || v == tri[2]) continue;
+      pairs.push_back({PairKind::point_triangle,
+                       v,
+                       t,
+                       {v, tri[0], tri[1], tri[2]},
+                       0.5 * (f.of_vertex[v].thickness + f.of_triangle[t].thickness)});
+    }
+  for (int i = 0; i < static_cast<int>(f.edges.size()); ++i)
+    for (int j = i + 1; j < static_cast<int>(f.edges.size()); ++j) {
+      const auto &a = f.edges[i], &b = f.edges[j];
+      if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) continue;
+      pairs.push_back({PairKind::edge_edge,
+                       i,
+                       j,
+                       {a[0], a[1], b[0], b[1]},
+                       0.5 * (f.of_edge[i].thickness + f.of_edge[j].thickness)});
+    }
+  return pairs;
+}
+
+std::vector<std::uint64_t> keys(const std::vector<FeaturePair>& pairs) {
+  std::vector<std::uint64_t> k;
+  for (const FeaturePair& p : pairs) k.push_back(p.key());
+  return k;
+}
+
+Field random_move(const Field& x, double length, std::mt19937& rng) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  const Vec3 common = 2 * length * Vec3(u(rng), u(rng), u(rng));
+  Field dx;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    dx.push_back(common + length * Vec3(u(rng), u(rng), u(rng)));
+  return dx;
+}
+
+double least_share(const std::vector<FeaturePair>& pairs, const Field& x, const Field& dx) {
+  double share = 1;
+  for (const FeaturePair& p : pairs)
+    share = std::min(share, time_of_impact(p.kind, p.points(x), p.points(dx)));
+  return share;
+}
+
+TEST(CandidatePairs, TouchingPairsAreThoseOfBruteForceWhileTheClothMoves) {
+  const Cloth cloth;
+  CandidatePairs candidates(cloth.features());
+  const auto all = all_pairs(candidates.features());
+  std::mt19937 rng(1);
+  Field x = cloth.x;
+  for (int call = 0; call < 40; ++call) {
+    std::vector<FeaturePair> expected;
+    for (const FeaturePair& p : all)
+      if (pair_distance(p.kind, p.points(x)).distance < p.reach) expected.push_back(p);
+    ASSERT_GT(expected.size(), 20u);
+    EXPECT_EQ(keys(candidates.touching(x)), keys(expected)) << call;
+    const double length = call % 10 == 9 ? 4e-3 : 1e-4;
+    const Field dx = random_move(x, length, rng);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
+  }
+  EXPECT_LT(candidates.builds(), 20);  // the list has been of use
+  EXPECT_GE(candidates.builds(), 4);   // and has not outlived the long moves
+}
+
+TEST(CandidatePairs, NoPairThatComesWithinReachIsMissedAndTheShareIsThatOfBruteForce) {
+  const Cloth cloth;
+  CandidatePairs kept(cloth.features());
+  const auto all = all_pairs(kept.features());
+  std::mt19937 rng(2);
+  Field x = cloth.x;
+  int limited = 0;
+  for (int call = 0; call < 40; ++call) {
+    const double lengths[] = {1e-5, 3e-4, 1e-3, 1e-2, 5e-2};
+    const Field dx = random_move(x, lengths[(call / 4) % 5], rng);
+    const auto near = kept.approaching(x, dx);
+    // The same pairs as of a list that was made for this call alone, in the same order.
+    CandidatePairs fresh(kept.features());
+    ASSERT_EQ(keys(near), keys(fresh.approaching(x, dx))) << call;
+    const auto found = keys(near);
+    std::vector<FeaturePair> meeting;
+    for (const FeaturePair& p : all) {
+      double least = 1;
+      for (int j = 0; j <= 8; ++j) {
+        PairPoints at = p.points(x);
+        const PairPoints d = p.points(dx);
+        for (int k = 0; k < 4; ++k) at[k] += j / 8.0 * d[k];
+        least = std::min(least, pair_distance(p.kind, at).distance);
+      }
+      if (least >= p.reach) continue;
+      meeting.push_back(p);
+      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), p.key())) << call;
+    }
+    const double share = least_share(near, x, dx);
+    // Pairs that are not met might be stopped early, never late.
+    EXPECT_LE(share, least_share(meeting, x, dx)) << call;
+    limited += share < 1;
+    // Nothing passes through on the admissible part of the way: every pair keeps apart.
+    for (const FeaturePair& p : all) {
+      PairPoints at = p.points(x);
+      const double before = pair_distance(p.kind, at).distance;
+      const PairPoints d = p.points(dx);
+      for (int k = 0; k < 4; ++k) at[k] += share * d[k];
+      EXPECT_GE(pair_distance(p.kind, at).distance, 0.0999 * std::min(before, p.reach)) << call;
+    }
+    const double t = 0.5 * share;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += t * dx[i];
+  }
+  EXPECT_GT(limited, 15);
+  EXPECT_LT(kept.builds(), 40);
+}
+
+TEST(CandidatePairs, OneAndTwoThreadsFindTheSame) {
+  const Cloth cloth;
+  std::vector<std::uint64_t> found[2];
+  for (int k = 0; k < 2; ++k) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1 + k);
+    CandidatePairs candidates(cloth.features());
+    std::mt19937 rng(3);
+    Field x = cloth.x;
+    for (int call = 0; call < 10; ++call) {
+      const Field dx = random_move(x, 2e-3, rng);
+      for (std::uint64_t key : keys(candidates.approaching(x, dx))) found[k].push_back(key);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += 0.1 * dx[i];
+    }
+  }
+  EXPECT_GT(found[0].size(), 100u);
+  EXPECT_EQ(found[0], found[1]);
+}
+
+TEST(ContactFeatures, EveryPairOfFeaturesHasOneOwner) {
+  const Cloth cloth;
+  const ContactFeatures f = cloth.features();
+  std::vector<int> vertex(f.of_vertex.size(), 0), edge(f.edges.size(), 0);
+  for (std::size_t t = 0; t < f.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (f.owned_vertices[t][k] >= 0) ++vertex[f.owned_vertices[t][k]];
+      if (f.owned_edges[t][k] >= 0) ++edge[f.owned_edges[t][k]];
+    }
+  EXPECT_EQ(vertex, std::vector<int>(vertex.size(), 1));
+  EXPECT_EQ(edge, std::vector<int>(edge.size(), 1));
+}
+
+TEST(ContactFeatures, SeamsBetweenMaterialsHaveTheMeanThicknessByArea) {
+  // Two triangles that share the edge 1-2; the second is three times as large.
+  const ContactFeatures f({{0, 1, 2}, {2, 1, 3}}, {1, 3}, 5, 1, {2e-3, 6e-3}, {0, 1});
+  EXPECT_DOUBLE_EQ(f.of_vertex[0].thickness, 2e-3);
+  EXPECT_DOUBLE_EQ(f.of_vertex[1].thickness, 5e-3);
+  EXPECT_DOUBLE_EQ(f.of_vertex[3].thickness, 6e-3);
+  EXPECT_DOUBLE_EQ(f.of_vertex[1].area, 4.0 / 3);
+  for (std::size_t e = 0; e < f.edges.size(); ++e)
+    if (f.edges[e] == std::array<int, 2>{1, 2}) {
+      EXPECT_DOUBLE_EQ(f.of_edge[e].thickness, 5e-3);
+    }
+  EXPECT_EQ(f.of_vertex[0].layer, 0);
+  EXPECT_EQ(f.of_vertex[3].layer, 1);
+  EXPECT_EQ(f.of_vertex[4].area, 0);
+}
+
+TEST(ContactFeatures, BadListsAreRefused) {
+  const std::vector<Triangle> one = {{0, 1, 2}};
+  const auto make = [&](std::vector<double> area, double thickness, std::vector<double> each,
+                        std::vector<int> layer) {
+    ContactFeatures(one, area, 3, thickness, each, layer);
+  };
+  EXPECT_NO_THROW(make({1}, 1e-3, {}, {}));
+  EXPECT_THROW(make({1, 1}, 1e-3, {}, {}), InvalidInput);
+  EXPECT_THROW(make({1}, 1e-3, {1e-3, 1e-3}, {}), InvalidInput);
+  EXPECT_THROW(make({1}, 1e-3, {}, {0, 1}), InvalidInput);
+  EXPECT_THROW(make({1}, 0, {}, {}), InvalidInput);
+  EXPECT_THROW(make({1}, 1e-3, {-1e-3}, {}), InvalidInput);
+  EXPECT_THROW(make({1}, 1e-3, {}, {-1}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace loosefit
