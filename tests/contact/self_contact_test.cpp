@@ -1,7 +1,9 @@
 #include "loosefit/contact/self_contact.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -220,6 +222,70 @@ TEST(SelfContact, FrictionIsThatOfThePairOfLayers) {
   EXPECT_THROW(drag(mu, {0, 1}), InvalidInput);
   mu << 0.9, -0.2, -0.2, 0.5;
   EXPECT_THROW(drag(mu, {0, 1}), InvalidInput);
+}
+
+TEST(SelfContact, AnchorsTrailThroughIterationsOnOneBalanceButNotThroughSteps) {
+  const double reach = SelfContact::Options{}.stick_reach;
+  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  const auto slid = [&](double reaches, double lift = 0) {
+    VectorField x = start;
+    for (int i = 3; i < 6; ++i) x[i] += Vec3(reaches * reach, 0, lift);
+    return x;
+  };
+  // Cloth that has slid too far and comes back half the way is still held back when it was an
+  // iterate of one balance, and pushed the other way when the step before has ended.
+  const auto drag = [&](double dt, int lost) {
+    SelfContact contact = two_triangles(0.4);
+    contact.begin_step(start, 0.1);
+    contact.begin_step(slid(10), dt);
+    for (int k = 0; k < lost; ++k) contact.begin_step(slid(10, 0.05), dt);
+    contact.begin_step(slid(10), dt);
+    return support::gradient(contact, slid(5))[3][0];
+  };
+  EXPECT_GT(drag(kStatic, 0), 0);
+  EXPECT_GT(drag(kStatic, 10), 0);   // also through a lost contact
+  EXPECT_LT(drag(kStatic, 100), 0);  // which is forgotten in the end
+  EXPECT_LT(drag(0.1, 0), 0);
+}
+
+TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
+  const TriangleMesh sheet = support::sheet(0.2, 0.2, 0.01, 0.2);
+  TriangleMesh both = sheet;
+  const int below = static_cast<int>(sheet.vertices.size());
+  for (const Triangle& t : sheet.triangles)
+    both.triangles.push_back({t[0] + below, t[1] + below, t[2] + below});
+  for (const Vec3& p : sheet.vertices)
+    both.vertices.push_back(p + Vec3(0.003, 0.002, 1e-3 * (1 + 0.5 * std::sin(90 * p[0]))));
+  const std::vector<double> area(both.triangles.size(), 4e-5);
+  std::vector<double> result[2];
+  for (int k = 0; k < 2; ++k) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1 + k);
+    SelfContact::Options options;
+    options.thickness = kThickness;
+    SelfContact contact(both.triangles, area, 2 * below, options);
+    VectorField x = both.vertices, dx(x.size());
+    std::mt19937 rng(1);
+    std::uniform_real_distribution<double> u(-1, 1);
+    for (int step = 0; step < 6; ++step) {
+      contact.begin_step(x, step < 3 ? 0.1 : kStatic);
+      for (Vec3& d : dx) d = 3e-3 * Vec3(u(rng), u(rng), u(rng));
+      const double share = contact.begin_search(x, dx);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += 0.5 * share * dx[i];
+      VectorField g(x.size(), Vec3::Zero());
+      result[k].push_back(share);
+      result[k].push_back(contact.value_and_gradient(x, g));
+      for (const Vec3& f : g) result[k].insert(result[k].end(), f.data(), f.data() + 3);
+      BlockPattern pattern(2 * below);
+      contact.add_pattern(x, pattern);
+      pattern.compress();
+      BlockMatrix h(pattern);
+      contact.add_hessian(x, h, HessianKind::exact);
+      for (const Mat3& b : h.blocks()) result[k].insert(result[k].end(), b.data(), b.data() + 9);
+    }
+    EXPECT_GT(contact.active(x), 1000);
+  }
+  ASSERT_EQ(result[0].size(), result[1].size());
+  EXPECT_EQ(std::memcmp(result[0].data(), result[1].data(), result[0].size() * sizeof(double)), 0);
 }
 
 }  // namespace

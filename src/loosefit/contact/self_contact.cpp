@@ -17,6 +17,10 @@ constexpr int kPatience = 50;
 
 template <class F>
 void for_each_index(std::size_t n, std::size_t grain, F f) {
+  if (n <= grain) {
+    for (std::size_t i = 0; i < n; ++i) f(i);
+    return;
+  }
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, n, grain), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
