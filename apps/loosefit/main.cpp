@@ -25,11 +25,12 @@ namespace {
 // 12's OpenBLAS does not know newer processors and falls back to narrow kernels: name it wide ones.
 void pin_blas_threads(char** arguments) {
   const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
-  if (threads && std::strcmp(threads, "1") == 0) return;
+  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                    __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+  if (threads && std::strcmp(threads, "1") == 0 && (!wide || std::getenv("OPENBLAS_CORETYPE")))
+    return;
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-    setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
+  if (wide) setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
   execv("/proc/self/exe", arguments);  // returns only when it fails; then go on as we are
 }
 

@@ -82,8 +82,8 @@ void expect_certificate_holds_under_independent_tests() {
   EXPECT_GT(d.certificate.residual_max, 0);
   EXPECT_EQ(d.certificate.intersections_self, wearer().cuts_self(d.positions));
   EXPECT_EQ(d.certificate.intersections_body, wearer().cuts_body(d.positions, 25));
-  EXPECT_GT(d.report.iterations, 0);
-  EXPECT_GT(d.report.factorisations, 0);
+  EXPECT_GT(d.report.total().iterations, 0);
+  EXPECT_GT(d.report.total().factorisations, 0);
   EXPECT_GT(d.report.contacts_body, 100);
   ASSERT_FALSE(d.report.history.empty());
   double last = 0;
@@ -133,7 +133,7 @@ void expect_two_threads_give_the_same_bits() {
   EXPECT_EQ(
       std::memcmp(d.positions.data(), one.positions.data(), one.positions.size() * sizeof(Vec3)),
       0);
-  EXPECT_EQ(d.report.iterations, one.report.iterations);
+  EXPECT_EQ(d.report.total().iterations, one.report.total().iterations);
 }
 
 // One test, because each runs in a process of its own and would settle the shirt anew.

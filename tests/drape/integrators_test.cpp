@@ -53,7 +53,7 @@ TEST_P(ThreeIntegrators, AgreeOnASmallDrapeWithContact) {
     EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)
         << kind << " " << outcome.text() << " " << outcome.residual;
     EXPECT_GE(scene.contact->active(scene.x), 5);
-    RecordProperty("iterations_" + std::to_string(kind), outcome.iterations);
+    RecordProperty("iterations_" + std::to_string(kind), outcome.work.iterations);
     double potential = 0;  // without the springs of friction
     const VectorField& x = scene.x;
     potential = scene.membrane->value(x) + scene.bending->value(x) + scene.gravity->value(x);

@@ -68,7 +68,7 @@ TEST(ClothOnCloth, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
         make_quasi_static(incline.scene->system)->settle(incline.scene->x, options);
     const double way = incline.moved(start);
     RecordProperty("moved_um_at_" + std::to_string(share), static_cast<int>(1e6 * way));
-    RecordProperty("iterations_at_" + std::to_string(share), outcome.iterations);
+    RecordProperty("iterations_at_" + std::to_string(share), outcome.work.iterations);
     EXPECT_TRUE(self_intersections(incline.scene->x, incline.scene->triangles).empty());
     if (share < 1) {
       EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)

@@ -98,7 +98,7 @@ TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   RecordProperty("force_over_effective_1e-4", static_cast<int>(1e4 * pressing / expected));
   RecordProperty("force_over_nominal_1e-4", static_cast<int>(1e4 * pressing / nominal));
   RecordProperty("gap_middle_um", static_cast<int>(1e6 * gap_at_middle));
-  RecordProperty("iterations", outcome.iterations);
+  RecordProperty("iterations", outcome.work.iterations);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stretch, TightTube, ::testing::Values(1.05, 1.2));
@@ -150,7 +150,7 @@ TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
   EXPECT_NEAR(degrees(turned), degrees(std::asin(mobility / (1 + mobility))), 0.5);
   RecordProperty("widest_um", static_cast<int>(1e6 * widest));
   RecordProperty("turned_mdeg", static_cast<int>(1e3 * degrees(turned)));
-  RecordProperty("iterations", outcome.iterations);
+  RecordProperty("iterations", outcome.work.iterations);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mobility, LooseTube, ::testing::Values(0.1, 0.2, 0.3));

@@ -1,9 +1,9 @@
 #include "loosefit/contact/body_contact.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <map>
+
+#include "loosefit/particles/tile.h"
 
 namespace loosefit {
 
@@ -89,21 +89,25 @@ double BodyContact::field_distance(const ContactPoint& point, const VectorField&
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
-std::vector<BodyContact::Touch> BodyContact::touches(const VectorField& x,
-                                                     bool with_hessian) const {
-  std::vector<Touch> result(points_.size());
-  if (!field_) return result;
-  tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
-    result[i].active =
-        field_->sample(points_[i].position(x), points_[i].offset, with_hessian, result[i].sample);
+const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x,
+                                                            bool with_hessian) const {
+  if (place_ == x && (with_hessian_ || !with_hessian)) return touch_;
+  touch_.resize(points_.size());
+  for_ranges(static_cast<int>(points_.size()), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      touch_[i].active =
+          field_ && field_->sample(points_[i].position(x), points_[i].offset, with_hessian,
+                                   touch_[i].sample);
   });
-  return result;
+  place_ = x;
+  with_hessian_ = with_hessian;
+  return touch_;
 }
 
 void BodyContact::begin_step(const VectorField& x, double dt) {
   if (friction_.coefficient() <= 0) return;
   std::vector<FrictionContact> contacts;
-  const auto touch = touches(x, false);
+  const auto& touch = touches(x, false);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
@@ -130,7 +134,7 @@ void BodyContact::begin_step(const VectorField& x, double dt) {
 
 double BodyContact::value(const VectorField& x) const {
   double energy = 0;
-  const auto touch = touches(x, false);
+  const auto& touch = touches(x, false);
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
       const double depth = points_[i].offset - touch[i].sample.distance;
@@ -139,17 +143,23 @@ double BodyContact::value(const VectorField& x) const {
   return energy + friction_.value(x);
 }
 
-void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
-  const auto touch = touches(x, false);
+double BodyContact::value_and_gradient(const VectorField& x, VectorField& g) const {
+  const auto& touch = touches(x, false);
+  double energy = 0;
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
       const ContactPoint& p = points_[i];
-      const double depth = p.offset - touch[i].sample.distance;
-      const Vec3 force =
-          -p.area * compress_layer(stiffness_, p.offset, depth).pressure * touch[i].sample.gradient;
+      const LayerResponse layer =
+          compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance);
+      energy += p.area * layer.energy;
+      const Vec3 force = -p.area * layer.pressure * touch[i].sample.gradient;
       for (int k = 0; k < p.count; ++k) g[p.particle[k]] += p.weight[k] * force;
     }
-  friction_.add_gradient(x, g);
+  return energy + friction_.value_and_gradient(x, g);
+}
+
+void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
+  value_and_gradient(x, g);
 }
 
 void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
@@ -160,7 +170,7 @@ void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
 
 void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
-  const auto touch = touches(x, exact);
+  const auto& touch = touches(x, exact);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
@@ -176,7 +186,7 @@ void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind 
 }
 
 void BodyContact::add_normal_force(const VectorField& x, std::vector<double>& f) const {
-  const auto touch = touches(x, false);
+  const auto& touch = touches(x, false);
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
       const ContactPoint& p = points_[i];

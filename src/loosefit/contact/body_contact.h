@@ -46,21 +46,33 @@ void add_lattice(const Triangle& triangle, double area, double offset, int n,
 ///   p = k δ + (20 k/o) (δ − 0.6 o)₊²   up to δ = o, linear beyond               [Pa], k [Pa/m]
 ///
 /// and Π_n = Σ A ∫ p dδ [J]. The gap error is at most o. Friction per point, see Friction.
+///
+/// One caller at a time: what touches at the last place is remembered, by the const members too.
 class BodyContact : public Energy {
  public:
   BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
               double stick_reach);
 
   /// The body moved or changed: contacts keep their anchors unless `forget_anchors`.
-  void set_field(std::shared_ptr<const DistanceField> field) { field_ = std::move(field); }
+  void set_field(std::shared_ptr<const DistanceField> field) {
+    field_ = std::move(field);
+    place_.clear();
+  }
   void forget_anchors() { friction_.forget(); }
-  std::vector<ContactPoint>& points() { return points_; }
+  const std::vector<ContactPoint>& points() const { return points_; }
+  /// To be changed: what is remembered of them is void.
+  std::vector<ContactPoint>& change_points() {
+    place_.clear();
+    return points_;
+  }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 
   void begin_step(const VectorField& x, double dt) override;
+  double lag() const override { return friction_.lag(); }
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
+  double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
@@ -74,11 +86,14 @@ class BodyContact : public Energy {
     bool active = false;
     DistanceField::Sample sample;
   };
-  std::vector<Touch> touches(const VectorField& x, bool with_hessian) const;
+  const std::vector<Touch>& touches(const VectorField& x, bool with_hessian) const;
   std::vector<ContactPoint> points_;
   std::shared_ptr<const DistanceField> field_;
   double stiffness_;
   Friction friction_;
+  mutable std::vector<Touch> touch_;  ///< at place_
+  mutable VectorField place_;
+  mutable bool with_hessian_ = false;
 };
 
 }  // namespace loosefit

@@ -118,10 +118,12 @@ void CandidatePairs::add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx
                                std::vector<Candidate>& found) const {
   const ContactFeatures& f = features_;
   const Triangle &ta = f.triangles[a], &tb = f.triangles[b];
+  bool neighbours = false;  // these are never apart
+  for (int v : ta) neighbours |= v == tb[0] || v == tb[1] || v == tb[2];
   const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
   const double limit = f.max_thickness + 2 * margin_, motion = travel_[a] + travel_[b];
-  if (far_apart(corners, limit + motion)) return;
-  if (motion > margin_) {
+  if (!neighbours && far_apart(corners, limit + motion)) return;
+  if (!neighbours && motion > margin_) {
     const auto& d = *dx;
     if (far_apart(corners, limit + motion_of_triangles({d[ta[0]], d[ta[1]], d[ta[2]], d[tb[0]],
                                                         d[tb[1]], d[tb[2]]})))

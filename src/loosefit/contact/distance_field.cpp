@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/particles/tile.h"
+
 namespace loosefit {
 namespace {
 
@@ -68,7 +70,10 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
       for (int x = 0; x < size_[0]; ++x)
         if (marked[index(x, y, z)]) {
           const Vec3 p = origin_ + spacing_ * Vec3(x, y, z);
-          value_[index(x, y, z)] = static_cast<float>(tree_.signed_distance(p));
+          const bool known = x > 0 && marked[index(x - 1, y, z)];  // distance is 1-Lipschitz
+          const double bound = known ? std::abs(value_[index(x - 1, y, z)]) + 1.001 * spacing_
+                                     : std::numeric_limits<double>::infinity();
+          value_[index(x, y, z)] = static_cast<float>(tree_.signed_distance(p, nullptr, bound));
           zone_[index(x, y, z)] = Zone::band;
         }
   });
@@ -133,34 +138,36 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
     if (zone_[nearest] == Zone::band && value_[nearest] > reach + 0.9 * spacing_) return false;
     const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
-    double f = 0, fx = 0, fy = 0, fz = 0, fxx = 0, fyy = 0, fzz = 0, fxy = 0, fxz = 0, fyz = 0;
+    // Contracted over y and z first, four nodes of a row at a time.
+    Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
     for (int c = 0; c < 4; ++c)
       for (int b = 0; b < 4; ++b) {
-        const float* row = &value_[index(cell[0] - 1, cell[1] - 1 + b, cell[2] - 1 + c)];
-        double v = 0, vx = 0, vxx = 0;
-        for (int a = 0; a < 4; ++a) {
-          v += wx.w[a] * row[a];
-          vx += wx.d[a] * row[a];
-          vxx += wx.dd[a] * row[a];
-        }
-        const double yz = wy.w[b] * wz.w[c];
-        f += yz * v;
-        fx += yz * vx;
-        fy += wy.d[b] * wz.w[c] * v;
-        fz += wy.w[b] * wz.d[c] * v;
-        if (with_hessian) {
-          fxx += yz * vxx;
-          fyy += wy.dd[b] * wz.w[c] * v;
-          fzz += wy.w[b] * wz.dd[c] * v;
-          fxy += wy.d[b] * wz.w[c] * vx;
-          fxz += wy.w[b] * wz.d[c] * vx;
-          fyz += wy.d[b] * wz.d[c] * v;
-        }
+        const float* node = &value_[index(cell[0] - 1, cell[1] - 1 + b, cell[2] - 1 + c)];
+        const Quad row = {node[0], node[1], node[2], node[3]};
+        in_y[c][0] += wy.w[b] * row;
+        in_y[c][1] += wy.d[b] * row;
+        if (with_hessian) in_y[c][2] += wy.dd[b] * row;
       }
+    Quad r{}, ry{}, rz{}, ryy{}, rzz{}, ryz{};
+    for (int c = 0; c < 4; ++c) {
+      r += wz.w[c] * in_y[c][0];
+      ry += wz.w[c] * in_y[c][1];
+      rz += wz.d[c] * in_y[c][0];
+      if (!with_hessian) continue;
+      ryy += wz.w[c] * in_y[c][2];
+      rzz += wz.dd[c] * in_y[c][0];
+      ryz += wz.d[c] * in_y[c][1];
+    }
+    const auto in_x = [](const double* w, const Quad& n) {
+      return (w[0] * n[0] + w[1] * n[1]) + (w[2] * n[2] + w[3] * n[3]);
+    };
+    const double f = in_x(wx.w, r);
     if (std::isfinite(f)) {
       out.distance = f;
-      out.gradient = Vec3(fx, fy, fz) / spacing_;
+      out.gradient = Vec3(in_x(wx.d, r), in_x(wx.w, ry), in_x(wx.w, rz)) / spacing_;
       if (with_hessian) {
+        const double fxx = in_x(wx.dd, r), fxy = in_x(wx.d, ry), fxz = in_x(wx.d, rz);
+        const double fyy = in_x(wx.w, ryy), fzz = in_x(wx.w, rzz), fyz = in_x(wx.w, ryz);
         out.hessian << fxx, fxy, fxz, fxy, fyy, fyz, fxz, fyz, fzz;
         out.hessian /= spacing_ * spacing_;
       }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace loosefit {
 
@@ -31,28 +30,40 @@ void Friction::restart(std::vector<FrictionContact> contacts, const VectorField&
   carry_anchors(contacts, x, reach_);
   contacts_ = std::move(contacts);
   start_ = x;
+  lag_ = 0;
+}
+
+/// Takes a share of the change since `old`; returns what is left out [N].
+double Friction::relax(FrictionContact& c, const FrictionContact& old, double normal_force) const {
+  constexpr double kLeast = 0.05, kBack = 0.5, kOn = 1.5;
+  c.change = normal_force - old.normal_force;
+  c.relaxation = c.change * old.change < 0 ? std::max(kLeast, kBack * old.relaxation)
+                                           : std::min(1.0, kOn * old.relaxation);
+  c.normal_force = c.relaxation == 1 ? normal_force : old.normal_force + c.relaxation * c.change;
+  return coefficient_ * c.relative_friction * (normal_force - c.normal_force);
 }
 
 void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField& x) {
-  std::vector<FrictionContact> lost;
+  std::vector<FrictionContact> all;
+  all.reserve(contacts.size());
+  double lag2 = 0;
   std::size_t k = 0;
   for (const FrictionContact& old : contacts_) {
-    while (k < contacts.size() && contacts[k].key < old.key) ++k;
-    if (k < contacts.size() && contacts[k].key == old.key) continue;
-    if (old.lost >= patience_) continue;
-    lost.push_back(old);
-    lost.back().normal_force = 0;
-    ++lost.back().lost;
+    while (k < contacts.size() && contacts[k].key < old.key) all.push_back(contacts[k++]);
+    if (k < contacts.size() && contacts[k].key == old.key) {
+      all.push_back(contacts[k]);
+      lag2 += std::pow(relax(all.back(), old, contacts[k++].normal_force), 2);
+    } else if (old.lost < patience_) {
+      all.push_back(old);
+      ++all.back().lost;
+      lag2 += std::pow(relax(all.back(), old, 0), 2);
+    }
   }
-  if (!lost.empty()) {
-    std::vector<FrictionContact> all;
-    std::merge(contacts.begin(), contacts.end(), lost.begin(), lost.end(), std::back_inserter(all),
-               [](const FrictionContact& a, const FrictionContact& b) { return a.key < b.key; });
-    contacts = std::move(all);
-  }
-  carry_anchors(contacts, x, kMemory * reach_);
-  contacts_ = std::move(contacts);
+  all.insert(all.end(), contacts.begin() + static_cast<long>(k), contacts.end());
+  carry_anchors(all, x, kMemory * reach_);
+  contacts_ = std::move(all);
   start_ = x;
+  lag_ = std::sqrt(lag2);
 }
 
 double Friction::value(const VectorField& x) const {

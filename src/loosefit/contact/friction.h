@@ -19,6 +19,8 @@ struct FrictionContact {
   Vec3 offset = Vec3::Zero();    ///< elastic tangential displacement at the start of the step [m]
   double relative_friction = 1;  ///< μ of this contact as a share of the coefficient of Friction
   int lost = 0;                  ///< iterations since it last bore a force; Friction counts them
+  double relaxation = 1;         ///< share of the last change that was taken; set by Friction
+  double change = 0;             ///< that change of the normal force [N]; set by Friction
 };
 
 /// Coulomb friction with lagged normal force as an incremental potential
@@ -34,7 +36,9 @@ struct FrictionContact {
 /// their way, and where they lag behind, the cloth slides too far. So between them `iterate` renews
 /// normals and normal forces but lets the anchor trail by up to kMemory ε, also through a lost
 /// contact; what slid too far comes back, and the forces end on the cone that belongs to the final
-/// normal forces. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping,
+/// normal forces. A contact that friction opens and its loss closes would alternate for ever: where
+/// a normal force turns back, only a share of its change is taken (Silva and Almeida 1990), and
+/// `lag` tells how much that leaves out. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping,
 /// Simo and Hughes 1998.
 class Friction {
  public:
@@ -52,6 +56,9 @@ class Friction {
   /// Drops all contacts with their anchors.
   void forget() { contacts_.clear(); }
 
+  /// Norm of the friction that the shares of `iterate` left out [N].
+  double lag() const { return lag_; }
+
   double value(const VectorField& x) const;
   void add_gradient(const VectorField& x, VectorField& g) const { value_and_gradient(x, g); }
   double value_and_gradient(const VectorField& x, VectorField& g) const;
@@ -67,7 +74,8 @@ class Friction {
   Vec3 slide(const FrictionContact& c, const VectorField& x) const;
   void carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
                      double reach) const;
-  double coefficient_, reach_;
+  double relax(FrictionContact& contact, const FrictionContact& old, double normal_force) const;
+  double coefficient_, reach_, lag_ = 0;
   int patience_;
   std::vector<FrictionContact> contacts_;
   VectorField start_;

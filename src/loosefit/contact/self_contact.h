@@ -37,6 +37,7 @@ class SelfContact : public Energy {
   void forget_anchors() { friction_.forget(); }
   void begin_step(const VectorField& x, double dt) override;
   double begin_search(const VectorField& x, const VectorField& dx) override;
+  double lag() const override { return friction_.lag(); }
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;

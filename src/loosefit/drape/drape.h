@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
 
@@ -26,15 +27,29 @@ struct SettleSample {
   double residual = 0;
 };
 
+/// What one part of a run took on one level.
+struct PartWork {
+  std::string part;  ///< "dress", "posture", "settle"
+  int level = 0, vertices = 0;
+  SolverWork work;
+};
+
 /// Counters and timers of a settle run.
 struct SettleReport {
-  int iterations = 0, factorisations = 0, ccd_queries = 0;
+  int ccd_queries = 0;
+  std::vector<PartWork> parts;  ///< in the order of the run
   int contacts_body = 0, contacts_self = 0;
   /// Triangles that cut the skin and are held off beyond half the fabric thickness, and the largest
   /// rest distance from the skin that any contact point has for it [m].
   int held_off_triangles = 0;
   double largest_contact_offset = 0;
   std::vector<SettleSample> history;
+
+  SolverWork total() const {
+    SolverWork sum;
+    for (const PartWork& p : parts) sum += p.work;
+    return sum;
+  }
 };
 
 /// A garment on a body: positions with their certificate. Maps refuse an unsettled one.

@@ -60,7 +60,9 @@ class Run {
     progress_.stage("dress");
     put_on();
     progress_.stage("settle");
+    part_ = "posture";
     assume_posture();
+    part_ = "settle";
     settle_levels();
     return finish();
   }
@@ -93,7 +95,7 @@ class Run {
     settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
     settle.watch = [&](int iteration, double residual) {
       progress_.check_cancelled();
-      report_.history.push_back({seconds(), level_, report_.iterations + iteration, residual});
+      report_.history.push_back({seconds(), level_, iterations_ + iteration, residual});
       const double done = std::log10(std::max(residual, tolerance) / 10) /
                           std::log10(options_.residual_tolerance / 10);
       progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
@@ -103,8 +105,11 @@ class Run {
     };
     const long searches_before = model_->self().searches();
     last_ = make_integrator(kind, model_->system())->settle(x_, settle);
-    report_.iterations += last_.iterations;
-    report_.factorisations += last_.factorisations;
+    if (report_.parts.empty() || report_.parts.back().part != part_ ||
+        report_.parts.back().level != level_)
+      report_.parts.push_back({part_, level_, static_cast<int>(x_.size()), {}});
+    report_.parts.back().work += last_.work;
+    iterations_ += last_.work.iterations;
     report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
     return last_.reason == SettleOutcome::Reason::converged;
   }
@@ -233,7 +238,8 @@ class Run {
   const DrapeOptions& options_;
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
-  int level_ = 0;
+  int level_ = 0, iterations_ = 0;
+  std::string part_ = "dress";  ///< of the run, for the report
   std::vector<Vec3> x_;
   std::unique_ptr<PosedBody> body_;
   std::unique_ptr<ClothModel> model_;

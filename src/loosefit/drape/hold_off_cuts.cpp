@@ -16,14 +16,16 @@ constexpr double kEachTime = 3e-5;   ///< more for each time that it cut [m]
 constexpr double kAboutToCut = 8e-5; ///< clearance below which a triangle counts as cut [m]
 constexpr double kFarField = 0.002;  ///< largest correction at one time [m]
 
-/// Least signed distance to the skin of a lattice over the triangle [m].
-double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
+/// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of the vertices.
+double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
+                      const std::vector<double>& corner) {
   double least = kFarField;
   for (int i = 0; i <= kLattice; ++i)
     for (int j = 0; i + j <= kLattice; ++j) {
       const double a = double(i) / kLattice, b = double(j) / kLattice;
-      least =
-          std::min(least, skin.signed_distance(a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]]));
+      const Vec3 p = a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]];
+      const double bound = std::abs(corner[t[0]]) + (p - x[t[0]]).norm() + kFarField;
+      least = std::min(least, skin.signed_distance(p, nullptr, bound));
     }
   return least;
 }
@@ -39,7 +41,7 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
     const Triangle& t = triangles[i];
     if (std::min({corner[t[0]], corner[t[1]], corner[t[2]]}) < kFarField)
-      least[i] = least_distance(skin, t, x);
+      least[i] = least_distance(skin, t, x, corner);
   });
   return least;
 }
@@ -66,11 +68,11 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
   std::map<int, double> raise;              // of a triangle's contact points [m]
   for (int t : cut) {
     if (++times_cut[t] == 1)
-      add_lattice(triangles[t], area[t], half_thickness, kLattice, contact.points());
+      add_lattice(triangles[t], area[t], half_thickness, kLattice, contact.change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
     raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
   }
-  for (ContactPoint& p : contact.points()) {
+  for (ContactPoint& p : contact.change_points()) {
     const auto near = cuts_at.find(p.particle[0]);
     if (near == cuts_at.end()) continue;
     double most = -1;

@@ -24,22 +24,8 @@ Mat3 root_of(const Mat3& k) {
   return l;
 }
 
-}  // namespace
-
-/// Σ aᵀ b over the pairs of factors in [begin, end), column by column, four rows to a column.
-LOOSEFIT_VECTORISED
-static void sum_products(const std::array<int, 2>* pair, int count,
-                         const std::array<double, 12>* factor, double* sum) {
-  for (int k = 0; k < count; ++k) {
-    const double *a = factor[pair[k][0]].data(), *b = factor[pair[k][1]].data();
-    for (int q = 0; q < 3; ++q)
-      for (int p = 0; p < 4; ++p)
-        sum[4 * q + p] += a[p] * b[q] + a[4 + p] * b[4 + q] + a[8 + p] * b[8 + q];
-  }
-}
-
-static std::vector<std::array<int, 2>> pairs_of(const std::vector<CurvaturePatch>& patches,
-                                                int pairs_per_patch) {
+std::vector<std::array<int, 2>> pairs_of(const std::vector<CurvaturePatch>& patches,
+                                         int pairs_per_patch) {
   std::vector<std::array<int, 2>> pairs(patches.size() * pairs_per_patch, {-1, -1});
   for (std::size_t t = 0; t < patches.size(); ++t) {
     const CurvaturePatch& p = patches[t];
@@ -50,12 +36,14 @@ static std::vector<std::array<int, 2>> pairs_of(const std::vector<CurvaturePatch
   return pairs;
 }
 
+}  // namespace
+
 PatchTangent::Products::Products(const std::vector<CurvaturePatch>& patches)
     : BlockGather(pairs_of(patches, kPairs)) {
   std::array<std::array<int, 2>, kPairs> of{};
   for (int a = 0; a < kMost; ++a)
     for (int b = 0; b <= a; ++b) of[a * (a + 1) / 2 + b] = {a, b};
-  factors_.resize(source_.size());
+  factors_.assign(source_.size(), {0, 0});
   for (std::size_t p = 0; p < row_.size(); ++p)
     for (int k = first_[p]; k < first_[p + 1]; ++k) {
       const int base = source_[k] / kPairs * kMost;
@@ -71,12 +59,19 @@ void PatchTangent::Products::add(const std::vector<Factor>& factor, BlockMatrix&
   find_slots(h);
   for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
-      std::array<double, 12> sum{};
-      sum_products(factors_.data() + first_[p], first_[p + 1] - first_[p], factor.data(),
-                   sum.data());
+      Quad sum[3] = {};  // columns of Σ aᵀ b
+      for (int k = first_[p]; k < first_[p + 1]; ++k) {
+        for (int side : factors_[k + kAhead]) {
+          __builtin_prefetch(factor[side].data());
+          __builtin_prefetch(factor[side].data() + 8);
+        }
+        const auto* a = reinterpret_cast<const Quad*>(factor[factors_[k][0]].data());
+        const double* b = factor[factors_[k][1]].data();
+        for (int q = 0; q < 3; ++q) sum[q] += a[0] * b[q] + a[1] * b[4 + q] + a[2] * b[8 + q];
+      }
       double* to = h.block(slot_[p]).data();
       for (int q = 0; q < 3; ++q)
-        for (int r = 0; r < 3; ++r) to[3 * q + r] += sum[4 * q + r];
+        for (int r = 0; r < 3; ++r) to[3 * q + r] += sum[q][r];
     }
   });
 }

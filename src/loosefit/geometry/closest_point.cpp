@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <tuple>
 
 namespace loosefit {
 namespace {
@@ -84,24 +84,35 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
   std::vector<Vec3> centroids(n);
   vertex_pseudonormals_.assign(mesh.vertices.size(), Vec3::Zero());
   edge_pseudonormals_.resize(n);
-  std::map<std::pair<int, int>, Vec3> edge_sum;
+  struct Side {
+    std::pair<int, int> edge;
+    int triangle, side;
+  };
+  std::vector<Side> sides;
+  std::vector<Vec3> normals(n);
+  sides.reserve(3 * std::size_t(n));
   for (int i = 0; i < n; ++i) {
     const Triangle& t = mesh.triangles[i];
     const Vec3 p[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
     centroids[i] = (p[0] + p[1] + p[2]) / 3.0;
-    const Vec3 normal = triangle_normal(p[0], p[1], p[2]);
+    const Vec3 normal = normals[i] = triangle_normal(p[0], p[1], p[2]);
     for (int k = 0; k < 3; ++k) {
       const Vec3 e1 = p[(k + 1) % 3] - p[k], e2 = p[(k + 2) % 3] - p[k];
       const double angle = std::atan2(e1.cross(e2).norm(), e1.dot(e2));
       vertex_pseudonormals_[t[k]] += angle * normal;
-      const auto key = std::minmax(t[k], t[(k + 1) % 3]);
-      edge_sum.try_emplace(key, Vec3::Zero()).first->second += normal;
+      sides.push_back({std::minmax(t[k], t[(k + 1) % 3]), i, k});
     }
   }
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < 3; ++k)
-      edge_pseudonormals_[i][k] =
-          edge_sum.at(std::minmax(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]));
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.edge, a.triangle) < std::tie(b.edge, b.triangle);
+  });
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    Vec3 sum = Vec3::Zero();
+    for (; end < sides.size() && sides[end].edge == sides[begin].edge; ++end)
+      sum += normals[sides[end].triangle];
+    for (std::size_t i = begin; i < end; ++i)
+      edge_pseudonormals_[sides[i].triangle][sides[i].side] = sum;
+  }
   nodes_.reserve(n);
   if (n > 0) {
     nodes_.emplace_back();
@@ -189,8 +200,8 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
   return best;
 }
 
-double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest) const {
-  const ClosestPoint hit = query(p);
+double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, double bound) const {
+  const ClosestPoint hit = query(p, bound);
   if (closest) *closest = hit;
   if (hit.triangle < 0) return std::numeric_limits<double>::infinity();
   const Triangle& t = mesh_->triangles[hit.triangle];

@@ -5,6 +5,21 @@
 #include "loosefit/particles/tile.h"
 
 namespace loosefit {
+namespace {
+
+/// Sum of 3 x 3 blocks in registers.
+struct Nine {
+  Quad low{}, high{};
+  double last = 0;
+  void add(const double* b) {
+    low += *reinterpret_cast<const Quad*>(b);
+    high += *reinterpret_cast<const Quad*>(b + 4);
+    last += b[8];
+  }
+  double operator[](int i) const { return i < 4 ? low[i] : i < 8 ? high[i - 4] : last; }
+};
+
+}  // namespace
 
 BlockGather::BlockGather(const std::vector<std::array<int, 2>>& pairs) {
   int particles = 0;
@@ -43,6 +58,7 @@ BlockGather::BlockGather(const std::vector<std::array<int, 2>>& pairs) {
     }
     column_start_.push_back(static_cast<int>(row_.size()));
   }
+  source_.resize(source_.size() + kAhead, 0);
 }
 
 void BlockGather::add_pattern(BlockPattern& pattern) const {
@@ -70,15 +86,14 @@ void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h) const {
   find_slots(h);
   for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
-      double sum[9] = {}, turned[9] = {};
-      for (int k = first_[p]; k < flipped_[p]; ++k) {
-        const double* b = blocks[source_[k]].data();
-        for (int c = 0; c < 9; ++c) sum[c] += b[c];
-      }
-      for (int k = flipped_[p]; k < first_[p + 1]; ++k) {
-        const double* b = blocks[source_[k]].data();
-        for (int c = 0; c < 9; ++c) turned[c] += b[c];
-      }
+      Nine sum, turned;
+      const auto take = [&](int k, Nine& to) {
+        __builtin_prefetch(blocks[source_[k + kAhead]].data());
+        __builtin_prefetch(blocks[source_[k + kAhead]].data() + 8);
+        to.add(blocks[source_[k]].data());
+      };
+      for (int k = first_[p]; k < flipped_[p]; ++k) take(k, sum);
+      for (int k = flipped_[p]; k < first_[p + 1]; ++k) take(k, turned);
       double* to = h.block(slot_[p]).data();
       for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r) to[3 * c + r] += sum[3 * c + r] + turned[3 * r + c];

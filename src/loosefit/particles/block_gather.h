@@ -24,6 +24,9 @@ class BlockGather {
   void add(const std::vector<Mat3>& blocks, BlockMatrix& h) const;
 
  protected:
+  /// So many contributions ahead the memory is asked for what comes; `source_` is longer by that.
+  static constexpr int kAhead = 24;
+
   /// Contributions of the pair at place p of the matrix: [first(p), flipped(p)) as they are,
   /// [flipped(p), first(p + 1)) transposed.
   void find_slots(const BlockMatrix& h) const;

@@ -37,6 +37,9 @@ class Energy {
   /// A line search from x along dx is about to start. Returns the largest share in (0, 1] of dx
   /// that is admissible (1 = all of it).
   virtual double begin_search(const VectorField& /*x*/, const VectorField& /*dx*/) { return 1.0; }
+  /// ‖forces‖ [N] by which the lagged state of the last `begin_step` departs from what its place
+  /// asks for; part of the residual.
+  virtual double lag() const { return 0; }
   /// Applies to add_pattern and add_hessian from now on; energies start with `full`.
   virtual void set_tangent(TangentReach /*reach*/) {}
   /// Π [J]; +∞ where x is not admissible.

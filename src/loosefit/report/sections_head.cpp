@@ -77,8 +77,8 @@ std::string certificate_section(const CaseResult& result) {
                       fact("crossings with the body", count_text(c.intersections_body)) +
                       fact("crossings with itself", count_text(c.intersections_self)) +
                       fact("stopped:", c.stop_reason);
-  if (result.drape.report.iterations > 0)
-    facts += fact("iterations", std::to_string(result.drape.report.iterations));
+  if (result.drape.report.total().iterations > 0)
+    facts += fact("iterations", std::to_string(result.drape.report.total().iterations));
   std::string html = element("h2", "Certificate");
   html +=
       element("div", text + element("ul", facts, "facts"), c.settled() ? "box good" : "box bad");

@@ -12,14 +12,13 @@ class ImplicitEuler : public Integrator {
   explicit ImplicitEuler(const ParticleSystem& system) : system_(system) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    Newton newton(system_, {options.max_move, 25});
+    Newton newton(system_, {options.max_move});
     system_.set_tangent(TangentReach::full);
     SettleOutcome outcome;
     VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;
     for (int step = 0;; ++step) {
-      outcome.iterations = newton.counters().iterations;
-      outcome.factorisations = newton.counters().factorisations;
+      outcome.work = newton.work();
       if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
       if (step >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
@@ -29,7 +28,7 @@ class ImplicitEuler : public Integrator {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }
-      system_.begin_step(x, dt);
+      newton.begin_step(x, dt);
       const VectorField start = x;
       VectorField target(x.size());
       for (std::size_t i = 0; i < x.size(); ++i)

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "loosefit/solver/particle_system.h"
+#include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
 
@@ -25,7 +26,7 @@ struct SettleOutcome {
   enum class Reason { converged, iteration_limit, stopped, stuck, diverged } reason = Reason::stuck;
   double residual = 0, residual_max = 0;
   int worst_particle = -1;
-  int iterations = 0, factorisations = 0;
+  SolverWork work;
   std::string text() const;
 };
 
@@ -34,8 +35,8 @@ struct SettleOutcome {
 bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
                 SettleOutcome& outcome);
 /// The same with the gradient at x known, friction refreshed by the caller.
-bool judge_rest(const ParticleSystem& system, const VectorField& x, const VectorField& gradient,
-                double tolerance, SettleOutcome& outcome);
+bool judge_balance(const ParticleSystem& system, const VectorField& gradient, double tolerance,
+                   SettleOutcome& outcome);
 
 /// Moves particles until their forces balance. All kinds share one interface and one meaning of
 /// rest: the static residual of all energies, friction included, without inertia and viscosity.

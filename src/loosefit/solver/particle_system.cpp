@@ -44,6 +44,12 @@ double ParticleSystem::potential_and_gradient(const VectorField& x, VectorField&
   return sum;
 }
 
+double ParticleSystem::lag() const {
+  double sum = 0;
+  for (const Energy* e : energies) sum += std::pow(e->lag(), 2);
+  return std::sqrt(sum);
+}
+
 std::uint64_t ParticleSystem::pattern_version(const VectorField& x) const {
   std::uint64_t sum = 0;  // versions only grow
   for (const Energy* e : energies) sum += e->pattern_version(x);
@@ -67,6 +73,7 @@ Residual residual_of(const ParticleSystem& system, const VectorField& gradient) 
     }
   }
   if (free == 0) return r;
+  force2 += std::pow(system.lag(), 2);
   if (!(weight2 > 0)) {  // weightless system: report the plain norm
     r.norm = std::sqrt(force2);
     r.largest = std::sqrt(largest2);

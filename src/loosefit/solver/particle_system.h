@@ -24,11 +24,14 @@ struct ParticleSystem {
   VectorField gradient(const VectorField& x) const;
   /// Both at once; returns Π.
   double potential_and_gradient(const VectorField& x, VectorField& g) const;
+  /// ‖forces‖ by which lagged state departs from the last place of begin_step [N].
+  double lag() const;
   /// Changes when the union of all energies' patterns may have changed.
   std::uint64_t pattern_version(const VectorField& x) const;
 };
 
-/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (design.md section 5).
+/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (design.md section 5). The
+/// lag of the energies counts as a force.
 struct Residual {
   double norm = 0, largest = 0;
   int worst_particle = -1;

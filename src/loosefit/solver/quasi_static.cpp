@@ -1,6 +1,4 @@
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
@@ -20,40 +18,33 @@ class QuasiStatic : public Integrator {
   explicit QuasiStatic(const ParticleSystem& system) : system_(system) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    Newton::Options o{options.max_move, 25};
-    if (getenv("LF_REUSE")) sscanf(getenv("LF_REUSE"), "%d,%d,%d,%lf,%lf", &o.max_reuse, &o.memory, &o.curved, &o.probe, &o.most_bend);
-    Newton newton(system_, o);
+    Newton newton(system_, {options.max_move});
     SettleOutcome outcome;
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0, slow = 0;
     system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
-    system_.begin_step(x, dt);
+    newton.begin_step(x, dt);
     while (true) {
-      outcome.iterations = newton.counters().iterations;
-      outcome.factorisations = newton.counters().factorisations;
-      system_.begin_step(x, infinity);
-      newton.energies_changed();
-      const bool rest = judge_rest(system_, x, newton.gradient(x), options.tolerance, outcome);
-      if (getenv("LF_TRACE")) { const auto& c = newton.counters(); fprintf(stderr, "T n %d its %d fact %d asm %.2f fac %.2f sol %.2f col %.2f eva %.2f\n", system_.particles(), c.iterations, c.factorisations, c.assemble, c.factorise, c.solve, c.collide, c.evaluate); }
+      newton.begin_step(x, infinity);
+      const bool rest = judge_balance(system_, newton.gradient(x), options.tolerance, outcome);
+      outcome.work = newton.work();
       if (rest) return outcome;
-      if (outcome.iterations >= options.max_iterations) {
+      if (outcome.work.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
       bool moved = false, reduced = false;
-      const int nps = getenv("LF_NPS") ? atoi(getenv("LF_NPS")) : kNewtonPerStep;
-      for (int k = 0; k < nps; ++k) {
-        if (options.watch && options.watch(newton.counters().iterations, outcome.residual)) {
+      for (int k = 0; k < kNewtonPerStep; ++k) {
+        if (options.watch && options.watch(newton.work().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
           return outcome;
         }
         const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
-        if (getenv("LF_TRACE")) fprintf(stderr, "it %d n %d res %.3g force %.3g dt %.3g share %.3g exact %d fact %d bent %.3g\n", newton.counters().iterations, system_.particles(), outcome.residual, step.force, dt, step.share, step.exact + 10 * step.fresh, newton.counters().factorisations, step.bent);
         if (!step.moved) {
           last_share = 0;
           break;

@@ -69,7 +69,7 @@ class SemiImplicitEuler : public Integrator {
     double dt = 0, kinetic_before = 0;
     for (int step = 0;; ++step) {
       if (step % kRefreshStep == 0) {
-        outcome.iterations = step;
+        outcome.work.iterations = step;
         if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
         if (step >= options.max_iterations) {
           outcome.reason = SettleOutcome::Reason::iteration_limit;

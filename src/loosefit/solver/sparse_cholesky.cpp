@@ -17,6 +17,7 @@ namespace loosefit {
 namespace {
 
 constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
+constexpr double kMoreWork = 1.3;   ///< than when the order was chosen: choose another
 
 using Buffer = std::unique_ptr<double[]>;
 
@@ -31,6 +32,7 @@ bool factorise_dense(double* a, int n, int lda) {
 
 struct SparseCholesky::Work {
   FrontTree tree;
+  double flops_of_order = 0;  ///< when the order was chosen
   std::vector<int> column_start, rows;  ///< block pattern that the tree was made for
   std::vector<double> subtree_flops;
   /// Where a block of A goes.
@@ -56,13 +58,15 @@ struct SparseCholesky::Work {
 };
 
 void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
-  const std::vector<int> order =
-      static_cast<int>(tree.order.size()) == matrix.particles()
-          ? tree.order
-          : fill_reducing_order(matrix.column_start(), matrix.rows());
   column_start = matrix.column_start();
   rows = matrix.rows();
-  tree = build_front_tree(column_start, rows, order);
+  // A few blocks more or less leave the old order good, most of the time.
+  const bool keep = static_cast<int>(tree.order.size()) == matrix.particles();
+  if (keep) tree = build_front_tree(column_start, rows, std::vector<int>(tree.order));
+  if (!keep || tree.flops > kMoreWork * flops_of_order) {
+    tree = build_front_tree(column_start, rows, fill_reducing_order(column_start, rows));
+    flops_of_order = tree.flops;
+  }
   const std::size_t fronts = tree.fronts.size();
   subtree_flops.assign(fronts, 0);
   for (std::size_t f = 0; f < fronts; ++f) {

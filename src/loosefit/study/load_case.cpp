@@ -19,13 +19,30 @@ Number at(const Json& summary, const std::string& place) {
                                                                    : Number{0};
 }
 
+void recall_parts(const Json& summary, SettleReport& report) {
+  const Json::json_pointer place("/settle/parts");
+  if (!summary.contains(place) || !summary[place].is_array()) return;
+  for (const Json& part : summary[place]) {
+    SolverWork work;
+    work.iterations = at<int>(part, "/iterations");
+    work.factorisations = at<int>(part, "/factorisations");
+    work.assemble = at<double>(part, "/seconds/assemble");
+    work.factorise = at<double>(part, "/seconds/factorise");
+    work.solve = at<double>(part, "/seconds/solve");
+    work.collide = at<double>(part, "/seconds/collide");
+    work.evaluate = at<double>(part, "/seconds/evaluate");
+    work.refresh = at<double>(part, "/seconds/refresh");
+    report.parts.push_back({part.contains("part") && part["part"].is_string() ? part["part"].get<std::string>() : "", at<int>(part, "/level") - 1,
+                            at<int>(part, "/vertices"), work});
+  }
+}
+
 /// What was counted and timed when the drape was made.
 void recall(const Json& summary, CaseResult& result) {
   for (const char* stage : {"dress", "settle"})
     result.seconds.push_back({stage, at<double>(summary, std::string("/seconds/") + stage)});
   SettleReport& report = result.drape.report;
-  report.iterations = at<int>(summary, "/settle/iterations");
-  report.factorisations = at<int>(summary, "/settle/factorisations");
+  recall_parts(summary, report);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
   report.contacts_body = at<int>(summary, "/settle/contacts_body");
   report.contacts_self = at<int>(summary, "/settle/contacts_self");

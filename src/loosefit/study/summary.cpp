@@ -91,9 +91,34 @@ Json seconds_json(const std::vector<StageClock::Entry>& entries) {
   return json;
 }
 
+Json work_json(const SolverWork& work) {
+  return {{"iterations", work.iterations},
+          {"factorisations", work.factorisations},
+          {"seconds",
+           {{"assemble", work.assemble},
+            {"factorise", work.factorise},
+            {"solve", work.solve},
+            {"collide", work.collide},
+            {"evaluate", work.evaluate},
+            {"refresh", work.refresh}}}};
+}
+
+Json parts_json(const std::vector<PartWork>& parts) {
+  Json json = Json::array();
+  for (const PartWork& part : parts) {
+    json.push_back(work_json(part.work));
+    json.back()["part"] = part.part;
+    json.back()["level"] = part.level + 1;
+    json.back()["vertices"] = part.vertices;
+  }
+  return json;
+}
+
 Json settle_json(const SettleReport& report) {
-  return {{"iterations", report.iterations},
-          {"factorisations", report.factorisations},
+  const SolverWork total = report.total();
+  return {{"iterations", total.iterations},
+          {"factorisations", total.factorisations},
+          {"parts", parts_json(report.parts)},
           {"ccd_queries", report.ccd_queries},
           {"contacts_body", report.contacts_body},
           {"contacts_self", report.contacts_self},

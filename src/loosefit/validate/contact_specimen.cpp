@@ -26,7 +26,7 @@ Grip try_grip(Bench& bench, const std::function<double()>& travel, double slip, 
     throw SolverFailure(
         fmt::format("friction neither held nor slipped: {} after {} iterations, moved {:.3g} mm, "
                     "residual {:.2g}",
-                    outcome.text(), outcome.iterations, 1e3 * grip.travel, outcome.residual));
+                    outcome.text(), outcome.work.iterations, 1e3 * grip.travel, outcome.residual));
   return grip;
 }
 
