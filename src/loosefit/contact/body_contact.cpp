@@ -95,9 +95,8 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x
   touch_.resize(points_.size());
   for_ranges(static_cast<int>(points_.size()), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      touch_[i].active =
-          field_ && field_->sample(points_[i].position(x), points_[i].offset, with_hessian,
-                                   touch_[i].sample);
+      touch_[i].active = field_ && field_->sample(points_[i].position(x), points_[i].offset,
+                                                  with_hessian, touch_[i].sample);
   });
   place_ = x;
   with_hessian_ = with_hessian;

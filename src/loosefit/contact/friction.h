@@ -38,8 +38,8 @@ struct FrictionContact {
 /// contact; what slid too far comes back, and the forces end on the cone that belongs to the final
 /// normal forces. A contact that friction opens and its loss closes would alternate for ever: where
 /// a normal force turns back, only a share of its change is taken (Silva and Almeida 1990), and
-/// `lag` tells how much that leaves out. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping,
-/// Simo and Hughes 1998.
+/// `lag` tells how much that leaves out. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq.
+/// 19; return mapping, Simo and Hughes 1998.
 class Friction {
  public:
   /// patience: how many iterations a lost contact keeps its anchor; see `iterate`.

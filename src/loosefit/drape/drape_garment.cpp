@@ -29,7 +29,10 @@ constexpr double kCoarseLayer = 2.0;      ///< coarse levels keep layers this mu
 constexpr int kCutRounds = 8;             ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
-constexpr double kFieldSpacing = 0.005;   ///< [m]
+constexpr double kCutTolerance = 0.1;  ///< residual at which the last cuts are looked for
+/// Pseudo-steps on the way to rest [s]: the first, and after contacts were changed near rest.
+constexpr double kFirstDt = 0.5, kStaticDt = 100;
+constexpr double kFieldSpacing = 0.005;  ///< [m]
 
 using Clock = std::chrono::steady_clock;
 
@@ -174,23 +177,24 @@ class Run {
     }
     // Cuts into the skin are looked for long before the last digits of the balance are sought.
     std::map<int, int> times_cut;
-    const auto settle_and_hold_off = [&](double tolerance) {
-      for (int round = 0;; ++round) {
-        settle(tolerance, options_.max_iterations, round == 0 ? 0.5 : 100);
-        if (round == kCutRounds || seconds() > options_.time_budget) return;
-        if (!hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                           false, times_cut))
-          return;
-      }
+    const auto hold_off = [&](bool look_ahead) {
+      return hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
+                           look_ahead, times_cut);
     };
     for (const auto& [tolerance, first_dt] : kCutTolerances) {
-      settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations,
-             first_dt);
+      settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
       if (seconds() > options_.time_budget) return;
-      hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness, true,
-                    times_cut);
+      hold_off(true);
     }
-    settle_and_hold_off(options_.residual_tolerance);
+    // A round for the last digits, while there are still cuts, would be thrown away.
+    const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
+    for (int round = 0; round <= kCutRounds; ++round) {
+      settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
+      if (seconds() > options_.time_budget) break;
+      if (round < kCutRounds && hold_off(false)) continue;
+      if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
+      if (seconds() > options_.time_budget || round == kCutRounds || !hold_off(false)) break;
+    }
     report_.held_off_triangles = static_cast<int>(times_cut.size());
   }
 

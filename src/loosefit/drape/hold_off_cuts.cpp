@@ -10,11 +10,11 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLattice = 4;          ///< intervals along an edge of a cut triangle
-constexpr double kClear = 1.2e-4;      ///< clearance asked of a triangle that cut [m]
-constexpr double kEachTime = 3e-5;   ///< more for each time that it cut [m]
-constexpr double kAboutToCut = 8e-5; ///< clearance below which a triangle counts as cut [m]
-constexpr double kFarField = 0.002;  ///< largest correction at one time [m]
+constexpr int kLattice = 4;           ///< intervals along an edge of a cut triangle
+constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cut [m]
+constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
+constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
+constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
 
 /// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of the vertices.
 double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
@@ -49,8 +49,8 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
 }  // namespace
 
 bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
-                   const std::vector<Vec3>& x, double half_thickness,
-                   bool look_ahead, std::map<int, int>& times_cut) {
+                   const std::vector<Vec3>& x, double half_thickness, bool look_ahead,
+                   std::map<int, int>& times_cut) {
   const auto& skin = body.body.surface;
   const auto& triangles = garment.triangles;
   std::set<int> cut;

@@ -15,7 +15,7 @@ namespace loosefit {
 /// look_ahead); otherwise the cloth has to be settled again. half_thickness: offset of an
 /// undisturbed contact point [m].
 bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
-                   const std::vector<Vec3>& x, double half_thickness,
-                   bool look_ahead, std::map<int, int>& times_cut);
+                   const std::vector<Vec3>& x, double half_thickness, bool look_ahead,
+                   std::map<int, int>& times_cut);
 
 }  // namespace loosefit

@@ -9,8 +9,8 @@ namespace loosefit {
 
 /// Newton's method for one step  min_x Π(x) + Σ m_i/(2 dt²) |x_i − x̂_i|²  with line search, step
 /// limit by collision detection, and the exact Hessian while it is definite, a projected one
-/// otherwise (docs/decisions/0008 compares it with others). Keeps the pattern of the matrix, and the
-/// energy and the gradient at the last place, between calls.
+/// otherwise (docs/decisions/0008 compares it with others). Keeps the pattern of the matrix, and
+/// the energy and the gradient at the last place, between calls.
 class Newton {
  public:
   struct Options {
@@ -31,7 +31,8 @@ class Newton {
   Outcome iterate(VectorField& x, const VectorField& target, double dt);
   /// Energy::begin_step of all energies.
   void begin_step(const VectorField& x, double dt);
-  /// ∂Π/∂x at x, remembered until x or the energies change. \post the next `iterate` at x is cheaper
+  /// ∂Π/∂x at x, remembered until x or the energies change. \post the next `iterate` at x is
+  /// cheaper
   const VectorField& gradient(const VectorField& x);
   const SolverWork& work() const { return work_; }
 

@@ -12,7 +12,7 @@ bool judge_rest(const ParticleSystem& system, const VectorField& x, double toler
 }
 
 bool judge_balance(const ParticleSystem& system, const VectorField& gradient, double tolerance,
-                SettleOutcome& outcome) {
+                   SettleOutcome& outcome) {
   const Residual r = residual_of(system, gradient);
   outcome.residual = r.norm;
   outcome.residual_max = r.largest;

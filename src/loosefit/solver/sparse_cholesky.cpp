@@ -32,12 +32,12 @@ bool factorise_dense(double* a, int n, int lda) {
 
 struct SparseCholesky::Work {
   FrontTree tree;
-  double flops_of_order = 0;  ///< when the order was chosen
+  double flops_of_order = 0;            ///< when the order was chosen
   std::vector<int> column_start, rows;  ///< block pattern that the tree was made for
   std::vector<double> subtree_flops;
   /// Where a block of A goes.
   struct Entry {
-    int block;        ///< of A, which couples the particles i (row) and j (column)
+    int block;  ///< of A, which couples the particles i (row) and j (column)
     int i, j;
     int row, column;  ///< place in the front, in blocks
     bool transposed;
@@ -87,9 +87,8 @@ void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
         e.row = high - front.first;
       else
         e.row = front.columns +
-                static_cast<int>(
-                    std::lower_bound(front.rows.begin(), front.rows.end(), high) -
-                    front.rows.begin());
+                static_cast<int>(std::lower_bound(front.rows.begin(), front.rows.end(), high) -
+                                 front.rows.begin());
       entries[f].push_back(e);
     }
   factor.clear();
@@ -98,8 +97,8 @@ void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
   border.resize(fronts);
   for (std::size_t f = 0; f < fronts; ++f) {
     const Front& front = tree.fronts[f];
-    factor[f] = std::make_unique_for_overwrite<double[]>(9 * std::size_t(front.size()) *
-                                                         front.columns);
+    factor[f] =
+        std::make_unique_for_overwrite<double[]>(9 * std::size_t(front.size()) * front.columns);
   }
 }
 
@@ -222,8 +221,8 @@ void SparseCholesky::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) {
                 pivot, 1);
     if (r == 0) continue;
     part.resize(r);
-    cblas_dgemv(CblasColMajor, CblasNoTrans, r, p, 1.0, w.factor[f].get() + p, height, pivot, 1, 0.0,
-                part.data(), 1);
+    cblas_dgemv(CblasColMajor, CblasNoTrans, r, p, 1.0, w.factor[f].get() + p, height, pivot, 1,
+                0.0, part.data(), 1);
     for (std::size_t i = 0; i < front.rows.size(); ++i)
       y.segment<3>(3 * front.rows[i]) -= part.segment<3>(3 * static_cast<long>(i));
   }

@@ -8,9 +8,9 @@
 namespace loosefit {
 
 /// Multifrontal sparse Cholesky of a block matrix (Duff and Reid 1983; Liu 1992): dense BLAS
-/// kernels on the fronts, branches of the elimination tree side by side on all cores. Sums are taken
-/// in the order of the tree, so the bits do not depend on the number of threads. The fill-reducing
-/// order is found once on the block graph and reused while contacts come and go.
+/// kernels on the fronts, branches of the elimination tree side by side on all cores. Sums are
+/// taken in the order of the tree, so the bits do not depend on the number of threads. The
+/// fill-reducing order is found once on the block graph and reused while contacts come and go.
 class SparseCholesky {
  public:
   SparseCholesky();

@@ -32,8 +32,9 @@ void recall_parts(const Json& summary, SettleReport& report) {
     work.collide = at<double>(part, "/seconds/collide");
     work.evaluate = at<double>(part, "/seconds/evaluate");
     work.refresh = at<double>(part, "/seconds/refresh");
-    report.parts.push_back({part.contains("part") && part["part"].is_string() ? part["part"].get<std::string>() : "", at<int>(part, "/level") - 1,
-                            at<int>(part, "/vertices"), work});
+    report.parts.push_back(
+        {part.contains("part") && part["part"].is_string() ? part["part"].get<std::string>() : "",
+         at<int>(part, "/level") - 1, at<int>(part, "/vertices"), work});
   }
 }
 
