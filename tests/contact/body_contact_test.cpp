@@ -186,10 +186,19 @@ TEST(Friction, IterationsOnOneBalanceTakeBackWhatSlidTooFar) {
   c.normal_force = 3;
   friction.iterate({c}, x);
   EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);
-  friction.iterate({}, x);  // lifted off for a moment
+  EXPECT_EQ(friction.lag(), 0);
+  friction.iterate({}, x);  // lifted off for a moment: a force that turns back is followed by half
+  EXPECT_NEAR(force()[0], -0.5 * 1.5, 1e-12);
+  EXPECT_NEAR(friction.lag(), 0.5 * 1.5, 1e-12);
+  for (double share = 0.75; friction.lag() > 0; share = std::min(1.0, 1.5 * share)) {
+    const double before = friction.lag();
+    friction.iterate({}, x);  // it goes on that way: with growing shares, up to all of it
+    EXPECT_NEAR(friction.lag(), (1 - share) * before, 1e-12);
+  }
   EXPECT_EQ(force().norm(), 0);
   x[0][0] = 20 * kReach;
-  friction.iterate({c}, x);
+  for (int k = 0; k < 30; ++k) friction.iterate({c}, x);  // back for good
+  EXPECT_EQ(friction.lag(), 0);
   EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);  // still held back: not a reversal of the slip
   friction.restart({c}, x);                  // the next step of the history is
   x[0][0] = 19 * kReach;

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "loosefit/geometry/exact_intersection.h"
@@ -10,19 +11,27 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLattice = 4;           ///< intervals along an edge of a cut triangle
+constexpr int kLeastLattice = 4;      ///< intervals along an edge of a cut triangle
+constexpr double kLattice = 0.0035;   ///< largest of them [m]
 constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cut [m]
 constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
 constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
 constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
 
+int lattice(const Triangle& t, const std::vector<Vec3>& x) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, (x[t[k]] - x[t[(k + 1) % 3]]).norm());
+  return std::max(kLeastLattice, static_cast<int>(std::ceil(longest / kLattice)));
+}
+
 /// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of the vertices.
 double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
                       const std::vector<double>& corner) {
   double least = kFarField;
-  for (int i = 0; i <= kLattice; ++i)
-    for (int j = 0; i + j <= kLattice; ++j) {
-      const double a = double(i) / kLattice, b = double(j) / kLattice;
+  const int n = lattice(t, x);
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const double a = double(i) / n, b = double(j) / n;
       const Vec3 p = a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]];
       const double bound = std::abs(corner[t[0]]) + (p - x[t[0]]).norm() + kFarField;
       least = std::min(least, skin.signed_distance(p, nullptr, bound));
@@ -30,17 +39,19 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
   return least;
 }
 
-/// The same of every triangle, in parallel; kFarField where its corners are plainly farther.
+/// The same of every triangle, in parallel; kFarField where its corners are plainly farther, unless
+/// something thin (a thumb) is known to go through it.
 std::vector<double> least_distances(const ClosestPointTree& skin,
                                     const std::vector<Triangle>& triangles,
-                                    const std::vector<Vec3>& x) {
+                                    const std::vector<Vec3>& x, const std::set<int>& cut) {
   std::vector<double> corner(x.size());
   tbb::parallel_for(std::size_t{0}, x.size(),
                     [&](std::size_t i) { corner[i] = skin.signed_distance(x[i]); });
   std::vector<double> least(triangles.size(), kFarField);
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
     const Triangle& t = triangles[i];
-    if (std::min({corner[t[0]], corner[t[1]], corner[t[2]]}) < kFarField)
+    if (std::min({corner[t[0]], corner[t[1]], corner[t[2]]}) < kFarField ||
+        cut.count(static_cast<int>(i)))
       least[i] = least_distance(skin, t, x, corner);
   });
   return least;
@@ -59,7 +70,7 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
   const bool any = !cut.empty();
   if (!any && !look_ahead) return false;
   // Those that are about to cut are treated alike, or each round would find their neighbours.
-  const std::vector<double> least = least_distances(*body.tree, triangles, x);
+  const std::vector<double> least = least_distances(*body.tree, triangles, x, cut);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
   const auto area = flat_areas(garment);
@@ -68,7 +79,8 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
   std::map<int, double> raise;              // of a triangle's contact points [m]
   for (int t : cut) {
     if (++times_cut[t] == 1)
-      add_lattice(triangles[t], area[t], half_thickness, kLattice, contact.change_points());
+      add_lattice(triangles[t], area[t], half_thickness, lattice(triangles[t], x),
+                  contact.change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
     raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
   }
