@@ -56,7 +56,7 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
   made.pressure = make_pressure(result, made.worn);
   for (PerformanceMap& map :
        compute_maps(garment, result.drape, made.worn, result.scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field})) {
+                    {allow_unsettled, &made.pressure.field, &result.scenario.material.material})) {
     CaseMap entry;
     entry.overall = statistics(map.values, made.worn.areas);
     entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
