@@ -8,6 +8,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/closest_point.h"
+#include "loosefit/placement/metric_names.h"
 #include "support/wall_and_patch.h"
 
 namespace loosefit {
@@ -102,6 +103,14 @@ TEST_F(OnTheWall, OnePostureOfOneDonningLeavesOutWhatNeedsMore) {
     EXPECT_FALSE(m.count(name)) << name;
   EXPECT_EQ(m.size(), 10u);
   EXPECT_THROW(site_metrics({}), InvalidInput);
+}
+
+TEST_F(OnTheWall, TwoPosturesOfTwoDonningsGiveAllOfTheVocabularyThatIsNotDerived) {
+  for (int k = 0; k < 4; ++k)
+    add(k % 2, k / 2, plain(0.01 * (k + 1)), wall_, [](int) { return 1; });
+  const Metrics m = metrics();
+  for (const auto& [name, value] : m) EXPECT_NE(find_metric(name), nullptr) << name;
+  EXPECT_EQ(m.size(), 20u);
 }
 
 // The wearer moves; the sensor turns with the body but for a known angle.
