@@ -111,7 +111,13 @@ TEST_F(Sites, SkinBesideTheGarmentIsNotCovered) {
   body_.landmarks["near"] = {0, -kRadius, 0.34};
   body_.landmarks["far"] = {0, -kRadius, 0.31};
   EXPECT_NEAR(find({{"near", "", {}, "near"}}).at(0).position.z(), 0.35, 1e-9);
-  EXPECT_THROW(find({{"far", "", {}, "far"}}), InvalidInput);
+  try {
+    find({{"near", "", {}, "near"}, {"far", "", {}, "far"}});
+    FAIL() << "nothing covers it";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "site[1].landmark");
+    EXPECT_NE(error.hint().find("panel tube, at = ["), std::string::npos) << error.hint();
+  }
 }
 
 TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {

@@ -46,6 +46,11 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   root.finish();
   refuse_equal_names(scenario.attachments, root, "attachment");
   refuse_equal_names(scenario.sites, root, "site");
+  for (const SiteSpec& site : scenario.sites)
+    for (const Attachment& attachment : scenario.attachments)
+      if (site.board && site.name == attachment.name)
+        throw root.error("site", "the name \"" + site.name + "\" of an attachment",
+                         "another name for a site with a board", {});
   return scenario;
 }
 

@@ -134,6 +134,12 @@ std::vector<SiteSpec> SitePoints::presets() const {
   return sites;
 }
 
+std::optional<FootprintShape> preset_footprint(const std::string& name) {
+  for (const Preset& preset : all_presets())
+    if (preset.name == name) return preset.footprint;
+  return std::nullopt;
+}
+
 std::vector<std::string> site_landmarks(const Body& body) { return SitePoints(body).names(); }
 
 Vec3 site_point(const Body& body, const std::string& landmark) {

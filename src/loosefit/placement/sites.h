@@ -75,6 +75,9 @@ class SitePoints {
 /// Names a SiteSpec may use on this body: its landmarks and the presets below.
 std::vector<std::string> site_landmarks(const Body& body);
 
+/// Footprint of the sensor that a preset is made for; nothing for other names. Body-independent.
+std::optional<FootprintShape> preset_footprint(const std::string& name);
+
 /// Surface point of a landmark or preset, as SitePoints::at. Presets beyond the landmarks lie where
 /// a ray from the limb's or trunk's axis leaves the body, or at an anatomical address:
 ///

@@ -73,6 +73,11 @@ std::vector<Site> make_sites(const CaseResult& result) {
                     result.scenario.output.preset_sites);
 }
 
+std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites) {
+  return revisit_sites(sites, result.mesh(), result.drape.positions, result.body.body,
+                       result.maps.worn, plain_maps(result.maps));
+}
+
 std::vector<std::string> collected_warnings(const CaseResult& result) {
   std::vector<std::string> all = result.warnings;
   const auto add = [&all](const std::string& stage, const std::vector<std::string>& warnings) {
