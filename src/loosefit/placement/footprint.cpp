@@ -38,10 +38,11 @@ struct Patch {
 };
 
 Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                   const Vec2& centre, const Patch& patch, double angle) {
+                   const Vec2& centre, const Patch& patch, double angle,
+                   const TriangleNeighbours* neighbours) {
   const Vec2 along = axis_in_pattern(angle), across(along.y(), -along.x());
   Footprint result;
-  for (const FlatTriangle& flat : unfold(garment, triangle, centre, patch.reach())) {
+  for (const FlatTriangle& flat : unfold(garment, triangle, centre, patch.reach(), neighbours)) {
     const Triangle& v = garment.triangles[flat.triangle];
     const double wanted = longest_edge(flat.corners) / std::max(kFinest, patch.least() / 6);
     const int split = std::clamp(static_cast<int>(std::ceil(wanted)), kSplit, kSplitMost);
@@ -62,9 +63,9 @@ Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, i
 }
 
 Footprint of_line(const Garment& garment, int triangle, const Vec2& centre, double length,
-                  double angle) {
+                  double angle, const TriangleNeighbours* neighbours) {
   const Vec2 along = axis_in_pattern(angle);
-  const std::vector<FlatTriangle> plane = unfold(garment, triangle, centre, length / 2);
+  const std::vector<FlatTriangle> plane = unfold(garment, triangle, centre, length / 2, neighbours);
   const int parts = std::max(1, static_cast<int>(std::ceil(length / kLineStep - 1e-9)));
   Footprint result;
   for (int i = 0; i < parts; ++i) {
@@ -84,16 +85,17 @@ Footprint of_line(const Garment& garment, int triangle, const Vec2& centre, doub
 Vec2 axis_in_pattern(double angle) { return {-std::sin(angle), std::cos(angle)}; }
 
 Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, const FootprintShape& shape, double angle) {
+                    const Vec3& barycentric, const FootprintShape& shape, double angle,
+                    const TriangleNeighbours* neighbours) {
   const Vec2 centre = flat_point(garment, triangle, barycentric);
   Footprint result;
   switch (shape.kind) {
     case FootprintShape::Kind::disc:
     case FootprintShape::Kind::rectangle:
-      result = of_patch(garment, positions, triangle, centre, Patch{shape}, angle);
+      result = of_patch(garment, positions, triangle, centre, Patch{shape}, angle, neighbours);
       break;
     case FootprintShape::Kind::line:
-      result = of_line(garment, triangle, centre, shape.length, angle);
+      result = of_line(garment, triangle, centre, shape.length, angle, neighbours);
       break;
     case FootprintShape::Kind::girth:
       throw InvalidInput("a girth line is cut out of a drape, not out of the flat pattern");

@@ -40,9 +40,11 @@ struct Footprint {
 /// The cloth under a disc, a rectangle or a line whose centre lies at `barycentric` of `triangle`.
 /// Measured in the flat cloth, so the same patch in every drape: beyond a seam the next piece is
 /// laid flat against the nearest stretch of it, and what would lie beyond a free edge is left out.
-/// Never empty. \throws InvalidInput for a girth, which needs the drape (girth_footprint).
+/// Never empty. Who makes many gives the garment's triangle_neighbours (footprint_unfold.h).
+/// \throws InvalidInput for a girth, which needs the drape (girth_footprint).
 Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, const FootprintShape& shape, double angle);
+                    const Vec3& barycentric, const FootprintShape& shape, double angle,
+                    const std::vector<std::array<int, 3>>* neighbours = nullptr);
 
 /// The same for a disc.
 Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,

@@ -52,7 +52,7 @@ Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p) {
   return {1 - second - third, second, third};
 }
 
-std::vector<std::array<int, 3>> triangle_neighbours(const Garment& garment) {
+TriangleNeighbours triangle_neighbours(const Garment& garment) {
   std::vector<std::tuple<int, int, int, int>> edges;  // vertices, triangle, corner
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ std::vector<std::array<int, 3>> triangle_neighbours(const Garment& garment) {
       edges.emplace_back(low, high, t, k);
     }
   std::sort(edges.begin(), edges.end());
-  std::vector<std::array<int, 3>> beyond(garment.triangles.size(), {-1, -1, -1});
+  TriangleNeighbours beyond(garment.triangles.size(), {-1, -1, -1});
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const auto& [a, b, t, k] = edges[i];
     const auto& [c, d, u, l] = edges[i + 1];
@@ -73,8 +73,10 @@ std::vector<std::array<int, 3>> triangle_neighbours(const Garment& garment) {
 }
 
 std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
-                                 double reach) {
-  const auto beyond = triangle_neighbours(garment);
+                                 double reach, const TriangleNeighbours* neighbours) {
+  TriangleNeighbours own;
+  if (!neighbours) own = triangle_neighbours(garment);
+  const TriangleNeighbours& beyond = neighbours ? *neighbours : own;
   struct Step {
     double distance;
     int triangle;

@@ -12,18 +12,21 @@ struct FlatTriangle {
   std::array<Vec2, 3> corners;  ///< [m]
 };
 
+/// For every triangle and each of its edges (corner k → k + 1): the triangle beyond, −1 at a free
+/// edge.
+using TriangleNeighbours = std::vector<std::array<int, 3>>;
+TriangleNeighbours triangle_neighbours(const Garment& garment);
+
 /// All triangles that come within `reach` [m] of `centre`, a place in pattern coordinates of
 /// `triangle`. Pieces of the same panel stay where the pattern has them; across a seam the
 /// neighbour is turned and moved rigidly so that the two sides of the seam's mesh edge fit at their
 /// middles. Each triangle comes once, by the way that brings it nearest. In order of distance.
+/// `neighbours` are those of the garment; found anew when not given, which costs more than the
+/// rest.
 std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
-                                 double reach);
+                                 double reach, const TriangleNeighbours* neighbours = nullptr);
 
 /// Barycentric weights of `p` in a triangle of the plane; all 0 … 1 inside. NaN without area.
 Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p);
-
-/// For every triangle and each of its edges (corner k → k + 1): the triangle beyond, −1 at a free
-/// edge.
-std::vector<std::array<int, 3>> triangle_neighbours(const Garment& garment);
 
 }  // namespace loosefit

@@ -132,7 +132,8 @@ std::vector<PatternPlace> poisson_places(const PatternLocator& locator, double s
     const auto first = [&](double low) { return std::lround(std::ceil(low / pitch)); };
     for (long i = first(box.lower.x()); i * pitch <= box.upper.x(); ++i)
       for (long j = first(box.lower.y()); j * pitch <= box.upper.y(); ++j) {
-        const Vec2 at(i * pitch, j * pitch);
+        // To the nanometre: 0.0875, not 0.08750000000000001, when it is written out.
+        const Vec2 at(std::round(i * pitch * 1e9) / 1e9, std::round(j * pitch * 1e9) / 1e9);
         const auto place = locator.find(panel, at);
         if (place && place->triangle == static_cast<int>(t)) pool.push_back(*place);
       }
