@@ -31,16 +31,19 @@ std::vector<double> numbers(const std::string& text) {
   }
 }
 
-Region region_named(const std::string& text) {
+}  // namespace
+
+std::vector<std::string> region_names() {
   std::vector<std::string> names;
-  for (Region region : all_regions()) {
-    if (name(region) == text) return region;
-    names.push_back(name(region));
-  }
-  throw refused(text, did_you_mean(text, names));
+  for (Region region : all_regions()) names.push_back(name(region));
+  return names;
 }
 
-}  // namespace
+std::optional<Region> find_region(const std::string& wanted) {
+  for (Region region : all_regions())
+    if (name(region) == wanted) return region;
+  return std::nullopt;
+}
 
 double KeepOutZone::distance(const Vec2& at) const {
   if (shape == Shape::disc) return std::max(0.0, (at - centre).norm() - radius);
@@ -51,7 +54,9 @@ double KeepOutZone::distance(const Vec2& at) const {
 void add_keep_out(const std::string& text, KeepOut& keep_out) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) {
-    keep_out.regions.push_back(region_named(text));
+    const auto region = find_region(text);
+    if (!region) throw refused(text, did_you_mean(text, region_names()));
+    keep_out.regions.push_back(*region);
     return;
   }
   KeepOutZone zone;
