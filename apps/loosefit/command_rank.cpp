@@ -4,11 +4,15 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "exit_code.h"
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/report/ranking_output.h"
@@ -22,7 +26,8 @@ namespace loosefit {
 namespace {
 
 struct Arguments {
-  std::string input, modality, output;
+  std::vector<std::string> inputs;
+  std::string modality, output;
   bool sites = false, partial = false, allow_unsettled = false, quiet = false;
   int best = 0;
   double spacing_mm = 50, seam_mm = 10, edge_mm = 10;
@@ -45,49 +50,90 @@ RankingWish wish_of(const Arguments& arguments) {
   return wish;
 }
 
-/// The drape to be judged: an earlier output, or a scenario that is run now.
-CaseResult drape_of(const Arguments& arguments, Progress& progress) {
-  if (!std::filesystem::is_directory(arguments.input)) {
+/// The drape to be judged: an earlier output, or a scenario that is run now; with its maps.
+CaseResult drape_of(const std::string& input, const Arguments& arguments, Progress& progress) {
+  CaseResult result;
+  if (std::filesystem::is_directory(input)) {
+    result = load_case(input, progress);
+  } else {
     RunOptions options;
     options.allow_unsettled = arguments.allow_unsettled;
     options.only_drape = true;
-    return run_case(read_scenario(arguments.input), progress, options);
+    result = run_case(read_scenario(input), progress, options);
   }
-  return load_case(arguments.input, progress);
+  progress.stage("maps");
+  try {
+    result.maps = make_maps(result, arguments.allow_unsettled);
+  } catch (const InvalidInput& error) {
+    throw error.at({input, 0, ""});  // which of several
+  }
+  return result;
+}
+
+/// Last part of a path: "run3" of "out/run3/".
+std::string last_part(const std::string& input) {
+  const std::filesystem::path path = std::filesystem::path(input).lexically_normal();
+  return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+}
+
+/// Short names of the inputs, or the inputs themselves where two would be called alike.
+/// \throws InvalidInput for the same input twice, which would count as two samples.
+std::vector<std::string> names_of(const std::vector<std::string>& inputs) {
+  std::set<std::filesystem::path> places;
+  std::set<std::string> different;
+  std::vector<std::string> names;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!places.insert(std::filesystem::weakly_canonical(input, error)).second)
+      throw InvalidInput({"", 0, "DIR"}, printable(input) + " twice", "every run once",
+                         "each run counts as a sample of its own");
+    names.push_back(last_part(input));
+    different.insert(names.back());
+  }
+  return different.size() == inputs.size() ? names : inputs;
 }
 
 int rank(const Arguments& arguments) {
   RankingWish wish = wish_of(arguments);
+  const std::vector<std::string> names = names_of(arguments.inputs);
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
-  const bool folder_given = std::filesystem::is_directory(arguments.input);
-  const bool beside = folder_given && arguments.output.empty();
+  const std::string& input = arguments.inputs.front();
+  const bool beside = arguments.inputs.size() == 1 && std::filesystem::is_directory(input) &&
+                      arguments.output.empty();
   std::optional<RunFolder> run;
-  if (beside) run.emplace(RunFolder::update(arguments.input));
+  if (beside) run.emplace(RunFolder::update(input));
   if (!arguments.output.empty()) make_plain_folder(arguments.output);
 
-  CaseResult result = drape_of(arguments, shown);
+  std::deque<RankedRun> runs;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    runs.push_back({names[i], drape_of(arguments.inputs[i], arguments, shown)});
   StageClock clock(shown);
-  clock.stage("maps");
-  result.maps = make_maps(result, arguments.allow_unsettled);
   clock.stage("placement");
-  if (arguments.sites || wish.best == 0) wish.sites = make_sites(result);
   wish.progress = [&clock](double share) {
     clock.check_cancelled();
     clock.update(share, "search");
   };
-  const RankingTable table = rank_case(result, wish);
+  const RankingTable table = rank_cases(runs, wish, arguments.sites || wish.best == 0);
   clock.stop();
   shown.clear();
   if (!arguments.quiet) fmt::print("{}", ranking_text(table));
+  const Pattern& pattern = runs.front().result.pattern.pattern;
   if (beside) {
-    write_ranking(run->path(), table);
+    write_ranking(run->path(), table, pattern);
     run->commit();
   }
-  if (!arguments.output.empty()) write_ranking(arguments.output, table);
-  if (!arguments.quiet && (beside || !arguments.output.empty()))
-    fmt::print("written: {}\n", beside ? arguments.input : arguments.output);
-  return result.drape.certificate.settled() ? kGood : kNotSettled;
+  if (!arguments.output.empty()) write_ranking(arguments.output, table, pattern);
+  if (!arguments.quiet) {
+    if (beside || !arguments.output.empty())
+      fmt::print("written: {}\n", beside ? input : arguments.output);
+    else
+      fmt::print("no files written: give a folder with -o\n");
+  }
+  const bool settled = std::all_of(runs.begin(), runs.end(), [](const RankedRun& ranked) {
+    return ranked.result.drape.certificate.settled();
+  });
+  return settled ? kGood : kNotSettled;
 }
 
 }  // namespace
@@ -97,8 +143,9 @@ void add_rank_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "rank", "rank the sites of a run for a kind of sensor, or search the best places for it");
   command
-      ->add_option("DIR|SCENARIO", arguments->input,
-                   "folder of an earlier run or drape, or a scenario file, which is run first")
+      ->add_option("DIR|SCENARIO", arguments->inputs,
+                   "folder of an earlier run or drape, or a scenario file, which is run first; "
+                   "several are samples of one population")
       ->required();
   command
       ->add_option("-m,--modality", arguments->modality,
@@ -129,7 +176,8 @@ void add_rank_command(CLI::App& app, int& exit_code) {
                     "judge by what one drape can tell; scores are upper bounds");
   command->add_option("--seed", arguments->seed, "of candidates and bootstrap (default 1)");
   command->add_option("-o,--output", arguments->output,
-                      "folder for ranking.csv and ranking.json (default: DIR)");
+                      "folder for ranking-NAME.csv, .json and sewing-plan-NAME.svg, NAME that of "
+                      "the scorecard (default: DIR, if it is one)");
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,
                     "rank even by a drape that did not settle");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no table");

@@ -134,7 +134,7 @@ TEST_F(SiteSearch, OnAPlateauTheMarginDecides) {
 
 TEST_F(SiteSearch, ToleranceAlongAndAroundOfTheField) {
   // Linear in u: 10 % of q = 1 − 5 |u − u0| is lost over 0.02 q at the site; constant in v, where
-  // the hem ends the shift.
+  // the clearance to the hem ends the shift.
   field_.metrics = [this](const PatternPlace& place) {
     return std::vector<MetricValues>{{{"gap_mm", 1e3 * std::abs(place.at.x() - best_.x())}}};
   };
@@ -144,7 +144,9 @@ TEST_F(SiteSearch, ToleranceAlongAndAroundOfTheField) {
   const double away = std::abs(site.place.at.x() - best_.x()), q = 1 - away / 0.2;
   EXPECT_NEAR(site.tolerance.around, 0.1 * q * 0.2, 3e-6);
   EXPECT_EQ(site.tolerance.around_end, Tolerance::End::score);
-  EXPECT_NEAR(site.tolerance.along, std::min(site.place.at.y(), kHeight - site.place.at.y()), 3e-6);
+  const double clear = constraints_.edge_clearance + card_.footprint.radius;
+  EXPECT_NEAR(site.tolerance.along,
+              std::min(site.place.at.y(), kHeight - site.place.at.y()) - clear, 3e-6);
   EXPECT_EQ(site.tolerance.along_end, Tolerance::End::outline);
   field_.along = [](const PatternPlace&) { return Vec2(Vec2::UnitX()); };
   EXPECT_NEAR(search().sites.at(0).tolerance.along, 0.1 * q * 0.2, 3e-6);

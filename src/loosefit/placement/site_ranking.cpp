@@ -1,13 +1,13 @@
 #include "loosefit/placement/site_ranking.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/placement/footprint_unfold.h"
 
 namespace loosefit {
 namespace {
@@ -18,78 +18,10 @@ using Kind = FootprintShape::Kind;
 /// [m].
 constexpr double kProbeSpacing = 0.10;
 
-bool is_line(const FootprintShape& shape) {
-  return shape.kind == Kind::line || shape.kind == Kind::girth;
-}
-
-bool states_footprint(const Site& site) {
-  const FootprintShape plain;
-  return !site.preset && !(site.shape.kind == plain.kind && site.shape.radius == plain.radius);
-}
-
-/// Measures the scorecard's sensor wherever it is held.
-class SensorProbe {
- public:
-  SensorProbe(const RankingGround& ground, const Scorecard& scorecard)
-      : ground_(ground),
-        scorecard_(scorecard),
-        directions_(ground.garment, ground.positions, ground.body, ground.worn) {}
-
-  double angle(int triangle) const {
-    return scorecard_.around ? directions_.around(triangle) : directions_.along(triangle);
-  }
-  Vec2 along(const PatternPlace& place) const {
-    return axis_in_pattern(directions_.along(place.triangle));
-  }
-
-  std::vector<MetricValues> at(const Site& site) const {
-    SensorPatch patch{site.footprint,
-                      ground_.garment.triangle_panel[site.point.triangle],
-                      axis_in_pattern(site.angle),
-                      {}};
-    if (site.shape.kind == Kind::girth)
-      for (const Footprint::Sample& sample : site.footprint.samples)
-        patch.sample_directions.push_back(axis_in_pattern(directions_.around(sample.triangle)));
-    return measured(patch);
-  }
-  /// The scorecard's sensor at a place.
-  std::vector<MetricValues> at(const PatternPlace& place) const {
-    const double turn = angle(place.triangle);
-    SensorPatch patch;
-    patch.footprint = footprint(ground_.garment, ground_.positions, place.triangle,
-                                place.barycentric, scorecard_.footprint, turn, &neighbours_);
-    patch.panel = place.panel;
-    patch.direction = axis_in_pattern(turn);
-    return measured(patch);
-  }
-
- private:
-  std::vector<MetricValues> measured(const SensorPatch& patch) const {
-    return site_metrics_by_donning(ground_.meter.measure(patch), ground_.meter.reference_posture());
-  }
-  const RankingGround& ground_;
-  const Scorecard& scorecard_;
-  SegmentDirection directions_;
-  TriangleNeighbours neighbours_ = triangle_neighbours(ground_.garment);
-};
-
-void merge(const std::vector<MetricValues>& samples, MetricValues& known) {
+void merge(const WearerSamples& samples, MetricValues& known) {
   for (const MetricValues& metrics : samples)
     for (const auto& [name, value] : metrics)
       if (std::isfinite(value)) known[name] = value;
-}
-
-/// Metrics that some place has.
-MetricValues known_anywhere(const RankingGround& ground, const SensorProbe& probe,
-                            const RankingWish& wish, const std::vector<SiteSamples>& samples) {
-  MetricValues known;
-  for (const SiteSamples& site : samples) merge(site.samples, known);
-  if (wish.best > 0) {
-    const PatternLocator locator(ground.garment);
-    for (const PatternPlace& place : poisson_places(locator, kProbeSpacing, wish.search.seed))
-      merge(probe.at(place), known);
-  }
-  return known;
 }
 
 std::string names(const std::vector<Region>& regions) {
@@ -98,98 +30,186 @@ std::string names(const std::vector<Region>& regions) {
   return join(words);
 }
 
-RankedPlace described(const Site& site) {
-  return {name(site.region),
-          site.panel,
-          site.at,
-          site.position,
-          site.angle,
-          site.anatomy ? site.anatomy->str() : "",
-          {}};
-}
-
-Site found_site(const RankingGround& ground, const FoundSite& found, const SensorProbe& probe,
-                const Scorecard& scorecard, int number) {
-  Site site;
-  site.name = fmt::format("best_{}", number);
-  site.point = {found.place.triangle, found.place.barycentric};
-  site.shape = scorecard.footprint;
-  site.angle = probe.angle(found.place.triangle);
-  site = revisit_sites({site}, ground.garment, ground.positions, ground.body, ground.worn, {})[0];
-  return site;
-}
-
-}  // namespace
-
-std::vector<Site> sites_with_sensor(const RankingGround& ground, const std::vector<Site>& sites,
-                                    const Scorecard& scorecard,
-                                    std::vector<std::string>& left_out) {
-  const SegmentDirection directions(ground.garment, ground.positions, ground.body, ground.worn);
-  std::vector<Site> kept;
-  for (const Site& given : sites) {
-    Site site = given;
-    if (site.shape.kind == Kind::girth && !is_line(scorecard.footprint)) {
-      left_out.push_back(site.name);
-      continue;
-    }
-    if (site.shape.kind != Kind::girth && !states_footprint(site)) {
-      site.shape = scorecard.footprint;
-      site.footprint = {};
-      if (site.preset || site.angle == 0)
-        site.angle = scorecard.around ? directions.around(site.point.triangle)
-                                      : directions.along(site.point.triangle);
-    }
-    kept.push_back(site);
-  }
-  return revisit_sites(kept, ground.garment, ground.positions, ground.body, ground.worn, {});
-}
-
-RankingTable make_ranking(const RankingGround& ground, const RankingWish& wish) {
-  if (wish.best > 0 && wish.scorecard.footprint.kind == Kind::girth)
+void check(const Wearers& wearers, const RankingWish& wish) {
+  if (wish.best == 0) return;
+  if (wish.scorecard.footprint.kind == Kind::girth)
     throw InvalidInput({"", 0, "footprint.shape"}, "\"girth\" in a scorecard to search with",
                        "disc, rectangle or line",
                        "give lines round the body as sites, or search with a line");
-  RankingTable table;
-  table.scorecard = wish.scorecard;
-  const SensorProbe probe(ground, wish.scorecard);
-  std::vector<std::string> left_out;
-  for (const Site& site : sites_with_sensor(ground, wish.sites, wish.scorecard, left_out)) {
-    table.sites.push_back({site.name, probe.at(site)});
-    table.places.push_back(described(site));
+  if (wearers.cut_differently())
+    throw InvalidInput({"", 0, "best"}, "a search over garments of different cuts",
+                       "runs with the same pattern pieces",
+                       "give each run the pattern.json of the first: [garment] pattern = \"…\"");
+}
+
+/// Makes the table step by step.
+class Table {
+ public:
+  Table(const Wearers& wearers, const RankingWish& wish)
+      : wearers_(wearers),
+        wish_(wish),
+        probe_(wearers.first()),
+        ground_(probe_.ground()),
+        borders_(ground_.garment) {
+    table_.scorecard = wish.scorecard;
+    table_.sample_names = wearers.sample_names();
+    table_.constraints = wish.constraints;
+    if (table_.constraints.regions.empty()) table_.constraints.regions = wish.scorecard.regions;
   }
-  if (!left_out.empty())
-    table.notes.push_back("lines round the body, which this sensor is not, are left out: " +
-                          join(left_out));
-  if (wish.partial) {
-    Scorecard part = known_part(wish.scorecard, known_anywhere(ground, probe, wish, table.sites));
-    if (!part.criteria.empty()) table.scorecard = std::move(part);
+
+  void add_given() {
+    std::vector<std::string> left_out;
+    add(sites_with_sensor(ground_, wish_.sites, wish_.scorecard, left_out));
+    if (!left_out.empty())
+      table_.notes.push_back("lines round the body, which this sensor is not, are left out: " +
+                             join(left_out));
   }
-  if (wish.best > 0) {
+
+  /// Criteria that the states cannot tell go.
+  void keep_known_part() {
+    MetricValues known;
+    for (const SiteSamples& site : table_.sites) merge(site.samples, known);
+    if (wish_.best > 0)
+      for (const PatternPlace& place :
+           poisson_places(probe_.locator(), kProbeSpacing, wish_.search.seed))
+        merge(measured(place), known);
+    Scorecard part = known_part(wish_.scorecard, known);
+    if (!part.criteria.empty()) table_.scorecard = std::move(part);
+  }
+
+  void search() {
     SearchField field;
-    field.metrics = [&](const PatternPlace& place) { return probe.at(place); };
-    field.along = [&](const PatternPlace& place) { return probe.along(place); };
-    field.positions = ground.positions;
-    field.regions = ground.worn.regions;
-    field.progress = wish.progress;
-    SearchOptions options = wish.search;
-    options.best = wish.best;
-    SearchConstraints constraints = wish.constraints;
-    if (constraints.regions.empty()) constraints.regions = wish.scorecard.regions;
+    field.metrics = [this](const PatternPlace& place) { return measured(place); };
+    field.along = [this](const PatternPlace& place) { return probe_.along(place); };
+    field.positions = ground_.positions;
+    field.regions = ground_.worn.regions;
+    field.progress = wish_.progress;
+    SearchOptions options = wish_.search;
+    options.best = wish_.best;
     const SearchResult result =
-        search_sites(ground.garment, field, table.scorecard, constraints, options);
-    if (!constraints.regions.empty())
-      table.notes.push_back("searched over " + names(constraints.regions));
-    for (const FoundSite& found : result.sites) {
-      const int number = static_cast<int>(&found - result.sites.data()) + 1;
-      const Site site = found_site(ground, found, probe, wish.scorecard, number);
-      table.sites.push_back({site.name, probe.at(site)});
-      table.places.push_back(described(site));
-      table.places.back().tolerance = found.tolerance;
+        search_sites(ground_.garment, field, table_.scorecard, table_.constraints, options);
+    if (!table_.constraints.regions.empty())
+      table_.notes.push_back("searched over " + names(table_.constraints.regions));
+    std::vector<Site> found;
+    for (const FoundSite& place : result.sites) {
+      Site& site = found.emplace_back();
+      site.name = fmt::format("best_{}", found.size());
+      site.point = {place.place.triangle, place.place.barycentric};
+      site.shape = wish_.scorecard.footprint;
+      site.angle = probe_.angle(place.place.triangle);
     }
-    if (!result.shortfall.empty()) table.notes.push_back(result.shortfall);
+    const std::size_t given = table_.places.size();
+    add(revisit_sites(found, ground_.garment, ground_.positions, ground_.body, ground_.worn, {}));
+    for (std::size_t i = 0; i < found.size(); ++i)
+      table_.places[given + i].tolerance = result.sites[i].tolerance;
+    if (!result.shortfall.empty()) table_.notes.push_back(result.shortfall);
   }
-  table.ranking = rank_sites(table.sites, table.scorecard, wish.rank);
-  return table;
+
+  RankingTable ranked() {
+    table_.ranking = rank_sites(table_.sites, table_.scorecard, wish_.rank);
+    const std::vector<RankedSite>& ranked = table_.ranking.sites;
+    tbb::parallel_for(std::size_t{0}, ranked.size(), [&](std::size_t i) {
+      if (ranked[i].score.rated() && ranked[i].score.robust > 0) add_tolerance(ranked[i].index);
+    });
+    note_borders();
+    return std::move(table_);
+  }
+
+ private:
+  WearerSamples measured(const PatternPlace& place) const {
+    return wearers_.at(place, wish_.scorecard.footprint, probe_.angle(place.triangle));
+  }
+
+  void add(const std::vector<Site>& sites) {
+    const std::vector<WearerSamples> samples = wearers_.at(sites);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      table_.sites.push_back({sites[i].name, samples[i]});
+      table_.places.push_back(described(sites[i]));
+    }
+  }
+
+  RankedPlace described(const Site& site) const {
+    RankedPlace place;
+    place.region = name(site.region);
+    place.panel = site.panel;
+    place.at = site.at;
+    place.position = site.position;
+    place.angle = site.angle;
+    place.anatomy = site.anatomy;
+    place.shape = site.shape;
+    const Garment& garment = ground_.garment;
+    if (site.shape.kind == Kind::girth)
+      for (const Footprint::Sample& sample : site.footprint.samples) {
+        Vec2 at = Vec2::Zero();
+        for (int k = 0; k < 3; ++k)
+          at += sample.barycentric[k] * garment.triangle_uv[sample.triangle][k];
+        place.line.emplace_back(garment.panel_names[garment.triangle_panel[sample.triangle]], at);
+      }
+    const int panel = garment.triangle_panel[site.point.triangle];
+    place.to_seam = borders_.to_seam(panel, site.at);
+    place.to_edge = borders_.to_free_edge(panel, site.at);
+    return place;
+  }
+
+  void add_tolerance(int index) {
+    RankedPlace& place = table_.places[index];
+    if (place.tolerance || place.shape.kind == Kind::girth || wearers_.cut_differently()) return;
+    const auto at = probe_.find(place.panel, place.at);
+    if (!at) return;
+    SearchField field;
+    field.metrics = [&](const PatternPlace& shifted) {
+      return wearers_.at(shifted, place.shape, place.angle);
+    };
+    field.along = [this](const PatternPlace& shifted) { return probe_.along(shifted); };
+    field.regions = ground_.worn.regions;
+    // Who sews a sensor on a seam is not held to keeping off seams.
+    PlaceTest allowed =
+        keeps_clear(ground_.garment, field, table_.constraints, outer_radius(place.shape));
+    if (!allowed(*at)) allowed = {};
+    place.tolerance = site_tolerance(probe_.locator(), field, table_.scorecard, *at,
+                                     wish_.search.tolerance, allowed);
+  }
+
+  /// A given site may lie where a search would never put one.
+  void note_borders() {
+    std::vector<std::string> near;
+    for (std::size_t i = 0; i < table_.places.size(); ++i) {
+      const RankedPlace& place = table_.places[i];
+      if (place.shape.kind == Kind::girth) continue;
+      const double radius = outer_radius(place.shape);
+      if (place.to_seam < wish_.constraints.seam_clearance + radius - 1e-9 ||
+          place.to_edge < wish_.constraints.edge_clearance + radius - 1e-9)
+        near.push_back(table_.sites[i].name);
+    }
+    if (!near.empty())
+      table_.notes.push_back(
+          fmt::format("nearer to a seam ({:g} mm) or edge ({:g} mm) than a search allows: {}",
+                      1e3 * wish_.constraints.seam_clearance,
+                      1e3 * wish_.constraints.edge_clearance, join(near)));
+  }
+
+  const Wearers& wearers_;
+  const RankingWish& wish_;
+  const SensorProbe& probe_;
+  const RankingGround& ground_;
+  PanelBorders borders_;
+  RankingTable table_;
+};
+
+}  // namespace
+
+RankingTable make_ranking(const std::vector<RankingWearer>& all, const RankingWish& wish) {
+  const Wearers wearers(all, wish.scorecard);
+  check(wearers, wish);
+  Table table(wearers, wish);
+  table.add_given();
+  if (wish.partial) table.keep_known_part();
+  if (wish.best > 0) table.search();
+  return table.ranked();
+}
+
+RankingTable make_ranking(const RankingGround& ground, const RankingWish& wish) {
+  return make_ranking(std::vector<RankingWearer>{{"", ground}}, wish);
 }
 
 }  // namespace loosefit

@@ -4,27 +4,16 @@
 #include <vector>
 
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/placement/segment_direction.h"
-#include "loosefit/placement/site_metrics.h"
+#include "loosefit/placement/ranking_wearers.h"
 #include "loosefit/placement/site_search.h"
 #include "loosefit/placement/sites.h"
 
 namespace loosefit {
 
-/// A garment in its reference posture, and the meter that knows all postures and donnings. Only
-/// referred to.
-struct RankingGround {
-  const Garment& garment;
-  const std::vector<Vec3>& positions;
-  const Body& body;
-  const WornGarment& worn;
-  const SiteMeter& meter;
-};
-
 /// What is to be ranked.
 struct RankingWish {
   Scorecard scorecard;
-  std::vector<Site> sites;        ///< given places
+  std::vector<Site> sites;        ///< given places, on the first wearer
   int best = 0;                   ///< search for so many more
   SearchConstraints constraints;  ///< without regions: those of the scorecard
   SearchOptions search;           ///< its `best` is set from above
@@ -35,16 +24,15 @@ struct RankingWish {
   std::function<void(double)> progress = {};  ///< of the search: SearchField::progress
 };
 
-/// The given sites with the scorecard's sensor in place of theirs, described anew: its footprint,
-/// its axis along or around the segment (a stated angle other than 0 is kept). A site that was
-/// asked for by name and states a footprint of its own keeps it with its angle. Girth lines stay
-/// when the scorecard's sensor is a line, and are left out, named in `left_out`, when it is not.
-std::vector<Site> sites_with_sensor(const RankingGround& ground, const std::vector<Site>& sites,
-                                    const Scorecard& scorecard, std::vector<std::string>& left_out);
-
 /// Ranks the given sites together with the best places found by search_sites (named best_1, …).
-/// Every donning of the meter is one sample. \throws InvalidInput as search_sites and rank_sites,
-/// and for a search with a girth line.
+/// Every donning of every wearer is one sample. A found place is that of one garment in the same
+/// cut for all wearers; its direction is that on the first. Every site with a score above 0 has a
+/// tolerance, but for girths and where wearers have sites of their own.
+/// \throws InvalidInput as search_sites and rank_sites; without wearers; for a search with a girth
+/// line, or over wearers with sites of their own; for a place that a wearer's garment lacks.
+RankingTable make_ranking(const std::vector<RankingWearer>& wearers, const RankingWish& wish);
+
+/// The same for one wearer.
 RankingTable make_ranking(const RankingGround& ground, const RankingWish& wish);
 
 }  // namespace loosefit

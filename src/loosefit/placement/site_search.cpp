@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <memory>
 #include <tuple>
 
 #include "loosefit/base/error.h"
@@ -49,6 +50,10 @@ class Admission {
   bool admits(const PatternPlace& place, SearchResult& counts) const {
     if (!constraints_.regions.empty() && !over(place, constraints_.regions))
       return ++counts.elsewhere, false;
+    return clear(place, counts);
+  }
+  /// The same but for the regions that are searched.
+  bool clear(const PatternPlace& place, SearchResult& counts) const {
     if (borders_.to_seam(place.panel, place.at) < constraints_.seam_clearance + radius_)
       return ++counts.near_seam, false;
     if (borders_.to_free_edge(place.panel, place.at) < constraints_.edge_clearance + radius_)
@@ -90,18 +95,6 @@ std::vector<SiteScore> scored(const std::vector<PatternPlace>& places, const Sea
     if (field.progress) field.progress(static_cast<double>(last) / places.size());
   }
   return scores;
-}
-
-Tolerance tolerance_at(const PatternLocator& locator, const SearchField& field,
-                       const Scorecard& scorecard, const PatternPlace& place,
-                       const ToleranceOptions& options) {
-  const FlatScore flat = [&](const Vec2& at) -> std::optional<double> {
-    const auto shifted = locator.find(place.panel, at);
-    if (!shifted) return std::nullopt;
-    const SiteScore score = score_samples(field.metrics(*shifted), scorecard);
-    return score.rated() ? score.robust : 0;
-  };
-  return tolerance(flat, place.at, field.along ? field.along(place) : Vec2(Vec2::UnitY()), options);
 }
 
 std::string shortfall(const SearchResult& result, int wanted) {
@@ -156,10 +149,34 @@ SearchResult search_sites(const Garment& garment, const SearchField& field,
         });
     if (!crowded) result.sites.push_back(std::move(site));
   }
+  const PlaceTest allowed =
+      keeps_clear(garment, field, constraints, outer_radius(scorecard.footprint));
   for (FoundSite& site : result.sites)
-    site.tolerance = tolerance_at(locator, field, scorecard, site.place, options.tolerance);
+    site.tolerance =
+        site_tolerance(locator, field, scorecard, site.place, options.tolerance, allowed);
   result.shortfall = shortfall(result, options.best);
   return result;
+}
+
+PlaceTest keeps_clear(const Garment& garment, const SearchField& field,
+                      const SearchConstraints& constraints, double radius) {
+  const auto admission = std::make_shared<Admission>(garment, field, constraints, radius);
+  return [admission](const PatternPlace& place) {
+    SearchResult unused;
+    return admission->clear(place, unused);
+  };
+}
+
+Tolerance site_tolerance(const PatternLocator& locator, const SearchField& field,
+                         const Scorecard& scorecard, const PatternPlace& place,
+                         const ToleranceOptions& options, const PlaceTest& allowed) {
+  const FlatScore flat = [&](const Vec2& at) -> std::optional<double> {
+    const auto shifted = locator.find(place.panel, at);
+    if (!shifted || (allowed && !allowed(*shifted))) return std::nullopt;
+    const SiteScore score = score_samples(field.metrics(*shifted), scorecard);
+    return score.rated() ? score.robust : 0;
+  };
+  return tolerance(flat, place.at, field.along ? field.along(place) : Vec2(Vec2::UnitY()), options);
 }
 
 }  // namespace loosefit

@@ -69,4 +69,17 @@ SearchResult search_sites(const Garment& garment, const SearchField& field,
                           const Scorecard& scorecard, const SearchConstraints& constraints,
                           const SearchOptions& options = {});
 
+using PlaceTest = std::function<bool(const PatternPlace&)>;
+
+/// Whether a sensor with an outline of this radius keeps clear of seams, edges, zones and regions
+/// as `constraints` ask. Keeps references to garment, field and constraints.
+PlaceTest keeps_clear(const Garment& garment, const SearchField& field,
+                      const SearchConstraints& constraints, double radius);
+
+/// Tolerance of a place by the robust score of the field; a shift ends where it cannot be rated,
+/// and, as at the outline of the panel, where `allowed` says no.
+Tolerance site_tolerance(const PatternLocator& locator, const SearchField& field,
+                         const Scorecard& scorecard, const PatternPlace& place,
+                         const ToleranceOptions& options = {}, const PlaceTest& allowed = {});
+
 }  // namespace loosefit

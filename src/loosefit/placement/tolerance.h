@@ -6,7 +6,8 @@
 
 namespace loosefit {
 
-/// Score of a place of one panel by its flat coordinates [m]; nothing outside the panel.
+/// Score of a place of one panel by its flat coordinates [m]; nothing outside the panel, and where
+/// no sensor may be.
 using FlatScore = std::function<std::optional<double>(const Vec2& at)>;
 
 struct ToleranceOptions {
@@ -21,7 +22,8 @@ struct ToleranceOptions {
 struct Tolerance {
   Vec2 direction = Vec2::UnitY();  ///< of `along` in the pattern, unit
   double along = 0, around = 0;
-  /// What ended the shift: the score, the outline of the panel, or the reach.
+  /// What ended the shift: the score, the outline of the panel or the border of where sensors may
+  /// be, or the reach.
   enum class End { score, outline, reach };
   End along_end = End::reach, around_end = End::reach;
 };

@@ -8,9 +8,11 @@
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/address_columns.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/derived_metrics.h"
+#include "loosefit/report/sewing_plan.h"
 
 namespace loosefit {
 namespace {
@@ -63,8 +65,18 @@ std::vector<std::string> all_notes(const RankingTable& table) {
   return notes;
 }
 
+/// The sample that a robust score is that of, by name, where there are several.
+std::string worst_sample(const RankingTable& table, const RankedSite& site) {
+  const int sample = site.score.robust_sample;
+  return table.sample_names.size() > 1 && sample >= 0 &&
+                 sample < static_cast<int>(table.sample_names.size())
+             ? table.sample_names[sample]
+             : "";
+}
+
 /// Cells of the terminal table; with one sample there is nothing to say on spread.
-std::vector<std::string> text_row(const RankedSite& site, const Ranking& ranking) {
+std::vector<std::string> text_row(const RankingTable& table, const RankedSite& site) {
+  const Ranking& ranking = table.ranking;
   const SiteScore& score = site.score;
   const bool many = ranking.samples > 1;
   if (!score.rated()) {
@@ -80,9 +92,13 @@ std::vector<std::string> text_row(const RankedSite& site, const Ranking& ranking
     row.insert(row.end(),
                {range(site.robust_interval, 2), fmt::format("{:.2f}", score.median),
                 fmt::format("{:.0f} %", 100 * score.passing), range(site.rank_interval, 0)});
-  row.push_back(score.reason);
+  const std::string sample = worst_sample(table, site);
+  row.push_back(sample.empty() ? score.reason : score.reason + " (" + printable(sample) + ")");
   return row;
 }
+
+/// To a hundredth of a micrometre or degree: 0.0175, not 0.017499999999999998.
+double readable(double value) { return std::round(value * 1e8) / 1e8; }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -97,6 +113,29 @@ Json tolerance_json(const std::optional<Tolerance>& tolerance) {
           {"along_ends_at", word(tolerance->along_end)},
           {"around_ends_at", word(tolerance->around_end)},
           {"along_in_pattern", {tolerance->direction.x(), tolerance->direction.y()}}};
+}
+
+Json address_json(const std::optional<BodyAddress>& address) {
+  if (!address) return nullptr;
+  const Vec3& percent = address->percent;
+  return {{"words", address->str()},
+          {"segment", name(address->segment)},
+          {"side", side_name(*address)},
+          {"percent", {percent.x(), percent.y(), percent.z()}}};
+}
+
+Json footprint_json(const FootprintShape& shape) {
+  switch (shape.kind) {
+    case FootprintShape::Kind::disc:
+      return {{"radius_m", shape.radius}};
+    case FootprintShape::Kind::rectangle:
+      return {{"size_m", {shape.size.x(), shape.size.y()}}};
+    case FootprintShape::Kind::line:
+      return {{"length_m", shape.length}};
+    case FootprintShape::Kind::girth:
+      break;
+  }
+  return {{"girth", true}};
 }
 
 Json site_json(const RankingTable& table, const RankedSite& site) {
@@ -116,14 +155,18 @@ Json site_json(const RankingTable& table, const RankedSite& site) {
                {"scores", score.samples},
                {"limiting_metric", rated ? Json(score.metric) : Json(nullptr)},
                {"limiting_reason", score.reason},
+               {"limiting_sample", worst_sample(table, site)},
                {"missing", score.missing},
                {"region", place.region},
                {"panel", place.panel},
-               {"u_m", place.at.x()},
-               {"v_m", place.at.y()},
-               {"angle_deg", degrees(place.angle)},
+               {"u_m", readable(place.at.x())},
+               {"v_m", readable(place.at.y())},
+               {"angle_deg", readable(degrees(place.angle))},
                {"position_m", {place.position.x(), place.position.y(), place.position.z()}},
-               {"body_address", place.body_address},
+               {"to_seam_mm", number(1e3 * place.to_seam)},
+               {"to_edge_mm", number(1e3 * place.to_edge)},
+               {"body_address", address_json(place.anatomy)},
+               {"footprint", footprint_json(place.shape)},
                {"tolerance", tolerance_json(place.tolerance)}};
   Json& metrics = json["metrics"] = Json::object();
   for (const auto& [name, values] : by_metric(table.sites[site.index], table.scorecard)) {
@@ -146,13 +189,15 @@ std::vector<std::string> csv_row(const RankingTable& table, const RankedSite& si
     row.push_back(interval ? csv_field(interval->low) : "");
     row.push_back(interval ? csv_field(interval->high) : "");
   }
-  for (const std::string& text : {join(site.tied_with, "; "), score.rated() ? score.metric : "",
-                                  score.reason, place.region, place.panel})
+  for (const std::string& text :
+       {join(site.tied_with, "; "), score.rated() ? score.metric : "", score.reason,
+        worst_sample(table, site), place.region, place.panel})
     row.push_back(csv_field(text));
-  for (double v : {place.at.x(), place.at.y(), degrees(place.angle), place.position.x(),
-                   place.position.y(), place.position.z()})
-    row.push_back(csv_field(v));
-  row.push_back(csv_field(place.body_address));
+  for (double v :
+       {place.at.x(), place.at.y(), degrees(place.angle), place.position.x(), place.position.y(),
+        place.position.z(), 1e3 * place.to_seam, 1e3 * place.to_edge})
+    row.push_back(csv_field(readable(v)));
+  for (const std::string& text : address_fields(place.anatomy)) row.push_back(text);
   row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->along) : "");
   row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->around) : "");
   const auto values = by_metric(table.sites[site.index], table.scorecard);
@@ -167,7 +212,7 @@ std::string ranking_text(const RankingTable& table) {
   std::vector<std::vector<std::string>> rows = {{"rank", "site", "score", "limited by"}};
   if (table.ranking.samples > 1)
     rows = {{"rank", "site", "score", "90 %", "median", "pass", "rank 90 %", "limited by"}};
-  for (const RankedSite& site : table.ranking.sites) rows.push_back(text_row(site, table.ranking));
+  for (const RankedSite& site : table.ranking.sites) rows.push_back(text_row(table, site));
   std::vector<std::size_t> width(rows[0].size(), 0);
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
@@ -191,9 +236,11 @@ std::string ranking_csv(const RankingTable& table) {
   std::vector<std::string> head = {
       "rank", "name", "score_robust", "score_median", "passing", "robust_low", "robust_high",
       "median_low", "median_high", "rank_low", "rank_high", "tied_with", "limiting_metric",
-      "limiting_reason", "region", "panel", "u_m", "v_m", "angle_deg", "x_m", "y_m", "z_m",
-      "body_address", "tolerance_along_mm", "tolerance_around_mm"};
+      "limiting_reason", "limiting_sample", "region", "panel", "u_m", "v_m", "angle_deg", "x_m",
+      "y_m", "z_m", "to_seam_mm", "to_edge_mm"};
   // clang-format on
+  head.insert(head.end(), address_columns().begin(), address_columns().end());
+  head.insert(head.end(), {"tolerance_along_mm", "tolerance_around_mm"});
   head.insert(head.end(), metrics.begin(), metrics.end());
   std::string text = csv_line(head);
   for (const RankedSite& site : table.ranking.sites)
@@ -202,18 +249,24 @@ std::string ranking_csv(const RankingTable& table) {
 }
 
 std::string ranking_json(const RankingTable& table) {
-  Json json = {{"modality", table.scorecard.name}, {"title", table.scorecard.title},
-               {"about", table.scorecard.about},   {"pass", table.scorecard.pass},
-               {"samples", table.ranking.samples}, {"left_out", table.scorecard.left_out},
-               {"notes", all_notes(table)}};
+  Json json = {{"modality", table.scorecard.name},     {"title", table.scorecard.title},
+               {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
+               {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
+               {"left_out", table.scorecard.left_out}, {"notes", all_notes(table)}};
   Json& sites = json["sites"] = Json::array();
   for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
   return json.dump(2) + "\n";
 }
 
-void write_ranking(const std::filesystem::path& folder, const RankingTable& table) {
-  write_text_file((folder / "ranking.csv").string(), ranking_csv(table));
-  write_text_file((folder / "ranking.json").string(), ranking_json(table));
+void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
+                   const Pattern& pattern) {
+  const std::string& name = table.scorecard.name;
+  const auto write = [&](const std::string& file, const std::string& text) {
+    write_text_file((folder / file).string(), text);
+  };
+  write("ranking-" + name + ".csv", ranking_csv(table));
+  write("ranking-" + name + ".json", ranking_json(table));
+  write("sewing-plan-" + name + ".svg", sewing_plan_svg(table, pattern));
 }
 
 }  // namespace loosefit

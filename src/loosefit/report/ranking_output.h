@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "loosefit/pattern/pattern.h"
 #include "loosefit/placement/ranking_table.h"
 
 namespace loosefit {
@@ -18,7 +19,9 @@ std::string ranking_csv(const RankingTable& table);
 /// The same with every sample of every metric.
 std::string ranking_json(const RankingTable& table);
 
-/// Writes ranking.csv and ranking.json. \throws IoError.
-void write_ranking(const std::filesystem::path& folder, const RankingTable& table);
+/// Writes ranking-NAME.csv, ranking-NAME.json and sewing-plan-NAME.svg, NAME that of the scorecard,
+/// so that the rankings for several sensors lie beside each other. \throws IoError.
+void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
+                   const Pattern& pattern);
 
 }  // namespace loosefit

@@ -1,12 +1,27 @@
 #pragma once
+#include <deque>
+
 #include "loosefit/placement/site_ranking.h"
 #include "loosefit/study/case_result.h"
 
 namespace loosefit {
 
-/// Ranks sites by what one drape can say: one posture, one donning, so one sample and no interval.
-/// Needs result.maps (worn garment and pressure). `wish.sites` are taken as they are; give
-/// result.sites for those of the scenario. \throws InvalidInput as make_ranking.
-RankingTable rank_case(const CaseResult& result, const RankingWish& wish);
+/// One run of those over which sites are ranked.
+struct RankedRun {
+  std::string name;  ///< of its folder
+  CaseResult result;
+};
+
+/// Whether two patterns have the same pieces: names, and outlines to half a millimetre.
+bool same_pieces(const Pattern& a, const Pattern& b);
+
+/// Ranks sites over one or several runs, each a sample: wearers, or donnings of one. What needs
+/// several postures is not known from these. Needs result.maps (worn garment and pressure) of every
+/// run. `with_sites` ranks the sites of the first run's scenario, and its presets where they are
+/// reported: in garments with the same pieces the sensors stay where they are sewn in the first;
+/// otherwise each run finds its own by their names, and what some run lacks is left out and noted.
+/// \throws InvalidInput as make_ranking; without runs; for wished sites that a run lacks.
+RankingTable rank_cases(const std::deque<RankedRun>& runs, const RankingWish& wish,
+                        bool with_sites);
 
 }  // namespace loosefit
