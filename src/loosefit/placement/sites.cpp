@@ -19,11 +19,12 @@ struct Finder {
   const std::vector<PerformanceMap>& maps;
   GarmentOverSkin over_skin{garment, positions, body, worn};
   SitePoints points{body};
-  ClosestPointTree skin_tree{body.surface};
+  mutable std::optional<ClosestPointTree> skin_tree = {};  ///< made for the first wish
 
   ClosestPoint skin(const SiteSpec& spec) const {
+    if (!skin_tree) skin_tree.emplace(body.surface);
     return spec.landmark.empty() && spec.anatomy ? points.addresses().skin(*spec.anatomy)
-                                                 : skin_tree.query(points.at(spec.landmark));
+                                                 : skin_tree->query(points.at(spec.landmark));
   }
 
   /// Nothing when the garment does not cover the place; `nearest` is then where it comes nearest.
@@ -157,6 +158,7 @@ std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& po
 std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
                                 const std::vector<Vec3>& positions, const Body& body,
                                 const WornGarment& worn, const std::vector<PerformanceMap>& maps) {
+  if (sites.empty()) return {};
   const Finder finder{garment, positions, body, worn, maps};
   std::vector<Site> revisited = sites;
   for (Site& site : revisited) finder.describe(site);
