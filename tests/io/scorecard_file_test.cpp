@@ -147,6 +147,8 @@ TEST(ScorecardFile, RefusalsNamePlaceAndRemedy) {
        "expected a number, as good is");
   says(kHead + criterion("gap_mm", "mm", "good = [1, 2]\nfail = [1.5, 3]"),
        "expected [below 1, above 2]");
+  says(kHead + criterion("gap_mm", "mm", "good = [2, 1]\nfail = [0, 3]"),
+       "good: found an array of 2, expected [low, high], the lower one first");
   says(kHead + criterion("gap_mm", "mm", "good = [1, 2, 3]\nfail = 3"), "[low, high] of a range");
   says(kHead + criterion("gap_mm", "mm", "good = 1"), "fail: found nothing");
   says(kHead + criterion("gap_mm", "mm", "good = [1, 2]\nfail = [0, 4]"),

@@ -63,8 +63,7 @@ TEST(Score, IsClampedAndKeepsTheMarginBeyond) {
   const Scorecard card = electrode();
   const Score good = score({{"pressure_kPa", 1.7}, {"slip_mm", 0}}, card);
   EXPECT_EQ(good.q.value(), 1);
-  EXPECT_EQ(good.reason,
-            "all needs met; nearest: contact pressure 1.7 kPa, good to 2.7");
+  EXPECT_EQ(good.reason, "all needs met; nearest: contact pressure 1.7 kPa, good to 2.7");
   EXPECT_DOUBLE_EQ(good.margin, 1.5);  // slip: (0 - 6) / (2 - 6); pressure: 1.5 above, 2 below
   const Score bad = score({{"pressure_kPa", 0.2}, {"slip_mm", 26}}, card);
   EXPECT_EQ(bad.q.value(), 0);

@@ -254,8 +254,25 @@ TEST_F(SiteRanking, DistancesToBordersAreToldAndNearOnesNoted) {
   EXPECT_NEAR(table.places[1].to_edge, 0.2, 1e-9);
   bool noted = false;
   for (const std::string& note : table.notes)
-    noted |= note == "nearer to a seam (10 mm) or edge (10 mm) than a search allows: low";
+    noted |=
+        note ==
+        "nearer to a seam (10 mm), an edge (10 mm) or what is kept free than a search allows: low";
   EXPECT_TRUE(noted);
+}
+
+TEST_F(SiteRanking, ZonesOnPanelsThatAreNotThereAreRefusedWithoutASearchToo) {
+  wish_.sites = sites({{"mine", "tube", {0.3, 0.2}}});
+  KeepOutZone zone;
+  zone.name = "pocket";
+  zone.panel = "tubs";
+  wish_.constraints.keep_out.zones = {zone};
+  EXPECT_THROW(make_ranking(ground(), wish_), InvalidInput);
+  wish_.constraints.keep_out.zones[0].panel = "tube";
+  wish_.constraints.keep_out.zones[0].lower = {0.25, 0.15};
+  wish_.constraints.keep_out.zones[0].upper = {0.35, 0.25};
+  const RankingTable table = make_ranking(ground(), wish_);
+  EXPECT_NE(table.notes.back().find("what is kept free than a search allows: mine"),
+            std::string::npos);
 }
 
 TEST_F(SiteRanking, ToleranceEndsWhereNoSensorMayBe) {

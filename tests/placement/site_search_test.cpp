@@ -193,7 +193,9 @@ TEST_F(SiteSearch, SaysWhyThereAreFewer) {
 
 TEST_F(SiteSearch, RefusesWhatItCannotDo) {
   constraints_.keep_out.zones = {{"pocket", "tubs", KeepOutZone::Shape::disc, {}, {}, best_, 0.05}};
-  EXPECT_EQ(refusal(), "keep-out zone pocket: unknown panel 'tubs' / did you mean \"tube\"?");
+  EXPECT_EQ(refusal(),
+            "keep-out: found \"tubs\" in pocket, expected a panel of the pattern / did you mean "
+            "\"tube\"?");
   constraints_.keep_out.zones.clear();
   options_.best = 0;
   EXPECT_NE(refusal().find("number of sites: found 0"), std::string::npos);

@@ -83,7 +83,10 @@ void read_ramps(ConfigReader& table, Criterion& criterion) {
     criterion.limit = {good[0], fail[0]};
     return;
   }
-  if (!(fail[0] < good[0] && good[0] <= good[1] && good[1] < fail[1]))
+  if (good[0] > good[1])
+    throw table.error("good", "[low, high], the lower one first",
+                      "more or less is better alone: give a number each for good and fail");
+  if (!(fail[0] < good[0] && good[1] < fail[1]))
     throw table.error("fail", fmt::format("[below {:g}, above {:g}]", good[0], good[1]),
                       "fail below < good from <= good to < fail above");
   criterion.limit = {good[0], fail[0]};

@@ -77,4 +77,12 @@ void add_keep_out(const std::string& text, KeepOut& keep_out) {
   keep_out.zones.push_back(zone);
 }
 
+void check_keep_out(const KeepOut& keep_out, const std::vector<std::string>& panels) {
+  for (const KeepOutZone& zone : keep_out.zones)
+    if (std::find(panels.begin(), panels.end(), zone.panel) == panels.end())
+      throw InvalidInput({"", 0, "keep-out"},
+                         "\"" + printable(zone.panel) + "\" in " + printable(zone.name),
+                         "a panel of the pattern", did_you_mean(zone.panel, panels));
+}
+
 }  // namespace loosefit

@@ -39,4 +39,7 @@ std::optional<Region> find_region(const std::string& name);
 /// exists is seen when the garment is known.
 void add_keep_out(const std::string& text, KeepOut& keep_out);
 
+/// \throws InvalidInput for a zone on a panel that is not one of these, with a did-you-mean.
+void check_keep_out(const KeepOut& keep_out, const std::vector<std::string>& panels);
+
 }  // namespace loosefit

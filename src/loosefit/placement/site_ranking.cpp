@@ -31,6 +31,7 @@ std::string names(const std::vector<Region>& regions) {
 }
 
 void check(const Wearers& wearers, const RankingWish& wish) {
+  check_keep_out(wish.constraints.keep_out, wearers.first().ground().garment.panel_names);
   if (wish.best == 0) return;
   if (wish.scorecard.footprint.kind == Kind::girth)
     throw InvalidInput({"", 0, "footprint.shape"}, "\"girth\" in a scorecard to search with",
@@ -172,18 +173,21 @@ class Table {
 
   /// A given site may lie where a search would never put one.
   void note_borders() {
+    SearchField field;
+    field.regions = ground_.worn.regions;
     std::vector<std::string> near;
     for (std::size_t i = 0; i < table_.places.size(); ++i) {
       const RankedPlace& place = table_.places[i];
-      if (place.shape.kind == Kind::girth) continue;
-      const double radius = outer_radius(place.shape);
-      if (place.to_seam < wish_.constraints.seam_clearance + radius - 1e-9 ||
-          place.to_edge < wish_.constraints.edge_clearance + radius - 1e-9)
+      const auto at = probe_.find(place.panel, place.at);
+      if (place.shape.kind == Kind::girth || !at) continue;
+      if (!keeps_clear(ground_.garment, field, table_.constraints, outer_radius(place.shape))(*at))
         near.push_back(table_.sites[i].name);
     }
     if (!near.empty())
       table_.notes.push_back(
-          fmt::format("nearer to a seam ({:g} mm) or edge ({:g} mm) than a search allows: {}",
+          fmt::format("nearer to a seam ({:g} mm), an edge ({:g} mm) or what is kept free than a "
+                      "search allows: "
+                      "{}",
                       1e3 * wish_.constraints.seam_clearance,
                       1e3 * wish_.constraints.edge_clearance, join(near)));
   }

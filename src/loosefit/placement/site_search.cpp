@@ -28,12 +28,7 @@ void check(const Garment& garment, const SearchField& field, const SearchConstra
     throw InvalidInput(fmt::format(
         "search: found {} positions and {} regions, expected one per vertex of the garment ({})",
         field.positions.size(), field.regions.size(), vertices));
-  for (const KeepOutZone& zone : constraints.keep_out.zones)
-    if (std::find(garment.panel_names.begin(), garment.panel_names.end(), zone.panel) ==
-        garment.panel_names.end())
-      throw InvalidInput("keep-out zone " + printable(zone.name) + ": unknown panel '" +
-                             printable(zone.panel) + "'",
-                         did_you_mean(zone.panel, garment.panel_names));
+  check_keep_out(constraints.keep_out, garment.panel_names);
 }
 
 /// Whether a sensor may sit at a place; counts the first reason against it.
