@@ -105,9 +105,12 @@ int rank(const Arguments& arguments) {
   if (beside) run.emplace(RunFolder::update(input));
   if (!arguments.output.empty()) make_plain_folder(arguments.output);
 
-  std::deque<RankedRun> runs;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    runs.push_back({names[i], drape_of(arguments.inputs[i], arguments, shown)});
+  std::deque<CaseResult> results;
+  std::vector<RankedRun> runs;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results.push_back(drape_of(arguments.inputs[i], arguments, shown));
+    runs.push_back({names[i], &results.back()});
+  }
   StageClock clock(shown);
   clock.stage("placement");
   wish.progress = [&clock](double share) {
@@ -118,7 +121,7 @@ int rank(const Arguments& arguments) {
   clock.stop();
   shown.clear();
   if (!arguments.quiet) fmt::print("{}", ranking_text(table));
-  const Pattern& pattern = runs.front().result.pattern.pattern;
+  const Pattern& pattern = results.front().pattern.pattern;
   if (beside) {
     write_ranking(run->path(), table, pattern);
     run->commit();
@@ -130,8 +133,8 @@ int rank(const Arguments& arguments) {
     else
       fmt::print("no files written: give a folder with -o\n");
   }
-  const bool settled = std::all_of(runs.begin(), runs.end(), [](const RankedRun& ranked) {
-    return ranked.result.drape.certificate.settled();
+  const bool settled = std::all_of(results.begin(), results.end(), [](const CaseResult& result) {
+    return result.drape.certificate.settled();
   });
   return settled ? kGood : kNotSettled;
 }

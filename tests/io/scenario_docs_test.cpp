@@ -20,6 +20,7 @@ TEST(ScenarioDocs, NameEveryKey) {
   anatomical.board = SensorBoard{};
   scenario.sites = {SiteSpec{}, pattern, anatomical};
   scenario.material = load_material("wool-measured");
+  scenario.ranking.modality = "ecg";
   std::istringstream lines(scenario_toml(scenario));
   int keys = 0;
   for (std::string line; std::getline(lines, line);) {

@@ -83,6 +83,10 @@ repeats = 3
 [output]
 maps = ["distance"]
 views = ["front", "left"]
+[ranking]
+modality = "ecg"
+best = 3
+partial = true
 )";
 
 /// Text of one line of kFull.
@@ -135,6 +139,10 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(s.simulation.seed, 7u);
   EXPECT_EQ(s.simulation.start_perturbation, 0.001) << "several repeats need different starts";
   EXPECT_EQ(s.output.views, (std::vector<std::string>{"front", "left"}));
+  EXPECT_EQ(s.ranking.modality, "ecg");
+  EXPECT_EQ(s.ranking.best, 3);
+  EXPECT_TRUE(s.ranking.partial);
+  EXPECT_TRUE(default_scenario().ranking.modality.empty());
 }
 
 TEST(Scenario, ResolvedTextReadsBackToTheSame) {
@@ -195,6 +203,20 @@ TEST(ScenarioErrors, ChoicesThatExcludeEachOther) {
   EXPECT_NE(refusal("[[site]]\nname = \"a\"\nlandmark = \"c7\"\n[[site]]\nname = \"a\"\n"
                     "landmark = \"c7\"\n")
                 .find("each name once"),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, RankingNeedsAScorecard) {
+  EXPECT_NE(refusal("[ranking]\nmodality = \"ecgg\"\n").find("did you mean \"ecg\"?"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nmodality = \"mine.toml\"\n").find("ranking.modality"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nbest = 2\n").find("ranking.best: found 2, expected best only"),
+            std::string::npos)
+      << refusal("[ranking]\nbest = 2\n");
+  EXPECT_NE(refusal("[ranking]\nmodality = \"ecg\"\nbest = -1\n").find("ranking.best"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nmodalty = \"ecg\"\n").find("did you mean \"modality\"?"),
             std::string::npos);
 }
 

@@ -50,11 +50,11 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   RankingWish wish;
   wish.scorecard.name = "gap";
   wish.scorecard.criteria = {{"gap_mm", {0, 100}, {}, "hangs off", "", "test"}};
-  std::deque<RankedRun> runs(2);
-  runs[0] = {"one", worn_shirt()};
-  runs[1] = {"away", runs[0].result};
-  for (Vec3& p : runs[1].result.drape.positions) p.y() += 0.010;  // the back 10 mm farther off
-  runs[1].result.maps = make_maps(runs[1].result, true);
+  const CaseResult one = worn_shirt();
+  CaseResult away = one;
+  const std::vector<RankedRun> runs = {{"one", &one}, {"away", &away}};
+  for (Vec3& p : away.drape.positions) p.y() += 0.010;  // the back 10 mm farther off
+  away.maps = make_maps(away, true);
   const RankingTable same = rank_cases(runs, wish, true);
   EXPECT_EQ(same.sample_names, (std::vector<std::string>{"one", "away"}));
   EXPECT_EQ(same.notes.at(0),
@@ -64,8 +64,8 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   EXPECT_NEAR(same.sites[0].samples[1].at("gap_mm") - same.sites[0].samples[0].at("gap_mm"), 10, 2);
   EXPECT_EQ(same.ranking.sites[0].score.robust_sample, 1);
 
-  runs[1].result.scenario.body.posture.forward_bend = 0.5;
-  runs[1].result.pattern.pattern.panels[0].vertices[0].x() += 0.01;
+  away.scenario.body.posture.forward_bend = 0.5;
+  away.pattern.pattern.panels[0].vertices[0].x() += 0.01;
   const RankingTable cut = rank_cases(runs, wish, true);
   EXPECT_NE(cut.notes.at(0).find("cut differently"), std::string::npos) << cut.notes[0];
   EXPECT_NE(cut.notes.at(1).find("different postures"), std::string::npos) << cut.notes[1];
@@ -73,7 +73,7 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   wish.best = 1;
   EXPECT_THROW(rank_cases(runs, wish, true), InvalidInput);
   wish.best = 0;
-  runs[1].result.scenario.sites[0].name = "other";
+  away.scenario.sites[0].name = "other";
   EXPECT_THROW(rank_cases(runs, wish, true), InvalidInput);
 }
 

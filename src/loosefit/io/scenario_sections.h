@@ -13,6 +13,7 @@ Attachment read_attachment_section(ConfigReader table);
 SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
 ScenarioOutput read_output_section(ConfigReader table);
+ScenarioRanking read_ranking_section(ConfigReader table);
 
 /// One [[site]] as TOML, every default written out.
 std::string site_toml(const SiteSpec& site);

@@ -99,6 +99,11 @@ std::string output_text(const ScenarioOutput& o) {
       list_text(o.maps), list_text(o.views), o.undecorated, o.preset_sites, o.width, o.height);
 }
 
+std::string ranking_section_text(const ScenarioRanking& r) {
+  return fmt::format("\n[ranking]\nmodality = {}\nbest = {}\npartial = {}\n",
+                     toml_quoted(r.modality), r.best, r.partial);
+}
+
 }  // namespace
 
 // Angles are kept in radians; print the degrees that read back to the same radians.
@@ -117,7 +122,8 @@ std::string scenario_toml(const Scenario& scenario) {
                      material_toml(material);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
-  return text + "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+  text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+  return scenario.ranking.modality.empty() ? text : text + ranking_section_text(scenario.ranking);
 }
 
 }  // namespace loosefit

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <tuple>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/scorecard_file.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/study/case_stages.h"
 
@@ -58,7 +60,7 @@ std::vector<Site> common(const std::vector<Site>& sites, const std::vector<Ranki
   return kept;
 }
 
-std::vector<std::string> notes_on(const std::deque<RankedRun>& runs, bool same) {
+std::vector<std::string> notes_on(const std::vector<RankedRun>& runs, bool same) {
   if (runs.size() == 1) return {};
   std::vector<std::string> names, notes;
   for (const RankedRun& run : runs) names.push_back(run.name);
@@ -67,7 +69,7 @@ std::vector<std::string> notes_on(const std::deque<RankedRun>& runs, bool same) 
                                    : "garments are cut differently, so every run has its own "
                                      "place of a site"));
   const auto posture = [](const RankedRun& run) {
-    const Posture& p = run.result.scenario.body.posture;
+    const Posture& p = run.result->scenario.body.posture;
     return std::tuple(p.arm_abduction, p.forward_bend, p.sitting);
   };
   if (std::any_of(runs.begin(), runs.end(),
@@ -80,6 +82,15 @@ std::vector<std::string> notes_on(const std::deque<RankedRun>& runs, bool same) 
 
 }  // namespace
 
+RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed) {
+  RankingWish wish;
+  wish.scorecard = load_scorecard(asked.modality);
+  wish.best = asked.best;
+  wish.partial = asked.partial;
+  wish.search.seed = wish.rank.seed = seed;
+  return wish;
+}
+
 bool same_pieces(const Pattern& a, const Pattern& b) {
   if (a.panels.size() != b.panels.size()) return false;
   for (const Panel& panel : a.panels) {
@@ -91,12 +102,12 @@ bool same_pieces(const Pattern& a, const Pattern& b) {
   return true;
 }
 
-RankingTable rank_cases(const std::deque<RankedRun>& runs, const RankingWish& wish,
+RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
                         bool with_sites) {
   if (runs.empty()) throw InvalidInput("a ranking needs at least one run");
-  const CaseResult& first = runs.front().result;
+  const CaseResult& first = *runs.front().result;
   const bool same = std::all_of(runs.begin(), runs.end(), [&](const RankedRun& run) {
-    return same_pieces(first.pattern.pattern, run.result.pattern.pattern);
+    return same_pieces(first.pattern.pattern, run.result->pattern.pattern);
   });
   if (!same && wish.best > 0)
     throw InvalidInput({"", 0, "best"}, "a search over garments of different cuts",
@@ -105,7 +116,7 @@ RankingTable rank_cases(const std::deque<RankedRun>& runs, const RankingWish& wi
   std::deque<SiteMeter> meters;
   std::vector<RankingWearer> wearers;
   for (const RankedRun& run : runs) {
-    const CaseResult& result = run.result;
+    const CaseResult& result = *run.result;
     meters.push_back(meter_of(result));
     wearers.push_back({run.name,
                        {result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
