@@ -1,5 +1,6 @@
 #include "loosefit/study/sites_csv.h"
 
+#include <cmath>
 #include <set>
 
 #include "loosefit/io/address_columns.h"
@@ -22,7 +23,7 @@ std::string sites_csv(const std::vector<Site>& sites) {
   for (const Site& site : sites) {
     row = {csv_field(site.name), csv_field(name(site.region)), csv_field(site.panel)};
     for (double value : {site.at.x(), site.at.y(), site.position.x(), site.position.y(),
-                         site.position.z(), degrees(site.angle)})
+                         site.position.z(), std::round(degrees(site.angle) * 1e8) / 1e8})
       row.push_back(csv_field(value));
     for (const std::string& field : address_fields(site.anatomy)) row.push_back(field);
     for (const std::string& array : arrays) {
