@@ -10,6 +10,7 @@
 #include "command_doctor.h"
 #include "command_material.h"
 #include "command_pattern.h"
+#include "command_rank.h"
 #include "command_run.h"
 #include "command_stages.h"
 #include "command_validate.h"
@@ -51,6 +52,7 @@ int run_command_line(int count, char** arguments) {
   add_body_command(app);
   add_pattern_command(app);
   add_stage_commands(app, exit_code);
+  add_rank_command(app, exit_code);
   add_material_command(app);
   add_validate_command(app, exit_code);
   add_doctor_command(app, exit_code);

@@ -157,6 +157,31 @@ TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
   EXPECT_TRUE(fs::exists(base / "out/report.html")) << "untouched files stay";
 }
 
+TEST_F(CommandLine, RankWritesItsFilesBesideTheRunAndRefusesTheRest) {
+  const std::string out = (base / "out").string();
+  const std::string text = std::string(kStopped) +
+                           "[[site]]\nname = \"spine\"\nlandmark = \"mid_back\"\n"
+                           "[output]\npreset_sites = false\n"
+                           "[ranking]\nmodality = \"imu-uncalibrated\"\n";
+  const ProgramRun run =
+      loosefit("run " + file("case.toml", text) + " --no-pictures --allow-unsettled -o " + out);
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("Inertial sensor for inclination"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(base / "out/ranking-imu-uncalibrated.csv"));
+  EXPECT_TRUE(fs::exists(base / "out/sewing-plan-imu-uncalibrated.svg"));
+
+  expect_refused(loosefit("rank " + out + " -m temperature"), "out: the drape is not settled");
+  const ProgramRun rank = loosefit("rank " + out + " -m temperature --allow-unsettled");
+  EXPECT_EQ(rank.exit_code, 1) << rank.output;
+  EXPECT_NE(rank.output.find("spine"), std::string::npos) << rank.output;
+  for (const char* name : {"ranking-temperature.csv", "ranking-temperature.json",
+                           "sewing-plan-temperature.svg", "ranking-imu-uncalibrated.json"})
+    EXPECT_TRUE(fs::exists(base / "out" / name)) << name;
+  expect_refused(loosefit("rank " + out + " -m temprature"), "did you mean \"temperature\"?");
+  expect_refused(loosefit("rank " + out + " " + out + "/ -m temperature"), "every run once");
+  expect_refused(loosefit("rank " + base.string() + " -m temperature"), "no earlier output");
+}
+
 // The resolved scenario with another number of threads gives the same drape, bit for bit.
 TEST_F(CommandLine, SameBitsFromTheResolvedScenarioOnTwoThreads) {
   const std::string first = (base / "first").string(), second = (base / "second").string();

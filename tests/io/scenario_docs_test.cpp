@@ -14,8 +14,13 @@ TEST(ScenarioDocs, NameEveryKey) {
       read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + "/docs/scenario.md", 1000000);
   Scenario scenario = default_scenario();
   scenario.attachments = {{"board", "back", Board{}}, {"cable", "back", Cable{}}};
-  scenario.sites = {SiteSpec{}};
+  SiteSpec pattern, anatomical;
+  pattern.panel = "back";
+  anatomical.anatomy = BodyAddress{BodySegment::forearm, 1, Vec3(0, 50, 30)};
+  anatomical.board = SensorBoard{};
+  scenario.sites = {SiteSpec{}, pattern, anatomical};
   scenario.material = load_material("wool-measured");
+  scenario.ranking.modality = "ecg";
   std::istringstream lines(scenario_toml(scenario));
   int keys = 0;
   for (std::string line; std::getline(lines, line);) {

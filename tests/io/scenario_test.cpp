@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "loosefit/base/error.h"
 
 namespace loosefit {
@@ -56,6 +58,23 @@ at = [0.0, -0.25]
 [[site]]
 name = "neck"
 landmark = "c7"
+[[site]]
+name = "watch"
+segment = "forearm"
+side = "left"
+ratios = [0, 50, 30]
+angle_deg = -15
+footprint = { size = [0.03, 0.045] }
+board = { mass = 0.02, bending = 0.01 }
+[[site]]
+name = "breath"
+landmark = "chest_band"
+[[site]]
+name = "stretch"
+panel = "back"
+at = [0.1, -0.3]
+angle_deg = 90
+footprint = { length = 0.08 }
 [simulation]
 edge_length = 0.012
 integrator = "implicit-euler"
@@ -64,7 +83,19 @@ repeats = 3
 [output]
 maps = ["distance"]
 views = ["front", "left"]
+[ranking]
+modality = "ecg"
+best = 3
+partial = true
 )";
+
+/// Text of one line of kFull.
+std::string line_of_full(int line) {
+  std::istringstream in(kFull);
+  std::string text;
+  for (int i = 0; i < line; ++i) std::getline(in, text);
+  return text;
+}
 
 TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   const Scenario s = default_scenario();
@@ -93,9 +124,25 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(std::get<Cable>(s.attachments[1].part).path.size(), 2u);
   EXPECT_EQ(std::get<Cable>(s.attachments[1].part).linear_density, 0.004);
   EXPECT_EQ(s.sites[1].landmark, "c7");
+  EXPECT_EQ(s.sites[1].footprint.radius, kFootprintRadius);
+  EXPECT_EQ(name(s.sites[2].anatomy->segment), "forearm");
+  EXPECT_EQ(s.sites[2].anatomy->side, 1);
+  EXPECT_EQ(s.sites[2].anatomy->percent, Vec3(0, 50, 30));
+  EXPECT_DOUBLE_EQ(s.sites[2].angle, radians(-15));
+  EXPECT_EQ(s.sites[2].footprint.size, Vec2(0.03, 0.045));
+  EXPECT_EQ(s.sites[2].board->mass, 0.02);
+  EXPECT_EQ(s.sites[2].board->bending, 0.01);
+  EXPECT_EQ(s.sites[2].board->membrane_factor, SensorBoard{}.membrane_factor);
+  EXPECT_EQ(s.sites[3].footprint.kind, FootprintShape::Kind::girth) << "that of the preset";
+  EXPECT_EQ(s.sites[4].footprint.kind, FootprintShape::Kind::line);
+  EXPECT_EQ(s.sites[4].footprint.length, 0.08);
   EXPECT_EQ(s.simulation.seed, 7u);
   EXPECT_EQ(s.simulation.start_perturbation, 0.001) << "several repeats need different starts";
   EXPECT_EQ(s.output.views, (std::vector<std::string>{"front", "left"}));
+  EXPECT_EQ(s.ranking.modality, "ecg");
+  EXPECT_EQ(s.ranking.best, 3);
+  EXPECT_TRUE(s.ranking.partial);
+  EXPECT_TRUE(default_scenario().ranking.modality.empty());
 }
 
 TEST(Scenario, ResolvedTextReadsBackToTheSame) {
@@ -151,12 +198,89 @@ TEST(ScenarioErrors, ChoicesThatExcludeEachOther) {
   EXPECT_NE(refusal("[body]\nunits = \"cm\"\n").find("only beside file"), std::string::npos);
   EXPECT_NE(refusal("[body]\nfile = \"nowhere.obj\"\n").find("expected a file that exists"),
             std::string::npos);
-  EXPECT_NE(refusal("[[site]]\nname = \"a\"\n").find("either panel"), std::string::npos);
+  EXPECT_NE(refusal("[[site]]\nname = \"a\"\n").find("one of landmark"), std::string::npos);
   EXPECT_NE(refusal("[site]\nname = \"a\"\n").find("double brackets"), std::string::npos);
   EXPECT_NE(refusal("[[site]]\nname = \"a\"\nlandmark = \"c7\"\n[[site]]\nname = \"a\"\n"
                     "landmark = \"c7\"\n")
                 .find("each name once"),
             std::string::npos);
+}
+
+TEST(ScenarioErrors, RankingNeedsAScorecard) {
+  EXPECT_NE(refusal("[ranking]\nmodality = \"ecgg\"\n").find("did you mean \"ecg\"?"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nmodality = \"mine.toml\"\n").find("ranking.modality"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nbest = 2\n").find("ranking.best: found 2, expected best only"),
+            std::string::npos)
+      << refusal("[ranking]\nbest = 2\n");
+  EXPECT_NE(refusal("[ranking]\nmodality = \"ecg\"\nbest = -1\n").find("ranking.best"),
+            std::string::npos);
+  EXPECT_NE(refusal("[ranking]\nmodalty = \"ecg\"\n").find("did you mean \"modality\"?"),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, SitesThatCannotBe) {
+  const auto site = [](const std::string& rest) {
+    return refusal("[[site]]\nname = \"s\"\n" + rest);
+  };
+  const std::string arm = "segment = \"upper_arm\"\n", here = "landmark = \"c7\"\n";
+  EXPECT_NE(site(here + arm).find("site[0].segment: found \"upper_arm\", expected one of landmark"),
+            std::string::npos)
+      << site(here + arm);
+  EXPECT_NE(site("segment = \"upperarm\"\n").find("did you mean \"upper_arm\"?"),
+            std::string::npos);
+  EXPECT_NE(site(arm + "ratios = [0, 50, 50]\n").find("site[0].side: found nothing"),
+            std::string::npos);
+  EXPECT_NE(site(arm + "side = \"left\"\n").find("site[0].ratios: found nothing"),
+            std::string::npos);
+  EXPECT_NE(site(arm + "side = \"left\"\nratios = [0, 50]\n").find("expected three ratios"),
+            std::string::npos);
+  EXPECT_NE(site(arm + "side = \"left\"\nratios = [0, 50, 1e4]\n").find("percent from -200"),
+            std::string::npos);
+  EXPECT_NE(site("segment = \"chest\"\nside = \"left\"\nratios = [0, 50, 50]\n")
+                .find("case.toml:4: site[0].side: found \"left\", expected no side"),
+            std::string::npos);
+  EXPECT_NE(site(here + "footprint = { radius = 12 }\n").find("lengths are in metres: 12 mm"),
+            std::string::npos)
+      << site(here + "footprint = { radius = 12 }\n");
+  EXPECT_NE(site(here + "footprint = { radius = 0.01, length = 0.1 }\n")
+                .find("site[0].footprint: found length, radius, expected one of radius"),
+            std::string::npos)
+      << site(here + "footprint = { radius = 0.01, length = 0.1 }\n");
+  EXPECT_NE(site(here + "footprint = {}\n").find("found nothing"), std::string::npos);
+  EXPECT_NE(site(here + "footprint = { girth = false }\n").find("expected true"),
+            std::string::npos);
+  EXPECT_NE(site(here + "footprint = { raduis = 0.01 }\n").find("expected one of radius"),
+            std::string::npos);
+  EXPECT_NE(site(here + "footprint = { length = 0.1 }\nboard = { mass = 0.01 }\n")
+                .find("site[0].board: found a table, expected no board under a line"),
+            std::string::npos);
+  EXPECT_NE(site(here + "board = { mass = 12 }\n").find("kilograms from 0 to 2"),
+            std::string::npos);
+  EXPECT_NE(refusal("[[attachment]]\nkind = \"board\"\nname = \"s\"\npanel = \"back\"\n"
+                    "at = [0, 0]\nradius = 0.01\n[[site]]\nname = \"s\"\nlandmark = \"c7\"\n"
+                    "board = {}\n")
+                .find("expected another name"),
+            std::string::npos);
+}
+
+TEST(ScenarioErrors, LaterStagesAreToldByTheKeysOfTheFile) {
+  const Scenario s = parsed(kFull);
+  const auto told = [&](const std::string& key) {
+    const InputPlace place = in_scenario(InvalidInput({"", 0, key}, "x", "y"), s).place();
+    return place.key + ":" + (place.line > 0 ? line_of_full(place.line) : "");
+  };
+  EXPECT_EQ(told("attachment logger.position"), "attachment[0].at:at = [0.0, -0.12]");
+  EXPECT_EQ(told("attachment logger.height"), "attachment[0].size:size = [0.04, 0.03]");
+  EXPECT_EQ(told("attachment lead.path[1]"),
+            "attachment[1].path[1]:path = [[0.0, -0.15], [0.02, -0.40]]");
+  EXPECT_EQ(told("attachment lead.width"), "attachment[1].width:[[attachment]]");
+  EXPECT_EQ(told("attachment watch.mass"),
+            "site[2].board.mass:board = { mass = 0.02, bending = 0.01 }");
+  EXPECT_EQ(told("attachment watch.width"),
+            "site[2].footprint:footprint = { size = [0.03, 0.045] }");
+  EXPECT_EQ(told("site[2].ratios"), "site[2].ratios:ratios = [0, 50, 30]");
 }
 
 TEST(ScenarioErrors, MaterialUnitsGetAHint) {

@@ -125,5 +125,42 @@ TEST(Strain, AreasSumToTheCloth) {
   EXPECT_NEAR(sum, 0.48, 1e-12);
 }
 
+TEST(Strain, AlongADirectionIsThatOfTheStretchedPatch) {
+  const Garment g = loose_triangles();
+  Eigen::Matrix<double, 3, 2> gradient = Eigen::Matrix<double, 3, 2>::Zero();
+  gradient(0, 0) = 1.10;  // weft
+  gradient(2, 1) = 0.96;  // warp
+  const auto positions = mapped(g, gradient);
+  for (const double angle : {0.0, 30.0, 45.0, 90.0, 120.0}) {
+    const Vec2 d(std::cos(radians(angle)), std::sin(radians(angle)));
+    const double expected = std::hypot(1.10 * d.x(), 0.96 * d.y()) - 1;
+    for (int t = 0; t < static_cast<int>(g.triangles.size()); ++t)
+      EXPECT_NEAR(strain_along(g, t, positions, d), expected, 1e-12);
+  }
+}
+
+TEST(Strain, SlackIsTheShareOfBuckledCloth) {
+  Garment g = loose_triangles();
+  // The upper half shortened by 0.6 % along the warp, the lower by 0.4 %.
+  std::vector<Vec3> positions(g.vertex_count);
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    double height = 0;
+    for (const Vec2& uv : g.triangle_uv[t]) height += uv.y() / 3;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& uv = g.triangle_uv[t][k];
+      positions[g.triangles[t][k]] = Vec3(uv.x(), 0, (height > 0.15 ? 0.994 : 0.996) * uv.y());
+    }
+  }
+  const auto slack = slack_share(g, triangle_strains(g, positions));
+  for (int v = 0; v < g.vertex_count; ++v) {
+    double height = 0;
+    for (const Vec2& uv : g.triangle_uv[v / 3]) height += uv.y() / 3;
+    EXPECT_EQ(slack[v], height > 0.15 ? 1 : 0);
+  }
+  g.triangle_uv[0] = {Vec2(0, 0), Vec2(1, 0), Vec2(2, 0)};  // no area: no strain, no verdict
+  EXPECT_TRUE(std::isnan(strain_along(g, 0, positions, Vec2(0, 1))));
+  EXPECT_TRUE(std::isnan(slack_share(g, triangle_strains(g, positions))[0]));
+}
+
 }  // namespace
 }  // namespace loosefit

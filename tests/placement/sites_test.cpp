@@ -45,7 +45,7 @@ TEST_F(Sites, PatternPlaceIsFoundWhereItDrapes) {
   EXPECT_NEAR((site.body_point - Vec3(0, kRadius, 0.45)).norm(), 0, 6e-3);
   EXPECT_NEAR(site.values.at("distance_mm").mean, 10, 0.05);
   EXPECT_NEAR(site.values.at("angular_deviation_deg").mean, 0, 0.3);
-  EXPECT_EQ(site.values.size(), 7u);
+  EXPECT_EQ(site.values.size(), maps_.size());
 }
 
 TEST_F(Sites, LandmarkGoesToTheClothOverIt) {
@@ -62,7 +62,7 @@ TEST_F(Sites, PresetsThatTheBodyHasAreListed) {
   std::vector<std::string> names;
   for (const Site& site : find({}, true)) names.push_back(site.name);
   EXPECT_EQ(names, (std::vector<std::string>{"scapula_L", "sternum", "heart", "ecg_L", "ecg_R",
-                                             "abdomen", "waist_L", "waist_R"}));
+                                             "abdomen", "waist_L", "waist_R", "chest_band"}));
 }
 
 TEST_F(Sites, PresetSidesAreTheWearers) {
@@ -85,6 +85,69 @@ TEST_F(Sites, ImpossibleSitesSayWhy) {
   EXPECT_NE(message({"b", "tube", {0.1, 0.9}, ""}).find("(0.1, 0.4) m"), std::string::npos);
   EXPECT_NE(message({"c", "", {}, "scapula_LL"}).find("scapula_L"), std::string::npos);
   EXPECT_NE(message({"d", "", {}, "crown"}).find("does not cover"), std::string::npos);
+  EXPECT_NE(message({"d", "", {}, "crown"}).find("the nearest place that it covers is panel tube"),
+            std::string::npos)
+      << message({"d", "", {}, "crown"});
+}
+
+TEST_F(Sites, BothAddressesOfASiteMeanTheSamePlace) {
+  body_.landmarks["acromion_L"] = {0.2, 0, 0.78};
+  body_.landmarks["acromion_R"] = {-0.2, 0, 0.78};
+  for (const Vec2& at : {Vec2(0.1, 0.25), Vec2(0.55, 0.31), Vec2(0.8, 0.22)}) {
+    const Site there = find({{"there", "tube", at}}).at(0);
+    ASSERT_TRUE(there.anatomy);
+    SiteSpec spec;
+    spec.name = "back";
+    spec.anatomy = there.anatomy;
+    const Site back = find({spec}).at(0);
+    EXPECT_EQ(back.panel, "tube");
+    EXPECT_LT((back.at - at).norm(), 5e-4);
+    EXPECT_LT((back.anatomy->percent - there.anatomy->percent).cwiseAbs().maxCoeff(), 0.3);
+  }
+}
+
+TEST_F(Sites, SkinBesideTheGarmentIsNotCovered) {
+  // The tube ends at 0.35 m: 10 mm below it still counts as its hem, 40 mm do not.
+  body_.landmarks["near"] = {0, -kRadius, 0.34};
+  body_.landmarks["far"] = {0, -kRadius, 0.31};
+  EXPECT_NEAR(find({{"near", "", {}, "near"}}).at(0).position.z(), 0.35, 1e-9);
+  try {
+    find({{"near", "", {}, "near"}, {"far", "", {}, "far"}});
+    FAIL() << "nothing covers it";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "site[1].landmark");
+    EXPECT_NE(error.hint().find("panel tube, at = ["), std::string::npos) << error.hint();
+  }
+}
+
+TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {
+  SiteSpec band;
+  band.name = "band";
+  band.landmark = "sternum";
+  band.footprint.kind = FootprintShape::Kind::girth;
+  const std::vector<Site> sites = find({band});
+  double length = 0;
+  for (const auto& sample : sites[0].footprint.samples) length += sample.area;
+  EXPECT_NEAR(length, 2 * kPi * kTube, 1e-3);
+  EXPECT_NEAR(sites[0].values.at("distance_mm").mean, 10, 0.1);
+
+  // Another drape of the same garment: 8 mm lower and turned by a quarter. The thread goes along.
+  const Drape other = testing::settled_drape(garment_, [](const Vec2& uv) {
+    const double a = uv.x() / kTube + kPi / 2;
+    return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.342 + uv.y());
+  });
+  const WornGarment worn = relate(garment_, other.positions, body_);
+  const std::vector<Site> again = revisit_sites(sites, garment_, other.positions, body_, worn, {});
+  EXPECT_EQ(again[0].at, sites[0].at);
+  EXPECT_NEAR(again[0].position.z(), sites[0].position.z() - 0.008, 1e-9);
+  EXPECT_NEAR(again[0].position.x(), kTube, 1e-3);  // was in front
+  ASSERT_EQ(again[0].footprint.samples.size(), sites[0].footprint.samples.size());
+  EXPECT_EQ(again[0].footprint.samples[5].triangle, sites[0].footprint.samples[5].triangle);
+  EXPECT_TRUE(again[0].values.empty());
+}
+
+TEST_F(Sites, LongAxisOfTheBodyInThePattern) {
+  EXPECT_NEAR(find({{"grain", "tube", {0.3, 0.2}}}).at(0).segment_angle, 0, 1e-3);
 }
 
 TEST_F(Sites, AreCheckedBeforeThereIsADrape) {
@@ -102,12 +165,67 @@ TEST_F(Sites, AreCheckedBeforeThereIsADrape) {
   EXPECT_EQ(key({"d", "", {}, "crown"}), "");  // whether it is covered shows in the drape
 }
 
+std::string board_error(const SiteSpec& site) {
+  try {
+    site_boards({{"plain", "tube", {0, 0}}, site});
+  } catch (const InvalidInput& error) {
+    return error.place().key;
+  }
+  return "accepted";
+}
+
+TEST(SiteBoards, TakeTheFootprintOfTheirSensor) {
+  SiteSpec disc{"disc", "front", {0.1, 0.2}};
+  disc.footprint.radius = 0.015;
+  disc.board = SensorBoard{0.008, 2e-3, 20};
+  SiteSpec box = disc;
+  box.name = "box";
+  box.footprint.kind = FootprintShape::Kind::rectangle;
+  box.footprint.size = {0.02, 0.04};
+  box.angle = radians(30.0);
+  const std::vector<Attachment> boards = site_boards({disc, {"bare", "front", {0, 0}}, box});
+  ASSERT_EQ(boards.size(), 2u);
+  EXPECT_EQ(boards[0].name, "disc");
+  EXPECT_EQ(boards[1].panel, "front");
+  const Board& round = std::get<Board>(boards[0].part);
+  EXPECT_EQ(round.radius, 0.015);
+  EXPECT_EQ(round.mass, 0.008);
+  EXPECT_EQ(round.bending, 2e-3);
+  EXPECT_EQ(round.membrane_factor, 20);
+  EXPECT_EQ(round.centre, Vec2(0.1, 0.2));
+  const Board& square = std::get<Board>(boards[1].part);
+  EXPECT_EQ(square.radius, 0);
+  EXPECT_EQ(square.size, Vec2(0.02, 0.04));
+  EXPECT_EQ(square.angle, radians(30.0));
+
+  box.footprint.kind = FootprintShape::Kind::line;
+  EXPECT_EQ(board_error(box), "site[1].footprint");
+  disc.panel.clear();
+  EXPECT_EQ(board_error(disc), "site[1].board");
+}
+
 TEST(Ray, LeavesACylinderAtItsWall) {
   const Body body = testing::cylinder_body(kRadius, 1.0, 400, 10);
   const auto hit = ray_exit(body.surface, {0.02, 0, 0.5}, Vec3(1, 0, 0));
   ASSERT_TRUE(hit);
   EXPECT_NEAR((*hit - Vec3(kRadius, 0, 0.5)).norm(), 0, 1e-5);
   EXPECT_FALSE(ray_exit(body.surface, {0.3, 0, 0.5}, Vec3(1, 0, 0)));
+}
+
+TEST(Ray, HitsTheTriangleItPassesAndNoOther) {
+  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const auto hits = ray_crossings(one, {0.5, 0.25, -2}, Vec3(0, 0, 1));
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_LT((hits[0].barycentric - Vec3(0.25, 0.5, 0.25)).norm(), 1e-12);
+  EXPECT_LT((hits[0].point - Vec3(0.5, 0.25, 0)).norm(), 1e-12);
+  EXPECT_NEAR(hits[0].distance, 2, 1e-12);
+  EXPECT_TRUE(hits[0].leaving);
+  EXPECT_FALSE(ray_crossings(one, {0.5, 0.25, 2}, Vec3(0, 0, -1)).at(0).leaving);
+  EXPECT_TRUE(ray_crossings(one, {0.5, 0.25, 2}, Vec3(0, 0, 1)).empty()) << "behind the origin";
+  EXPECT_TRUE(ray_crossings(one, {-0.25, -0.25, -2}, Vec3(0, 0, 1)).empty());
+  EXPECT_TRUE(ray_crossings(one, {0.6, 0.6, -2}, Vec3(0, 0, 1)).empty());
+  EXPECT_TRUE(
+      ray_crossings(one, {0.5, 0.25, -2}, Vec3(0, 0, 1), [](int) { return false; }).empty());
 }
 
 }  // namespace

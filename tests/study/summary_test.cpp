@@ -111,12 +111,17 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   CaseResult result = small_result();
   result.sites.push_back({});
   result.sites[1].name = "plain";
+  result.sites[0].angle = kPi / 2;
+  result.sites[0].anatomy = BodyAddress{BodySegment::forearm, -1, {100, 50.04, 30.26}};
   const std::string csv = sites_csv(result.sites);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "name,region,panel,u_m,v_m,x_m,y_m,z_m,distance_mm,distance_mm_worst");
-  EXPECT_NE(csv.find("\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,6.5,8\n"), std::string::npos)
+            "name,region,panel,u_m,v_m,x_m,y_m,z_m,angle_deg,body_segment,body_side,body_x_percent,"
+            "body_y_percent,body_z_percent,distance_mm,distance_mm_worst");
+  EXPECT_NE(
+      csv.find("\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,6.5,8\n"),
+      std::string::npos)
       << csv;
-  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,,\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,,\n"), std::string::npos) << csv;
 }
 
 }  // namespace

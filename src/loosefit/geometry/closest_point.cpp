@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <compare>
 #include <numeric>
-#include <tuple>
 
 namespace loosefit {
 namespace {
@@ -32,6 +32,13 @@ Vec3 on_edges(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   }
   return best;
 }
+
+/// Edge low–high of a triangle, from corner `corner` on.
+struct HalfEdge {
+  int low, high, triangle, corner;
+  bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+  auto operator<=>(const HalfEdge&) const = default;
+};
 
 ClosestPoint on_triangle(const TriangleMesh& mesh, int triangle, const Vec3& p) {
   const Triangle& t = mesh.triangles[triangle];
@@ -84,34 +91,31 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
   std::vector<Vec3> centroids(n);
   vertex_pseudonormals_.assign(mesh.vertices.size(), Vec3::Zero());
   edge_pseudonormals_.resize(n);
-  struct Side {
-    std::pair<int, int> edge;
-    int triangle, side;
-  };
-  std::vector<Side> sides;
+  // Half edges with their triangle's normal, brought together by sorting; an edge's normals are
+  // added in the order of its triangles.
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * static_cast<std::size_t>(n));
   std::vector<Vec3> normals(n);
-  sides.reserve(3 * std::size_t(n));
   for (int i = 0; i < n; ++i) {
     const Triangle& t = mesh.triangles[i];
     const Vec3 p[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
     centroids[i] = (p[0] + p[1] + p[2]) / 3.0;
-    const Vec3 normal = normals[i] = triangle_normal(p[0], p[1], p[2]);
+    const Vec3& normal = normals[i] = triangle_normal(p[0], p[1], p[2]);
     for (int k = 0; k < 3; ++k) {
       const Vec3 e1 = p[(k + 1) % 3] - p[k], e2 = p[(k + 2) % 3] - p[k];
       const double angle = std::atan2(e1.cross(e2).norm(), e1.dot(e2));
       vertex_pseudonormals_[t[k]] += angle * normal;
-      sides.push_back({std::minmax(t[k], t[(k + 1) % 3]), i, k});
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      half_edges.push_back({low, high, i, k});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.edge, a.triangle) < std::tie(b.edge, b.triangle);
-  });
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+  std::sort(half_edges.begin(), half_edges.end());
+  for (std::size_t first = 0, last = 0; first < half_edges.size(); first = last) {
     Vec3 sum = Vec3::Zero();
-    for (; end < sides.size() && sides[end].edge == sides[begin].edge; ++end)
-      sum += normals[sides[end].triangle];
-    for (std::size_t i = begin; i < end; ++i)
-      edge_pseudonormals_[sides[i].triangle][sides[i].side] = sum;
+    for (; last < half_edges.size() && half_edges[last].same_edge(half_edges[first]); ++last)
+      sum += normals[half_edges[last].triangle];
+    for (std::size_t e = first; e < last; ++e)
+      edge_pseudonormals_[half_edges[e].triangle][half_edges[e].corner] = sum;
   }
   nodes_.reserve(n);
   if (n > 0) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/divisions.h"
@@ -17,34 +18,15 @@ constexpr double kGap = 30;           // between pieces [mm]
 constexpr double kHead = 60;          // above the pieces: title [mm]
 constexpr double kSheetWidth = 1400;  // a new row begins beyond [mm]
 constexpr double kSquare = 100;       // control square [mm]
+constexpr double kLine = 9;           // between lines of text [mm]
+constexpr double kFaint = 0.35;       // opacity of names under marks
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
-
-/// A piece and its place on the sheet. Sheet: x right, y down [mm]; panel: y up [m].
-struct Piece {
-  const Panel* panel;
+/// A piece and its place on the sheet.
+struct Piece : PanelOnSheet {
+  const Panel* panel = nullptr;
   std::vector<Vec2> outline;
-  Vec2 low, high;              // extent in the panel [m]
-  Vec2 corner = Vec2::Zero();  // upper left corner of the extent on the sheet [mm]
 
-  Vec2 on_sheet(const Vec2& p) const {
-    return {corner.x() + (p.x() - low.x()) * kMm, corner.y() + (high.y() - p.y()) * kMm};
-  }
+  Vec2 on_sheet(const Vec2& p) const { return at(p); }
   Vec2 size() const { return (high - low) * kMm; }
 };
 
@@ -102,7 +84,7 @@ std::string text(const Vec2& at, double size, const std::string& words, double a
       angle_deg == 0 ? "" : fmt::format(" transform=\"rotate({:.2f} {})\"", angle_deg, point(at));
   return fmt::format(
       "    <text x=\"{:.3f}\" y=\"{:.3f}\" font-size=\"{:g}\" text-anchor=\"middle\"{}>{}</text>\n",
-      at.x(), at.y(), size, turn, escaped(words));
+      at.x(), at.y(), size, turn, svg_escaped(words));
 }
 
 /// Name, length and seam number of an edge, inside the piece along the edge.
@@ -159,24 +141,36 @@ std::string grain_arrow(const Vec2& at, double length) {
       point(bottom), point(top), point(top + Vec2(-3, 7)), point(top), point(top + Vec2(3, 7)));
 }
 
-}  // namespace
-
-std::string pattern_svg(const Pattern& pattern) {
-  check_pattern(pattern);
-  std::vector<std::vector<int>> seam(pattern.panels.size());
-  for (std::size_t p = 0; p < seam.size(); ++p) seam[p].assign(pattern.panels[p].edges.size(), 0);
-  for (std::size_t s = 0; s < pattern.stitches.size(); ++s)
-    for (const Stitch::Side& side : {pattern.stitches[s].first, pattern.stitches[s].second})
-      seam[side.panel][side.edge] = static_cast<int>(s) + 1;
-
-  std::vector<int> order = pattern.panel_order;
-  if (order.size() != pattern.panels.size()) {
-    order.clear();
-    for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) order.push_back(p);
+/// Rows of text from `at` downwards.
+std::string text_lines(const Vec2& at, const std::vector<std::string>& lines) {
+  std::string out;
+  double y = at.y();
+  for (const std::string& line : lines) {
+    out += fmt::format("    <text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"6\">{}</text>\n", at.x(), y,
+                       svg_escaped(line));
+    y += kLine;
   }
+  return out;
+}
+
+/// "1 side_L,  2 side_R, …" in rows that fit the width [mm].
+std::vector<std::string> seam_lines(const Pattern& pattern, double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ",  ", s + 1, pattern.stitches[s].name);
+    if (static_cast<double>(line.size()) * 3.2 > width) lines.push_back(std::move(line)), line = {};
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::vector<Piece> pieces_of(const Pattern& pattern, const std::vector<int>& order) {
   std::vector<Piece> pieces;
   for (const int p : order) {
-    Piece piece{&pattern.panels[p], outline_polygon(pattern.panels[p]), {}, {}};
+    Piece piece;
+    piece.panel = &pattern.panels[p];
+    piece.outline = outline_polygon(pattern.panels[p]);
     piece.low = piece.high = piece.outline[0];
     for (const Vec2& q : piece.outline) {
       piece.low = piece.low.cwiseMin(q);
@@ -184,34 +178,71 @@ std::string pattern_svg(const Pattern& pattern) {
     }
     pieces.push_back(piece);
   }
+  return pieces;
+}
+
+/// Outline, grain, name and size; edges with their seam numbers.
+std::string drawn(const Piece& piece, const std::vector<int>& seams, double opacity) {
+  std::string out = fmt::format(
+      "    <path class=\"outline\" d=\"{}\" fill=\"#f4f4f0\" stroke=\"black\" "
+      "stroke-width=\"0.7\"/>\n    <g opacity=\"{:g}\">\n",
+      path_data(piece), opacity);
+  const Vec2 name_at = piece.on_sheet(inner_point(piece));
+  const double name_size = std::clamp(piece.size().x() / 14, 4.0, 14.0);
+  const double arrow = std::min(120.0, piece.size().y() / 4);
+  out += grain_arrow(name_at + Vec2(0, arrow / 2 + 3 * name_size), arrow);
+  out += text(name_at + Vec2(0, name_size), name_size, piece.panel->name);
+  out += text(name_at + Vec2(0, 2.2 * name_size), name_size / 2,
+              fmt::format("{:.0f} x {:.0f} mm", piece.size().x(), piece.size().y()));
+  out += "    </g>\n";
+  for (int e = 0; e < static_cast<int>(piece.panel->edges.size()); ++e)
+    out += edge_texts(piece, e, seams[e]);
+  return out;
+}
+
+/// `marks` null: the plain sheet.
+std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
+  check_pattern(pattern);
+  std::vector<std::vector<int>> seam(pattern.panels.size());
+  for (std::size_t p = 0; p < seam.size(); ++p) seam[p].assign(pattern.panels[p].edges.size(), 0);
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s)
+    for (const Stitch::Side& side : {pattern.stitches[s].first, pattern.stitches[s].second})
+      seam[side.panel][side.edge] = static_cast<int>(s) + 1;
+  std::vector<int> order = pattern.panel_order;
+  if (order.size() != pattern.panels.size()) {
+    order.resize(pattern.panels.size());
+    std::iota(order.begin(), order.end(), 0);
+  }
+  std::vector<Piece> pieces = pieces_of(pattern, order);
   Vec2 sheet = lay_out(pieces);
   const Vec2 square(kGap, sheet.y());
-  sheet = sheet.cwiseMax(Vec2(kSquare + 2 * kGap, sheet.y() + kSquare + kGap));
+  const std::vector<std::string> lines =
+      marks ? marks->lines : seam_lines(pattern, sheet.x() - kSquare - 5 * kGap);
+  sheet.x() = std::max(sheet.x(), kSquare + 2 * kGap);
+  sheet.y() += std::max(kSquare, kLine * static_cast<double>(lines.size() + 1)) + kGap;
+  std::size_t longest = 0;
+  for (const std::string& line : lines) longest = std::max(longest, line.size());
+  if (marks) sheet.x() = std::max(sheet.x(), kSquare + 3 * kGap + 3.2 * double(longest));
 
+  const std::string title = marks                  ? marks->title
+                            : pattern.name.empty() ? std::string("pattern")
+                                                   : pattern.name;
+  const std::string words =
+      marks
+          ? marks->words
+          : "scale 1:1, seen from the outside, no seam allowance; equal numbers are sewn together";
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}mm\" height=\"{1:.1f}mm\" "
       "viewBox=\"0 0 {0:.1f} {1:.1f}\" font-family=\"sans-serif\">\n"
       "  <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
       "  <g>\n    <text x=\"{2:g}\" y=\"35\" font-size=\"16\">{3}</text>\n"
-      "    <text x=\"{2:g}\" y=\"52\" font-size=\"8\">scale 1:1, seen from the outside, no seam "
-      "allowance; equal numbers are sewn together</text>\n  </g>\n",
-      sheet.x(), sheet.y(), kGap, escaped(pattern.name.empty() ? "pattern" : pattern.name));
+      "    <text x=\"{2:g}\" y=\"52\" font-size=\"8\">{4}</text>\n  </g>\n",
+      sheet.x(), sheet.y(), kGap, svg_escaped(title), svg_escaped(words));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& piece = pieces[i];
-    out += fmt::format(
-        "  <g id=\"panel-{}\">\n    <path class=\"outline\" d=\"{}\" fill=\"#f4f4f0\" "
-        "stroke=\"black\" stroke-width=\"0.7\"/>\n",
-        escaped(piece.panel->name), path_data(piece));
-    const Vec2 name_at = piece.on_sheet(inner_point(piece));
-    const double name_size = std::clamp(piece.size().x() / 14, 4.0, 14.0);
-    const double arrow = std::min(120.0, piece.size().y() / 4);
-    out += grain_arrow(name_at + Vec2(0, arrow / 2 + 3 * name_size), arrow);
-    out += text(name_at + Vec2(0, name_size), name_size, piece.panel->name);
-    out += text(name_at + Vec2(0, 2.2 * name_size), name_size / 2,
-                fmt::format("{:.0f} x {:.0f} mm", piece.size().x(), piece.size().y()));
-    for (int e = 0; e < static_cast<int>(piece.panel->edges.size()); ++e)
-      out += edge_texts(piece, e, seam[order[i]][e]);
+    out += fmt::format("  <g id=\"panel-{}\">\n", svg_escaped(pieces[i].panel->name));
+    out += drawn(pieces[i], seam[order[i]], marks ? kFaint : 1);
+    if (marks && marks->over_panel) out += marks->over_panel(order[i], pieces[i]);
     out += "  </g>\n";
   }
   out += fmt::format(
@@ -219,22 +250,33 @@ std::string pattern_svg(const Pattern& pattern) {
       "height=\"100\" fill=\"none\" stroke=\"black\" stroke-width=\"0.5\"/>\n",
       square.x(), square.y());
   out += text(square + Vec2(50, 53), 8, "100 x 100 mm");
-  std::string line;
-  double y = square.y() + 10;
-  const auto flush = [&] {
-    out += fmt::format("    <text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"6\">{}</text>\n",
-                       square.x() + kSquare + kGap, y, escaped(line));
-    line.clear();
-    y += 9;
-  };
-  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    line += fmt::format("{}{} {}", line.empty() ? "" : ",  ", s + 1, pattern.stitches[s].name);
-    if (static_cast<double>(line.size()) * 3.2 > sheet.x() - kSquare - 5 * kGap &&
-        y < sheet.y() - 9)
-      flush();
-  }
-  if (!line.empty()) flush();
+  out += text_lines(square + Vec2(kSquare + kGap, 10), lines);
   return out + "  </g>\n</svg>\n";
+}
+
+}  // namespace
+
+std::string pattern_svg(const Pattern& pattern) { return sheet_svg(pattern, nullptr); }
+
+std::string pattern_svg(const Pattern& pattern, const SheetMarks& marks) {
+  return sheet_svg(pattern, &marks);
+}
+
+std::string svg_escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
+  }
+  return out;
 }
 
 void write_pattern_svg(const std::filesystem::path& path, const Pattern& pattern) {

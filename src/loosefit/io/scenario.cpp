@@ -43,9 +43,15 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
     scenario.sites.push_back(read_site_section(table));
   scenario.simulation = read_simulation_section(root.table("simulation"));
   scenario.output = read_output_section(root.table("output"));
+  scenario.ranking = read_ranking_section(root.table("ranking"));
   root.finish();
   refuse_equal_names(scenario.attachments, root, "attachment");
   refuse_equal_names(scenario.sites, root, "site");
+  for (const SiteSpec& site : scenario.sites)
+    for (const Attachment& attachment : scenario.attachments)
+      if (site.board && site.name == attachment.name)
+        throw root.error("site", "the name \"" + site.name + "\" of an attachment",
+                         "another name for a site with a board", {});
   return scenario;
 }
 

@@ -59,6 +59,13 @@ struct ScenarioOutput {
   int width = 900, height = 1000;  ///< pictures [pixels]
 };
 
+/// [ranking]: which kind of sensor the sites are judged for at the end of a run.
+struct ScenarioRanking {
+  std::string modality;  ///< name of a scorecard, or the absolute path of one; empty: no ranking
+  int best = 0;          ///< so many places are searched beside the sites
+  bool partial = false;  ///< by the criteria that the drapes can tell
+};
+
 /// Everything `loosefit run` is asked to do; every default written out. Documented key by key in
 /// docs/scenario.md.
 struct Scenario {
@@ -71,6 +78,7 @@ struct Scenario {
   std::vector<SiteSpec> sites;
   ScenarioSimulation simulation;
   ScenarioOutput output;
+  ScenarioRanking ranking;
 };
 
 /// The default scenario: the reference shirt on the default woman.

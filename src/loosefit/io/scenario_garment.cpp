@@ -95,17 +95,4 @@ Attachment read_attachment_section(ConfigReader table) {
   return a;
 }
 
-SiteSpec read_site_section(ConfigReader table) {
-  SiteSpec site;
-  site.name = required_text(table, "name", "a name");
-  site.landmark = table.text("landmark", "");
-  site.panel = table.text("panel", "");
-  if (site.landmark.empty() == site.panel.empty())
-    throw table.error(site.panel.empty() ? "panel" : "landmark",
-                      "either panel with at = [u, v], or landmark");
-  if (!site.panel.empty()) site.at = table.point("at", kPatternPlace);
-  table.finish();
-  return site;
-}
-
 }  // namespace loosefit

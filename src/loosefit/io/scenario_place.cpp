@@ -1,15 +1,44 @@
+#include <optional>
+
 #include "loosefit/io/scenario.h"
 
 namespace loosefit {
 namespace {
 
+/// "position" of an attachment is `at` in a scenario, and so on.
+std::string attachment_key(const std::string& part) {
+  if (part == ".position") return ".at";
+  if (part == ".width" || part == ".height") return ".size";
+  return part == ".angle" ? ".angle_deg" : part;
+}
+
+/// The same of a site whose board became an attachment: mass and rigidity stand in its board, the
+/// outline in its footprint.
+std::string board_key(const std::string& part) {
+  if (part == ".position") return ".at";
+  if (part == ".radius" || part == ".width" || part == ".height") return ".footprint";
+  if (part == ".angle") return ".angle_deg";
+  return part == ".panel" ? part : ".board" + part;
+}
+
+/// Rest of `key` when it tells of the attachment of this name ("attachment NAME.part").
+std::optional<std::string> part_of(const std::string& key, const std::string& name) {
+  const std::string start = "attachment " + name + ".";
+  if (!key.starts_with(start)) return std::nullopt;
+  return key.substr(start.size() - 1);
+}
+
 /// Keys of the stages, by their beginning, and how the scenario calls them.
 std::string scenario_key(const std::string& key, const Scenario& scenario) {
-  for (std::size_t i = 0; i < scenario.attachments.size(); ++i) {
-    const std::string start = "attachment " + scenario.attachments[i].name;
-    if (key.starts_with(start))
-      return "attachment[" + std::to_string(i) + "]" + key.substr(start.size());
-  }
+  for (std::size_t i = 0; i < scenario.attachments.size(); ++i)
+    if (const auto part = part_of(key, scenario.attachments[i].name)) {
+      // A cable has a width of its own.
+      const bool board = std::holds_alternative<Board>(scenario.attachments[i].part);
+      return "attachment[" + std::to_string(i) + "]" + (board ? attachment_key(*part) : *part);
+    }
+  for (std::size_t i = 0; i < scenario.sites.size(); ++i)
+    if (const auto part = part_of(key, scenario.sites[i].name))
+      return "site[" + std::to_string(i) + "]" + board_key(*part);
   if (key.starts_with("fit.")) return "garment." + key;
   if (key.starts_with("measures.")) return "body.measurements" + key.substr(key.find('.'));
   if (scenario.body.measurements.contains(key)) return "body.measurements." + key;

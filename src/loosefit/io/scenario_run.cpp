@@ -3,9 +3,10 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/scorecard_file.h"
 #include "loosefit/maps/compute_maps.h"
 
-// [material], [simulation] and [output]: how it is computed and shown.
+// [material], [simulation], [output] and [ranking]: how it is computed and shown.
 namespace loosefit {
 
 MaterialCard read_material_section(ConfigReader table) {
@@ -53,6 +54,24 @@ ScenarioOutput read_output_section(ConfigReader table) {
   o.height = static_cast<int>(table.integer("height", o.height, 200, 4000));
   table.finish();
   return o;
+}
+
+ScenarioRanking read_ranking_section(ConfigReader table) {
+  ScenarioRanking r;
+  r.modality = table.text("modality", r.modality);
+  if (std::filesystem::path(r.modality).extension() == ".toml")
+    r.modality = existing_file(table, "modality");
+  else if (!r.modality.empty())
+    table.choice("modality", r.modality, scorecard_names());
+  if (!r.modality.empty()) load_scorecard(r.modality);  // what is wrong with it is said now
+  r.best = static_cast<int>(table.integer("best", r.best, 0, 1000));
+  r.partial = table.boolean("partial", r.partial);
+  for (const char* key : {"best", "partial"})
+    if (r.modality.empty() && table.has(key))
+      throw table.error(key, std::string(key) + " only beside modality",
+                        "for example modality = \"imu-inclination\"");
+  table.finish();
+  return r;
 }
 
 }  // namespace loosefit

@@ -13,6 +13,13 @@ Attachment read_attachment_section(ConfigReader table);
 SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
 ScenarioOutput read_output_section(ConfigReader table);
+ScenarioRanking read_ranking_section(ConfigReader table);
+
+/// One [[site]] as TOML, every default written out.
+std::string site_toml(const SiteSpec& site);
+
+/// Shortest degrees that read back to the same radians.
+std::string degrees_text(double angle);
 
 /// Absolute form of a file named in the scenario, relative to the scenario's folder.
 /// \throws InvalidInput if it does not exist or is not a file.

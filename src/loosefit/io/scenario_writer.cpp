@@ -1,19 +1,10 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
-#include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_sections.h"
 
 namespace loosefit {
 namespace {
-
-// Angles are kept in radians; print the degrees that read back to the same radians.
-std::string degrees_text(double angle) {
-  for (int digits = 1; digits <= 17; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", degrees(angle), digits);
-    if (radians(std::stod(text)) == angle) return shortest(std::stod(text));
-  }
-  return shortest(degrees(angle));
-}
 
 std::string posture_text(const Posture& p) {
   return fmt::format("{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {} }}",
@@ -91,12 +82,6 @@ std::string attachment_text(const Attachment& a) {
          std::visit([](const auto& part) { return part_text(part); }, a.part);
 }
 
-std::string site_text(const SiteSpec& site) {
-  std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n";
-  if (!site.landmark.empty()) return text + "landmark = " + toml_quoted(site.landmark) + "\n";
-  return text + "panel = " + toml_quoted(site.panel) + "\nat = " + point_text(site.at) + "\n";
-}
-
 std::string simulation_text(const ScenarioSimulation& s) {
   return fmt::format(
       "[simulation]\nedge_length = {}\nintegrator = {}\nseed = {}\nrepeats = {}\n"
@@ -114,7 +99,21 @@ std::string output_text(const ScenarioOutput& o) {
       list_text(o.maps), list_text(o.views), o.undecorated, o.preset_sites, o.width, o.height);
 }
 
+std::string ranking_section_text(const ScenarioRanking& r) {
+  return fmt::format("\n[ranking]\nmodality = {}\nbest = {}\npartial = {}\n",
+                     toml_quoted(r.modality), r.best, r.partial);
+}
+
 }  // namespace
+
+// Angles are kept in radians; print the degrees that read back to the same radians.
+std::string degrees_text(double angle) {
+  for (int digits = 1; digits <= 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", degrees(angle), digits);
+    if (radians(std::stod(text)) == angle) return shortest(std::stod(text));
+  }
+  return shortest(degrees(angle));
+}
 
 std::string scenario_toml(const Scenario& scenario) {
   const Material& material = scenario.material.material;
@@ -122,8 +121,9 @@ std::string scenario_toml(const Scenario& scenario) {
                      "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
                      material_toml(material);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
-  for (const SiteSpec& site : scenario.sites) text += "\n" + site_text(site);
-  return text + "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+  for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
+  text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+  return scenario.ranking.modality.empty() ? text : text + ranking_section_text(scenario.ranking);
 }
 
 }  // namespace loosefit

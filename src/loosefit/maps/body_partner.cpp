@@ -69,31 +69,45 @@ BodyPart PartnerFinder::part_of(const std::vector<Vec3>& points) const {
   return static_cast<BodyPart>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-BodyPartner PartnerFinder::find(const Vec3& point, const Vec3& garment_normal,
-                                BodyPart part) const {
-  const auto on_part = [&](int t) { return belongs(body_.surface.triangles[t][0], part); };
-  const auto faces_alike = [&](int t) {
-    return on_part(t) && face_normals_[t].dot(garment_normal) > 0;
-  };
+bool PartnerFinder::faces_alike(int triangle, const Vec3& garment_normal, BodyPart part) const {
+  return belongs(body_.surface.triangles[triangle][0], part) &&
+         face_normals_[triangle].dot(garment_normal) > 0;
+}
+
+BodyPartner PartnerFinder::find_on_surface(const Vec3& point, const Vec3& garment_normal,
+                                           BodyPart part) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   BodyPartner partner;
-  const ClosestPoint nearest = tree_.query(point, kFar, on_part);
+  const ClosestPoint nearest =
+      tree_.query(point, kFar, [&](int t) { return belongs(body_.surface.triangles[t][0], part); });
   const bool any = nearest.triangle >= 0;  // a scan may lack the part altogether
-  partner.exact =
-      any ? tree_.query(point, nearest.distance + kFoldReach, faces_alike) : tree_.query(point);
-  const bool alike = partner.exact.triangle >= 0 && any;
-  if (!alike && any) partner.exact = nearest;
+  partner.exact = any ? tree_.query(point, nearest.distance + kFoldReach,
+                                    [&](int t) { return faces_alike(t, garment_normal, part); })
+                      : tree_.query(point);
+  if (partner.exact.triangle < 0) partner.exact = nearest;
 
   const Triangle& corner = body_.surface.triangles[partner.exact.triangle];
   for (int k = 0; k < 3; ++k)
     partner.normal += partner.exact.barycentric[k] * body_.normals[corner[k]];
   partner.normal.normalize();
+  return partner;
+}
 
+BodyPartner PartnerFinder::find(const Vec3& point, const Vec3& garment_normal,
+                                BodyPart part) const {
+  BodyPartner partner = find_on_surface(point, garment_normal, part);
+  // Vertices of such faces as the exact partner lies on.
+  const int found = partner.exact.triangle;
+  const bool on_part = belongs(body_.surface.triangles[found][0], part);
+  const bool alike = faces_alike(found, garment_normal, part);
   const auto has_face = [&](int vertex) {
     for (int t : faces_of_vertex_[vertex])
-      if (!any || (alike ? faces_alike(t) : on_part(t))) return true;
+      if (!on_part || (alike ? faces_alike(t, garment_normal, part)
+                             : belongs(body_.surface.triangles[t][0], part)))
+        return true;
     return false;
   };
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   partner.particle_distance = particle_tree_.query(point, kFar, has_face).distance;
   return partner;
 }

@@ -30,9 +30,12 @@ class PartnerFinder {
   /// Part that most of `points` lie nearest to: the part of a panel.
   BodyPart part_of(const std::vector<Vec3>& points) const;
   BodyPartner find(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;
+  /// The same but for particle_distance, which stays zero and takes half of the time.
+  BodyPartner find_on_surface(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;
   const Body& body() const { return body_; }
 
  private:
+  bool faces_alike(int triangle, const Vec3& garment_normal, BodyPart part) const;
   bool belongs(int vertex, BodyPart part) const;
   const Body& body_;
   ClosestPointTree tree_;

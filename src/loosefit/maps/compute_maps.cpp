@@ -7,6 +7,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/maps/gap.h"
+#include "loosefit/maps/orientation.h"
 #include "loosefit/maps/strain.h"
 
 namespace loosefit {
@@ -38,6 +40,10 @@ void add_strain(const Garment& garment, const Drape& drape, std::vector<Performa
       strain_map("strain_weft", "Strain along weft", false, averaged(&TriangleStrain::weft)));
   maps.push_back(
       strain_map("strain_max", "Greatest principal strain", false, averaged(&TriangleStrain::max)));
+  maps.push_back(
+      strain_map("strain_min", "Least principal strain", false, averaged(&TriangleStrain::min)));
+  maps.push_back(
+      {"slack", "Share of slack cloth", "–", 0, 1, slack_share(garment, strains), "slack", false});
 }
 
 void add_distance(const WornGarment& worn, std::vector<PerformanceMap>& maps) {
@@ -106,11 +112,21 @@ void add_pressure(const PressureField* field, std::vector<PerformanceMap>& maps)
   maps.push_back(std::move(membrane));
   maps.push_back(std::move(difference));
 }
+void add_all(std::vector<PerformanceMap> more, std::vector<PerformanceMap>& maps) {
+  for (PerformanceMap& map : more) maps.push_back(std::move(map));
+}
+
+void add_gap(const WornGarment& worn, const Material* material, std::vector<PerformanceMap>& maps) {
+  if (!material)
+    throw InvalidInput(
+        "the map 'gap' needs the material: the gap begins at the cloth's inner face");
+  add_all(gap_maps(worn, *material), maps);
+}
 }  // namespace
 
 const std::vector<std::string>& map_names() {
-  static const std::vector<std::string> names = {"strain", "distance", "angular-deviation",
-                                                 "pressure"};
+  static const std::vector<std::string> names = {"strain",   "distance",    "angular-deviation",
+                                                 "pressure", "orientation", "gap"};
   return names;
 }
 
@@ -149,6 +165,8 @@ std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& dr
   if (asked("distance")) add_distance(worn, maps);
   if (asked("angular-deviation")) add_angular_deviation(worn, maps);
   if (asked("pressure")) add_pressure(options.pressure, maps);
+  if (asked("orientation")) add_all(orientation_maps(garment, drape.positions, worn), maps);
+  if (asked("gap")) add_gap(worn, options.material, maps);
   return maps;
 }
 

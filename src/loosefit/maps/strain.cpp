@@ -14,32 +14,42 @@ double flat_area(const std::array<Vec2, 3>& uv) {
   return 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
 }
 
-TriangleStrain strain_of(const std::array<Vec2, 3>& uv, const Vec3& a, const Vec3& b,
-                         const Vec3& c) {
+}  // namespace
+
+DeformationGradient deformation_gradient(const Garment& garment, int triangle,
+                                         const std::vector<Vec3>& positions) {
+  const auto& uv = garment.triangle_uv[triangle];
+  const Triangle& corner = garment.triangles[triangle];
+  if (flat_area(uv) <= 0) return DeformationGradient::Constant(kNan);
   Mat2 flat;
   flat << uv[1] - uv[0], uv[2] - uv[0];
-  if (flat_area(uv) <= 0) return {kNan, kNan, kNan, kNan};
-  Eigen::Matrix<double, 3, 2> space;
-  space << b - a, c - a;
-  const Eigen::Matrix<double, 3, 2> gradient = space * flat.inverse();
-  const double uu = gradient.col(0).squaredNorm(), vv = gradient.col(1).squaredNorm();
-  const double uv_product = gradient.col(0).dot(gradient.col(1));
-  // Eigenvalues of FᵀF.
+  DeformationGradient space;
+  space << positions[corner[1]] - positions[corner[0]], positions[corner[2]] - positions[corner[0]];
+  return space * flat.inverse();
+}
+
+double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
+                    const Vec2& direction) {
+  return (deformation_gradient(garment, triangle, positions) * direction).norm() - 1;
+}
+
+TriangleStrain triangle_strain(const Garment& garment, int triangle,
+                               const std::vector<Vec3>& positions) {
+  const DeformationGradient f = deformation_gradient(garment, triangle, positions);
+  const double uu = f.col(0).squaredNorm(), vv = f.col(1).squaredNorm();
+  const double uv_product = f.col(0).dot(f.col(1));
+  // Eigenvalues of FᵀF. std::max passes NaN of its first argument on.
   const double mean = 0.5 * (uu + vv), spread = std::hypot(0.5 * (uu - vv), uv_product);
   return {std::sqrt(uu) - 1, std::sqrt(vv) - 1, std::sqrt(mean + spread) - 1,
           std::sqrt(std::max(mean - spread, 0.0)) - 1};
 }
-}  // namespace
 
 std::vector<TriangleStrain> triangle_strains(const Garment& garment,
                                              const std::vector<Vec3>& positions) {
   std::vector<TriangleStrain> strains;
   strains.reserve(garment.triangles.size());
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const Triangle& corner = garment.triangles[t];
-    strains.push_back(strain_of(garment.triangle_uv[t], positions[corner[0]], positions[corner[1]],
-                                positions[corner[2]]));
-  }
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t)
+    strains.push_back(triangle_strain(garment, t, positions));
   return strains;
 }
 
@@ -55,6 +65,14 @@ std::vector<double> to_vertices(const Garment& garment, const std::vector<double
   }
   for (int v = 0; v < garment.vertex_count; ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : kNan;
   return sum;
+}
+
+std::vector<double> slack_share(const Garment& garment,
+                                const std::vector<TriangleStrain>& strains) {
+  std::vector<double> slack;
+  for (const TriangleStrain& s : strains)
+    slack.push_back(std::isnan(s.min) ? kNan : s.min < kSlackStrain ? 1.0 : 0.0);
+  return to_vertices(garment, slack);
 }
 
 std::vector<double> vertical_strain(const Garment& garment, const std::vector<Vec3>& positions) {

@@ -1,9 +1,16 @@
 #pragma once
+#include <Eigen/Core>
 #include <vector>
 
 #include "loosefit/garment/garment.h"
 
 namespace loosefit {
+
+/// F of one garment triangle, from pattern (u, v) to space: dx = F du. Columns are the images of
+/// weft and warp. NaN for a triangle without flat area.
+using DeformationGradient = Eigen::Matrix<double, 3, 2>;
+DeformationGradient deformation_gradient(const Garment& garment, int triangle,
+                                         const std::vector<Vec3>& positions);
 
 /// Strain of one garment triangle. F is the 3×2 deformation gradient from pattern coordinates (u
 /// weft, v warp) to space, dx = F du; the stretch along a unit pattern direction d is |F d| and
@@ -15,13 +22,29 @@ struct TriangleStrain {
   double min = 0;   ///< least principal stretch − 1; below zero the cloth is shortened or buckled
 };
 
-/// Strain of every triangle; NaN for a triangle without flat area.
+/// NaN for a triangle without flat area.
+TriangleStrain triangle_strain(const Garment& garment, int triangle,
+                               const std::vector<Vec3>& positions);
+/// The same of every triangle.
 std::vector<TriangleStrain> triangle_strains(const Garment& garment,
                                              const std::vector<Vec3>& positions);
+
+/// Strain |F d| − 1 along the unit direction d = (weft, warp) of the pattern, the reading of a
+/// strain sensor that is sewn on along d (sensor-metrics 6). NaN without flat area.
+double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
+                    const Vec2& direction);
+
+/// Cloth whose least principal strain is below this is slack: buckled within an element, so that no
+/// strain sensor reads it (sensor-metrics 6).
+inline constexpr double kSlackStrain = -0.005;
 
 /// Mean of a triangle quantity at each vertex, weighted by flat triangle area; NaN where no
 /// triangle with a value touches the vertex.
 std::vector<double> to_vertices(const Garment& garment, const std::vector<double>& per_triangle);
+
+/// Share of each vertex's cloth that is slack: to_vertices of 1 for a triangle whose least strain
+/// is below kSlackStrain and 0 for the others.
+std::vector<double> slack_share(const Garment& garment, const std::vector<TriangleStrain>& strains);
 
 /// Elongation of the garment edges along the grain, the paper's "vertical strain": initial and
 /// actual distances between neighbouring particles are compared,

@@ -1,6 +1,7 @@
 #include "loosefit/maps/worn_garment.h"
 
 #include "loosefit/base/error.h"
+#include "loosefit/maps/body_frame.h"
 #include "loosefit/maps/strain.h"
 
 namespace loosefit {
@@ -22,8 +23,12 @@ WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, c
 
   worn.partners = find_partners(finder, positions, worn.normals, worn.vertex_part);
   const std::vector<Region> regions = body_regions(body);
-  for (const BodyPartner& partner : worn.partners)
+  const std::vector<Vec3> axes = segment_axes(body);
+  for (const BodyPartner& partner : worn.partners) {
     worn.regions.push_back(region_of(regions, body.surface, partner.exact));
+    worn.segment_axes.push_back(
+        at_point(body.surface, axes, partner.exact.triangle, partner.exact.barycentric));
+  }
   return worn;
 }
 

@@ -14,6 +14,7 @@ struct WornGarment {
   std::vector<BodyPart> panel_part;   ///< per panel, by vote of its vertices
   std::vector<BodyPart> vertex_part;  ///< per vertex: that of vertex_panel
   std::vector<BodyPartner> partners;  ///< per vertex
+  std::vector<Vec3> segment_axes;     ///< per vertex: maps/body_frame.h, at its partner
   std::vector<Region> regions;        ///< per vertex: region of its partner
   std::vector<double> areas;          ///< flat area of each vertex [m²], weights of statistics
 };

@@ -3,63 +3,154 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/base/error.h"
 #include "loosefit/maps/statistics.h"
+#include "loosefit/placement/footprint_unfold.h"
 
 namespace loosefit {
 namespace {
-constexpr int kSplit = 6;  // a triangle is sampled at the centres of 36 equal parts
 
-struct Geometry {
-  const Garment& garment;
-  const std::vector<Vec3>& positions;
-  const Vec3& corner(int t, int k) const { return positions[garment.triangles[t][k]]; }
-  Vec3 point(int t, const Vec3& b) const {
-    return b[0] * corner(t, 0) + b[1] * corner(t, 1) + b[2] * corner(t, 2);
+constexpr int kSplit = 6;            // a triangle is sampled at the centres of 36 equal parts,
+constexpr double kFinest = 0.001;    // or of more until these are below this edge [m] …
+constexpr int kSplitMost = 24;       // … or so many a side
+constexpr double kLineStep = 0.001;  // [m]
+
+Vec2 flat_point(const Garment& garment, int triangle, const Vec3& b) {
+  const auto& uv = garment.triangle_uv[triangle];
+  return b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
+}
+
+double longest_edge(const std::array<Vec2, 3>& c) {
+  return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+/// Disc or rectangle about the origin of the plane, axis along v.
+struct Patch {
+  const FootprintShape& shape;
+  bool disc = shape.kind == FootprintShape::Kind::disc;
+  bool covers(const Vec2& p) const {
+    return disc ? p.norm() <= shape.radius
+                : std::abs(p.x()) <= shape.size.x() / 2 && std::abs(p.y()) <= shape.size.y() / 2;
   }
-  double distance(int t, const Vec3& p) const {
-    return (point(t, closest_barycentric(p, corner(t, 0), corner(t, 1), corner(t, 2))) - p).norm();
-  }
+  double reach() const { return disc ? shape.radius : shape.size.norm() / 2; }
+  double least() const { return disc ? shape.radius : shape.size.minCoeff(); }
 };
 
-/// Triangles reached from `start` over shared vertices without leaving the ball.
-std::vector<int> connected(const Geometry& g, int start, const Vec3& centre, double radius) {
-  std::vector<std::vector<int>> near_triangles(g.garment.vertex_count);
-  for (int t = 0; t < static_cast<int>(g.garment.triangles.size()); ++t)
-    if (g.distance(t, centre) <= radius)
-      for (int v : g.garment.triangles[t]) near_triangles[v].push_back(t);
-  std::set<int> found{start};
-  std::vector<int> open{start};
-  while (!open.empty()) {
-    const int t = open.back();
-    open.pop_back();
-    for (int v : g.garment.triangles[t])
-      for (int next : near_triangles[v])
-        if (found.insert(next).second) open.push_back(next);
+Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
+                   const Vec2& centre, const Patch& patch, double angle,
+                   const TriangleNeighbours* neighbours) {
+  const Vec2 along = axis_in_pattern(angle), across(along.y(), -along.x());
+  Footprint result;
+  for (const FlatTriangle& flat : unfold(garment, triangle, centre, patch.reach(), neighbours)) {
+    const Triangle& v = garment.triangles[flat.triangle];
+    const double wanted = longest_edge(flat.corners) / std::max(kFinest, patch.least() / 6);
+    const int split = std::clamp(static_cast<int>(std::ceil(wanted)), kSplit, kSplitMost);
+    const double part =
+        triangle_area(positions[v[0]], positions[v[1]], positions[v[2]]) / (split * split);
+    for (int i = 0; i < split; ++i)
+      for (int j = 0; j < split - i; ++j)
+        for (int down = 0; down < (i + j < split - 1 ? 2 : 1); ++down) {
+          const double third = (1.0 + down) / 3;
+          const Vec3 b((i + third) / split, (j + third) / split, 1 - (i + j + 2 * third) / split);
+          Vec2 from_centre = -centre;
+          for (int k = 0; k < 3; ++k) from_centre += b[k] * flat.corners[k];
+          if (patch.covers({from_centre.dot(across), from_centre.dot(along)}))
+            result.samples.push_back({flat.triangle, b, part});
+        }
   }
-  return {found.begin(), found.end()};
+  return result;
 }
+
+Footprint of_line(const Garment& garment, int triangle, const Vec2& centre, double length,
+                  double angle, const TriangleNeighbours* neighbours) {
+  const Vec2 along = axis_in_pattern(angle);
+  const std::vector<FlatTriangle> plane = unfold(garment, triangle, centre, length / 2, neighbours);
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / kLineStep - 1e-9)));
+  Footprint result;
+  for (int i = 0; i < parts; ++i) {
+    const Vec2 p = centre + ((i + 0.5) / parts - 0.5) * length * along;
+    for (const FlatTriangle& flat : plane) {
+      const Vec3 b = weights_in(flat.corners, p);
+      if (!(b.minCoeff() >= -1e-9)) continue;
+      result.samples.push_back({flat.triangle, b, length / parts});
+      break;
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+Vec2 axis_in_pattern(double angle) { return {-std::sin(angle), std::cos(angle)}; }
+
+Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
+                    const Vec3& barycentric, const FootprintShape& shape, double angle,
+                    const TriangleNeighbours* neighbours) {
+  const Vec2 centre = flat_point(garment, triangle, barycentric);
+  Footprint result;
+  switch (shape.kind) {
+    case FootprintShape::Kind::disc:
+    case FootprintShape::Kind::rectangle:
+      result = of_patch(garment, positions, triangle, centre, Patch{shape}, angle, neighbours);
+      break;
+    case FootprintShape::Kind::line:
+      result = of_line(garment, triangle, centre, shape.length, angle, neighbours);
+      break;
+    case FootprintShape::Kind::girth:
+      throw InvalidInput("a girth line is cut out of a drape, not out of the flat pattern");
+  }
+  if (result.samples.empty()) result.samples.push_back({triangle, barycentric, 1});
+  return result;
+}
 
 Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
                     const Vec3& barycentric, double radius) {
-  const Geometry g{garment, positions};
-  const Vec3 centre = g.point(triangle, barycentric);
+  FootprintShape disc;
+  disc.radius = radius;
+  return footprint(garment, positions, triangle, barycentric, disc, 0);
+}
+
+Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
+                          const Vec3& barycentric, const Vec3& normal) {
+  if (!(normal.norm() > 0))
+    throw InvalidInput("a girth line needs the direction that it runs round");
+  // A hair inside its triangle, so that the plane cuts it even if the place is one of its corners.
+  const Vec3 inside = (1 - 1e-6) * barycentric + Vec3::Constant(1e-6 / 3);
+  double level = 0;
+  for (int k = 0; k < 3; ++k)
+    level += inside[k] * normal.dot(positions[garment.triangles[triangle][k]]);
+  const auto beyond = triangle_neighbours(garment);
+  std::vector<char> seen(garment.triangles.size(), 0);
+  std::vector<int> open{triangle};
+  seen[triangle] = 1;
   Footprint result;
-  for (int t : connected(g, triangle, centre, radius)) {
-    const double part =
-        triangle_area(g.corner(t, 0), g.corner(t, 1), g.corner(t, 2)) / (kSplit * kSplit);
-    for (int i = 0; i < kSplit; ++i)
-      for (int j = 0; j < kSplit - i; ++j)
-        for (int down = 0; down < (i + j < kSplit - 1 ? 2 : 1); ++down) {
-          const double third = (1.0 + down) / 3;
-          const Vec3 b((i + third) / kSplit, (j + third) / kSplit,
-                       1 - (i + j + 2 * third) / kSplit);
-          if ((g.point(t, b) - centre).norm() <= radius) result.samples.push_back({t, b, part});
-        }
+  while (!open.empty()) {
+    const int t = open.back();
+    open.pop_back();
+    Vec3 ends[2];
+    int count = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      // A corner exactly on the plane counts as above: a triangle is cut in two edges or none.
+      const double a = normal.dot(positions[garment.triangles[t][k]]) - level,
+                   b = normal.dot(positions[garment.triangles[t][next]]) - level;
+      if ((a >= 0) == (b >= 0)) continue;
+      ends[count].setZero();
+      ends[count][next] = a / (a - b);
+      ends[count++][k] = 1 - a / (a - b);
+      const int other = beyond[t][k];
+      if (other < 0 || seen[other]) continue;
+      seen[other] = 1;
+      open.push_back(other);
+    }
+    if (count != 2) continue;
+    const double length =
+        (flat_point(garment, t, ends[1]) - flat_point(garment, t, ends[0])).norm();
+    result.samples.push_back({t, (ends[0] + ends[1]) / 2, length});
   }
+  std::sort(result.samples.begin(), result.samples.end(),
+            [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   if (result.samples.empty()) result.samples.push_back({triangle, barycentric, 1});
   return result;
 }

@@ -1,7 +1,6 @@
 #include "loosefit/placement/ray.h"
 
 #include <Eigen/Geometry>
-#include <limits>
 
 namespace loosefit {
 namespace {
@@ -9,23 +8,34 @@ namespace {
 constexpr double kSlack = 1e-9;
 }  // namespace
 
-std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
-                             const Vec3& direction) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : surface.triangles) {
+std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& origin,
+                                       const Vec3& direction,
+                                       const std::function<bool(int)>& accept) {
+  std::vector<RayCrossing> found;
+  for (int i = 0; i < static_cast<int>(surface.triangles.size()); ++i) {
+    const Triangle& t = surface.triangles[i];
     const Vec3 &a = surface.vertices[t[0]], ab = surface.vertices[t[1]] - a,
                ac = surface.vertices[t[2]] - a;
     const Vec3 normal = ab.cross(ac);
     const double along = normal.dot(direction);
-    if (along <= 0) continue;  // entering or grazing
+    if (along == 0) continue;
     const Vec3 from = origin - a, cross = from.cross(direction);
-    const double u = cross.dot(ac) / along, v = -cross.dot(ab) / along;
+    const double u = -cross.dot(ac) / along, v = cross.dot(ab) / along;
     if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack) continue;
     const double distance = -normal.dot(from) / along;
-    if (distance > 0 && distance < nearest) nearest = distance;
+    if (distance < 0 || (accept && !accept(i))) continue;
+    found.push_back({i, Vec3(1 - u - v, u, v), origin + distance * direction, distance, along > 0});
   }
-  if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;
-  return origin + nearest * direction;
+  return found;
+}
+
+std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
+                             const Vec3& direction) {
+  std::optional<RayCrossing> nearest;
+  for (const RayCrossing& crossing : ray_crossings(surface, origin, direction))
+    if (crossing.leaving && (!nearest || crossing.distance < nearest->distance)) nearest = crossing;
+  if (!nearest) return std::nullopt;
+  return nearest->point;
 }
 
 }  // namespace loosefit

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include "loosefit/base/error.h"
@@ -11,90 +10,142 @@
 namespace loosefit {
 namespace {
 
-/// A preset that is no landmark: how to find it, empty when the body lacks what it needs.
-using Locator = std::function<std::optional<Vec3>(const Body&)>;
+constexpr double kElectrodeRadius = 0.010;  // [m] (sensor-metrics, section 1)
+
+/// How to find a preset that is no landmark: empty when the body lacks what it needs.
+using Locator = std::function<std::optional<Vec3>(const BodyAddresses&)>;
 
 std::optional<Vec3> place(const std::map<std::string, Vec3>& of, const std::string& name) {
   const auto found = of.find(name);
   return found == of.end() ? std::nullopt : std::optional<Vec3>(found->second);
 }
 
-/// Outer side of a limb, `share` of the way between two joints.
-Locator on_limb(const std::string& from, const std::string& to, double share, double side) {
-  return [=](const Body& body) -> std::optional<Vec3> {
-    const auto a = place(body.joints, from), b = place(body.joints, to);
-    if (!a || !b) return std::nullopt;
-    const Vec3 along = (*b - *a).normalized(), outward(side, 0, 0);
-    return ray_exit(body.surface, *a + share * (*b - *a), outward - outward.dot(along) * along);
+/// Seen from the middle of the trunk at the height of a landmark, `right` and `front` as told.
+Locator on_trunk(const std::string& landmark, double right, double front) {
+  return [=](const BodyAddresses& addresses) -> std::optional<Vec3> {
+    const auto at = place(addresses.landmarks(), landmark);
+    const auto trunk = trunk_axes(addresses.body());
+    if (!at || !trunk) return std::nullopt;
+    return ray_exit(addresses.body().surface, trunk->middle_at(*at),
+                    right * trunk->right + front * trunk->front);
   };
 }
 
-/// On the trunk at the height of a landmark moved by `lift`, seen from the trunk's middle there in
-/// the direction (side, −front).
-Locator on_trunk(const std::string& landmark, double lift, double side, double front) {
-  return [=](const Body& body) -> std::optional<Vec3> {
-    const auto at = place(body.landmarks, landmark), back = place(body.landmarks, "back_waist");
-    const auto breast = place(body.landmarks, "sternum");
-    if (!at || !back || !breast) return std::nullopt;
-    const Vec3 middle(0, 0.5 * (back->y() + breast->y()), at->z() + lift);
-    return ray_exit(body.surface, middle, Vec3(side, -front, 0));
-  };
-}
-
-const std::map<std::string, Locator>& locators() {
-  static const std::map<std::string, Locator> all = [] {
-    std::map<std::string, Locator> l;
-    for (const double side : {1.0, -1.0}) {
-      const std::string s = side > 0 ? "_L" : "_R";
-      l["upper_arm" + s] = on_limb("shoulder" + s, "elbow" + s, 0.5, side);
-      l["forearm" + s] = on_limb("elbow" + s, "wrist" + s, 0.5, side);
-      l["wrist" + s] = on_limb("elbow" + s, "wrist" + s, 0.85, side);
-      l["ecg" + s] = on_trunk("sternum", -0.06, 0.5 * side, 1);
-      l["waist" + s] = on_trunk("back_waist", 0, side, 0);
+Locator on_limb(BodySegment segment, int side, double x, double y, double z) {
+  return [=](const BodyAddresses& addresses) -> std::optional<Vec3> {
+    if (!addresses.axes(segment, side)) return std::nullopt;
+    try {
+      return addresses.skin({segment, side, Vec3(x, y, z)}).point;
+    } catch (const InvalidInput&) {  // a body with joints but without that piece of skin
+      return std::nullopt;
     }
-    l["heart"] = on_trunk("sternum", 0, 0.35, 1);
-    l["abdomen"] = on_trunk("back_waist", -0.02, 0, 1);
-    return l;
-  }();
-  return all;
+  };
 }
 
-const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names = {
-      "upper_back",  "mid_back",    "lower_back", "scapula_L", "scapula_R", "sternum",
-      "heart",       "ecg_L",       "ecg_R",      "abdomen",   "waist_L",   "waist_R",
-      "upper_arm_L", "upper_arm_R", "forearm_L",  "forearm_R", "wrist_L",   "wrist_R"};
-  return names;
+FootprintShape disc(double radius) {
+  FootprintShape shape;
+  shape.radius = radius;
+  return shape;
 }
 
-/// Presets win over landmarks of the same name: the wrist of a sensor is above the bone.
-std::optional<Vec3> find_point(const Body& body, const std::string& name) {
-  const auto locator = locators().find(name);
-  return locator != locators().end() ? locator->second(body) : place(body.landmarks, name);
+FootprintShape girth() {
+  FootprintShape shape;
+  shape.kind = FootprintShape::Kind::girth;
+  return shape;
+}
+
+struct Preset {
+  std::string name;
+  Locator locate = {};  ///< empty: the landmark of that name
+  FootprintShape footprint = {};
+};
+
+std::vector<Preset> make_presets() {
+  std::vector<Preset> presets;
+  for (const char* name :
+       {"upper_back", "mid_back", "lower_back", "scapula_L", "scapula_R", "sternum"})
+    presets.push_back({name});
+  presets.push_back({"heart", on_trunk("sternum", -0.35, 1)});
+  for (const int side : {1, -1})
+    presets.push_back({side > 0 ? "ecg_L" : "ecg_R", on_trunk("xiphoid", -0.5 * side, 1),
+                       disc(kElectrodeRadius)});
+  presets.push_back({"abdomen", on_trunk("back_waist", 0, 1)});
+  presets.push_back({"waist_L", on_trunk("back_waist", -1, 0)});
+  presets.push_back({"waist_R", on_trunk("back_waist", 1, 0)});
+  presets.push_back({"chest_band", on_trunk("xiphoid", 0, 1), girth()});
+  presets.push_back({"waist_band", on_trunk("front_waist", 0, 1), girth()});
+  const auto both = [&](const char* name, BodySegment segment, bool front, double z,
+                        FootprintShape footprint = {}) {
+    for (const int side : {1, -1}) {
+      const double x = front ? 50 : side > 0 ? 0 : 100;
+      presets.push_back({std::string(name) + (side > 0 ? "_L" : "_R"),
+                         on_limb(segment, side, x, front ? 100 : 50, z), footprint});
+    }
+  };
+  both("upper_arm", BodySegment::upper_arm, false, 50);
+  both("biceps", BodySegment::upper_arm, true, 100.0 / 3, disc(kElectrodeRadius));
+  both("forearm", BodySegment::forearm, false, 50);
+  both("forearm_distal", BodySegment::forearm, false, 30);
+  both("wrist", BodySegment::forearm, false, 15);
+  both("thigh", BodySegment::thigh, false, 50);
+  both("shank", BodySegment::lower_leg, false, 20);
+  return presets;
+}
+
+const std::vector<Preset>& all_presets() {
+  static const std::vector<Preset> kPresets = make_presets();
+  return kPresets;
 }
 
 }  // namespace
 
-std::vector<std::string> site_landmarks(const Body& body) {
+SitePoints::SitePoints(const Body& body) : addresses_(body) {}
+
+std::optional<Vec3> SitePoints::find(const std::string& name) const {
+  for (const Preset& preset : all_presets())
+    if (preset.name == name && preset.locate) return preset.locate(addresses_);
+  return place(addresses_.landmarks(), name);
+}
+
+std::vector<std::string> SitePoints::names() const {
   std::vector<std::string> names;
-  for (const std::string& preset : preset_names())
-    if (find_point(body, preset)) names.push_back(preset);
-  for (const auto& [name, point] : body.landmarks)
+  for (const Preset& preset : all_presets())
+    if (find(preset.name)) names.push_back(preset.name);
+  for (const auto& [name, point] : addresses_.landmarks())
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 
-Vec3 site_point(const Body& body, const std::string& landmark) {
-  if (const auto point = find_point(body, landmark)) return *point;
-  throw InvalidInput("unknown landmark '" + printable(landmark) + "'",
-                     did_you_mean(landmark, site_landmarks(body)));
+Vec3 SitePoints::at(const std::string& name) const {
+  if (const auto point = find(name)) return *point;
+  throw InvalidInput(InputPlace{"", 0, "landmark"}, '"' + printable(name) + '"',
+                     "a landmark or preset of this body", did_you_mean(name, names()));
 }
 
-std::vector<SiteSpec> preset_sites(const Body& body) {
+std::vector<SiteSpec> SitePoints::presets() const {
   std::vector<SiteSpec> sites;
-  for (const std::string& preset : preset_names())
-    if (find_point(body, preset)) sites.push_back({preset, "", Vec2::Zero(), preset});
+  for (const Preset& preset : all_presets()) {
+    if (!find(preset.name)) continue;
+    SiteSpec site;
+    site.name = site.landmark = preset.name;
+    site.footprint = preset.footprint;
+    sites.push_back(site);
+  }
   return sites;
 }
+
+std::optional<FootprintShape> preset_footprint(const std::string& name) {
+  for (const Preset& preset : all_presets())
+    if (preset.name == name) return preset.footprint;
+  return std::nullopt;
+}
+
+std::vector<std::string> site_landmarks(const Body& body) { return SitePoints(body).names(); }
+
+Vec3 site_point(const Body& body, const std::string& landmark) {
+  return SitePoints(body).at(landmark);
+}
+
+std::vector<SiteSpec> preset_sites(const Body& body) { return SitePoints(body).presets(); }
 
 }  // namespace loosefit

@@ -6,102 +6,122 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/placement/footprint.h"
 
 namespace loosefit {
 namespace {
 
-/// A point of the garment by triangle.
-struct GarmentPoint {
-  int triangle = -1;
-  Vec3 barycentric = Vec3::Zero();
+/// Everything that finding sites on one drape needs, made once.
+struct Finder {
+  const Garment& garment;
+  const std::vector<Vec3>& positions;
+  const Body& body;
+  const WornGarment& worn;
+  const std::vector<PerformanceMap>& maps;
+  GarmentOverSkin over_skin{garment, positions, body, worn};
+  SitePoints points{body};
+  mutable std::optional<ClosestPointTree> skin_tree = {};  ///< made for the first wish
+
+  ClosestPoint skin(const SiteSpec& spec) const {
+    if (!skin_tree) skin_tree.emplace(body.surface);
+    return spec.landmark.empty() && spec.anatomy ? points.addresses().skin(*spec.anatomy)
+                                                 : skin_tree->query(points.at(spec.landmark));
+  }
+
+  /// Nothing when the garment does not cover the place; `nearest` is then where it comes nearest.
+  std::optional<GarmentPoint> find(const SiteSpec& spec,
+                                   std::optional<GarmentPoint>& nearest) const {
+    if (!spec.panel.empty()) return pattern_point(garment, spec.panel, spec.at);
+    const GarmentOverSkin::Over over = over_skin.over(skin(spec));
+    nearest = over.point;
+    return over.covered ? nearest : std::nullopt;
+  }
+
+  /// Long axis of the segment towards the trunk; zero where it is not known.
+  Vec3 long_axis(const std::optional<BodyAddress>& anatomy) const {
+    if (anatomy) {
+      const Vec3 z = points.addresses().axes(anatomy->segment, anatomy->side)->axes.col(2);
+      return anatomy->segment == BodySegment::chest ? Vec3(-z) : z;
+    }
+    const auto trunk = trunk_axes(body);
+    return trunk ? Vec3(-trunk->down) : Vec3(Vec3::Zero());
+  }
+
+  /// Fills in all that depends on drape and body; name, point, angle, shape (and the footprint of a
+  /// girth line that is sewn on already) are given.
+  void describe(Site& site) const {
+    site.panel = garment.panel_names[garment.triangle_panel[site.point.triangle]];
+    site.at = pattern_place(garment, site.point);
+    site.position = at(garment, site.point, positions);
+    const BodyPartner partner = over_skin.under(site.point);
+    site.body_point = partner.exact.point;
+    site.anatomy = points.addresses().address(partner.exact);
+    int nearest = 0;
+    site.point.barycentric.maxCoeff(&nearest);
+    site.region = worn.regions[garment.triangles[site.point.triangle][nearest]];
+    const Vec3 along = long_axis(site.anatomy);
+    const auto& [triangle, b] = site.point;
+    const bool girth = site.shape.kind == FootprintShape::Kind::girth;
+    if (!girth)
+      site.footprint = footprint(garment, positions, triangle, b, site.shape, site.angle);
+    else if (site.footprint.samples.empty())  // otherwise sewn on where an earlier drape was cut
+      site.footprint = girth_footprint(garment, positions, triangle, b,
+                                       along.isZero() ? Vec3(Vec3::UnitZ()) : along);
+    // A girth line runs all round; the direction is wanted at the site.
+    std::vector<int> triangles{triangle};
+    if (!girth)
+      for (const auto& sample : site.footprint.samples)
+        if (sample.triangle != triangles.back()) triangles.push_back(sample.triangle);
+    const double angle = angle_in_pattern(garment, positions, triangles, along);
+    site.segment_angle = std::isnan(angle) ? 0 : angle;
+    site.values.clear();
+    for (const PerformanceMap& map : maps)
+      site.values[map.array] = average(site.footprint, garment, map.values);
+  }
 };
 
-Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
-
-GarmentPoint in_pattern(const Garment& garment, const SiteSpec& spec) {
-  const auto panel = std::find(garment.panel_names.begin(), garment.panel_names.end(), spec.panel);
-  if (panel == garment.panel_names.end())
-    throw InvalidInput(
-        "site " + printable(spec.name) + ": unknown panel '" + printable(spec.panel) + "'",
-        did_you_mean(spec.panel, garment.panel_names));
-  const int index = static_cast<int>(panel - garment.panel_names.begin());
-  constexpr double kEdgeSlack = 1e-4;  // a mesh cuts the corners of a curved outline [m]
-  GarmentPoint best;
-  Vec3 nearest = Vec3::Zero();
-  double distance = std::numeric_limits<double>::infinity();
-  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
-    if (garment.triangle_panel[t] != index) continue;
-    const auto& uv = garment.triangle_uv[t];
-    const Vec3 a = lifted(uv[0]), b = lifted(uv[1]), c = lifted(uv[2]);
-    const Vec3 weights = closest_barycentric(lifted(spec.at), a, b, c);
-    const Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
-    if (const double d = (point - lifted(spec.at)).norm(); d < distance) {
-      distance = d;
-      nearest = point;
-      best = {t, weights};
-    }
-  }
-  if (!(distance <= kEdgeSlack))
-    throw InvalidInput("site " + printable(spec.name) + ": (" + shortest(spec.at.x()) + ", " +
-                           shortest(spec.at.y()) + ") m lies outside panel " + spec.panel,
-                       "the nearest place in it is (" +
-                           shortest(std::round(nearest.x() * 1e4) / 1e4) + ", " +
-                           shortest(std::round(nearest.y() * 1e4) / 1e4) + ") m");
-  return best;
+std::string site_key(std::size_t i, const std::string& key) {
+  return "site[" + std::to_string(i) + "]." + key;
 }
 
-/// Nearest garment point that faces as the body does there.
-std::optional<GarmentPoint> over_body(const ClosestPointTree& garment_tree,
-                                      const ClosestPointTree& body_tree, const Body& body,
-                                      const Vec3& point) {
-  const ClosestPoint on_body = body_tree.query(point);
-  const Triangle& corner = body.surface.triangles[on_body.triangle];
-  Vec3 normal = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) normal += on_body.barycentric[k] * body.normals[corner[k]];
-  const TriangleMesh& cloth = garment_tree.mesh();
-  const ClosestPoint hit = garment_tree.query(point, kCoverReach, [&](int t) {
-    const Triangle& c = cloth.triangles[t];
-    return triangle_normal(cloth.vertices[c[0]], cloth.vertices[c[1]], cloth.vertices[c[2]])
-               .dot(normal) > 0;
-  });
-  if (hit.triangle < 0) return std::nullopt;
-  return GarmentPoint{hit.triangle, hit.barycentric};
+std::string address_key(const SiteSpec& spec) {
+  return !spec.panel.empty() ? "at" : !spec.landmark.empty() ? "landmark" : "ratios";
 }
 
-Site describe(const std::string& name, const GarmentPoint& point, const Garment& garment,
-              const std::vector<Vec3>& positions, const WornGarment& worn,
-              const std::vector<PerformanceMap>& maps, double radius) {
-  Site site;
-  site.name = name;
-  site.panel = garment.panel_names[garment.triangle_panel[point.triangle]];
-  const Triangle& corner = garment.triangles[point.triangle];
-  for (int k = 0; k < 3; ++k) {
-    site.at += point.barycentric[k] * garment.triangle_uv[point.triangle][k];
-    site.position += point.barycentric[k] * positions[corner[k]];
+/// What stands where the site cannot be: the garment ends before.
+InvalidInput not_covered(const Finder& finder, const SiteSpec& spec, std::size_t i,
+                         const std::optional<GarmentPoint>& nearest) {
+  const std::string where =
+      spec.landmark.empty() ? spec.anatomy->str() : '"' + printable(spec.landmark) + '"';
+  std::string hint;
+  if (nearest) {
+    Site site;
+    site.point = *nearest;
+    finder.describe(site);
+    hint = "the nearest place that it covers is panel " + site.panel + ", at = [" +
+           shortest(std::round(site.at.x() * 1e3) / 1e3 + 0.0) + ", " +
+           shortest(std::round(site.at.y() * 1e3) / 1e3 + 0.0) + "]";
+    if (site.anatomy) hint += ", over " + site.anatomy->str();
   }
-  int nearest = 0;
-  point.barycentric.maxCoeff(&nearest);
-  site.body_point = worn.partners[corner[nearest]].exact.point;
-  site.region = worn.regions[corner[nearest]];
-  const Footprint patch = footprint(garment, positions, point.triangle, point.barycentric, radius);
-  for (const PerformanceMap& map : maps)
-    site.values[map.array] = average(patch, garment, map.values);
-  return site;
+  return InvalidInput(InputPlace{"", 0, site_key(i, address_key(spec))},
+                      where + ", which the garment does not cover", "skin under the garment", hint);
 }
 
 }  // namespace
 
 void check_sites(const Garment& garment, const Body& body, const std::vector<SiteSpec>& wished) {
+  if (wished.empty()) return;
+  const SitePoints points(body);
   for (std::size_t i = 0; i < wished.size(); ++i) {
     const SiteSpec& spec = wished[i];
-    const bool known_panel = std::find(garment.panel_names.begin(), garment.panel_names.end(),
-                                       spec.panel) != garment.panel_names.end();
-    const char* key = spec.panel.empty() ? "landmark" : known_panel ? "at" : "panel";
     try {
-      spec.panel.empty() ? void(site_point(body, spec.landmark)) : void(in_pattern(garment, spec));
+      if (!spec.panel.empty())
+        pattern_point(garment, spec.panel, spec.at);
+      else if (spec.landmark.empty() && spec.anatomy)
+        points.addresses().skin(*spec.anatomy);
+      else
+        points.at(spec.landmark);
     } catch (const InvalidInput& error) {
-      throw error.at({"", 0, "site[" + std::to_string(i) + "]." + key});
+      throw error.at({"", 0, site_key(i, error.place().key)});
     }
   }
 }
@@ -109,28 +129,67 @@ void check_sites(const Garment& garment, const Body& body, const std::vector<Sit
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
                              const Body& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,
-                             const std::vector<SiteSpec>& wished, bool with_presets,
-                             double radius) {
-  const TriangleMesh cloth{positions, garment.triangles};
-  const ClosestPointTree garment_tree(cloth), body_tree(body.surface);
+                             const std::vector<SiteSpec>& wished, bool with_presets) {
+  check_sites(garment, body, wished);
+  const Finder finder{garment, positions, body, worn, maps};
   std::vector<Site> sites;
-  const auto add = [&](const SiteSpec& spec, bool must_be_covered) {
-    std::optional<GarmentPoint> point;
-    if (spec.panel.empty()) {
-      point = over_body(garment_tree, body_tree, body, site_point(body, spec.landmark));
-    } else {
-      point = in_pattern(garment, spec);
+  const auto add = [&](const SiteSpec& spec, std::optional<std::size_t> index) {
+    std::optional<GarmentPoint> nearest;
+    const auto point = finder.find(spec, nearest);
+    if (!point) {
+      if (index) throw not_covered(finder, spec, *index, nearest);
+      return;
     }
-    if (point)
-      sites.push_back(describe(spec.name, *point, garment, positions, worn, maps, radius));
-    else if (must_be_covered)
-      throw InvalidInput("site " + printable(spec.name) + ": the garment does not cover " +
-                         spec.landmark);
+    Site site;
+    site.name = spec.name;
+    site.point = *point;
+    site.angle = spec.angle;
+    site.shape = spec.footprint;
+    site.preset = !index;
+    finder.describe(site);
+    sites.push_back(site);
   };
-  for (const SiteSpec& spec : wished) add(spec, true);
+  for (std::size_t i = 0; i < wished.size(); ++i) add(wished[i], i);
   if (with_presets)
-    for (const SiteSpec& spec : preset_sites(body)) add(spec, false);
+    for (const SiteSpec& spec : finder.points.presets()) add(spec, std::nullopt);
   return sites;
+}
+
+std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
+                                const std::vector<Vec3>& positions, const Body& body,
+                                const WornGarment& worn, const std::vector<PerformanceMap>& maps) {
+  if (sites.empty()) return {};
+  const Finder finder{garment, positions, body, worn, maps};
+  std::vector<Site> revisited = sites;
+  for (Site& site : revisited) finder.describe(site);
+  return revisited;
+}
+
+std::vector<Attachment> site_boards(const std::vector<SiteSpec>& sites) {
+  std::vector<Attachment> boards;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const SiteSpec& site = sites[i];
+    if (!site.board) continue;
+    if (site.footprint.kind != FootprintShape::Kind::disc &&
+        site.footprint.kind != FootprintShape::Kind::rectangle)
+      throw InvalidInput(InputPlace{"", 0, site_key(i, "footprint")}, "a line under a board",
+                         "radius or size", "sew a thread or cable on with [[attachment]]");
+    if (site.panel.empty())
+      throw InvalidInput(InputPlace{"", 0, site_key(i, "board")}, "a board without a place",
+                         "panel and at", "");
+    Board board;
+    board.centre = site.at;
+    board.angle = site.angle;
+    if (site.footprint.kind == FootprintShape::Kind::disc)
+      board.radius = site.footprint.radius;
+    else
+      board.size = site.footprint.size;
+    board.mass = site.board->mass;
+    board.bending = site.board->bending;
+    board.membrane_factor = site.board->membrane_factor;
+    boards.push_back({site.name, site.panel, board});
+  }
+  return boards;
 }
 
 }  // namespace loosefit

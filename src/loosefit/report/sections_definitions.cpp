@@ -47,6 +47,31 @@ constexpr Definition kDefinitions[] = {
      "quarters of the fabric's thickness."},
     {"pressure_difference_kPa", "Difference of the two pressures",
      "The second minus the first, a check of both: zero for a fine mesh on a smooth body."},
+    {"slack", "Share of slack cloth",
+     "Share of the triangles round a point whose least principal strain is below −0.5 %: cloth "
+     "that "
+     "is buckled within an element, on which no strain sensor reads."},
+    {"tilt_sagittal_deg", "Tilts against the body",
+     "The shortest rotation that takes the body's normal to the cloth's, split into the part about "
+     "the axis across the body segment (positive where the cloth's normal leans to the far end of "
+     "the segment, on the trunk down) and the part about its long axis (positive on the back to "
+     "the wearer's right, on the breast to the left). A posture sensor on the back is wrong by the "
+     "first."},
+    {"twist_deg", "Twist about the normal",
+     "What rotation is left after the tilt: the grain of the cloth against the long axis of the "
+     "body segment (trunk upwards, elbow to shoulder, wrist to elbow), positive counter-clockwise "
+     "seen from outside. The angular deviation does not see it. Not defined where the axis lies "
+     "within 15° of the normal, as on top of the shoulders, nor where the joints are not known."},
+    {"rotation_deg", "Total rotation against the body",
+     "Angle φ of tilt and twist together: cos φ/2 = cos AD/2 · cos twist/2 with AD the angular "
+     "deviation. No direction that is fixed in a sensor reads wrong by more, as long as nothing is "
+     "calibrated away."},
+    {"gap_mm", "Gap",
+     "From the cloth's inner face to the skin: the distance less half the fabric's thickness, not "
+     "below zero. The colour scale has its ticks at equal steps."},
+    {"contact", "Contact",
+     "1 where the gap is within the contact tolerance, the larger of 0.5 mm and three quarters of "
+     "the fabric's thickness; the area mean is the share of the cloth that touches."},
 };
 }  // namespace
 

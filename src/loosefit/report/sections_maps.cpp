@@ -32,8 +32,8 @@ std::string with_unit(const PerformanceMap& map) {
 
 /// Written and summed up, but not shown per region and site.
 bool is_companion(const PerformanceMap& map) {
-  for (const char* array :
-       {"strain_max", "distance_particle_mm", "pressure_membrane_kPa", "pressure_difference_kPa"})
+  for (const char* array : {"strain_max", "strain_min", "slack", "distance_particle_mm",
+                            "pressure_membrane_kPa", "pressure_difference_kPa", "contact"})
     if (map.array == array) return true;
   return false;
 }

@@ -56,7 +56,7 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
   made.pressure = make_pressure(result, made.worn);
   for (PerformanceMap& map :
        compute_maps(garment, result.drape, made.worn, result.scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field})) {
+                    {allow_unsettled, &made.pressure.field, &result.scenario.material.material})) {
     CaseMap entry;
     entry.overall = statistics(map.values, made.worn.areas);
     entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
@@ -71,6 +71,11 @@ std::vector<Site> make_sites(const CaseResult& result) {
   return find_sites(result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
                     plain_maps(result.maps), result.scenario.sites,
                     result.scenario.output.preset_sites);
+}
+
+std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites) {
+  return revisit_sites(sites, result.mesh(), result.drape.positions, result.body.body,
+                       result.maps.worn, plain_maps(result.maps));
 }
 
 std::vector<std::string> collected_warnings(const CaseResult& result) {

@@ -17,6 +17,10 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
 /// \throws InvalidInput naming a site whose panel or landmark is unknown.
 std::vector<Site> make_sites(const CaseResult& result);
 
+/// The sensors of an earlier drape of the same garment in the drape of `result`: they stay where
+/// they are sewn, also those that were found by a landmark.
+std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites);
+
 /// Drapes again from other starts, as often as the scenario's `repeats` asks beyond the first, and
 /// gathers the spread of every area mean and every site value in result.repeats. A repeat that does
 /// not settle is left out of the spread and named in the warnings.

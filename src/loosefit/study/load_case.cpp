@@ -5,6 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp.h"
+#include "loosefit/study/case_boards.h"
 
 namespace loosefit {
 namespace {
@@ -62,8 +63,9 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   clock.stage("pattern");
   result.pattern = make_pattern(result.scenario.garment, result.body.body);
   clock.stage("garment");
-  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
-                                   result.scenario.material.material, result.scenario.attachments);
+  result.garment =
+      build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
+                      result.scenario.material.material, all_attachments(result.scenario));
   clock.stop();
   DrapeFile file = read_drape_vtp(folder / "drape.vtp");
   if (file.garment.triangles != result.mesh().triangles)

@@ -46,7 +46,7 @@ void repeat_drapes(CaseResult& result, Progress& progress) {
     progress.stage("maps");
     other.maps = make_maps(other, false);
     progress.stage("placement");
-    other.sites = make_sites(other);
+    other.sites = same_sites(other, result.sites);
     gather(other, samples);
   }
   for (const auto& [key, values] : samples) result.repeats[key] = spread_of(values);

@@ -1,6 +1,7 @@
 #include "loosefit/study/run_case.h"
 
 #include "loosefit/base/resources.h"
+#include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
@@ -17,8 +18,10 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   result.pattern = make_pattern(scenario.garment, result.body.body);
 
   clock.stage("garment");
+  place_boards(result, clock);
+  clock.stage("garment");
   result.garment = build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
-                                   scenario.material.material, scenario.attachments);
+                                   scenario.material.material, all_attachments(result.scenario));
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
   result.drape = drape_garment(result.garment, scenario.material.material, result.body.path,
@@ -31,6 +34,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
 
     clock.stage("placement");
     result.sites = make_sites(result);
+    warn_of_moved_boards(result);
 
     repeat_drapes(result, clock);
   }

@@ -3,42 +3,35 @@
 #include <cmath>
 #include <set>
 
-#include "loosefit/base/text.h"
+#include "loosefit/io/address_columns.h"
+#include "loosefit/io/csv.h"
 
 namespace loosefit {
-namespace {
-
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string field(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
-
-}  // namespace
 
 std::string sites_csv(const std::vector<Site>& sites) {
   std::set<std::string> arrays;
   for (const Site& site : sites)
     for (const auto& entry : site.values) arrays.insert(entry.first);
-  std::vector<std::string> row = {"name", "region", "panel", "u_m", "v_m", "x_m", "y_m", "z_m"};
+  std::vector<std::string> row = {"name", "region", "panel", "u_m",      "v_m",
+                                  "x_m",  "y_m",    "z_m",   "angle_deg"};
+  row.insert(row.end(), address_columns().begin(), address_columns().end());
   for (const std::string& array : arrays) {
     row.push_back(array);
     row.push_back(array + "_worst");
   }
-  std::string text = join(row, ",") + "\n";
+  std::string text = csv_line(row);
   for (const Site& site : sites) {
-    row = {field(site.name),         field(name(site.region)), field(site.panel),
-           field(site.at.x()),       field(site.at.y()),       field(site.position.x()),
-           field(site.position.y()), field(site.position.z())};
+    row = {csv_field(site.name), csv_field(name(site.region)), csv_field(site.panel)};
+    for (double value : {site.at.x(), site.at.y(), site.position.x(), site.position.y(),
+                         site.position.z(), std::round(degrees(site.angle) * 1e8) / 1e8})
+      row.push_back(csv_field(value));
+    for (const std::string& field : address_fields(site.anatomy)) row.push_back(field);
     for (const std::string& array : arrays) {
       const auto value = site.values.find(array);
-      row.push_back(value == site.values.end() ? "" : field(value->second.mean));
-      row.push_back(value == site.values.end() ? "" : field(value->second.worst));
+      row.push_back(value == site.values.end() ? "" : csv_field(value->second.mean));
+      row.push_back(value == site.values.end() ? "" : csv_field(value->second.worst));
     }
-    text += join(row, ",") + "\n";
+    text += csv_line(row);
   }
   return text;
 }

@@ -6,8 +6,9 @@
 
 namespace loosefit {
 
-/// Sites as CSV (RFC 4180), one row per site: name, region, panel, u_m, v_m, x_m, y_m, z_m, then
-/// per map array the footprint mean and `<array>_worst`. Same columns in every row.
+/// Sites as CSV (RFC 4180), one row per site: name, region, panel, u_m, v_m, x_m, y_m, z_m,
+/// angle_deg, address_columns(), then per map array the footprint mean and `<array>_worst`. Same
+/// columns in every row.
 std::string sites_csv(const std::vector<Site>& sites);
 
 }  // namespace loosefit

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/address_columns.h"
 
 namespace loosefit {
 namespace {
@@ -72,7 +73,15 @@ Json site_json(const Site& site) {
                {"u_m", site.at.x()},
                {"v_m", site.at.y()},
                {"position_m", {site.position.x(), site.position.y(), site.position.z()}},
-               {"region", name(site.region)}};
+               {"region", name(site.region)},
+               {"angle_deg", degrees(site.angle)},
+               {"body_address", nullptr}};
+  if (site.anatomy)
+    json["body_address"] = {
+        {"segment", name(site.anatomy->segment)},
+        {"side", side_name(*site.anatomy)},
+        {"percent",
+         {site.anatomy->percent.x(), site.anatomy->percent.y(), site.anatomy->percent.z()}}};
   for (const auto& [array, value] : site.values) {
     json[array] = value.mean;
     json[array + "_worst"] = value.worst;

@@ -1,0 +1,174 @@
+#include "loosefit/io/scorecard_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/paths.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/config_reader.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/placement/derived_metrics.h"
+#include "loosefit/placement/keep_out.h"
+
+namespace loosefit {
+namespace {
+
+constexpr std::size_t kMaxBytes = 1000000;
+const NumberRange kLimits{-1e6, 1e6, "a number"};
+
+std::string required_text(ConfigReader& table, const std::string& key, const char* expected) {
+  const std::string text = table.text(key, "");
+  if (text.empty()) throw table.error(key, expected);
+  return text;
+}
+
+double required(ConfigReader& table, const std::string& key, const NumberRange& range) {
+  const auto value = table.optional_number(key, range);
+  if (!value)
+    throw table.error(key, fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high));
+  return *value;
+}
+
+FootprintShape read_footprint(ConfigReader& table) {
+  using Kind = FootprintShape::Kind;
+  static const std::vector<std::pair<std::string, Kind>> kShapes = {{"disc", Kind::disc},
+                                                                    {"rectangle", Kind::rectangle},
+                                                                    {"line", Kind::line},
+                                                                    {"girth", Kind::girth}};
+  std::vector<std::string> names;
+  for (const auto& shape : kShapes) names.push_back(shape.first);
+  const std::string shape = table.choice("shape", "disc", names);
+  FootprintShape footprint;
+  for (const auto& [name, kind] : kShapes)
+    if (name == shape) footprint.kind = kind;
+  const NumberRange half{5e-4, 0.2, "metres"}, whole{1e-3, 1, "metres"};
+  if (footprint.kind == Kind::disc) footprint.radius = required(table, "radius", half);
+  if (footprint.kind == Kind::line) footprint.length = required(table, "length", whole);
+  if (footprint.kind == Kind::rectangle)
+    footprint.size = {required(table, "width", whole), required(table, "length", whole)};
+  table.finish();
+  return footprint;
+}
+
+std::map<std::string, double> read_parameters(ConfigReader table) {
+  std::map<std::string, double> values;
+  for (const SensorParameter& p : sensor_parameters())
+    if (const auto value = table.optional_number(p.name, {p.low, p.high, p.unit}))
+      values[p.name] = *value;
+  table.finish();
+  return values;
+}
+
+/// One number, or [low, high] of a range.
+std::vector<double> limits(ConfigReader& table, const std::string& key) {
+  const ConfigNode* node = table.node(key);
+  if (!node) throw table.error(key, "a number, or [low, high] of a range");
+  if (node->kind != ConfigNode::Kind::array) return {table.number(key, 0, kLimits)};
+  const std::vector<double> pair = table.numbers(key, kLimits);
+  if (pair.size() != 2) throw table.error(key, "a number, or [low, high] of a range");
+  return pair;
+}
+
+void read_ramps(ConfigReader& table, Criterion& criterion) {
+  const std::vector<double> good = limits(table, "good"), fail = limits(table, "fail");
+  if (good.size() != fail.size())
+    throw table.error("fail", good.size() == 1 ? "a number, as good is" : "[low, high], as good is",
+                      "a range needs four limits: fail below, good, good, fail above");
+  if (good.size() == 1) {
+    if (good[0] == fail[0])
+      throw table.error("fail", "another number than good",
+                        "more is better when good is above fail, less is better when below");
+    criterion.limit = {good[0], fail[0]};
+    return;
+  }
+  if (good[0] > good[1])
+    throw table.error("good", "[low, high], the lower one first",
+                      "more or less is better alone: give a number each for good and fail");
+  if (!(fail[0] < good[0] && good[1] < fail[1]))
+    throw table.error("fail", fmt::format("[below {:g}, above {:g}]", good[0], good[1]),
+                      "fail below < good from <= good to < fail above");
+  criterion.limit = {good[0], fail[0]};
+  criterion.upper = Ramp{good[1], fail[1]};
+}
+
+Criterion read_criterion(ConfigReader& table, const std::map<std::string, double>& parameters) {
+  Criterion criterion;
+  criterion.metric = required_text(table, "metric", "the name of a metric");
+  const MetricName* metric = find_metric(criterion.metric);
+  std::vector<std::string> names;
+  for (const MetricName& m : metric_vocabulary()) names.push_back(m.name);
+  if (!metric)
+    throw table.error("metric", "the name of a metric", did_you_mean(criterion.metric, names));
+  if (required_text(table, "unit", "the unit of the limits in quotes") != metric->unit)
+    throw table.error("unit", "\"" + metric->unit + "\"",
+                      "limits stand in the unit of the metric: " + metric->words);
+  for (const std::string& parameter : parameters_of(criterion.metric))
+    if (!parameters.count(parameter))
+      throw table.error("metric", "sensor." + parameter + " beside it",
+                        criterion.metric + " is computed with it: [sensor] " + parameter + " = …");
+  read_ramps(table, criterion);
+  criterion.reason = required_text(table, "reason", "what is wrong when this limits");
+  if (criterion.upper)
+    criterion.reason_above = required_text(table, "reason_above", "what is wrong above the range");
+  criterion.source = required_text(table, "source", "where the numbers come from");
+  table.finish();
+  return criterion;
+}
+
+}  // namespace
+
+std::vector<std::string> scorecard_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(data_directory() / "scorecards", error))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Scorecard load_scorecard(const std::string& name_or_path) {
+  if (std::filesystem::path(name_or_path).extension() == ".toml")
+    return read_scorecard_file(name_or_path);
+  const std::vector<std::string> names = scorecard_names();
+  if (names.empty())
+    throw IoError((data_directory() / "scorecards").string() + ": found no scorecards",
+                  "set LOOSEFIT_SHARE to the folder that holds scorecards/");
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end())
+    throw InvalidInput({"", 0, "modality"}, "\"" + printable(name_or_path) + "\"",
+                       "the name of a scorecard, or the path of a .toml file",
+                       did_you_mean(name_or_path, names));
+  return read_scorecard_file(data_directory() / "scorecards" / (name_or_path + ".toml"));
+}
+
+Scorecard read_scorecard_file(const std::filesystem::path& path) {
+  return parse_scorecard(read_text_file(path.string(), kMaxBytes), path.string());
+}
+
+Scorecard parse_scorecard(const std::string& text, const std::string& file) {
+  const ConfigNode root = parse_toml(text, file);
+  ConfigReader table(root, file);
+  Scorecard card;
+  card.name = std::filesystem::path(file).stem().string();
+  card.title = required_text(table, "title", "what the sensor is");
+  card.about = required_text(table, "about", "what is judged, and what is not");
+  card.pass = table.number("pass", card.pass, {0.01, 1, "a score"});
+  if (!table.has("footprint"))
+    throw table.error("footprint", "what the sensor covers",
+                      "[footprint] shape = \"disc\", radius = 0.012");
+  for (const std::string& region : table.choices("regions", {}, region_names()))
+    card.regions.push_back(*find_region(region));
+  ConfigReader footprint = table.table("footprint");
+  card.around = footprint.choice("axis", "along", {"along", "around"}) == "around";
+  card.footprint = read_footprint(footprint);
+  card.parameters = read_parameters(table.table("sensor"));
+  for (ConfigReader& criterion : table.tables("criterion"))
+    card.criteria.push_back(read_criterion(criterion, card.parameters));
+  if (card.criteria.empty()) throw table.error("criterion", "at least one [[criterion]]");
+  table.finish();
+  return card;
+}
+
+}  // namespace loosefit

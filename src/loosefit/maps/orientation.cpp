@@ -1,0 +1,109 @@
+#include "loosefit/maps/orientation.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/maps/body_frame.h"
+#include "loosefit/maps/strain.h"
+
+namespace loosefit {
+namespace {
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+// Fixed ranges of the pictures: signed tilts to both sides, their sum as far as the deviation map.
+constexpr double kTiltRange = 30, kRotationRange = 40;  // [deg]
+
+double flat_area(const std::array<Vec2, 3>& uv) {
+  const Vec2 e = uv[1] - uv[0], f = uv[2] - uv[0];
+  return 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
+}
+
+PerformanceMap degree_map(const std::string& array, const std::string& title,
+                          const std::string& map, bool signed_angle) {
+  const double range = signed_angle ? kTiltRange : kRotationRange;
+  return {array, title, "deg", signed_angle ? -range : 0, range, {}, map, true, signed_angle};
+}
+}  // namespace
+
+double rotation_angle(const Mat3& r) {
+  const Vec3 twice_sine(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
+  return std::atan2(twice_sine.norm(), r.trace() - 1);
+}
+
+Orientation orientation_of(const Mat3& relative) {
+  const Vec3 n = relative.col(2);  // the garment's normal in the body frame
+  const double sine = std::hypot(n.x(), n.y());
+  Orientation o;
+  o.angular_deviation = std::atan2(sine, n.z());
+  o.rotation = rotation_angle(relative);
+  const Eigen::Quaterniond q(relative);
+  const double upright = std::hypot(q.w(), q.z());  // cos(AD/2)
+  constexpr double kOpposite = 1e-9;
+  if (upright < kOpposite) {
+    o.tilt_sagittal = o.tilt_lateral = o.twist = kNan;
+    return o;
+  }
+  // τ = AD (e₃ × n)/|e₃ × n|; a limit of one where the normals agree.
+  const double per_sine = sine > 0 ? o.angular_deviation / sine : 1;
+  o.tilt_sagittal = -n.y() * per_sine;
+  o.tilt_lateral = n.x() * per_sine;
+  o.twist = 2 * std::atan2(q.w() < 0 ? -q.z() : q.z(), std::abs(q.w()));
+  return o;
+}
+
+Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
+                    const Vec2& direction) {
+  const Triangle& c = garment.triangles[triangle];
+  const Vec3 normal = triangle_normal(positions[c[0]], positions[c[1]], positions[c[2]]);
+  const Vec3 image = deformation_gradient(garment, triangle, positions) * direction;
+  const double length = image.norm();
+  Mat3 frame = Mat3::Constant(kNan);
+  if (!(length > 0) || !(normal.squaredNorm() > 0)) return frame;
+  const Vec3 a = image / length;
+  frame << a.cross(normal), a, normal;
+  return frame;
+}
+
+std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>& positions,
+                                const std::vector<Vec3>& normals, const Vec2& direction) {
+  std::vector<Vec3> image(garment.vertex_count, Vec3::Zero());
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
+    const double area = flat_area(garment.triangle_uv[t]);
+    if (!(area > 0)) continue;
+    const Vec3 along = deformation_gradient(garment, t, positions) * direction;
+    for (int v : garment.triangles[t])
+      if (garment.vertex_panel[v] == garment.triangle_panel[t]) image[v] += area * along;
+  }
+  std::vector<Mat3> frames(garment.vertex_count, Mat3::Constant(kNan));
+  for (int v = 0; v < garment.vertex_count; ++v) {
+    const Vec3 a = image[v] - image[v].dot(normals[v]) * normals[v];
+    const double length = a.norm();
+    if (!(length > 0) || !(normals[v].squaredNorm() > 0)) continue;
+    frames[v] << (a / length).cross(normals[v]), a / length, normals[v];
+  }
+  return frames;
+}
+
+std::vector<PerformanceMap> orientation_maps(const Garment& garment,
+                                             const std::vector<Vec3>& positions,
+                                             const WornGarment& worn, const Vec2& direction) {
+  std::vector<PerformanceMap> maps = {
+      degree_map("tilt_sagittal_deg", "Tilt about the axis across the segment",
+                 "orientation-tilt-sagittal", true),
+      degree_map("tilt_lateral_deg", "Tilt about the segment's long axis",
+                 "orientation-tilt-lateral", true),
+      degree_map("twist_deg", "Twist about the normal", "orientation-twist", true),
+      degree_map("rotation_deg", "Total rotation against the body", "orientation", false)};
+  const std::vector<Mat3> frames = vertex_frames(garment, positions, worn.normals, direction);
+  for (int v = 0; v < garment.vertex_count; ++v) {
+    const SurfaceFrame body = surface_frame(worn.partners[v].normal, worn.segment_axes[v]);
+    Orientation o{kNan, kNan, kNan, kNan, kNan};
+    if (body.has_direction && frames[v].allFinite())
+      o = orientation_of(body.axes.transpose() * frames[v]);
+    const double values[] = {o.tilt_sagittal, o.tilt_lateral, o.twist, o.rotation};
+    for (std::size_t k = 0; k < maps.size(); ++k) maps[k].values.push_back(degrees(values[k]));
+  }
+  return maps;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,61 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/garment/garment.h"
+#include "loosefit/maps/performance_map.h"
+#include "loosefit/maps/worn_garment.h"
+
+namespace loosefit {
+
+/// Orientation of a place of the garment relative to the body under it, R = F_bᵀ F_g with the body
+/// frame F_b = [s a n] (maps/body_frame.h) and the garment frame F_g of the same build, its a the
+/// image of a direction in the pattern (sensor-metrics 3.1, 3.2). All in rad.
+///
+/// R is a swing, which takes n_b to n_g the shortest way, after a twist about n_b. The swing's
+/// rotation vector τ lies in the tangent plane of the body; it is split into the two tilts:
+///
+///   |τ| = AD,   τ = tilt_sagittal · s_b + tilt_lateral · a_b
+///
+/// and cos(rotation/2) = cos(AD/2) cos(twist/2). A direction fixed in the garment differs from the
+/// same direction fixed in the body by at most `rotation`, the normal by AD.
+struct Orientation {
+  double angular_deviation = 0;  ///< AD, angle between the normals, 0 … π
+  /// About s: positive where the cloth's normal leans to the far end of the segment (on the trunk:
+  /// down), as when the upper edge of a board stands off further than the lower one.
+  double tilt_sagittal = 0;
+  /// About a: positive where the normal leans towards s (back: wearer's right; breast: left).
+  double tilt_lateral = 0;
+  /// About the normal, −π … π, positive counter-clockwise seen from outside.
+  double twist = 0;
+  double rotation = 0;  ///< total angle of R, 0 … π
+};
+
+/// \pre `relative` is a rotation. The tilts are NaN for opposite normals and the twist then too:
+/// every way round is as short.
+Orientation orientation_of(const Mat3& relative);
+
+/// Angle of a rotation, 0 … π [rad]; exact also near zero.
+double rotation_angle(const Mat3& rotation);
+
+/// Direction in the pattern (weft, warp) that stands for a sensor's long axis when nothing is said.
+inline const Vec2 kGrain = Vec2(0, 1);
+
+/// Frame of a garment triangle: n its normal, a = F d/|F d| (in its plane anyway), s = a × n; all
+/// NaN for a triangle without area.
+Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
+                    const Vec2& direction = kGrain);
+
+/// Frame at every garment vertex: the vertex normal (unit, from `normals`), and the mean of F d
+/// over the triangles round the vertex in its own panel (Garment::vertex_panel; across a seam the
+/// pattern directions of two panels need not agree), weighted by flat area and projected.
+std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>& positions,
+                                const std::vector<Vec3>& normals, const Vec2& direction = kGrain);
+
+/// Arrays tilt_sagittal_deg, tilt_lateral_deg, twist_deg and rotation_deg against the body at each
+/// vertex's partner; NaN where the body gives no long axis (SurfaceFrame::has_direction).
+std::vector<PerformanceMap> orientation_maps(const Garment& garment,
+                                             const std::vector<Vec3>& positions,
+                                             const WornGarment& worn,
+                                             const Vec2& direction = kGrain);
+
+}  // namespace loosefit

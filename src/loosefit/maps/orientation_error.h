@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/maps/skin_partner.h"
+
+namespace loosefit {
+
+/// Angle of E = R R_refᵀ: how far a sensor that was calibrated at R_ref reads wrong at R, both
+/// relative to the body (sensor-metrics 3.3) [rad]. The same whatever tangent the body frame has,
+/// as long as it is carried with the skin.
+double calibrated_error(const Mat3& now, const Mat3& reference);
+
+/// A set of errors summed up.
+struct ErrorSummary {
+  double rms = 0;
+  double p95 = 0;  ///< least error that 95 % of the set do not exceed: of few, the greatest
+};
+/// \throws InvalidInput for an empty set.
+ErrorSummary summarise(const std::vector<double>& errors);
+
+/// Calibrated orientation error (COE) of every garment vertex over several states against the
+/// reference: arrays coe_rms_deg and coe_p95_deg over `states`, in which the reference itself
+/// should not be counted. The body frame is that of the material partner (maps/skin_partner.h); NaN
+/// where the cloth has no frame. \throws InvalidInput for no states, or another body or garment.
+std::vector<PerformanceMap> orientation_error_maps(const Garment& garment,
+                                                   const DressedState& reference,
+                                                   const std::vector<DressedState>& states,
+                                                   const Vec2& direction = Vec2(0, 1));
+
+}  // namespace loosefit

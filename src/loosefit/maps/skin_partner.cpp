@@ -1,0 +1,75 @@
+#include "loosefit/maps/skin_partner.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+
+std::vector<SkinPoint> skin_partners(const DressedState& reference) {
+  const std::vector<Vec3> axes = segment_axes(reference.body);
+  std::vector<SkinPoint> partners;
+  partners.reserve(reference.worn.partners.size());
+  for (const BodyPartner& partner : reference.worn.partners)
+    partners.push_back(skin_point(reference.body, axes, partner.exact));
+  return partners;
+}
+
+Vec3 offset_on_skin(const SkinPoint& partner, const Body& body, const Vec3& position) {
+  return frame_of(partner, body).axes.transpose() * (position - position_of(partner, body));
+}
+
+Slip slip_of(const Vec3& change, bool has_direction) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  if (!has_direction) return {kNan, kNan, change.head<2>().norm()};
+  return {change.x(), change.y(), change.head<2>().norm()};
+}
+
+void require_fit(const Garment& garment, const DressedState& state) {
+  const auto n = static_cast<std::size_t>(garment.vertex_count);
+  if (state.positions.size() == n && state.worn.partners.size() == n) return;
+  throw InvalidInput("a dressed state: found " + std::to_string(state.positions.size()) +
+                     " positions and " + std::to_string(state.worn.partners.size()) +
+                     " partners, expected " + std::to_string(n) + ", as many as garment vertices");
+}
+
+std::vector<PerformanceMap> slip_maps(const Garment& garment, const DressedState& reference,
+                                      const DressedState& now) {
+  require_fit(garment, reference);
+  require_fit(garment, now);
+  require_same_wearer(reference.body, now.body);
+  constexpr double kRange = 20;  // [mm]
+  std::vector<PerformanceMap> maps = {{"slip_mm", "Slip on the skin", "mm", 0, kRange, {}, "slip"},
+                                      {"slip_along_mm",
+                                       "Slip along the segment",
+                                       "mm",
+                                       -kRange,
+                                       kRange,
+                                       {},
+                                       "slip-along",
+                                       false,
+                                       true},
+                                      {"slip_around_mm",
+                                       "Slip around the segment",
+                                       "mm",
+                                       -kRange,
+                                       kRange,
+                                       {},
+                                       "slip-around",
+                                       false,
+                                       true}};
+  const std::vector<SkinPoint> partners = skin_partners(reference);
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    const Vec3 change = offset_on_skin(partners[v], now.body, now.positions[v]) -
+                        offset_on_skin(partners[v], reference.body, reference.positions[v]);
+    const Slip slip = slip_of(change, partners[v].has_direction);
+    maps[0].values.push_back(1000 * slip.distance);
+    maps[1].values.push_back(1000 * slip.along);
+    maps[2].values.push_back(1000 * slip.around);
+  }
+  return maps;
+}
+
+}  // namespace loosefit

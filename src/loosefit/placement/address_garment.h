@@ -1,0 +1,70 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/maps/worn_garment.h"
+
+namespace loosefit {
+
+/// A point of the garment by triangle.
+struct GarmentPoint {
+  int triangle = -1;
+  Vec3 barycentric = Vec3::Zero();
+};
+
+/// Where a garment point lies in the pattern [m].
+Vec2 pattern_place(const Garment& garment, const GarmentPoint& point);
+/// Where it lies in space, or another vertex field there.
+Vec3 at(const Garment& garment, const GarmentPoint& point, const std::vector<Vec3>& field);
+
+/// The point of a panel at pattern coordinates [m]; up to 0.1 mm outside counts as its edge, since
+/// a mesh cuts the corners of a curved outline. \throws InvalidInput, key "panel" (with a
+/// did-you-mean) or "at" (with the nearest place in the panel).
+GarmentPoint pattern_point(const Garment& garment, const std::string& panel, const Vec2& place);
+
+/// Farther from the skin than this a garment does not cover it [m].
+inline constexpr double kCoverReach = 0.15;
+
+/// Which place of a worn garment lies over which place of the skin, in both directions. Keeps
+/// references to all that it is given.
+class GarmentOverSkin {
+ public:
+  GarmentOverSkin(const Garment& garment, const std::vector<Vec3>& positions, const Body& body,
+                  const WornGarment& worn);
+
+  /// The skin under a garment point: its partner by the rules of PartnerFinder.
+  BodyPartner under(const GarmentPoint& point) const;
+
+  /// The garment over a skin point: where its partner comes nearest to it, so that `under` leads
+  /// back. Found with partners linear over each triangle, then corrected by what is missed. Among
+  /// layers that are equally good (0.5 mm) the innermost one; of triangles that face as the skin
+  /// does, if there are any.
+  struct Over {
+    GarmentPoint point;
+    double miss = 0;  ///< its partner to the skin point [m]
+    /// Faces as the skin; miss below 15 mm, or 60 mm away from free edges; gap ≤ kCoverReach.
+    bool covered = false;
+  };
+  Over over(const ClosestPoint& skin) const;
+
+ private:
+  GarmentPoint over_by_vertices(const Vec3& target, const Vec3& skin, const Vec3& normal,
+                                bool facing) const;
+  bool at_free_edge(const GarmentPoint& point) const;
+  const Garment& garment_;
+  const std::vector<Vec3>& positions_;
+  const Body& body_;
+  const WornGarment& worn_;
+  PartnerFinder finder_;
+  std::vector<std::array<int, 3>> neighbours_;
+};
+
+/// Angle of the long axis of the body segment in the pattern at a footprint, as for sensors: from
+/// the warp, counter-clockwise [rad]: the pattern direction whose image on the cloth runs along
+/// `axis` (unit, in space), mean over the triangles of the panel. NaN where the axis is normal to
+/// the cloth or zero.
+double angle_in_pattern(const Garment& garment, const std::vector<Vec3>& positions,
+                        const std::vector<int>& triangles, const Vec3& axis);
+
+}  // namespace loosefit

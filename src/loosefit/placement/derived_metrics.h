@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/placement/scorecard.h"
+
+namespace loosefit {
+
+/// A number about the sensor that derived metrics need, as a scorecard states it in [sensor].
+struct SensorParameter {
+  std::string name;
+  double low = 0, high = 0;  ///< allowed values
+  std::string unit;          ///< SI
+  std::string words;
+};
+
+/// strain_error, dielectric_thickness, dielectric_constant, skin_temperature, air_temperature,
+/// outer_resistance.
+const std::vector<SensorParameter>& sensor_parameters();
+
+/// Parameters without which `metric` cannot be derived; empty for a metric that is not derived or
+/// needs none.
+std::vector<std::string> parameters_of(const std::string& metric);
+
+/// The metrics with all that follow from them and from the scorecard (sensor-metrics, 6 and 8):
+///
+///   usable_signal_ratio = strain_swing / ε_err
+///   pre_strain_margin   = strain − strain_swing   (≥ 0: no posture makes the sensor slack, since
+///   no
+///                                                  shortening can exceed the whole swing)
+///   strain_peak         = strain + strain_swing
+///   capacitance_pF      = ε₀ A / (t/ε_r + g)
+///   capacitance_swing   = Δg / (g + t/ε_r)
+///   temperature_error_K = (T_skin − T_air) R_gap / (R_gap + R_out),  R_gap = g / (0.026 W/(m K))
+///   sensor_diameter_mm  = 2 r of a disc
+///
+/// with g the footprint's mean gap, Δg its range over postures, A and r of the scorecard's
+/// footprint, ε_err strain_error, t dielectric_thickness, ε_r dielectric_constant, R_out
+/// outer_resistance. The mean gap makes capacitance_pF a lower bound: C is convex in g. A derived
+/// metric that is already among `metrics` is kept; one that lacks an input is left out.
+MetricValues with_derived(const MetricValues& metrics, const Scorecard& scorecard);
+
+}  // namespace loosefit

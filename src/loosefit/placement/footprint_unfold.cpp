@@ -1,0 +1,127 @@
+#include "loosefit/placement/footprint_unfold.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <queue>
+#include <set>
+#include <tuple>
+
+#include "loosefit/geometry/closest_point.h"
+
+namespace loosefit {
+namespace {
+
+Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance(const std::array<Vec2, 3>& corners, const Vec2& p) {
+  const Vec3 a = lifted(corners[0]), b = lifted(corners[1]), c = lifted(corners[2]);
+  const Vec3 w = closest_barycentric(lifted(p), a, b, c);
+  return (w[0] * a + w[1] * b + w[2] * c - lifted(p)).norm();
+}
+
+/// Rigid map of a piece into the plane: turn (and turning over), then shift.
+struct Layout {
+  Mat2 turn = Mat2::Identity();
+  Vec2 shift = Vec2::Zero();
+  Vec2 operator()(const Vec2& p) const { return turn * p + shift; }
+};
+
+/// Layout of a neighbour whose edge from → to must come to lie on a → b, its third corner `apex` on
+/// the other side of it than `inner`.
+Layout against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from, const Vec2& to,
+               const Vec2& apex) {
+  const Vec2 wanted = (b - a).normalized(), has = (to - from).normalized();
+  const double c = wanted.dot(has), s = cross(has, wanted);
+  Layout layout;
+  layout.turn << c, -s, s, c;
+  // Turned on, the neighbour would cover this piece: a right-to-wrong seam. Turn it over first.
+  if ((cross(to - from, apex - from) > 0) == (cross(b - a, inner - a) > 0))
+    layout.turn *= 2 * has * has.transpose() - Mat2::Identity();
+  layout.shift = (a + b) / 2 - layout.turn * (from + to) / 2;
+  return layout;
+}
+
+}  // namespace
+
+Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p) {
+  const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0], d = p - corners[0];
+  const double whole = cross(a, b);
+  const double second = cross(d, b) / whole, third = cross(a, d) / whole;
+  return {1 - second - third, second, third};
+}
+
+TriangleNeighbours triangle_neighbours(const Garment& garment) {
+  std::vector<std::tuple<int, int, int, int>> edges;  // vertices, triangle, corner
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] =
+          std::minmax(garment.triangles[t][k], garment.triangles[t][(k + 1) % 3]);
+      edges.emplace_back(low, high, t, k);
+    }
+  std::sort(edges.begin(), edges.end());
+  TriangleNeighbours beyond(garment.triangles.size(), {-1, -1, -1});
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const auto& [a, b, t, k] = edges[i];
+    const auto& [c, d, u, l] = edges[i + 1];
+    if (a != c || b != d) continue;
+    beyond[t][k] = u;
+    beyond[u][l] = t;
+  }
+  return beyond;
+}
+
+std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
+                                 double reach, const TriangleNeighbours* neighbours) {
+  TriangleNeighbours own;
+  if (!neighbours) own = triangle_neighbours(garment);
+  const TriangleNeighbours& beyond = neighbours ? *neighbours : own;
+  struct Step {
+    double distance;
+    int triangle;
+    Layout layout;
+    bool operator>(const Step& other) const {
+      return std::tie(distance, triangle) > std::tie(other.distance, other.triangle);
+    }
+  };
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+  open.push({0, triangle, {}});
+  std::set<int> done;
+  std::vector<FlatTriangle> found;
+  while (!open.empty()) {
+    const Step step = open.top();
+    open.pop();
+    if (!done.insert(step.triangle).second) continue;
+    const Triangle& ids = garment.triangles[step.triangle];
+    FlatTriangle flat{step.triangle, {}};
+    for (int k = 0; k < 3; ++k)
+      flat.corners[k] = step.layout(garment.triangle_uv[step.triangle][k]);
+    found.push_back(flat);
+    for (int k = 0; k < 3; ++k) {
+      const int next = beyond[step.triangle][k];
+      if (next < 0 || done.count(next)) continue;
+      const int a = ids[k], b = ids[(k + 1) % 3];
+      const Triangle& other = garment.triangles[next];
+      const auto corner = [&](int vertex) {
+        return static_cast<int>(std::find(other.begin(), other.end(), vertex) - other.begin());
+      };
+      const int ca = corner(a), cb = corner(b);
+      const auto& uv = garment.triangle_uv[next];
+      Layout layout = step.layout;
+      const bool seam = garment.triangle_panel[next] != garment.triangle_panel[step.triangle] ||
+                        (uv[ca] - garment.triangle_uv[step.triangle][k]).norm() > 1e-9 ||
+                        (uv[cb] - garment.triangle_uv[step.triangle][(k + 1) % 3]).norm() > 1e-9;
+      if (seam)
+        layout = against(flat.corners[k], flat.corners[(k + 1) % 3], flat.corners[(k + 2) % 3],
+                         uv[ca], uv[cb], uv[3 - ca - cb]);
+      std::array<Vec2, 3> corners;
+      for (int c = 0; c < 3; ++c) corners[c] = layout(uv[c]);
+      const double d = distance(corners, centre);
+      if (d <= reach) open.push({d, next, layout});
+    }
+  }
+  return found;
+}
+
+}  // namespace loosefit

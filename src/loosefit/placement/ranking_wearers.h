@@ -1,0 +1,55 @@
+#pragma once
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "loosefit/placement/sensor_probe.h"
+
+namespace loosefit {
+
+/// One wearer of those over whom sites are ranked.
+struct RankingWearer {
+  std::string name;  ///< "run3"; stands beside the samples
+  RankingGround ground;
+  /// Where the given sites are on this wearer, each with the name of one on the first. Empty: the
+  /// sensors stay where they are sewn, at the same places of the same pieces.
+  std::vector<Site> sites = {};
+};
+
+/// The given sites with the scorecard's sensor in place of theirs, described anew: its footprint,
+/// its axis along or around the segment (a stated angle other than 0 is kept). A site that was
+/// asked for by name and states a footprint of its own keeps it with its angle. Girth lines stay
+/// when the scorecard's sensor is a line, and are left out, named in `left_out`, when it is not.
+std::vector<Site> sites_with_sensor(const RankingGround& ground, const std::vector<Site>& sites,
+                                    const Scorecard& scorecard, std::vector<std::string>& left_out);
+
+/// Measures sensors over all wearers, one sample per wearer and donning. Keeps references to its
+/// arguments and to what the grounds refer to. Safe to use from several threads.
+class Wearers {
+ public:
+  /// \throws InvalidInput without wearers.
+  Wearers(const std::vector<RankingWearer>& wearers, const Scorecard& scorecard);
+
+  const SensorProbe& first() const { return probes_.front(); }
+  /// Whether some wearer has sites of its own: the garments are then cut differently.
+  bool cut_differently() const;
+  /// Per sample: the wearer's name, with the donning's number where there are several.
+  std::vector<std::string> sample_names() const;
+
+  /// Of sites of the first wearer, in their order. \throws InvalidInput when another wearer has no
+  /// such site, or the garment no cloth at its place.
+  std::vector<WearerSamples> at(const std::vector<Site>& sites) const;
+  /// Of a sensor at a place of the pattern; `turn` is the angle of its axis. A wearer whose garment
+  /// has no cloth there has samples without metrics: the place is then not rated.
+  WearerSamples at(const PatternPlace& place, const FootprintShape& shape, double turn) const;
+
+ private:
+  std::vector<Site> on(std::size_t wearer, const std::vector<Site>& sites) const;
+
+  const std::vector<RankingWearer>& wearers_;
+  std::deque<SensorProbe> probes_;
+  std::vector<std::size_t> donnings_;     ///< per wearer
+  std::vector<std::vector<Site>> sites_;  ///< per wearer: its own, with the scorecard's sensor
+};
+
+}  // namespace loosefit

@@ -1,0 +1,32 @@
+#include "loosefit/placement/segment_direction.h"
+
+#include <cmath>
+
+#include "loosefit/maps/body_frame.h"
+#include "loosefit/placement/address_garment.h"
+
+namespace loosefit {
+
+SegmentDirection::SegmentDirection(const Garment& garment, const std::vector<Vec3>& positions,
+                                   const Body& body, const WornGarment& worn)
+    : angles_(garment.triangles.size(), 0.0) {
+  const std::vector<Vec3> axes = segment_axes(body);
+  std::vector<Vec3> axis_at_vertex;
+  for (const BodyPartner& partner : worn.partners)
+    axis_at_vertex.push_back(
+        at_point(body.surface, axes, partner.exact.triangle, partner.exact.barycentric));
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
+    Vec3 axis = Vec3::Zero(), normal = Vec3::Zero();
+    for (int v : garment.triangles[t]) {
+      axis += axis_at_vertex[v];
+      normal += worn.partners[v].normal;
+    }
+    if (axis.norm() < 1e-6 || normal.norm() < 1e-6) continue;
+    // The cloth may be folded over: what counts is whether the body has a direction there.
+    if (!surface_frame(normal.normalized(), axis.normalized()).has_direction) continue;
+    const double angle = angle_in_pattern(garment, positions, {t}, axis.normalized());
+    if (std::isfinite(angle)) angles_[t] = angle;
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,225 @@
+#include "loosefit/placement/site_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/maps/orientation_error.h"
+#include "loosefit/maps/statistics.h"
+
+namespace loosefit {
+namespace {
+using Values = std::vector<double>;
+using Read = std::function<double(const SiteState&)>;
+
+/// The known ones of a number over states.
+Values read(const std::vector<SiteState>& states, const Read& of) {
+  Values values;
+  for (const SiteState& s : states)
+    if (const double value = of(s); std::isfinite(value)) values.push_back(value);
+  return values;
+}
+
+double mean(const Values& v) {
+  double sum = 0;
+  for (double x : v) sum += x;
+  return sum / static_cast<double>(v.size());
+}
+
+/// Mean direction: −179° and 179° make 180°.
+double mean_angle(const Values& v) {
+  double sine = 0, cosine = 0;
+  for (double x : v) sine += std::sin(x), cosine += std::cos(x);
+  return std::atan2(sine, cosine);
+}
+
+double least(const Values& v) { return *std::min_element(v.begin(), v.end()); }
+double greatest(const Values& v) { return *std::max_element(v.begin(), v.end()); }
+
+double range(const Values& v) {
+  constexpr std::size_t kMany = 20;  // below, a percentile is the extreme itself
+  const MapStatistics s = statistics(v, Values(v.size(), 1.0));
+  return v.size() >= kMany ? s.p95 - s.p5 : s.max - s.min;
+}
+
+/// States grouped by donning.
+std::map<int, std::vector<SiteState>> by_donning(const std::vector<SiteState>& states) {
+  std::map<int, std::vector<SiteState>> groups;
+  for (const SiteState& s : states) groups[s.donning].push_back(s);
+  return groups;
+}
+
+class Summary {
+ public:
+  Summary(const std::vector<SiteState>& states, int reference) : states_(states) {
+    for (const SiteState& s : states) (s.posture == reference ? references_ : others_).push_back(s);
+    for (const auto& [donning, own] : by_donning(states))
+      if (own.size() > 1) postured_.push_back(own);
+  }
+
+  void add(const std::string& name, const Values& values, double (*sum_up)(const Values&),
+           double unit) {
+    if (!values.empty()) result[name] = unit * sum_up(values);
+  }
+  void at_rest(const std::string& name, const Read& of, double unit = 1,
+               double (*sum_up)(const Values&) = mean) {
+    add(name, read(references_, of), sum_up, unit);
+  }
+  void over_all(const std::string& name, const Read& of, double (*sum_up)(const Values&),
+                double unit = 1) {
+    add(name, read(states_, of), sum_up, unit);
+  }
+  /// Only where a donning has several postures.
+  void over_postures(const std::string& name, const Read& of, double (*sum_up)(const Values&),
+                     double unit = 1) {
+    if (!postured_.empty()) over_all(name, of, sum_up, unit);
+  }
+  void swing(const std::string& name, const Read& of, double unit = 1) {
+    Values swings;
+    for (const auto& own : postured_)
+      if (const Values values = read(own, of); values.size() > 1) swings.push_back(range(values));
+    add(name, swings, mean, unit);
+  }
+  void add_calibrated_error() {
+    Values errors;
+    for (const SiteState& s : others_)
+      for (const SiteState& reference : references_)
+        if (reference.donning == s.donning && reference.on_skin.allFinite() &&
+            s.on_skin.allFinite())
+          errors.push_back(calibrated_error(s.on_skin, reference.on_skin));
+    if (errors.empty()) return;
+    const ErrorSummary summary = summarise(errors);
+    result["coe_rms_deg"] = degrees(summary.rms);
+    result["coe_p95_deg"] = degrees(summary.p95);
+  }
+  void add_slip() {
+    add("slip_mm", read(others_, [](const SiteState& s) { return s.slip.distance; }), greatest,
+        1000);
+  }
+
+  std::map<std::string, double> result;
+
+ private:
+  const std::vector<SiteState>& states_;
+  std::vector<SiteState> references_, others_;
+  std::vector<std::vector<SiteState>> postured_;  ///< donnings with several postures
+};
+
+/// Angles between the sensor's orientations in the reference posture of donning `one` (of any
+/// donning when empty) and of the others, each pair once.
+Values donning_errors(const std::vector<SiteState>& states, int reference,
+                      const std::function<bool(int, int)>& counts) {
+  Values errors;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    for (std::size_t j = i + 1; j < states.size(); ++j) {
+      const SiteState &a = states[i], &b = states[j];
+      if (a.posture == reference && b.posture == reference && a.donning != b.donning &&
+          counts(a.donning, b.donning) && a.garment_frame.allFinite() &&
+          b.garment_frame.allFinite())
+        errors.push_back(rotation_angle(a.garment_frame.transpose() * b.garment_frame));
+    }
+  return errors;
+}
+
+std::map<std::string, double> summarised(const std::vector<SiteState>& states, int reference) {
+  if (states.empty()) throw InvalidInput("site metrics need at least one state");
+  constexpr double kDegree = 180 / kPi;
+  const auto angle = [](double Orientation::*part) {
+    return [part](const SiteState& s) { return s.orientation.*part; };
+  };
+  const auto value = [](double SiteState::*part) {
+    return [part](const SiteState& s) { return s.*part; };
+  };
+  Summary of(states, reference);
+  of.at_rest("angular_deviation_deg", angle(&Orientation::angular_deviation), kDegree);
+  of.at_rest("tilt_sagittal_deg", angle(&Orientation::tilt_sagittal), kDegree);
+  of.at_rest("tilt_lateral_deg", angle(&Orientation::tilt_lateral), kDegree);
+  of.at_rest("twist_deg", angle(&Orientation::twist), kDegree, mean_angle);
+  of.at_rest("rotation_deg", angle(&Orientation::rotation), kDegree);
+  of.add_calibrated_error();
+
+  of.over_all("gap_mm", value(&SiteState::gap), mean, 1000);
+  of.over_all("gap_worst_mm", value(&SiteState::gap_worst), greatest, 1000);
+  of.swing("gap_swing_mm", value(&SiteState::gap), 1000);
+  of.over_all("contact_ratio", value(&SiteState::contact_ratio), least);
+  of.over_postures(
+      "contact_duty",
+      [](const SiteState& s) {
+        constexpr double kInContact = 0.9;
+        return std::isnan(s.contact_ratio) ? s.contact_ratio : s.contact_ratio >= kInContact;
+      },
+      mean);
+  of.over_all("pressure_kPa", value(&SiteState::pressure), mean, 1e-3);
+  of.over_postures("pressure_min_kPa", value(&SiteState::pressure), least, 1e-3);
+  of.swing("pressure_swing_kPa", value(&SiteState::pressure), 1e-3);
+  of.at_rest("strain", value(&SiteState::strain));
+  of.swing("strain_swing", value(&SiteState::strain));
+  of.over_all("slack", value(&SiteState::slack), greatest);
+  of.add_slip();
+  return of.result;
+}
+
+void add_donning_error(const Values& errors, std::map<std::string, double>& metrics) {
+  if (!errors.empty()) metrics["donning_coe_deg"] = degrees(summarise(errors).rms);
+}
+
+}  // namespace
+
+std::map<std::string, double> site_metrics(const std::vector<SiteState>& states,
+                                           int reference_posture) {
+  auto metrics = summarised(states, reference_posture);
+  add_donning_error(donning_errors(states, reference_posture, [](int, int) { return true; }),
+                    metrics);
+  return metrics;
+}
+
+std::vector<std::map<std::string, double>> site_metrics_by_donning(
+    const std::vector<SiteState>& states, int reference_posture) {
+  std::vector<std::map<std::string, double>> all;
+  for (const auto& [donning, own] : by_donning(states)) {
+    all.push_back(summarised(own, reference_posture));
+    const int one = donning;
+    add_donning_error(donning_errors(states, reference_posture,
+                                     [one](int a, int b) { return a == one || b == one; }),
+                      all.back());
+  }
+  return all;
+}
+
+SiteMeter::SiteMeter(const Garment& garment, const Material& material,
+                     const std::vector<WornState>& states, int reference_posture)
+    : reference_posture_(reference_posture) {
+  if (states.empty()) throw InvalidInput("site metrics need at least one state");
+  std::map<const Body*, std::shared_ptr<const PartnerFinder>> finders;
+  std::map<std::pair<int, int>, int> index;  // (posture, donning)
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const WornState& state = states[i];
+    if (!index.emplace(std::make_pair(state.posture, state.donning), static_cast<int>(i)).second)
+      throw InvalidInput("site metrics: found posture " + std::to_string(state.posture) +
+                         " of donning " + std::to_string(state.donning) +
+                         " twice, expected it once");
+    require_same_wearer(states[0].body, state.body);
+    auto& finder = finders[&state.body];
+    if (!finder) finder = std::make_shared<const PartnerFinder>(state.body);
+    meters_.emplace_back(garment, material, state, finder);
+  }
+  for (const WornState& state : states) {
+    const auto found = index.find({reference_posture, state.donning});
+    reference_of_.push_back(found == index.end() ? -1 : found->second);
+  }
+}
+
+std::vector<SiteState> SiteMeter::measure(const SensorPatch& patch) const {
+  std::map<int, SkinPatch> skin;  // per reference state
+  std::vector<SiteState> states;
+  for (std::size_t i = 0; i < meters_.size(); ++i) {
+    const int reference = reference_of_[i];
+    if (reference >= 0 && !skin.count(reference))
+      skin.emplace(reference, meters_[reference].skin_under(patch));
+    states.push_back(meters_[i].measure(patch, reference >= 0 ? &skin.at(reference) : nullptr));
+  }
+  return states;
+}
+
+}  // namespace loosefit

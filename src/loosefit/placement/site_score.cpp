@@ -1,0 +1,75 @@
+#include "loosefit/placement/site_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+/// Position of the quantile among n ascending values.
+std::size_t quantile_index(std::size_t n, double share) {
+  // The slack keeps 0.05 · 20 = 1.0000000000000002 from counting as two.
+  const double place = std::ceil(share * static_cast<double>(n) - 1e-9);
+  return static_cast<std::size_t>(std::clamp(place, 1.0, static_cast<double>(n))) - 1;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at = values.begin() + quantile_index(values.size(), share);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecard& scorecard) {
+  if (samples.empty()) throw InvalidInput("a site to be scored has no sample");
+  if (scorecard.criteria.empty())
+    throw InvalidInput("scorecard " + printable(scorecard.name) + " has no criterion");
+  std::vector<Score> scores;
+  SiteScore result;
+  result.bound = 1;
+  for (const MetricValues& metrics : samples) {
+    scores.push_back(score(metrics, scorecard));
+    result.bound = std::min(result.bound, scores.back().bound);
+    if (!scores.back().q && result.missing.empty()) {
+      result.missing = scores.back().missing;
+      result.reason = scores.back().reason;
+    }
+  }
+  if (!result.missing.empty()) return result;
+  // By score, equal ones by margin: the same sample is found whatever the order of equal scores.
+  std::vector<int> order(samples.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return scores[a].margin < scores[b].margin; });
+  int passing = 0;
+  for (const Score& s : scores) {
+    result.samples.push_back(*s.q);
+    passing += *s.q >= scorecard.pass;
+  }
+  result.robust_sample = order[quantile_index(order.size(), kRobustShare)];
+  const Score& robust = scores[result.robust_sample];
+  result.robust = *robust.q;
+  result.margin = robust.margin;
+  result.bound = result.robust;
+  result.reason = robust.reason;
+  result.metric = scorecard.criteria[robust.limiting].metric;
+  result.median = median(result.samples);
+  result.passing = static_cast<double>(passing) / static_cast<double>(samples.size());
+  return result;
+}
+
+}  // namespace loosefit

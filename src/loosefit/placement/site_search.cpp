@@ -1,0 +1,177 @@
+#include "loosefit/placement/site_search.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+void check(const Garment& garment, const SearchField& field, const SearchConstraints& constraints,
+           const SearchOptions& options) {
+  if (options.best < 1 || options.best > 1000)
+    throw InvalidInput(fmt::format("number of sites: found {}, expected 1 to 1000", options.best));
+  for (double length :
+       {constraints.spacing, constraints.seam_clearance, constraints.edge_clearance})
+    if (!(length >= 0 && length <= 10))
+      throw InvalidInput("spacing or clearance: found " + shortest(length) +
+                         ", expected metres from 0 to 10");
+  const auto vertices = static_cast<std::size_t>(garment.vertex_count);
+  const bool need_regions = !constraints.keep_out.regions.empty() || !constraints.regions.empty();
+  if (field.positions.size() != vertices || (need_regions && field.regions.size() != vertices))
+    throw InvalidInput(fmt::format(
+        "search: found {} positions and {} regions, expected one per vertex of the garment ({})",
+        field.positions.size(), field.regions.size(), vertices));
+  check_keep_out(constraints.keep_out, garment.panel_names);
+}
+
+/// Whether a sensor may sit at a place; counts the first reason against it.
+class Admission {
+ public:
+  Admission(const Garment& garment, const SearchField& field, const SearchConstraints& constraints,
+            double radius)
+      : garment_(garment),
+        field_(field),
+        constraints_(constraints),
+        radius_(radius),
+        borders_(garment) {}
+
+  bool admits(const PatternPlace& place, SearchResult& counts) const {
+    if (!constraints_.regions.empty() && !over(place, constraints_.regions))
+      return ++counts.elsewhere, false;
+    return clear(place, counts);
+  }
+  /// The same but for the regions that are searched.
+  bool clear(const PatternPlace& place, SearchResult& counts) const {
+    if (borders_.to_seam(place.panel, place.at) < constraints_.seam_clearance + radius_)
+      return ++counts.near_seam, false;
+    if (borders_.to_free_edge(place.panel, place.at) < constraints_.edge_clearance + radius_)
+      return ++counts.near_edge, false;
+    for (const KeepOutZone& zone : constraints_.keep_out.zones)
+      if (zone.panel == garment_.panel_names[place.panel] && zone.distance(place.at) < radius_)
+        return ++counts.kept_out, false;
+    if (!constraints_.keep_out.regions.empty() && over(place, constraints_.keep_out.regions))
+      return ++counts.kept_out, false;
+    return true;
+  }
+
+ private:
+  /// Whether the place lies over one of these parts of the body.
+  bool over(const PatternPlace& place, const std::vector<Region>& regions) const {
+    int nearest = 0;
+    place.barycentric.maxCoeff(&nearest);
+    const Region here = field_.regions[garment_.triangles[place.triangle][nearest]];
+    return std::find(regions.begin(), regions.end(), here) != regions.end();
+  }
+
+  const Garment& garment_;
+  const SearchField& field_;
+  const SearchConstraints& constraints_;
+  double radius_;
+  PanelBorders borders_;
+};
+
+/// Scores of places, block by block so that progress can be told and the work be stopped.
+std::vector<SiteScore> scored(const std::vector<PatternPlace>& places, const SearchField& field,
+                              const Scorecard& scorecard) {
+  constexpr std::size_t kBlock = 128;
+  std::vector<SiteScore> scores(places.size());
+  for (std::size_t first = 0; first < places.size(); first += kBlock) {
+    const std::size_t last = std::min(first + kBlock, places.size());
+    tbb::parallel_for(first, last, [&](std::size_t i) {
+      scores[i] = score_samples(field.metrics(places[i]), scorecard);
+    });
+    if (field.progress) field.progress(static_cast<double>(last) / places.size());
+  }
+  return scores;
+}
+
+std::string shortfall(const SearchResult& result, int wanted) {
+  const int found = static_cast<int>(result.sites.size());
+  if (found >= wanted) return {};
+  const int ruled_out = result.elsewhere + result.near_seam + result.near_edge + result.kept_out;
+  const int left = result.candidates - ruled_out - result.not_rated - result.failing;
+  return fmt::format(
+      "{} of {} sites: of {} places looked at, {} lie over other regions, {} too near to seams, {} "
+      "to edges, {} where nothing may be, {} cannot be rated, {} fail; the spacing leaves {} of "
+      "the "
+      "other {}",
+      found, wanted, result.candidates, result.elsewhere, result.near_seam, result.near_edge,
+      result.kept_out, result.not_rated, result.failing, found, left);
+}
+
+}  // namespace
+
+SearchResult search_sites(const Garment& garment, const SearchField& field,
+                          const Scorecard& scorecard, const SearchConstraints& constraints,
+                          const SearchOptions& options) {
+  check(garment, field, constraints, options);
+  const PatternLocator locator(garment);
+  const Admission admission(garment, field, constraints, outer_radius(scorecard.footprint));
+  SearchResult result;
+  std::vector<PatternPlace> admitted;
+  for (const PatternPlace& place :
+       poisson_places(locator, options.candidate_spacing, options.seed)) {
+    ++result.candidates;
+    if (admission.admits(place, result)) admitted.push_back(place);
+  }
+  std::vector<FoundSite> passing;
+  const std::vector<SiteScore> scores = scored(admitted, field, scorecard);
+  for (std::size_t i = 0; i < admitted.size(); ++i) {
+    if (!scores[i].rated())
+      ++result.not_rated;
+    else if (scores[i].robust <= 0)
+      ++result.failing;
+    else
+      passing.push_back(
+          {admitted[i], at_place(garment, admitted[i], field.positions), scores[i], {}});
+  }
+  std::stable_sort(passing.begin(), passing.end(), [](const FoundSite& a, const FoundSite& b) {
+    return std::tuple(a.score.robust, a.score.median, a.score.margin) >
+           std::tuple(b.score.robust, b.score.median, b.score.margin);
+  });
+  for (FoundSite& site : passing) {
+    if (static_cast<int>(result.sites.size()) == options.best) break;
+    const bool crowded =
+        std::any_of(result.sites.begin(), result.sites.end(), [&](const FoundSite& chosen) {
+          return (chosen.position - site.position).norm() < constraints.spacing;
+        });
+    if (!crowded) result.sites.push_back(std::move(site));
+  }
+  const PlaceTest allowed =
+      keeps_clear(garment, field, constraints, outer_radius(scorecard.footprint));
+  for (FoundSite& site : result.sites)
+    site.tolerance =
+        site_tolerance(locator, field, scorecard, site.place, options.tolerance, allowed);
+  result.shortfall = shortfall(result, options.best);
+  return result;
+}
+
+PlaceTest keeps_clear(const Garment& garment, const SearchField& field,
+                      const SearchConstraints& constraints, double radius) {
+  const auto admission = std::make_shared<Admission>(garment, field, constraints, radius);
+  return [admission](const PatternPlace& place) {
+    SearchResult unused;
+    return admission->clear(place, unused);
+  };
+}
+
+Tolerance site_tolerance(const PatternLocator& locator, const SearchField& field,
+                         const Scorecard& scorecard, const PatternPlace& place,
+                         const ToleranceOptions& options, const PlaceTest& allowed) {
+  const FlatScore flat = [&](const Vec2& at) -> std::optional<double> {
+    const auto shifted = locator.find(place.panel, at);
+    if (!shifted || (allowed && !allowed(*shifted))) return std::nullopt;
+    const SiteScore score = score_samples(field.metrics(*shifted), scorecard);
+    return score.rated() ? score.robust : 0;
+  };
+  return tolerance(flat, place.at, field.along ? field.along(place) : Vec2(Vec2::UnitY()), options);
+}
+
+}  // namespace loosefit

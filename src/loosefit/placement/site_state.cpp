@@ -1,0 +1,224 @@
+#include "loosefit/placement/site_state.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/maps/gap.h"
+#include "loosefit/maps/statistics.h"
+#include "loosefit/maps/strain.h"
+
+namespace loosefit {
+namespace {
+constexpr double kNan = SiteState::kUnknown;
+
+/// Mean rotation of a weighted sum of frames. NaN where they do not agree: where the mean of some
+/// direction is shorter than half, as of directions spread over 120° to both sides.
+Mat3 mean_rotation(const Mat3& sum, double weight) {
+  constexpr double kLeastAgreement = 0.5;
+  if (!sum.allFinite() || !(weight > 0)) return Mat3::Constant(kNan);
+  const Mat3 mean = sum / weight;
+  const Eigen::SelfAdjointEigenSolver<Mat3> squares(mean.transpose() * mean);
+  return squares.eigenvalues()[0] < kLeastAgreement * kLeastAgreement ? Mat3(Mat3::Constant(kNan))
+                                                                      : nearest_rotation(sum);
+}
+}  // namespace
+
+/// One sample of a footprint with its partner on the body.
+struct StateMeter::Sample {
+  int triangle = 0;
+  double weight = 0;
+  bool own_panel = true;  ///< the patch's direction holds here
+  Vec2 direction;         ///< in the sample's panel
+  Vec3 position;
+  BodyPartner partner;
+  SurfaceFrame body;  ///< at the partner
+};
+
+StateMeter::StateMeter(const Garment& garment, const Material& material, const WornState& state,
+                       std::shared_ptr<const PartnerFinder> finder)
+    : garment_(garment),
+      material_(material),
+      state_(state),
+      finder_(std::move(finder)),
+      axes_(segment_axes(state.body)) {
+  require_fit(garment, {state.positions, state.body, state.worn});
+}
+
+std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) const {
+  const bool each = !patch.sample_directions.empty();
+  std::vector<Sample> samples;
+  samples.reserve(patch.footprint.samples.size());
+  for (std::size_t i = 0; i < patch.footprint.samples.size(); ++i) {
+    const Footprint::Sample& at = patch.footprint.samples[i];
+    const Triangle& corner = garment_.triangles[at.triangle];
+    const int panel = garment_.triangle_panel[at.triangle];
+    Sample sample;
+    sample.triangle = at.triangle;
+    sample.weight = at.area;
+    sample.own_panel = each || panel == patch.panel;
+    sample.direction = each ? patch.sample_directions[i] : patch.direction;
+    Vec3 normal = Vec3::Zero();
+    sample.position = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      sample.position += at.barycentric[k] * state_.positions[corner[k]];
+      normal += at.barycentric[k] * state_.worn.normals[corner[k]];
+    }
+    sample.partner = finder_->find_on_surface(sample.position, normal.normalized(),
+                                              state_.worn.panel_part[panel]);
+    const ClosestPoint& exact = sample.partner.exact;
+    sample.body = surface_frame(sample.partner.normal, at_point(state_.body.surface, axes_,
+                                                                exact.triangle, exact.barycentric));
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+Mat3 StateMeter::cloth_frame(const SensorPatch& patch, const std::vector<Sample>& samples) const {
+  Vec3 along = Vec3::Zero();  // mean image of the direction, where it holds
+  int last = -1;
+  Mat3 frame = Mat3::Identity();
+  const auto frame_at = [&](const Sample& sample) -> const Mat3& {
+    if (sample.triangle != last || !patch.sample_directions.empty())
+      frame = triangle_frame(garment_, sample.triangle, state_.positions, sample.direction);
+    last = sample.triangle;
+    return frame;
+  };
+  for (const Sample& sample : samples)
+    if (sample.own_panel && frame_at(sample).allFinite())
+      along += sample.weight * frame_at(sample).col(1);
+  Mat3 sum = Mat3::Zero();
+  double weight = 0;
+  for (const Sample& sample : samples) {
+    const Mat3& own = frame_at(sample);
+    if (!own.allFinite()) continue;
+    // Beyond a seam the pattern runs another way: the sensor's axis goes straight on.
+    sum += sample.weight * (sample.own_panel ? own : surface_frame(own.col(2), along).axes);
+    weight += sample.weight;
+  }
+  return mean_rotation(sum, weight);
+}
+
+SkinPatch StateMeter::skin_under(const SensorPatch& patch) const {
+  const std::vector<Sample> samples = sampled(patch);
+  double known = 0, all = 0;
+  Vec3 axis = Vec3::Zero();
+  for (const Sample& sample : samples) {
+    all += sample.weight;
+    if (!sample.body.has_direction) continue;
+    known += sample.weight;
+    axis += sample.weight * sample.body.axes.col(1);
+  }
+  SkinPatch skin;
+  skin.body = &state_.body;
+  skin.has_direction = 2 * known >= all && known > 0;
+  // One direction for the whole patch: where the segment gives none, that of the sensor serves, for
+  // angles between two states do not depend on it.
+  const Mat3 cloth = cloth_frame(patch, samples);
+  const Vec3 otherwise = skin.has_direction  ? Vec3(axis.normalized())
+                         : cloth.allFinite() ? Vec3(cloth.col(1))
+                                             : Vec3(Vec3::Zero());
+  const std::vector<Vec3> none(axes_.size(), Vec3::Zero());
+  for (const Sample& sample : samples) {
+    skin.points.push_back(skin_point(state_.body, skin.has_direction ? axes_ : none,
+                                     sample.partner.exact, otherwise));
+    skin.offsets.push_back(offset_on_skin(skin.points.back(), state_.body, sample.position));
+  }
+  return skin;
+}
+
+void StateMeter::add_fields(const SensorPatch& patch, const std::vector<Sample>& samples,
+                            SiteState& site) const {
+  std::vector<double> gaps, touching, strains, slack, pressures, weights;
+  for (const Sample& sample : samples) {
+    const double gap = gap_of(sample.partner.exact.distance, material_);
+    const TriangleStrain strain = triangle_strain(garment_, sample.triangle, state_.positions);
+    weights.push_back(sample.weight);
+    gaps.push_back(gap);
+    touching.push_back(touches(gap, material_) ? 1 : 0);
+    slack.push_back(std::isnan(strain.min) ? kNan : strain.min < kSlackStrain ? 1 : 0);
+    strains.push_back(sample.own_panel ? strain_along(garment_, sample.triangle, state_.positions,
+                                                      sample.direction)
+                                       : kNan);
+  }
+  const MapStatistics gap = statistics(gaps, weights);
+  site.gap = gap.area_mean;
+  site.gap_worst = gap.p95;
+  site.contact_ratio = statistics(touching, weights).area_mean;
+  site.strain = statistics(strains, weights).area_mean;
+  site.slack = statistics(slack, weights).area_mean;
+
+  if (!state_.pressure || state_.pressure->empty()) return;
+  for (const Footprint::Sample& at : patch.footprint.samples) {
+    double pressure = 0;
+    for (int k = 0; k < 3; ++k)
+      pressure += at.barycentric[k] * state_.pressure->contact[garment_.triangles[at.triangle][k]];
+    pressures.push_back(pressure);
+  }
+  const MapStatistics pressure = statistics(pressures, weights);
+  site.pressure = pressure.area_mean;
+  site.pressure_low = pressure.p5;
+}
+
+void StateMeter::add_orientation(const std::vector<Sample>& samples, SiteState& site) const {
+  Mat3 frames = Mat3::Zero();
+  Vec3 normals = Vec3::Zero();
+  double all = 0, directed = 0;
+  for (const Sample& sample : samples) {
+    all += sample.weight;
+    normals += sample.weight * sample.partner.normal;
+    if (!sample.body.has_direction) continue;
+    directed += sample.weight;
+    frames += sample.weight * sample.body.axes;
+  }
+  if (!site.garment_frame.allFinite()) return;
+  const Mat3 body = mean_rotation(frames, directed);
+  if (2 * directed >= all && body.allFinite()) {
+    site.orientation = orientation_of(body.transpose() * site.garment_frame);
+  } else if (normals.norm() > 0) {
+    const Mat3 any = surface_frame(normals.normalized(), Vec3::Zero()).axes;
+    site.orientation.angular_deviation =
+        orientation_of(any.transpose() * site.garment_frame).angular_deviation;
+  }
+}
+
+void StateMeter::add_change(const SkinPatch& reference, const std::vector<Sample>& samples,
+                            SiteState& site) const {
+  require_same_wearer(*reference.body, state_.body);
+  if (reference.points.size() != samples.size())
+    throw InvalidInput("a sensor's reference: found " + std::to_string(reference.points.size()) +
+                       " places on the skin, expected " + std::to_string(samples.size()) +
+                       ", one for each sample of the footprint");
+  Mat3 frames = Mat3::Zero();
+  Vec3 change = Vec3::Zero();
+  double weight = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SkinPoint& point = reference.points[i];
+    frames += samples[i].weight * frame_of(point, state_.body).axes;
+    change += samples[i].weight *
+              (offset_on_skin(point, state_.body, samples[i].position) - reference.offsets[i]);
+    weight += samples[i].weight;
+  }
+  const Mat3 skin = mean_rotation(frames, weight);
+  site.on_skin = skin.transpose() * site.garment_frame;
+  if (weight > 0 && skin.allFinite()) site.slip = slip_of(change / weight, reference.has_direction);
+}
+
+SiteState StateMeter::measure(const SensorPatch& patch, const SkinPatch* reference) const {
+  if (!patch.sample_directions.empty() &&
+      patch.sample_directions.size() != patch.footprint.samples.size())
+    throw InvalidInput("a sensor's patch: found " + std::to_string(patch.sample_directions.size()) +
+                       " directions, expected " + std::to_string(patch.footprint.samples.size()) +
+                       ", one for each sample");
+  const std::vector<Sample> samples = sampled(patch);
+  SiteState site;
+  site.posture = state_.posture;
+  site.donning = state_.donning;
+  site.garment_frame = cloth_frame(patch, samples);
+  add_fields(patch, samples, site);
+  add_orientation(samples, site);
+  if (reference) add_change(*reference, samples, site);
+  return site;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,272 @@
+#include "loosefit/report/ranking_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/address_columns.h"
+#include "loosefit/io/csv.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/placement/derived_metrics.h"
+#include "loosefit/report/sewing_plan.h"
+
+namespace loosefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values of every metric of one site over its samples; NaN where a sample lacks one.
+std::map<std::string, std::vector<double>> by_metric(const SiteSamples& site,
+                                                     const Scorecard& scorecard) {
+  std::map<std::string, std::vector<double>> values;
+  for (std::size_t k = 0; k < site.samples.size(); ++k)
+    for (const auto& [name, value] : with_derived(site.samples[k], scorecard)) {
+      auto& list = values[name];
+      list.resize(site.samples.size(), std::nan(""));
+      list[k] = value;
+    }
+  return values;
+}
+
+double known_median(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  return median(values);
+}
+
+const char* word(Tolerance::End end) {
+  return end == Tolerance::End::score     ? "score"
+         : end == Tolerance::End::outline ? "outline"
+                                          : "reach";
+}
+
+bool shared(const RankedSite& site, const Ranking& ranking) {
+  return std::count_if(ranking.sites.begin(), ranking.sites.end(),
+                       [&](const RankedSite& other) { return other.rank == site.rank; }) > 1;
+}
+
+std::string range(const std::optional<Interval>& interval, int decimals) {
+  if (!interval) return {};
+  return fmt::format("{:.{}f}-{:.{}f}", interval->low, decimals, interval->high, decimals);
+}
+
+std::vector<std::string> all_notes(const RankingTable& table) {
+  std::vector<std::string> notes = table.ranking.notes;
+  if (!table.scorecard.left_out.empty()) {
+    std::vector<std::string> left_out;
+    for (const std::string& metric : table.scorecard.left_out)
+      left_out.push_back(metric_with_need(metric));
+    notes.push_back("scores are upper bounds: not looked at: " + join(left_out));
+  }
+  notes.insert(notes.end(), table.notes.begin(), table.notes.end());
+  return notes;
+}
+
+/// The sample that a robust score is that of, by name, where there are several.
+std::string worst_sample(const RankingTable& table, const RankedSite& site) {
+  const int sample = site.score.robust_sample;
+  return table.sample_names.size() > 1 && sample >= 0 &&
+                 sample < static_cast<int>(table.sample_names.size())
+             ? table.sample_names[sample]
+             : "";
+}
+
+/// Cells of the terminal table; with one sample there is nothing to say on spread.
+std::vector<std::string> text_row(const RankingTable& table, const RankedSite& site) {
+  const Ranking& ranking = table.ranking;
+  const SiteScore& score = site.score;
+  const bool many = ranking.samples > 1;
+  if (!score.rated()) {
+    std::vector<std::string> row = {"-", printable(site.name),
+                                    fmt::format("<= {:.2f}", score.bound)};
+    if (many) row.insert(row.end(), {"", "", "", ""});
+    row.push_back(score.reason);
+    return row;
+  }
+  std::vector<std::string> row = {std::to_string(site.rank) + (shared(site, ranking) ? "=" : ""),
+                                  printable(site.name), fmt::format("{:.2f}", score.robust)};
+  if (many)
+    row.insert(row.end(),
+               {range(site.robust_interval, 2), fmt::format("{:.2f}", score.median),
+                fmt::format("{:.0f} %", 100 * score.passing), range(site.rank_interval, 0)});
+  const std::string sample = worst_sample(table, site);
+  row.push_back(sample.empty() ? score.reason : score.reason + " (" + printable(sample) + ")");
+  return row;
+}
+
+/// To a hundredth of a micrometre or degree: 0.0175, not 0.017499999999999998.
+double readable(double value) { return std::round(value * 1e8) / 1e8; }
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json interval_json(const std::optional<Interval>& interval) {
+  return interval ? Json{interval->low, interval->high} : Json(nullptr);
+}
+
+Json tolerance_json(const std::optional<Tolerance>& tolerance) {
+  if (!tolerance) return nullptr;
+  return {{"along_mm", 1e3 * tolerance->along},
+          {"around_mm", 1e3 * tolerance->around},
+          {"along_ends_at", word(tolerance->along_end)},
+          {"around_ends_at", word(tolerance->around_end)},
+          {"along_in_pattern", {tolerance->direction.x(), tolerance->direction.y()}}};
+}
+
+Json address_json(const std::optional<BodyAddress>& address) {
+  if (!address) return nullptr;
+  const Vec3& percent = address->percent;
+  return {{"words", address->str()},
+          {"segment", name(address->segment)},
+          {"side", side_name(*address)},
+          {"percent", {percent.x(), percent.y(), percent.z()}}};
+}
+
+Json footprint_json(const FootprintShape& shape) {
+  switch (shape.kind) {
+    case FootprintShape::Kind::disc:
+      return {{"radius_m", shape.radius}};
+    case FootprintShape::Kind::rectangle:
+      return {{"size_m", {shape.size.x(), shape.size.y()}}};
+    case FootprintShape::Kind::line:
+      return {{"length_m", shape.length}};
+    case FootprintShape::Kind::girth:
+      break;
+  }
+  return {{"girth", true}};
+}
+
+Json site_json(const RankingTable& table, const RankedSite& site) {
+  const RankedPlace& place = table.places[site.index];
+  const SiteScore& score = site.score;
+  const bool rated = score.rated();
+  Json json = {{"name", site.name},
+               {"rank", rated ? Json(site.rank) : Json(nullptr)},
+               {"rank_interval", interval_json(site.rank_interval)},
+               {"tied_with", site.tied_with},
+               {"score_robust", rated ? Json(score.robust) : Json(nullptr)},
+               {"score_robust_interval", interval_json(site.robust_interval)},
+               {"score_median", rated ? Json(score.median) : Json(nullptr)},
+               {"score_median_interval", interval_json(site.median_interval)},
+               {"score_bound", score.bound},
+               {"passing", rated ? Json(score.passing) : Json(nullptr)},
+               {"scores", score.samples},
+               {"limiting_metric", rated ? Json(score.metric) : Json(nullptr)},
+               {"limiting_reason", score.reason},
+               {"limiting_sample", worst_sample(table, site)},
+               {"missing", score.missing},
+               {"region", place.region},
+               {"panel", place.panel},
+               {"u_m", readable(place.at.x())},
+               {"v_m", readable(place.at.y())},
+               {"angle_deg", readable(degrees(place.angle))},
+               {"position_m", {place.position.x(), place.position.y(), place.position.z()}},
+               {"to_seam_mm", number(1e3 * place.to_seam)},
+               {"to_edge_mm", number(1e3 * place.to_edge)},
+               {"body_address", address_json(place.anatomy)},
+               {"footprint", footprint_json(place.shape)},
+               {"tolerance", tolerance_json(place.tolerance)}};
+  Json& metrics = json["metrics"] = Json::object();
+  for (const auto& [name, values] : by_metric(table.sites[site.index], table.scorecard)) {
+    Json list = Json::array();
+    for (double value : values) list.push_back(number(value));
+    metrics[name] = list;
+  }
+  return json;
+}
+
+std::vector<std::string> csv_row(const RankingTable& table, const RankedSite& site,
+                                 const std::set<std::string>& metrics) {
+  const RankedPlace& place = table.places[site.index];
+  const SiteScore& score = site.score;
+  const auto rated = [&](double v) { return score.rated() ? csv_field(v) : std::string(); };
+  std::vector<std::string> row = {score.rated() ? std::to_string(site.rank) : "",
+                                  csv_field(site.name), rated(score.robust), rated(score.median),
+                                  rated(score.passing)};
+  for (const auto& interval : {site.robust_interval, site.median_interval, site.rank_interval}) {
+    row.push_back(interval ? csv_field(interval->low) : "");
+    row.push_back(interval ? csv_field(interval->high) : "");
+  }
+  for (const std::string& text :
+       {join(site.tied_with, "; "), score.rated() ? score.metric : "", score.reason,
+        worst_sample(table, site), place.region, place.panel})
+    row.push_back(csv_field(text));
+  for (double v :
+       {place.at.x(), place.at.y(), degrees(place.angle), place.position.x(), place.position.y(),
+        place.position.z(), 1e3 * place.to_seam, 1e3 * place.to_edge})
+    row.push_back(csv_field(readable(v)));
+  for (const std::string& text : address_fields(place.anatomy)) row.push_back(text);
+  row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->along) : "");
+  row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->around) : "");
+  const auto values = by_metric(table.sites[site.index], table.scorecard);
+  for (const std::string& metric : metrics)
+    row.push_back(values.count(metric) ? csv_field(known_median(values.at(metric))) : "");
+  return row;
+}
+
+}  // namespace
+
+std::string ranking_text(const RankingTable& table) {
+  std::vector<std::vector<std::string>> rows = {{"rank", "site", "score", "limited by"}};
+  if (table.ranking.samples > 1)
+    rows = {{"rank", "site", "score", "90 %", "median", "pass", "rank 90 %", "limited by"}};
+  for (const RankedSite& site : table.ranking.sites) rows.push_back(text_row(table, site));
+  std::vector<std::size_t> width(rows[0].size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  const int samples = table.ranking.samples;
+  std::string text = fmt::format("{}: {} {}, passes from {:g}\n", table.scorecard.title, samples,
+                                 samples == 1 ? "sample" : "samples", table.scorecard.pass);
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) line += fmt::format("{:{}}  ", row[c], width[c]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  for (const std::string& note : all_notes(table)) text += "note: " + note + "\n";
+  return text;
+}
+
+std::string ranking_csv(const RankingTable& table) {
+  std::set<std::string> metrics;
+  for (const SiteSamples& site : table.sites)
+    for (const auto& entry : by_metric(site, table.scorecard)) metrics.insert(entry.first);
+  // clang-format off
+  std::vector<std::string> head = {
+      "rank", "name", "score_robust", "score_median", "passing", "robust_low", "robust_high",
+      "median_low", "median_high", "rank_low", "rank_high", "tied_with", "limiting_metric",
+      "limiting_reason", "limiting_sample", "region", "panel", "u_m", "v_m", "angle_deg", "x_m",
+      "y_m", "z_m", "to_seam_mm", "to_edge_mm"};
+  // clang-format on
+  head.insert(head.end(), address_columns().begin(), address_columns().end());
+  head.insert(head.end(), {"tolerance_along_mm", "tolerance_around_mm"});
+  head.insert(head.end(), metrics.begin(), metrics.end());
+  std::string text = csv_line(head);
+  for (const RankedSite& site : table.ranking.sites)
+    text += csv_line(csv_row(table, site, metrics));
+  return text;
+}
+
+std::string ranking_json(const RankingTable& table) {
+  Json json = {{"modality", table.scorecard.name},     {"title", table.scorecard.title},
+               {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
+               {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
+               {"left_out", table.scorecard.left_out}, {"notes", all_notes(table)}};
+  Json& sites = json["sites"] = Json::array();
+  for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
+  return json.dump(2) + "\n";
+}
+
+void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
+                   const Pattern& pattern) {
+  const std::string& name = table.scorecard.name;
+  const auto write = [&](const std::string& file, const std::string& text) {
+    write_text_file((folder / file).string(), text);
+  };
+  write("ranking-" + name + ".csv", ranking_csv(table));
+  write("ranking-" + name + ".json", ranking_json(table));
+  write("sewing-plan-" + name + ".svg", sewing_plan_svg(table, pattern));
+}
+
+}  // namespace loosefit

@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "loosefit/pattern/pattern.h"
+#include "loosefit/placement/ranking_table.h"
+
+namespace loosefit {
+
+/// For the terminal: one line per site with scores, intervals, rank interval and the limiting
+/// reason; notes below. "2=" is a rank that is shared. An unrated site shows the bound of its
+/// score.
+std::string ranking_text(const RankingTable& table);
+
+/// RFC 4180, one row per site, best first: the columns are explained in docs/outputs.md. Metrics,
+/// derived ones included, are medians over the samples. Lengths with _mm are millimetres.
+std::string ranking_csv(const RankingTable& table);
+
+/// The same with every sample of every metric.
+std::string ranking_json(const RankingTable& table);
+
+/// Writes ranking-NAME.csv, ranking-NAME.json and sewing-plan-NAME.svg, NAME that of the scorecard,
+/// so that the rankings for several sensors lie beside each other. \throws IoError.
+void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
+                   const Pattern& pattern);
+
+}  // namespace loosefit

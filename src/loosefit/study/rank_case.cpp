@@ -1,0 +1,138 @@
+#include "loosefit/study/rank_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <tuple>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/scorecard_file.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/study/case_stages.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kSamePlace = 5e-4;  // [m]
+
+/// Every corner of `inner` on `outer`; how the curves are divided does not matter.
+bool lies_on(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
+  return std::all_of(inner.begin(), inner.end(), [&](const Vec2& p) {
+    return (closest_on_polygon(outer, p) - p).norm() < kSamePlace;
+  });
+}
+
+SiteMeter meter_of(const CaseResult& result) {
+  return SiteMeter(result.mesh(), result.scenario.material.material,
+                   {{0, 0, result.drape.positions, result.body.body, result.maps.worn,
+                     result.maps.pressure.field.empty() ? nullptr : &result.maps.pressure.field}});
+}
+
+bool has(const std::vector<Site>& sites, const std::string& name) {
+  return std::any_of(sites.begin(), sites.end(), [&](const Site& s) { return s.name == name; });
+}
+
+/// Sites that all wearers have; the rest goes and is named. `wearers` hold those of each.
+std::vector<Site> common(const std::vector<Site>& sites, const std::vector<RankingWearer>& wearers,
+                         std::vector<std::string>& notes) {
+  std::vector<Site> kept;
+  std::vector<std::string> gone;
+  for (const Site& site : sites) {
+    const auto lacking =
+        std::find_if(wearers.begin() + 1, wearers.end(),
+                     [&](const RankingWearer& w) { return !has(w.sites, site.name); });
+    if (lacking == wearers.end()) {
+      kept.push_back(site);
+    } else if (site.preset) {
+      gone.push_back(site.name);
+    } else {
+      throw InvalidInput(
+          {"", 0, "site"},
+          "\"" + printable(site.name) + "\", which " + printable(lacking->name) + " does not have",
+          "the same [[site]] in every run",
+          "their garments are cut differently, so every run finds its own place");
+    }
+  }
+  if (!gone.empty())
+    notes.push_back("presets that some garment does not cover are left out: " + join(gone));
+  return kept;
+}
+
+std::vector<std::string> notes_on(const std::vector<RankedRun>& runs, bool same) {
+  if (runs.size() == 1) return {};
+  std::vector<std::string> names, notes;
+  for (const RankedRun& run : runs) names.push_back(run.name);
+  notes.push_back(fmt::format("samples are the runs {}: {}", join(names),
+                              same ? "sensors stay where they are sewn in the first"
+                                   : "garments are cut differently, so every run has its own "
+                                     "place of a site"));
+  const auto posture = [](const RankedRun& run) {
+    const Posture& p = run.result->scenario.body.posture;
+    return std::tuple(p.arm_abduction, p.forward_bend, p.sitting);
+  };
+  if (std::any_of(runs.begin(), runs.end(),
+                  [&](const RankedRun& run) { return posture(run) != posture(runs.front()); }))
+    notes.push_back(
+        "the runs are in different postures, each dressed anew: nothing is told of the change from "
+        "one posture to another");
+  return notes;
+}
+
+}  // namespace
+
+RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed) {
+  RankingWish wish;
+  wish.scorecard = load_scorecard(asked.modality);
+  wish.best = asked.best;
+  wish.partial = asked.partial;
+  wish.search.seed = wish.rank.seed = seed;
+  return wish;
+}
+
+bool same_pieces(const Pattern& a, const Pattern& b) {
+  if (a.panels.size() != b.panels.size()) return false;
+  for (const Panel& panel : a.panels) {
+    const int other = b.find_panel(panel.name);
+    if (other < 0) return false;
+    const std::vector<Vec2> p = outline_polygon(panel), q = outline_polygon(b.panels[other]);
+    if (!lies_on(p, q) || !lies_on(q, p)) return false;
+  }
+  return true;
+}
+
+RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
+                        bool with_sites) {
+  if (runs.empty()) throw InvalidInput("a ranking needs at least one run");
+  const CaseResult& first = *runs.front().result;
+  const bool same = std::all_of(runs.begin(), runs.end(), [&](const RankedRun& run) {
+    return same_pieces(first.pattern.pattern, run.result->pattern.pattern);
+  });
+  if (!same && wish.best > 0)
+    throw InvalidInput({"", 0, "best"}, "a search over garments of different cuts",
+                       "runs with the same pattern pieces",
+                       "give every scenario the pattern.json of one run as [garment] pattern");
+  std::deque<SiteMeter> meters;
+  std::vector<RankingWearer> wearers;
+  for (const RankedRun& run : runs) {
+    const CaseResult& result = *run.result;
+    meters.push_back(meter_of(result));
+    wearers.push_back({run.name,
+                       {result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
+                        meters.back()}});
+    if (with_sites && !same) wearers.back().sites = make_sites(result);
+  }
+  RankingWish whole = wish;
+  std::vector<std::string> notes = notes_on(runs, same);
+  if (with_sites) {
+    whole.sites = make_sites(first);
+    if (!same) whole.sites = common(whole.sites, wearers, notes);
+    wearers.front().sites.clear();
+  }
+  RankingTable table = make_ranking(wearers, whole);
+  table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
+  return table;
+}
+
+}  // namespace loosefit

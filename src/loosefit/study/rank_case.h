@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "loosefit/placement/site_ranking.h"
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+/// One run of those over which sites are ranked.
+struct RankedRun {
+  std::string name;  ///< of its folder
+  const CaseResult* result = nullptr;
+};
+
+/// What the section [ranking] of a scenario asks for. \throws as load_scorecard.
+RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed);
+
+/// Whether two patterns have the same pieces: names, and outlines to half a millimetre.
+bool same_pieces(const Pattern& a, const Pattern& b);
+
+/// Ranks sites over one or several runs, each a sample: wearers, or donnings of one. What needs
+/// several postures is not known from these. Needs result.maps (worn garment and pressure) of every
+/// run. `with_sites` ranks the sites of the first run's scenario, and its presets where they are
+/// reported: in garments with the same pieces the sensors stay where they are sewn in the first;
+/// otherwise each run finds its own by their names, and what some run lacks is left out and noted.
+/// \throws InvalidInput as make_ranking; without runs; for wished sites that a run lacks.
+RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
+                        bool with_sites);
+
+}  // namespace loosefit

@@ -1,0 +1,203 @@
+#include "loosefit/io/scorecard_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/placement/derived_metrics.h"
+#include "support/mutate.h"
+
+namespace loosefit {
+namespace {
+
+const std::string kHead =
+    "title = \"t\"\nabout = \"a\"\n[footprint]\nradius = 0.01\n";  // four lines
+const std::string kWords = "reason = \"r\"\nsource = \"s\"\n";
+
+std::string criterion(const std::string& metric, const std::string& unit,
+                      const std::string& limits) {
+  return "[[criterion]]\nmetric = \"" + metric + "\"\nunit = \"" + unit + "\"\n" + limits + "\n" +
+         kWords;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_scorecard(text, "my.toml");
+  } catch (const InvalidInput& e) {
+    return std::string(e.what()) + " | " + e.hint();
+  }
+  return "accepted";
+}
+
+TEST(Scorecards, ShippedOnesAreReadAndComplete) {
+  EXPECT_EQ(scorecard_names(),
+            (std::vector<std::string>{"capacitive-ecg", "capacitive-pose", "ecg", "eda", "emg",
+                                      "imu-inclination", "imu-uncalibrated", "ppg", "pressure",
+                                      "strain-respiration", "temperature"}));
+  for (const std::string& name : scorecard_names()) {
+    SCOPED_TRACE(name);
+    const Scorecard card = load_scorecard(name);
+    EXPECT_EQ(card.name, name);
+    EXPECT_GT(card.about.size(), 40u);
+    EXPECT_GT(outer_radius(card.footprint), 0);
+    for (const Criterion& c : card.criteria) {
+      EXPECT_GE(c.source.size(), 10u);
+      EXPECT_GT(c.reason.size(), 15u);
+    }
+    // With every measured word of the vocabulary a card can be rated, whatever it derives.
+    MetricValues all;
+    for (const MetricName& m : metric_vocabulary()) all[m.name] = 0.5;
+    for (const char* derived :
+         {"usable_signal_ratio", "pre_strain_margin", "strain_peak", "capacitance_pF",
+          "capacitance_swing", "temperature_error_K", "sensor_diameter_mm"})
+      all.erase(derived);
+    EXPECT_TRUE(score(all, card).q.has_value()) << score(all, card).reason;
+  }
+}
+
+TEST(Scorecards, ManualNamesEveryWord) {
+  const std::string docs =
+      read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + "/docs/scorecards.md", 1000000);
+  const auto named = [&](const std::string& word) {
+    EXPECT_NE(docs.find("`" + word + "`"), std::string::npos) << word;
+  };
+  for (const MetricName& m : metric_vocabulary()) named(m.name);
+  for (const SensorParameter& p : sensor_parameters()) named(p.name);
+  for (const std::string& name : scorecard_names()) named(name);
+}
+
+// sensor-metrics 3.4 and 8.
+TEST(Scorecards, LimitsAreTheDocumentedOnes) {
+  const Scorecard imu = load_scorecard("imu-inclination");
+  EXPECT_DOUBLE_EQ(score({{"coe_rms_deg", 8.5}}, imu).q.value(), 0.5);
+  EXPECT_GE(score({{"coe_rms_deg", 4.98}}, imu).q.value(), imu.pass) << "usable to 5 degrees";
+  EXPECT_LT(score({{"coe_rms_deg", 5.02}}, imu).q.value(), imu.pass);
+  const MetricValues pressed = {{"contact_ratio", 1}, {"contact_duty", 1}, {"pressure_kPa", 5.0}};
+  EXPECT_DOUBLE_EQ(score(pressed, load_scorecard("ppg")).q.value(), 1);
+  EXPECT_EQ(score(pressed, load_scorecard("eda")).q.value(), 0) << "too hard for the trunk";
+  const Scorecard temperature = load_scorecard("temperature");
+  EXPECT_NEAR(with_derived({{"gap_mm", 0.5}}, temperature).at("temperature_error_K"), 0.24, 0.005);
+}
+
+TEST(Scorecards, ReadByPathToo) {
+  const auto path = std::filesystem::temp_directory_path() / "loosefit_my_card.toml";
+  write_text_file(path.string(), kHead + criterion("gap_mm", "mm", "good = 0.1\nfail = 1"));
+  const Scorecard card = load_scorecard(path.string());
+  EXPECT_EQ(card.name, "loosefit_my_card");
+  EXPECT_DOUBLE_EQ(card.criteria.at(0).limit.fail, 1);
+  std::filesystem::remove(path);
+  EXPECT_THROW(load_scorecard(path.string()), IoError);
+}
+
+TEST(Scorecards, UnknownNameAsksBack) {
+  try {
+    load_scorecard("ecq");
+    FAIL();
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("modality: found \"ecq\""), std::string::npos);
+    EXPECT_EQ(e.hint(), "did you mean \"ecg\"?");
+  }
+}
+
+TEST(Scorecards, WithoutDataSaysWhereTheyAre) {
+  setenv("LOOSEFIT_SHARE", "/nowhere", 1);
+  EXPECT_TRUE(scorecard_names().empty());
+  EXPECT_THROW(load_scorecard("ecg"), IoError);
+  unsetenv("LOOSEFIT_SHARE");
+}
+
+TEST(ScorecardFile, RangesAndShapes) {
+  Scorecard card =
+      parse_scorecard(kHead + criterion("pressure_kPa", "kPa", "good = [1, 2]\nfail = [0, 4]") +
+                          "reason_above = \"too much\"\n",
+                      "dir/my.toml");
+  EXPECT_EQ(card.name, "my");
+  EXPECT_DOUBLE_EQ(card.pass, 0.5);
+  ASSERT_TRUE(card.criteria[0].upper.has_value());
+  EXPECT_DOUBLE_EQ(card.criteria[0].upper->fail, 4);
+  EXPECT_EQ(card.criteria[0].reason_above, "too much");
+  card = parse_scorecard(
+      "title = \"t\"\nabout = \"a\"\n[footprint]\nshape = \"rectangle\"\nlength "
+      "= 0.03\nwidth = 0.04\n" +
+          criterion("slack", "-", "good = 0\nfail = 0.2"),
+      "my.toml");
+  EXPECT_DOUBLE_EQ(outer_radius(card.footprint), 0.025);
+}
+
+TEST(ScorecardFile, RefusalsNamePlaceAndRemedy) {
+  const std::string gap = criterion("gap_mm", "mm", "good = 0.1\nfail = 1");
+  EXPECT_EQ(refusal(kHead + gap), "accepted");
+  const auto says = [](const std::string& text, const std::string& part) {
+    const std::string message = refusal(text);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  says(kHead + criterion("gap", "mm", "good = 0.1\nfail = 1"),
+       "my.toml:6: criterion[0].metric: found \"gap\", expected the name of a metric");
+  says(kHead + criterion("slip_mn", "mm", "good = 1\nfail = 2"), "did you mean \"slip_mm\"?");
+  says(kHead + criterion("gap_mm", "cm", "good = 0.1\nfail = 1"),
+       "my.toml:7: criterion[0].unit: found \"cm\", expected \"mm\"");
+  says(kHead + criterion("gap_mm", "mm", "good = 1\nfail = 1"),
+       "expected another number than good");
+  says(kHead + criterion("gap_mm", "mm", "good = 1\nfail = [0, 2]"),
+       "expected a number, as good is");
+  says(kHead + criterion("gap_mm", "mm", "good = [1, 2]\nfail = [1.5, 3]"),
+       "expected [below 1, above 2]");
+  says(kHead + criterion("gap_mm", "mm", "good = [2, 1]\nfail = [0, 3]"),
+       "good: found an array of 2, expected [low, high], the lower one first");
+  says(kHead + criterion("gap_mm", "mm", "good = [1, 2, 3]\nfail = 3"), "[low, high] of a range");
+  says(kHead + criterion("gap_mm", "mm", "good = 1"), "fail: found nothing");
+  says(kHead + criterion("gap_mm", "mm", "good = [1, 2]\nfail = [0, 4]"),
+       "reason_above: found nothing");
+  says(kHead +
+           "[[criterion]]\nmetric = \"gap_mm\"\nunit = \"mm\"\ngood = 0\nfail = 1\nreason = "
+           "\"r\"\n",
+       "source: found nothing");
+  says(kHead + criterion("usable_signal_ratio", "-", "good = 3\nfail = 1"),
+       "expected sensor.strain_error beside it | usable_signal_ratio is computed with it");
+  says(kHead + gap + "weight = 2\n", "criterion[0].weight: found an unknown key");
+  says(kHead + gap + "goods = 2\n", "did you mean \"good\"?");
+  says("titel = \"t\"\n" + kHead + gap, "did you mean \"title\"?");
+  says(kHead, "criterion: found nothing, expected at least one [[criterion]]");
+  says("title = \"t\"\nabout = \"a\"\n" + gap, "footprint: found nothing");
+  says("title = \"t\"\nabout = \"a\"\n[footprint]\nradius = 12\n" + gap,
+       "lengths are in metres: 12 cm is 0.12");
+  says("title = \"t\"\nabout = \"a\"\n[footprint]\nshape = \"disk\"\nradius = 0.01\n" + gap,
+       "did you mean \"disc\"?");
+  says(kHead + "[sensor]\nstrain_eror = 0.1\n" + gap, "did you mean \"strain_error\"?");
+  says(kHead + "[sensor]\nskin_temperature = 306\n" + gap, "degrees Celsius from 20 to 45");
+  says("regions = [\"chset\"]\n" + kHead + gap, "did you mean \"chest\"?");
+  says("pass = 2\n" + kHead + gap, "pass: found 2");
+  says("about = \"a\"\n", "title: found nothing, expected what the sensor is");
+}
+
+// Damaged files: never a crash; what is accepted gives scores from 0 to 1.
+TEST(ScorecardFile, DamagedOnesAreRefusedOrSound) {
+  const std::string whole =
+      read_text_file((data_directory() / "scorecards" / "ecg.toml").string(), 100000);
+  Mutator damage(5);
+  int refused = 0, accepted = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const std::string text = damage(whole);
+    try {
+      const Scorecard card = parse_scorecard(text, "damaged.toml");
+      ++accepted;
+      MetricValues all;
+      for (const MetricName& m : metric_vocabulary()) all[m.name] = 0.7;
+      const Score s = score(all, card);
+      ASSERT_TRUE(s.q.has_value() && *s.q >= 0 && *s.q <= 1 && s.limiting >= 0) << text;
+    } catch (const InvalidInput& e) {
+      ++refused;
+      ASSERT_EQ(std::string(e.what()).rfind("damaged.toml", 0), 0u) << e.what() << "\n" << text;
+    }
+  }
+  EXPECT_GT(refused, 300);
+  EXPECT_GT(accepted, 100);
+}
+
+}  // namespace
+}  // namespace loosefit

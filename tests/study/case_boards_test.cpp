@@ -1,0 +1,64 @@
+#include "loosefit/study/case_boards.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/study/case_stages.h"
+
+namespace loosefit {
+namespace {
+
+CaseResult made(const std::string& sites) {
+  CaseResult result;
+  // Without time to settle: the place is then that of the garment as it is put on.
+  result.scenario =
+      parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites, "case.toml");
+  result.body = make_body(result.scenario.body);
+  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  return result;
+}
+
+TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
+  CaseResult result = made(
+      "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
+      "[[site]]\nname = \"arm\"\nsegment = \"upper_arm\"\nside = \"right\"\n"
+      "ratios = [100, 50, 50]\nboard = { mass = 0.01 }\n"
+      "[[site]]\nname = \"bare\"\nlandmark = \"sternum\"\n"
+      "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
+  Progress silent;
+  place_boards(result, silent);
+  const std::vector<SiteSpec>& sites = result.scenario.sites;
+  EXPECT_EQ(sites[0].panel, "back");
+  EXPECT_NEAR(sites[0].at.x(), 0, 0.005);
+  // T3 is about 13 cm below the high point shoulder of this woman.
+  EXPECT_NEAR(sites[0].at.y(), -0.13, 0.05);
+  EXPECT_TRUE(sites[1].panel.starts_with("sleeve_R")) << sites[1].panel;
+  EXPECT_TRUE(sites[2].panel.empty()) << "nothing to carry: found on the drape itself";
+  EXPECT_EQ(sites[3].at, Vec2(0.1, -0.3));
+
+  const std::vector<Attachment> all = all_attachments(result.scenario);
+  ASSERT_EQ(all.size(), 3u);
+  const Garment garment = build_hierarchy(result.pattern.pattern, 0.03, {}, all).finest();
+  const Garment bare = build_hierarchy(result.pattern.pattern, 0.03, {}).finest();
+  EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
+}
+
+TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
+  CaseResult result = made(
+      "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
+      "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
+  const Vec3 wanted = site_point(result.body.body, "upper_back");
+  Site spine, flat;
+  spine.name = "spine";
+  spine.body_point = wanted + Vec3(0, 0, 0.010);
+  flat.name = "flat";
+  result.sites = {spine, flat};
+  warn_of_moved_boards(result);
+  EXPECT_TRUE(result.warnings.empty());
+  result.sites[0].body_point = wanted + Vec3(0, 0, 0.020);
+  warn_of_moved_boards(result);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("board of site spine lies 20 mm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace loosefit
