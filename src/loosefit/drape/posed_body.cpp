@@ -31,8 +31,7 @@ std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double
   return posed;
 }
 
-std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::vector<Vec3>& x,
-                              const std::vector<Triangle>& triangles) {
+std::vector<Vec3> skin_motion(const PosedBody& from, const Body& to, const std::vector<Vec3>& x) {
   std::vector<Vec3> u(x.size(), Vec3::Zero());
   const auto &old_pose = from.body.pose_from_rest, &new_pose = to.pose_from_rest;
   if (old_pose.empty() || old_pose.size() != new_pose.size()) return u;
@@ -43,8 +42,12 @@ std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::
       u[i] += hit.barycentric[k] *
               (affine(new_pose[t[k]]) * (affine(old_pose[t[k]]).inverse() * x[i]) - x[i]);
   });
-  std::vector<Vec3> sum(x.size());
-  std::vector<int> count(x.size());
+  return u;
+}
+
+std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, std::vector<Vec3> u) {
+  std::vector<Vec3> sum(u.size());
+  std::vector<int> count(u.size());
   for (int pass = 0; pass < kSmoothingPasses; ++pass) {
     std::fill(sum.begin(), sum.end(), Vec3::Zero());
     std::fill(count.begin(), count.end(), 0);
@@ -53,7 +56,7 @@ std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::
         sum[t[k]] += u[t[(k + 1) % 3]] + u[t[(k + 2) % 3]];
         count[t[k]] += 2;
       }
-    for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t i = 0; i < u.size(); ++i)
       if (count[i] > 0) u[i] = sum[i] / count[i];
   }
   return u;
