@@ -20,8 +20,9 @@ std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double
 /// next, the point taken along rigidly [m]; zero for bodies without a skeleton.
 std::vector<Vec3> skin_motion(const PosedBody& from, const Body& to, const std::vector<Vec3>& x);
 
-/// The same smoothed over the cloth: where the cloth goes with the body.
-std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, std::vector<Vec3> motion);
+/// The same smoothed over some 40 mm of the cloth at x: where the cloth goes with the body.
+std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, const std::vector<Vec3>& x,
+                                std::vector<Vec3> motion);
 
 /// Box round points.
 Box3 bounds(const std::vector<Vec3>& x);
