@@ -62,10 +62,10 @@ void ClothRun::settle_levels() {
     settle(kCoarseTolerance, options_.max_iterations, 0.02);
     refine();
   }
-  settle_finest(false);
+  settle_finest();
 }
 
-void ClothRun::settle_finest(bool near_rest) {
+void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
   const auto hold_off = [&](bool look_ahead) {
@@ -73,7 +73,6 @@ void ClothRun::settle_finest(bool near_rest) {
                          look_ahead, times_cut);
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    if (near_rest && tolerance > kPoseTolerance) continue;
     settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
     if (seconds() > options_.time_budget) return;
     hold_off(true);

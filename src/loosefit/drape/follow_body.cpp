@@ -39,7 +39,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   part_ = "posture";
   walk(body_at, kStep, kTolerance, kIterations);
   part_ = "settle";
-  settle_finest(true);
+  settle_finest();
   return finish();
 }
 
