@@ -8,10 +8,12 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kStep = 0.2;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
-constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
+/// Of the wanted residual: the certificate looks anew, when contacts may have come or gone.
+constexpr double kFine = 0.8;
+constexpr int kDisplaceSteps = 4;  ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -39,7 +41,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   part_ = "posture";
   walk(body_at, kStep, kTolerance, kIterations);
   part_ = "settle";
-  settle_finest();
+  settle_finest(kFine * options_.residual_tolerance);
   return finish();
 }
 
