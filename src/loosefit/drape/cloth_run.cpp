@@ -1,0 +1,113 @@
+#include "loosefit/drape/cloth_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "loosefit/drape/certify.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kCoarseLayer = 2.0;  ///< coarse levels keep layers this much farther apart
+
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
+  switch (kind) {
+    case IntegratorKind::semi_implicit_euler:
+      return make_semi_implicit_euler(system);
+    case IntegratorKind::implicit_euler:
+      return make_implicit_euler(system);
+    case IntegratorKind::quasi_static:
+      break;
+  }
+  return make_quasi_static(system);
+}
+
+}  // namespace
+
+void ClothRun::make_model(double stiffness_share, bool with_friction) {
+  Material material = material_;
+  if (!with_friction) material.friction_body = material.friction_self = 0;
+  scale_membrane(material, stiffness_share);
+  const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+  model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
+  model_->body().set_field(body_->field);
+}
+
+bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool preparing) {
+  // The dynamic integrators are asked for by name for the final level; before it, quasi-static
+  // steps bring the cloth near.
+  const auto kind = is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
+  SettleOptions settle;
+  settle.tolerance = tolerance;
+  settle.tangent = TangentReach::near;  // half the cost of an iteration, as many of them
+  settle.max_iterations =
+      kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
+  settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
+  settle.watch = [&](int iteration, double residual) {
+    progress_.check_cancelled();
+    report_.history.push_back({seconds(), level_, iterations_ + iteration, residual});
+    const double done = std::log10(std::max(residual, tolerance) / 10) /
+                        std::log10(options_.residual_tolerance / 10);
+    progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
+                                                     std::to_string(garment_.levels.size()) +
+                                                     ", residual " + std::to_string(residual));
+    return seconds() > options_.time_budget;
+  };
+  const long searches_before = model_->self().searches();
+  last_ = make_integrator(kind, model_->system())->settle(x_, settle);
+  if (report_.parts.empty() || report_.parts.back().part != part_ ||
+      report_.parts.back().level != level_)
+    report_.parts.push_back({part_, level_, static_cast<int>(x_.size()), {}});
+  report_.parts.back().work += last_.work;
+  iterations_ += last_.work.iterations;
+  report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
+  return last_.reason == SettleOutcome::Reason::converged;
+}
+
+void ClothRun::perturb() {
+  if (!(options_.start_perturbation > 0)) return;
+  std::mt19937_64 rng(options_.seed);
+  std::normal_distribution<double> normal(0, options_.start_perturbation);
+  const Vec3 shift(normal(rng), normal(rng), normal(rng));
+  const double phase = 2 * kPi * std::uniform_real_distribution<double>(0, 1)(rng);
+  for (Vec3& p : x_) p += shift * (1 + 0.5 * std::sin(20 * p[2] + 12 * p[0] + phase));
+}
+
+void ClothRun::refine() {
+  const auto& parents = garment_.parents[level_ + 1];
+  const auto normal = vertex_normals(x_, level_garment().triangles);
+  std::vector<Vec3> fine(parents.size()), bulge(parents.size());
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    const auto [a, b] = parents[i];
+    const Vec3 edge = x_[b] - x_[a];
+    fine[i] = 0.5 * (x_[a] + x_[b]);
+    bulge[i] = (normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8;
+  }
+  x_ = std::move(fine);
+  ++level_;
+  make_model();
+  model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+  const double allowed = model_->self().begin_search(x_, bulge);
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
+}
+
+Drape ClothRun::finish() {
+  Drape drape;
+  drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
+  report_.contacts_body = model_->body().active(x_);
+  report_.contacts_self = model_->self().active(x_);
+  for (const ContactPoint& p : model_->body().points())
+    report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
+  drape.body_contact_force.assign(x_.size(), Vec3::Zero());
+  model_->body().add_gradient(x_, drape.body_contact_force);
+  for (Vec3& f : drape.body_contact_force) f = -f;
+  drape.body_normal_force.assign(x_.size(), 0.0);
+  model_->body().add_normal_force(x_, drape.body_normal_force);
+  drape.positions = x_;
+  drape.report = report_;
+  return drape;
+}
+
+}  // namespace loosefit
