@@ -89,8 +89,8 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       return true;
     }
     exact_ = false;
-    // At rest but for a few slow modes of negative curvature: a little inertia holds just them, where
-    // the projected matrix would hold everything and creep.
+    // At rest but for a few slow modes of negative curvature: a little inertia holds just them,
+    // where the projected matrix would hold everything and creep.
     if (per_dt2 == 0) {
       if (attempt(hold_)) {
         hold_ = std::max(kLeastHold, hold_ / 4);
