@@ -48,10 +48,10 @@ test: setup
 bench: setup
 	@python3 bench/run_bench.py --binary $(LOOSEFIT) $(BENCH)
 
-# Single kernels.
+# Single kernels; builds the programs of bench/solver and bench/peers too.
 bench-kernels: setup
 	@cmake -S . -B $(BUILD) -DLOOSEFIT_BENCH=ON > /dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark loosefit_bakeoff loosefit_peer
 	@$(BUILD)/bin/loosefit_benchmark
 
 # Sources of the repository, also new ones; never files that git ignores.
