@@ -34,13 +34,14 @@ def draw(problems, path):
     columns = 2
     rows = (len(problems) + 1) // columns
     figure, axes = plt.subplots(rows, columns, figsize=(10, 3.6 * rows), squeeze=False)
+    names = list(dict.fromkeys(race["method"] for p in problems for race in p["races"]))
     for axis, problem in zip(axes.flat, problems):
-        for number, race in enumerate(problem["races"]):
+        for race in problem["races"]:
             cpu = [s[1] for s in race["samples"]]
             residual = [s[4] for s in race["samples"]]
             step = max(1, len(cpu) // 250)  # a vector picture need not hold thousands of points
             axis.loglog(cpu[:-1:step] + cpu[-1:], residual[:-1:step] + residual[-1:],
-                        color=f"C{number}", lw=1.2, label=race["method"],
+                        color=f"C{names.index(race['method'])}", lw=1.2, label=race["method"],
                         ls="-" if race["reason"] == "converged" else "--")
         axis.axhline(problem["tolerance"], color="0.6", lw=0.8)
         axis.set_title(f"{problem['problem']}, {problem['vertices']} vertices", fontsize=10)
