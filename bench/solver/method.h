@@ -38,7 +38,8 @@ struct MatrixUse {
 /// Line-searched descent with a direction rule on factors that may be old.
 struct FactoredOptions {
   MatrixUse matrix;
-  bool curved = false;  ///< second-order path by differences of the gradient (Transtrum, Sethna 2012)
+  bool curved =
+      false;  ///< second-order path by differences of the gradient (Transtrum, Sethna 2012)
   double max_move = 0.02;
 };
 std::unique_ptr<Method> make_factored(const ParticleSystem& system, const FactoredOptions& options,
