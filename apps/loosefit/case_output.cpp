@@ -5,8 +5,11 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/render/render_pictures.h"
+#include "loosefit/report/ranking_output.h"
 #include "loosefit/report/write_report.h"
 #include "loosefit/study/case_files.h"
+#include "loosefit/study/rank_case.h"
+#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 namespace {
@@ -23,6 +26,13 @@ std::vector<Picture> draw(const std::filesystem::path& folder, const CaseResult&
   std::vector<PerformanceMap> maps;
   for (const CaseMap& entry : result.maps.maps) maps.push_back(entry.map);
   std::filesystem::create_directories(folder / "maps");
+  if (options.undecorated)
+    for (const CaseState& state : result.wear.states)
+      if (state.donning == 0 && !state.drape.positions.empty()) {
+        progress.check_cancelled();
+        render_pictures(folder / state_folder(state), *result.wear.bodies[state.posture],
+                        result.mesh(), state.drape.positions, {}, options);
+      }
   return render_pictures(folder / "maps", result.body.body, result.mesh(), result.drape.positions,
                          maps, options, [&progress](double share) {
                            progress.check_cancelled();
@@ -36,6 +46,24 @@ std::string number_or_dash(double value) {
 
 }  // namespace
 
+std::optional<RankingTable> rank_as_asked(const std::filesystem::path& folder, CaseResult& result,
+                                          Progress& progress) {
+  if (result.scenario.ranking.modality.empty() || result.maps.maps.empty()) return {};
+  StageClock clock(progress);
+  clock.stage("placement");
+  RankingWish wish = ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
+  wish.progress = [&clock](double share) {
+    clock.check_cancelled();
+    clock.update(share, "search");
+  };
+  RankingTable table = rank_cases({{"run", &result}}, wish, true);
+  write_ranking(folder, table, result.pattern.pattern);
+  clock.stop();
+  for (StageClock::Entry& entry : result.seconds)
+    if (entry.stage == "placement") entry.seconds += clock.entries().front().seconds;
+  return table;
+}
+
 void write_output(const std::filesystem::path& folder, CaseResult& result,
                   const OutputOptions& options, Progress& progress) {
   StageClock clock(progress);
@@ -43,7 +71,7 @@ void write_output(const std::filesystem::path& folder, CaseResult& result,
   write_case_files(folder, result);
   std::vector<Picture> pictures;
   if (options.pictures) pictures = draw(folder, result, clock);
-  if (options.report) write_report(folder, result, pictures);
+  if (options.report) write_report(folder, result, pictures, options.ranking);
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});
   result.peak_memory_mb = peak_memory_mb();

@@ -8,8 +8,10 @@
 #include <optional>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/body/body_tape.h"
+#include "loosefit/body/named_postures.h"
 #include "loosefit/body/scan_body.h"
 #include "loosefit/io/body_file.h"
 #include "loosefit/io/mesh_file.h"
@@ -24,7 +26,8 @@ struct Wish {
   BodySpec spec;
   std::map<std::string, std::optional<double>> measures;
   std::string posture = "standing";
-  std::optional<double> arm_abduction_deg, forward_bend_deg, sitting;
+  std::optional<double> arm_abduction_deg, forward_bend_deg, sitting, arm_flexion_deg,
+      elbow_extension, slouch;
   std::string file, units, up;
   std::string out;
 };
@@ -48,19 +51,18 @@ double sex_of(const std::string& text) {
 
 Posture posture_of(const Wish& wish) {
   Posture posture;
-  if (wish.posture == "a-pose") {
-    posture.arm_abduction = radians(40);
-  } else if (wish.posture == "sitting") {
-    posture.sitting = 1;
-  } else if (wish.posture == "forward-bend") {
-    posture.forward_bend = radians(30);
-  } else if (wish.posture != "standing") {
-    throw InvalidInput({"", 0, "--posture"}, "\"" + wish.posture + "\"",
-                       "standing, a-pose, sitting or forward-bend");
+  try {
+    posture = named_posture(wish.posture);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput({"", 0, "--posture"}, "\"" + printable(wish.posture) + "\"",
+                       "the name of a posture", error.hint());
   }
   if (wish.arm_abduction_deg) posture.arm_abduction = radians(*wish.arm_abduction_deg);
   if (wish.forward_bend_deg) posture.forward_bend = radians(*wish.forward_bend_deg);
   if (wish.sitting) posture.sitting = *wish.sitting;
+  if (wish.arm_flexion_deg) posture.arm_flexion = radians(*wish.arm_flexion_deg);
+  if (wish.elbow_extension) posture.elbow_extension = *wish.elbow_extension;
+  if (wish.slouch) posture.slouch = *wish.slouch;
   return posture;
 }
 
@@ -148,10 +150,13 @@ void add_body_command(CLI::App& app) {
   command->add_option("--proportions", wish->spec.proportions, "0 … 1");
   command->add_option("--cup", wish->spec.cup, "0 … 1");
   command->add_option("--firmness", wish->spec.firmness, "0 … 1");
-  command->add_option("--posture", wish->posture, "standing, a-pose, sitting or forward-bend");
+  command->add_option("--posture", wish->posture, join(posture_names()));
   command->add_option("--arm-abduction-deg", wish->arm_abduction_deg, "upper arm to the vertical");
   command->add_option("--forward-bend-deg", wish->forward_bend_deg, "turn of the back");
   command->add_option("--sitting", wish->sitting, "0 standing … 1 sitting");
+  command->add_option("--arm-flexion-deg", wish->arm_flexion_deg, "arms raised forward");
+  command->add_option("--elbow-extension", wish->elbow_extension, "0 bent … 1 straight elbows");
+  command->add_option("--slouch", wish->slouch, "0 upright … 1 slumped");
   command->add_option("--file", wish->file, "body surface: OBJ, PLY or STL");
   command->add_option("--units", wish->units, "units of the file: m, cm, mm, in");
   command->add_option("--up", wish->up, "up axis of the file: y or z");

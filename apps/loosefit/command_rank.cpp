@@ -63,7 +63,7 @@ CaseResult drape_of(const std::string& input, const Arguments& arguments, Progre
   }
   progress.stage("maps");
   try {
-    result.maps = make_maps(result, arguments.allow_unsettled);
+    add_maps(result, arguments.allow_unsettled);
   } catch (const Error& error) {
     if (result.drape.certificate.settled()) throw;
     throw Error(input + ": " + error.what(), error.hint());  // which of several

@@ -12,7 +12,6 @@
 #include "loosefit/io/run_log.h"
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/report/ranking_output.h"
-#include "loosefit/study/rank_case.h"
 #include "loosefit/study/run_case.h"
 #include "terminal_progress.h"
 
@@ -25,24 +24,6 @@ struct Arguments {
   RunOptions options;
 };
 
-/// Ranks as [ranking] asks, writes the files and gives the table. Timed as part of "placement".
-std::string rank_sites_of(CaseResult& result, const std::filesystem::path& folder,
-                          Progress& progress) {
-  StageClock clock(progress);
-  clock.stage("placement");
-  RankingWish wish = ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
-  wish.progress = [&clock](double share) {
-    clock.check_cancelled();
-    clock.update(share, "search");
-  };
-  const RankingTable table = rank_cases({{"run", &result}}, wish, true);
-  write_ranking(folder, table, result.pattern.pattern);
-  clock.stop();
-  for (StageClock::Entry& entry : result.seconds)
-    if (entry.stage == "placement") entry.seconds += clock.entries().front().seconds;
-  return ranking_text(table);
-}
-
 int run(const Arguments& arguments) {
   const Scenario scenario = read_scenario(arguments.scenario);
   const bool pictures = arguments.pictures && !arguments.options.only_drape;
@@ -52,18 +33,19 @@ int run(const Arguments& arguments) {
   RunFolder folder = RunFolder::create(arguments.output);
   RunLog log(folder.path() / "log.jsonl", shown);
   CaseResult result = run_case(scenario, log, arguments.options);
-  std::string ranking;
-  if (!scenario.ranking.modality.empty() && !result.maps.maps.empty())
-    ranking = rank_sites_of(result, folder.path(), log);
+  const std::optional<RankingTable> ranking = rank_as_asked(folder.path(), result, log);
   write_output(folder.path(), result,
-               {.pictures = pictures, .report = !arguments.options.only_drape}, log);
+               {.pictures = pictures,
+                .report = !arguments.options.only_drape,
+                .ranking = ranking ? &*ranking : nullptr},
+               log);
   for (const std::string& warning : result.warnings) log.warning(warning);
   log.end(result.drape.certificate.settled() ? "settled" : "not settled");
   folder.commit();
   shown.clear();
   if (!arguments.quiet) {
-    if (!ranking.empty()) fmt::print("{}\n", ranking);
     print_result(result, arguments.output);
+    if (ranking) fmt::print("\n{}", ranking_text(*ranking));
   }
   return result.drape.certificate.settled() ? kGood : kNotSettled;
 }

@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <memory>
+#include <optional>
 
 #include "case_output.h"
 #include "exit_code.h"
@@ -31,13 +32,17 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   if (!arguments.maps.empty()) result.scenario.output.maps = arguments.maps;
   StageClock clock(shown);
   clock.stage("maps");
-  result.maps = make_maps(result, arguments.allow_unsettled);
+  add_maps(result, arguments.allow_unsettled);
   clock.stage("placement");
   result.sites = make_sites(result);
   clock.stop();
   result.seconds.insert(result.seconds.end(), clock.entries().begin(), clock.entries().end());
   result.warnings = collected_warnings(result);
-  write_output(folder.path(), result, output, shown);
+  OutputOptions whole = output;
+  std::optional<RankingTable> ranking;
+  if (output.report) ranking = rank_as_asked(folder.path(), result, shown);
+  if (ranking) whole.ranking = &*ranking;
+  write_output(folder.path(), result, whole, shown);
   folder.commit();
   shown.clear();
   if (!arguments.quiet) print_result(result, arguments.folder);

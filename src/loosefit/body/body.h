@@ -16,6 +16,10 @@ struct Posture {
   double arm_abduction = 0.4363323129985824;  ///< upper arm to the downward vertical; 25°
   double forward_bend = 0;                    ///< change of back inclination
   double sitting = 0;                         ///< 0 standing … 1 hips and knees flexed 90°
+  double arm_flexion = 0;      ///< the arms so abducted, raised forward against the trunk
+  double elbow_extension = 0;  ///< share of the model's bent elbow (46°) that is straightened
+  double slouch = 0;           ///< 0 upright … 1 slumped (skeleton_pose.h)
+  bool operator==(const Posture&) const = default;
 };
 
 /// A closed body surface in one posture, z up, facing -y, +x the wearer's left, floor at z = 0.
@@ -38,16 +42,19 @@ struct Body {
 
 /// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.
 inline Posture blend(const Posture& from, const Posture& to, double share) {
-  return {from.arm_abduction + share * (to.arm_abduction - from.arm_abduction),
-          from.forward_bend + share * (to.forward_bend - from.forward_bend),
-          from.sitting + share * (to.sitting - from.sitting)};
+  const auto mix = [&](double Posture::*angle) {
+    return from.*angle + share * (to.*angle - from.*angle);
+  };
+  return {mix(&Posture::arm_abduction), mix(&Posture::forward_bend),    mix(&Posture::sitting),
+          mix(&Posture::arm_flexion),   mix(&Posture::elbow_extension), mix(&Posture::slouch)};
 }
 
 /// Where a garment is put on when nothing is said: in the wanted posture itself if the arms stand
 /// off the trunk and the person is upright, otherwise upright with the arms at 40°.
 inline Posture default_dress_posture(const Posture& wanted) {
   const bool open = wanted.arm_abduction >= radians(20.0) && wanted.arm_abduction <= radians(60.0);
-  const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0;
+  const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
+                       wanted.slouch == 0;
   return open && upright ? wanted : Posture{radians(40.0), 0, 0};
 }
 

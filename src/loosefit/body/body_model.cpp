@@ -44,6 +44,9 @@ void check_posture(const Posture& posture) {
   check("arm_abduction", degrees(posture.arm_abduction), -10, 120, "°");
   check("forward_bend", degrees(posture.forward_bend), -30, 90, "°");
   check("sitting", posture.sitting, 0, 1, "");
+  check("arm_flexion", degrees(posture.arm_flexion), -40, 180, "°");
+  check("elbow_extension", posture.elbow_extension, 0, 1, "");
+  check("slouch", posture.slouch, 0, 1, "");
 }
 
 std::vector<Vec3> carried(const std::vector<Eigen::Matrix<double, 3, 4>>& maps,

@@ -8,11 +8,55 @@ namespace {
 // Shares of the arm angle and of the bend, lowest spine bone first.
 constexpr double kClavicleShare = 0.15, kShoulderShare = 0.10, kUpperArmShare = 0.75;
 constexpr double kSpineShare[5] = {0.3, 0.3, 0.2, 0.1, 0.1};
+constexpr double kClavicleTurn = 0.15, kClavicleLift = 0.10, kBladeTurn = 0.10;  // of arm flexion
+// Of a full slouch, lowest spine bone first [rad].
+constexpr double kSlouchSpine[5] = {radians(4), radians(6), radians(8), radians(7), radians(5)};
+constexpr double kSlouchShoulder = radians(10), kSlouchNeck = radians(8),
+                 kSlouchHead = radians(-25);
 // Measured: bones turning by b together turn the line C7 - back waist by b / 1.09 for 10° … 60°.
 constexpr double kBendGain = 1.09;
 
 Mat3 about(const Vec3& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
+
+/// Turn of the forearm about the elbow that brings it into line with the upper arm.
+Mat3 straightening(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
+                   double share) {
+  const auto head = [&](const std::string& bone) {
+    return joints[std::size_t(data.bones[std::size_t(data.bone(bone + side))].head)];
+  };
+  const Vec3 elbow = head("lowerarm01");
+  const Vec3 upper = elbow - head("upperarm01"), fore = head("wrist") - elbow;
+  const Eigen::AngleAxisd whole(Eigen::Quaterniond::FromTwoVectors(fore, upper));
+  return about(whole.axis(), share * whole.angle());
+}
+
+/// Raises the arms forward by `angle` after what the bones do already.
+void raise_forward(double angle, BoneRotations& rotations) {
+  for (const auto& [side, sign] : {std::pair(".L", 1.0), std::pair(".R", -1.0)}) {
+    Mat3 &clavicle = rotations[std::string("clavicle") + side],
+         &blade = rotations[std::string("shoulder01") + side],
+         &upper = rotations[std::string("upperarm01") + side];
+    const Mat3 wanted = about(Vec3::UnitX(), -angle) * clavicle * blade * upper;
+    clavicle = about(-Vec3::UnitY(), sign * kClavicleLift * angle) *
+               about(Vec3::UnitX(), -kClavicleTurn * angle) * clavicle;
+    blade = about(Vec3::UnitX(), -kBladeTurn * angle) * blade;
+    upper = (clavicle * blade).transpose() * wanted;
+  }
+}
+
+void slump(double share, BoneRotations& rotations) {
+  for (int i = 0; i < 5; ++i) {
+    Mat3& bone = rotations["spine0" + std::to_string(5 - i)];
+    bone = about(Vec3::UnitX(), share * kSlouchSpine[i]) * bone;
+  }
+  rotations["neck01"] = about(Vec3::UnitX(), share * kSlouchNeck);
+  rotations["head"] = about(Vec3::UnitX(), share * kSlouchHead);
+  for (const auto& [side, sign] : {std::pair(".L", 1.0), std::pair(".R", -1.0)}) {
+    Mat3& clavicle = rotations[std::string("clavicle") + side];
+    clavicle = about(Vec3::UnitZ(), -sign * share * kSlouchShoulder) * clavicle;
+  }
 }
 
 }  // namespace
@@ -37,10 +81,17 @@ BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& j
   raise("shoulder01", kShoulderShare);
   raise("upperarm01", kUpperArmShare);
 
+  if (posture.arm_flexion != 0) raise_forward(posture.arm_flexion, rotations);
+  if (posture.elbow_extension != 0)
+    for (const char* side : {".L", ".R"})
+      rotations[std::string("lowerarm01") + side] =
+          straightening(data, joints, side, posture.elbow_extension);
+
   for (int i = 0; i < 5; ++i) {
     rotations["spine0" + std::to_string(5 - i)] =
         about(Vec3::UnitX(), kSpineShare[i] * kBendGain * posture.forward_bend);
   }
+  if (posture.slouch != 0) slump(posture.slouch, rotations);
   for (const char* side : {".L", ".R"}) {
     rotations[std::string("upperleg01") + side] = about(Vec3::UnitX(), -posture.sitting * kPi / 2);
     rotations[std::string("lowerleg01") + side] = about(Vec3::UnitX(), posture.sitting * kPi / 2);

@@ -59,6 +59,8 @@ class BodyContact : public Energy {
     forget_touches();
   }
   void forget_anchors() { friction_.forget(); }
+  /// The skin under each particle has moved so far [m]: the anchors of friction move with it.
+  void carry_anchors(const VectorField& motion) { friction_.carry(motion); }
   const std::vector<ContactPoint>& points() const { return points_; }
   /// To be changed: what is remembered of them is void.
   std::vector<ContactPoint>& change_points() {

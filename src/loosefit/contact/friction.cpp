@@ -33,6 +33,10 @@ void Friction::restart(std::vector<FrictionContact> contacts, const VectorField&
   lag_ = 0;
 }
 
+void Friction::carry(const VectorField& motion) {
+  for (std::size_t i = 0; i < start_.size(); ++i) start_[i] += motion[i];
+}
+
 /// Takes a share of the change since `old`; returns what is left out [N].
 double Friction::relax(FrictionContact& c, const FrictionContact& old, double normal_force) const {
   constexpr double kLeast = 0.05, kBack = 0.5, kOn = 1.5;

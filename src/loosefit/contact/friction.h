@@ -53,6 +53,9 @@ class Friction {
   void restart(std::vector<FrictionContact> contacts, const VectorField& x);
   /// The same for another iteration on the static balance of the present step.
   void iterate(std::vector<FrictionContact> contacts, const VectorField& x);
+  /// What the cloth rubs against has moved by `motion` [m], given at each particle: the anchors go
+  /// along, so that only motion relative to it counts as sliding.
+  void carry(const VectorField& motion);
   /// Drops all contacts with their anchors.
   void forget() { contacts_.clear(); }
 

@@ -62,4 +62,10 @@ ClothModel::ClothModel(const Garment& garment, const Material& material,
   system_.gravity = options.gravity;
 }
 
+void ClothModel::recall(const ClothMemory& memory) {
+  *body_ = memory.body;
+  *self_ = memory.self;
+  bending_->recall(memory.bending);
+}
+
 }  // namespace loosefit

@@ -14,6 +14,13 @@ namespace loosefit {
 
 inline constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb slip [m]
 
+/// What cloth remembers of its past: where it sticks, and how its yarns lie.
+struct ClothMemory {
+  BodyContact body;
+  SelfContact self;
+  std::vector<PlaneRows> bending;
+};
+
 /// All energies of one garment level and the particle system that refers to them.
 class ClothModel {
  public:
@@ -27,6 +34,10 @@ class ClothModel {
   BodyContact& body() { return *body_; }
   SelfContact& self() { return *self_; }
   const BodyContact& body() const { return *body_; }
+
+  ClothMemory memory() const { return {*body_, *self_, bending_->memory()}; }
+  /// Takes up what this model remembered earlier.
+  void recall(const ClothMemory& memory);
 
  private:
   std::unique_ptr<MembraneEnergy> membrane_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,20 +12,19 @@
 
 namespace loosefit {
 
-/// A garment on its way to rest: knows the state of the cloth, the body under it, the clock, the
-/// report and whom to tell. Keeps references to all arguments of the constructor.
+/// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
+/// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
+/// constructor.
 class ClothRun {
  public:
-  ClothRun(const GarmentHierarchy& garment, const Material& material, const BodyPath& body_at,
-           const DrapeOptions& options, Progress& progress)
-      : garment_(garment),
-        material_(material),
-        body_at_(body_at),
-        options_(options),
-        progress_(progress) {}
+  ClothRun(const GarmentHierarchy& garment, const Material& material, const DrapeOptions& options,
+           Progress& progress)
+      : garment_(garment), material_(material), options_(options), progress_(progress) {}
 
-  /// Dress and settle, as drape_garment.
-  Drape drape();
+  /// Dress and settle, as drape_garment. What it leaves is where `follow` starts.
+  Drape put_on(const BodyPath& body_at);
+  /// As DrapeSession::follow.
+  Drape follow(const BodyPath& body_at);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -35,11 +35,17 @@ class ClothRun {
   void make_model(double stiffness_share = 1, bool with_friction = true);
   /// Settles the current level; true when the tolerance was met.
   bool settle(double tolerance, int iterations, double first_dt, bool preparing = false);
-  void put_on();
+  void dress(Body body);
   /// Seeded smooth shift of the start, for repeats.
   void perturb();
-  void assume_posture();
+  /// Shifts and twists the garment on the trunk as the options ask.
+  void displace();
+  /// Takes the cloth along with the body from where it stands to body_at(1), in steps of at most
+  /// that turn of any skin [rad], each settled to a loose tolerance.
+  void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
   void settle_levels();
+  /// From anywhere near to the last digits, with rounds that free cuts into the skin.
+  void settle_finest();
   /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
@@ -48,17 +54,24 @@ class ClothRun {
 
   const GarmentHierarchy& garment_;
   const Material& material_;
-  const BodyPath& body_at_;
   const DrapeOptions& options_;
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
   int level_ = 0, iterations_ = 0;
   std::string part_ = "dress";  ///< of the run, for the report
   std::vector<Vec3> x_;
-  std::unique_ptr<PosedBody> body_;
+  std::shared_ptr<const PosedBody> body_;
   std::unique_ptr<ClothModel> model_;
   SettleOutcome last_;
   SettleReport report_;
+
+  /// The state at the end of put_on.
+  struct Worn {
+    std::vector<Vec3> x;
+    std::shared_ptr<const PosedBody> body;
+    ClothMemory memory;
+  };
+  std::optional<Worn> worn_;
 };
 
 }  // namespace loosefit

@@ -1,12 +1,9 @@
 #include "loosefit/drape/drape_garment.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/cloth_run.h"
@@ -21,8 +18,9 @@ constexpr double kContractTolerance = 30;  ///< residual while the softened star
 constexpr int kContractIterations = 60;
 constexpr double kCoarseTolerance = 1.0;  ///< residual before a level is handed to the finer one
 constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
-constexpr double kPoseStep = 0.07;        ///< largest joint angle of one step of the path [rad]
-constexpr int kCutRounds = 8;             ///< attempts to free the last cuts into the body
+constexpr int kPoseIterations = 40;
+constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
+constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
@@ -31,19 +29,19 @@ constexpr double kFirstDt = 0.5, kStaticDt = 10;
 
 }  // namespace
 
-Drape ClothRun::drape() {
+Drape ClothRun::put_on(const BodyPath& body_at) {
   progress_.stage("dress");
-  put_on();
+  dress(body_at(0.0));
   progress_.stage("settle");
   part_ = "posture";
-  assume_posture();
+  walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
   settle_levels();
+  worn_ = Worn{x_, body_, model_->memory()};
   return finish();
 }
 
-void ClothRun::put_on() {
-  Body body = body_at_(0.0);
+void ClothRun::dress(Body body) {
   x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
                                  : dress_as_placed(level_garment(), garment_.pattern);
   perturb();
@@ -55,34 +53,8 @@ void ClothRun::put_on() {
     settle(kContractTolerance, kContractIterations, 0.01, true);
   }
   make_model();
+  displace();
   settle(kDressTolerance, options_.max_iterations, 0.01, true);
-}
-
-void ClothRun::assume_posture() {
-  int steps = 1;
-  {
-    const Body end = body_at_(1.0);
-    double turn = 0;  // largest rotation that any skin undergoes on the way
-    const auto &a = body_->body.pose_from_rest, &b = end.pose_from_rest;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 7) {
-      const Mat3 relative = b[i].leftCols<3>() * a[i].leftCols<3>().transpose();
-      turn = std::max(turn, std::acos(std::clamp((relative.trace() - 1) / 2, -1.0, 1.0)));
-    }
-    if (turn < 1e-6) return;
-    steps = static_cast<int>(std::ceil(turn / kPoseStep));
-  }
-  for (int k = 1; k <= steps; ++k) {
-    if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
-    const double share = double(k) / steps;
-    auto next = pose_for_contact(body_at_(share), bounds(x_), kFieldSpacing);
-    const auto carried = carry_along(*body_, next->body, x_, level_garment().triangles);
-    model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    const double allowed = model_->self().begin_search(x_, carried);
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
-    body_ = std::move(next);
-    model_->body().set_field(body_->field);
-    settle(kPoseTolerance, 40, 0.02, true);
-  }
 }
 
 void ClothRun::settle_levels() {
@@ -90,6 +62,10 @@ void ClothRun::settle_levels() {
     settle(kCoarseTolerance, options_.max_iterations, 0.02);
     refine();
   }
+  settle_finest();
+}
+
+void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
   const auto hold_off = [&](bool look_ahead) {
@@ -111,14 +87,6 @@ void ClothRun::settle_levels() {
     if (seconds() > options_.time_budget || round == kCutRounds || !hold_off(false)) break;
   }
   report_.held_off_triangles = static_cast<int>(times_cut.size());
-}
-
-Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
-                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress) {
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-  return ClothRun(garment, material, body_at, options, progress).drape();
 }
 
 }  // namespace loosefit

@@ -28,6 +28,10 @@ struct DrapeOptions {
   int threads = 0;                   ///< 0 = all cores; results do not depend on it
   std::uint64_t seed = 1;            ///< of the start perturbation
   double start_perturbation = 0;     ///< rms shift of the dressed start [m]
+  /// How the garment is pulled about once it is on: all of it shifted [m], and what lies on the
+  /// trunk turned about a vertical axis [rad]. It then settles from there.
+  Vec3 start_shift = Vec3::Zero();
+  double start_twist = 0;
 };
 
 /// Body at a share of the way from the dressing posture (0) to the wanted posture (1).

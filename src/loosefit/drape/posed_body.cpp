@@ -2,10 +2,14 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace loosefit {
 namespace {
-constexpr double kMargin = 0.06;      ///< of the field round the cloth [m]
-constexpr int kSmoothingPasses = 20;  ///< of the carried displacements
+constexpr double kMargin = 0.06;     ///< of the field round the cloth [m]
+constexpr double kSmoothing = 0.04;  ///< reach of smoothing the carried displacements [m]
+constexpr int kMostPasses = 50;
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
   Eigen::Affine3d a;
@@ -31,8 +35,7 @@ std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double
   return posed;
 }
 
-std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::vector<Vec3>& x,
-                              const std::vector<Triangle>& triangles) {
+std::vector<Vec3> skin_motion(const PosedBody& from, const Body& to, const std::vector<Vec3>& x) {
   std::vector<Vec3> u(x.size(), Vec3::Zero());
   const auto &old_pose = from.body.pose_from_rest, &new_pose = to.pose_from_rest;
   if (old_pose.empty() || old_pose.size() != new_pose.size()) return u;
@@ -43,9 +46,20 @@ std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::
       u[i] += hit.barycentric[k] *
               (affine(new_pose[t[k]]) * (affine(old_pose[t[k]]).inverse() * x[i]) - x[i]);
   });
-  std::vector<Vec3> sum(x.size());
-  std::vector<int> count(x.size());
-  for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+  return u;
+}
+
+std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, const std::vector<Vec3>& x,
+                                std::vector<Vec3> u) {
+  double edge = 0;  // a pass reaches so far; n passes √n times
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k)
+      edge += (x[t[k]] - x[t[(k + 1) % 3]]).norm() / (3.0 * static_cast<double>(triangles.size()));
+  const int passes =
+      std::clamp(static_cast<int>(std::ceil(std::pow(kSmoothing / edge, 2))), 1, kMostPasses);
+  std::vector<Vec3> sum(u.size());
+  std::vector<int> count(u.size());
+  for (int pass = 0; pass < passes; ++pass) {
     std::fill(sum.begin(), sum.end(), Vec3::Zero());
     std::fill(count.begin(), count.end(), 0);
     for (const Triangle& t : triangles)
@@ -53,7 +67,7 @@ std::vector<Vec3> carry_along(const PosedBody& from, const Body& to, const std::
         sum[t[k]] += u[t[(k + 1) % 3]] + u[t[(k + 2) % 3]];
         count[t[k]] += 2;
       }
-    for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t i = 0; i < u.size(); ++i)
       if (count[i] > 0) u[i] = sum[i] / count[i];
   }
   return u;

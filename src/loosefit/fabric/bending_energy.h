@@ -43,6 +43,11 @@ class BendingEnergy : public Energy {
   /// Curvature (κ_uu, κ_vv, 2κ_uv) of a triangle [1/m], positive where the outside is convex.
   Vec3 curvature(int triangle, const VectorField& x) const;
 
+  /// Where the yarns have slid to: the memory of the inner friction, to be taken up again by
+  /// `recall` of the same cloth.
+  const std::vector<PlaneRows>& memory() const { return anchor_; }
+  void recall(const std::vector<PlaneRows>& memory) { anchor_ = memory; }
+
   void set_tangent(TangentReach reach) override { tangent_ = reach; }
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;

@@ -34,7 +34,8 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   Scenario scenario;
   scenario.file = file;
   note_lines(node, "", scenario.lines);
-  scenario.body = read_body_section(root.table("body"));
+  scenario.postures = read_postures_section(root.table("postures"), root.table("body"));
+  scenario.body = read_body_section(root.table("body"), scenario.postures);
   scenario.garment = read_garment_section(root.table("garment"));
   scenario.material = read_material_section(root.table("material"));
   for (const ConfigReader& table : root.tables("attachment"))
@@ -44,6 +45,8 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   scenario.simulation = read_simulation_section(root.table("simulation"));
   scenario.output = read_output_section(root.table("output"));
   scenario.ranking = read_ranking_section(root.table("ranking"));
+  const bool donned = root.has("donning");
+  scenario.donning = read_donning_section(root.table("donning"), donned, scenario.simulation);
   root.finish();
   refuse_equal_names(scenario.attachments, root, "attachment");
   refuse_equal_names(scenario.sites, root, "site");

@@ -66,6 +66,15 @@ struct ScenarioRanking {
   bool partial = false;  ///< by the criteria that the drapes can tell
 };
 
+/// [donning]: putting the garment on again and again, never quite alike.
+struct ScenarioDonning {
+  int repeats = 1;               ///< the first is undisturbed
+  double shift = 0.010;          ///< of the garment, each axis, to either side [m]
+  double twist = radians(10.0);  ///< on the trunk, to either side [rad]
+  double friction_spread = 0.2;  ///< standard deviation of ln μ
+  std::uint64_t seed = 1;
+};
+
 /// Everything `loosefit run` is asked to do; every default written out. Documented key by key in
 /// docs/scenario.md.
 struct Scenario {
@@ -79,6 +88,10 @@ struct Scenario {
   ScenarioSimulation simulation;
   ScenarioOutput output;
   ScenarioRanking ranking;
+  /// [postures]: names (body/named_postures.h); the first is `body.posture`, in which the maps are
+  /// made and sensors are calibrated. Empty: only body.posture.
+  std::vector<std::string> postures;
+  ScenarioDonning donning;
 };
 
 /// The default scenario: the reference shirt on the default woman.

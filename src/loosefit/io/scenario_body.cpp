@@ -1,5 +1,6 @@
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
+#include "loosefit/body/named_postures.h"
 #include "loosefit/io/scenario_sections.h"
 
 namespace loosefit {
@@ -7,30 +8,12 @@ namespace {
 
 const NumberRange kFraction{0, 1, "a fraction"};
 
-const std::vector<std::pair<std::string, Posture>>& named_postures() {
-  static const std::vector<std::pair<std::string, Posture>> kTable = {
-      {"standing", {radians(25.0), 0, 0}},
-      {"a-pose", {radians(40.0), 0, 0}},
-      {"sitting", {radians(25.0), 0, 1}},
-      {"forward-bend", {radians(25.0), radians(30.0), 0}},
-  };
-  return kTable;
-}
-
-Posture named_posture(ConfigReader& body, const std::string& key) {
-  std::vector<std::string> names;
-  for (const auto& entry : named_postures()) names.push_back(entry.first);
-  const std::string wanted = body.choice(key, "standing", names);
-  for (const auto& [name, posture] : named_postures())
-    if (name == wanted) return posture;
-  return {};
-}
-
 // A name, or a table of angles whose missing entries are those of standing.
 Posture read_posture(ConfigReader& body, const std::string& key, const Posture& fallback) {
   const ConfigNode* node = body.node(key);
   if (!node) return fallback;
-  if (node->kind == ConfigNode::Kind::text) return named_posture(body, key);
+  if (node->kind == ConfigNode::Kind::text)
+    return named_posture(body.choice(key, "standing", posture_names()));
   if (node->kind != ConfigNode::Kind::table)
     throw body.error(key, "a posture in quotes or a table of angles");
   ConfigReader table = body.table(key);
@@ -38,6 +21,9 @@ Posture read_posture(ConfigReader& body, const std::string& key, const Posture& 
   posture.arm_abduction = radians(table.number("arm_abduction_deg", 25, {5, 90, "degrees"}));
   posture.forward_bend = radians(table.number("forward_bend_deg", 0, {-20, 90, "degrees"}));
   posture.sitting = table.number("sitting", 0, kFraction);
+  posture.arm_flexion = radians(table.number("arm_flexion_deg", 0, {-40, 180, "degrees"}));
+  posture.elbow_extension = table.number("elbow_extension", 0, kFraction);
+  posture.slouch = table.number("slouch", 0, kFraction);
   table.finish();
   return posture;
 }
@@ -63,7 +49,7 @@ ScenarioBody read_body_file(ConfigReader& table) {
 
 }  // namespace
 
-ScenarioBody read_body_section(ConfigReader table) {
+ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures) {
   if (table.has("file")) return read_body_file(table);
   for (const char* key : {"units", "up"})
     if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
@@ -81,7 +67,12 @@ ScenarioBody read_body_section(ConfigReader table) {
   body.proportions = table.number("proportions", body.proportions, kFraction);
   body.cup = table.number("cup", body.cup, kFraction);
   body.firmness = table.number("firmness", body.firmness, kFraction);
-  body.posture = read_posture(table, "posture", body.posture);
+  const Posture listed = postures.empty() ? body.posture : named_posture(postures.front());
+  body.posture = read_posture(table, "posture", listed);
+  if (!postures.empty() && !(body.posture == listed))
+    throw table.error("posture", "another posture than that of [postures]",
+                      "\"" + postures.front() + "\", the reference of [postures]",
+                      "leave it out: the reference posture is that of the maps");
   body.dress_posture = read_posture(table, "dress_posture", default_dress_posture(body.posture));
   table.finish();
   return body;

@@ -6,7 +6,10 @@
 // its table, fills in defaults and refuses the keys it does not know.
 namespace loosefit {
 
-ScenarioBody read_body_section(ConfigReader table);
+/// [postures]: the list with the reference posture first; `body` is [body].
+std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body);
+/// `postures`: those of [postures]; the first is the default of body.posture.
+ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures);
 ScenarioGarment read_garment_section(ConfigReader table);
 MaterialCard read_material_section(ConfigReader table);
 Attachment read_attachment_section(ConfigReader table);
@@ -14,6 +17,12 @@ SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
 ScenarioOutput read_output_section(ConfigReader table);
 ScenarioRanking read_ranking_section(ConfigReader table);
+/// [donning]; `given`: the section stands in the file. [simulation] must have been read.
+ScenarioDonning read_donning_section(ConfigReader table, bool given,
+                                     const ScenarioSimulation& simulation);
+
+/// [postures] and [donning] as TOML; empty where there is nothing to say.
+std::string wear_toml(const Scenario& scenario);
 
 /// One [[site]] as TOML, every default written out.
 std::string site_toml(const SiteSpec& site);

@@ -7,9 +7,11 @@ namespace loosefit {
 namespace {
 
 std::string posture_text(const Posture& p) {
-  return fmt::format("{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {} }}",
-                     degrees_text(p.arm_abduction), degrees_text(p.forward_bend),
-                     shortest(p.sitting));
+  return fmt::format(
+      "{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {}, arm_flexion_deg = {}, "
+      "elbow_extension = {}, slouch = {} }}",
+      degrees_text(p.arm_abduction), degrees_text(p.forward_bend), shortest(p.sitting),
+      degrees_text(p.arm_flexion), shortest(p.elbow_extension), shortest(p.slouch));
 }
 
 std::string point_text(const Vec2& p) {
@@ -122,7 +124,8 @@ std::string scenario_toml(const Scenario& scenario) {
                      material_toml(material);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
-  text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output);
+  text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output) +
+          wear_toml(scenario);
   return scenario.ranking.modality.empty() ? text : text + ranking_section_text(scenario.ranking);
 }
 

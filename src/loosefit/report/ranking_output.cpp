@@ -53,18 +53,6 @@ std::string range(const std::optional<Interval>& interval, int decimals) {
   return fmt::format("{:.{}f}-{:.{}f}", interval->low, decimals, interval->high, decimals);
 }
 
-std::vector<std::string> all_notes(const RankingTable& table) {
-  std::vector<std::string> notes = table.ranking.notes;
-  if (!table.scorecard.left_out.empty()) {
-    std::vector<std::string> left_out;
-    for (const std::string& metric : table.scorecard.left_out)
-      left_out.push_back(metric_with_need(metric));
-    notes.push_back("scores are upper bounds: not looked at: " + join(left_out));
-  }
-  notes.insert(notes.end(), table.notes.begin(), table.notes.end());
-  return notes;
-}
-
 /// The sample that a robust score is that of, by name, where there are several.
 std::string worst_sample(const RankingTable& table, const RankedSite& site) {
   const int sample = site.score.robust_sample;
@@ -208,6 +196,18 @@ std::vector<std::string> csv_row(const RankingTable& table, const RankedSite& si
 
 }  // namespace
 
+std::vector<std::string> ranking_notes(const RankingTable& table) {
+  std::vector<std::string> notes = table.ranking.notes;
+  if (!table.scorecard.left_out.empty()) {
+    std::vector<std::string> left_out;
+    for (const std::string& metric : table.scorecard.left_out)
+      left_out.push_back(metric_with_need(metric));
+    notes.push_back("scores are upper bounds: not looked at: " + join(left_out));
+  }
+  notes.insert(notes.end(), table.notes.begin(), table.notes.end());
+  return notes;
+}
+
 std::string ranking_text(const RankingTable& table) {
   std::vector<std::vector<std::string>> rows = {{"rank", "site", "score", "limited by"}};
   if (table.ranking.samples > 1)
@@ -224,7 +224,7 @@ std::string ranking_text(const RankingTable& table) {
     for (std::size_t c = 0; c < row.size(); ++c) line += fmt::format("{:{}}  ", row[c], width[c]);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
-  for (const std::string& note : all_notes(table)) text += "note: " + note + "\n";
+  for (const std::string& note : ranking_notes(table)) text += "note: " + note + "\n";
   return text;
 }
 
@@ -252,7 +252,7 @@ std::string ranking_json(const RankingTable& table) {
   Json json = {{"modality", table.scorecard.name},     {"title", table.scorecard.title},
                {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
                {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
-               {"left_out", table.scorecard.left_out}, {"notes", all_notes(table)}};
+               {"left_out", table.scorecard.left_out}, {"notes", ranking_notes(table)}};
   Json& sites = json["sites"] = Json::array();
   for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
   return json.dump(2) + "\n";

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "loosefit/pattern/pattern.h"
 #include "loosefit/placement/ranking_table.h"
@@ -11,6 +12,10 @@ namespace loosefit {
 /// reason; notes below. "2=" is a rank that is shared. An unrated site shows the bound of its
 /// score.
 std::string ranking_text(const RankingTable& table);
+
+/// What the reader of a ranking should know beside its rows: those of the ranking, criteria that
+/// were not looked at, those of the table.
+std::vector<std::string> ranking_notes(const RankingTable& table);
 
 /// RFC 4180, one row per site, best first: the columns are explained in docs/outputs.md. Metrics,
 /// derived ones included, are medians over the samples. Lengths with _mm are millimetres.

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/placement/ranking_table.h"
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/study/case_result.h"
 
@@ -23,6 +24,10 @@ std::string map_section(const CaseResult& result);
 std::string pressure_section(const CaseResult& result);
 /// The quantities of the maps at every site.
 std::string site_section(const CaseResult& result);
+/// One row per posture and donning: whether it settled, how the garment slipped, what it took.
+std::string wear_section(const CaseResult& result);
+/// The ranked sites: scores with their intervals as a chart, then reasons; empty without a table.
+std::string ranking_section(const RankingTable* table);
 /// Fit per level, body asked and measured.
 std::string fit_section(const CaseResult& result);
 /// Cloth and garment, stage timings, versions, resolved scenario.

@@ -72,6 +72,16 @@ constexpr Definition kDefinitions[] = {
     {"contact", "Contact",
      "1 where the gap is within the contact tolerance, the larger of 0.5 mm and three quarters of "
      "the fabric's thickness; the area mean is the share of the cloth that touches."},
+    {"slip_mm", "Slip on the skin",
+     "How far a point of the cloth has moved along the skin since the first posture, against the "
+     "skin that was nearest to it there and has moved with the body since; the greatest over the "
+     "postures of the first donning. Single postures are in postures/NAME/drape.vtp, with the "
+     "parts "
+     "along and around the body segment."},
+    {"coe_rms_deg", "Calibrated orientation error",
+     "How far an orientation sensor that was calibrated in the first posture reads wrong in the "
+     "others: the angle of R Rᵣᵀ, with R the rotation of cloth against skin now and Rᵣ then; root "
+     "mean square over the postures of the first donning."},
 };
 }  // namespace
 

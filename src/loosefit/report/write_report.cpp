@@ -8,21 +8,23 @@
 
 namespace loosefit {
 
-std::string report_html(const CaseResult& result, const std::vector<Picture>& pictures) {
+std::string report_html(const CaseResult& result, const std::vector<Picture>& pictures,
+                        const RankingTable* ranking) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>Loosefit report</title>\n<style>" +
          std::string(kReportStyle) + "</style>\n</head>\n<body>\n" + headline_section(result) +
-         certificate_section(result) + picture_section(result, pictures) + map_section(result) +
-         pressure_section(result) + site_section(result) + fit_section(result) +
-         definition_section(result) + provenance_section(result) +
+         certificate_section(result) + ranking_section(ranking) + wear_section(result) +
+         picture_section(result, pictures) + map_section(result) + pressure_section(result) +
+         site_section(result) + fit_section(result) + definition_section(result) +
+         provenance_section(result) +
          element("p", "Made by Loosefit " + escaped(version()) + ".", "lead") +
          "</body>\n</html>\n";
 }
 
 void write_report(const std::filesystem::path& dir, const CaseResult& result,
-                  const std::vector<Picture>& pictures) {
-  write_text_file((dir / "report.html").string(), report_html(result, pictures));
+                  const std::vector<Picture>& pictures, const RankingTable* ranking) {
+  write_text_file((dir / "report.html").string(), report_html(result, pictures, ranking));
 }
 
 }  // namespace loosefit

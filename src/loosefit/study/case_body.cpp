@@ -42,10 +42,11 @@ CaseBody make_body(const ScenarioBody& wished) {
   const BodyModel& model = shared_model();
   const BodyFit fit = model.fit(spec_of(wished));
   CaseBody result;
-  result.path = [&model, parameters = fit.parameters, from = wished.dress_posture,
-                 to = wished.posture](double share) {
-    return model.build(parameters, blend(from, to, share));
+  result.pose = [&model, parameters = fit.parameters](const Posture& posture) {
+    return model.build(parameters, posture);
   };
+  result.path = [pose = result.pose, from = wished.dress_posture,
+                 to = wished.posture](double share) { return pose(blend(from, to, share)); };
   result.body = result.path(1);
   result.asked = fit.table;
   result.warnings = fit.warnings;

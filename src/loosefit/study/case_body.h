@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,8 +12,10 @@ namespace loosefit {
 
 /// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
 struct CaseBody {
-  Body body;                          ///< in the wanted posture
-  BodyPath path;                      ///< share 0 dressing posture … 1 `body`
+  Body body;      ///< in the wanted posture
+  BodyPath path;  ///< share 0 dressing posture … 1 `body`
+  /// The same wearer in any posture; empty for a scan.
+  std::function<Body(const Posture&)> pose;
   std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
   std::vector<std::string> warnings;  ///< from the fit or the scan's check
 };

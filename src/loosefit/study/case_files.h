@@ -5,7 +5,9 @@
 
 namespace loosefit {
 
-/// Writes drape.vtp, body.vtp, pattern.json, sites.csv (when there are maps) and scenario.toml.
+/// Writes drape.vtp, body.vtp, pattern.json, sites.csv (when there are maps), scenario.toml, and
+/// per posture and donning beyond the first drape.vtp in state_folder, body.vtp beside it where the
+/// posture is new.
 /// \throws IoError.
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result);
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,36 @@ struct Spread {
   int count = 0;
 };
 
+/// How the garment was put on for one donning.
+struct CaseDonning {
+  Vec3 shift = Vec3::Zero();  ///< [m]
+  double twist = 0;           ///< [rad]
+  double friction = 1;        ///< share of the material's coefficients
+};
+
+/// The garment in one more posture or after one more donning.
+struct CaseState {
+  int posture = 0, donning = 0;  ///< indices into the case's postures and donnings
+  std::string name;              ///< of the posture
+  Drape drape;
+  double seconds = 0;         ///< to drape it
+  std::string left_out = {};  ///< why there is no drape to speak of; else empty
+  /// Stage "maps", of a settled drape.
+  WornGarment worn = {};
+  PressureField pressure = {};
+  std::vector<CaseMap> maps = {};  ///< slip against the reference posture of the same donning
+  bool counts() const { return left_out.empty() && drape.certificate.settled(); }
+};
+
+/// A case worn in several postures, after several donnings.
+struct CaseWear {
+  std::vector<std::string> postures;  ///< the first is that of the case's own drape and maps
+  std::vector<std::shared_ptr<const Body>> bodies;  ///< per posture
+  std::vector<CaseDonning> donnings;                ///< the first is undisturbed
+  /// All but the first posture of the first donning, which is the case's own drape.
+  std::vector<CaseState> states;
+};
+
 /// Everything one case yields, stage by stage. A drape that is not settled is sealed: `maps` and
 /// `sites` stay empty unless they were asked for all the same.
 struct CaseResult {
@@ -53,6 +84,7 @@ struct CaseResult {
   GarmentHierarchy garment;
   Drape drape;
   CaseMaps maps;
+  CaseWear wear;  ///< empty for one posture and one donning
   std::vector<Site> sites;
   /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
   std::map<std::string, Spread> repeats;

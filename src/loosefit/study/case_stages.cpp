@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 namespace {
@@ -93,6 +94,8 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
                     "body {}, with itself {}",
                     certificate.stop_reason, certificate.residual, certificate.intersections_body,
                     certificate.intersections_self));
+  const std::vector<std::string> wear = wear_warnings(result);
+  all.insert(all.end(), wear.begin(), wear.end());
   return all;
 }
 

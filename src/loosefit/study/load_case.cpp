@@ -6,6 +6,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp.h"
 #include "loosefit/study/case_boards.h"
+#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 namespace {
@@ -41,8 +42,10 @@ void recall_parts(const Json& summary, SettleReport& report) {
 
 /// What was counted and timed when the drape was made.
 void recall(const Json& summary, CaseResult& result) {
-  for (const char* stage : {"dress", "settle"})
-    result.seconds.push_back({stage, at<double>(summary, std::string("/seconds/") + stage)});
+  for (const char* stage : {"dress", "settle", "postures", "donnings"})
+    if (const std::string place = std::string("/seconds/") + stage;
+        summary.contains(Json::json_pointer(place)))
+      result.seconds.push_back({stage, at<double>(summary, place)});
   SettleReport& report = result.drape.report;
   recall_parts(summary, report);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
@@ -50,6 +53,37 @@ void recall(const Json& summary, CaseResult& result) {
   report.contacts_self = at<int>(summary, "/settle/contacts_self");
   report.held_off_triangles = at<int>(summary, "/settle/held_off_triangles");
   report.largest_contact_offset = 1e-3 * at<double>(summary, "/settle/largest_contact_offset_mm");
+}
+
+/// The drape of a file, if it is of this garment.
+Drape read_drape(const std::filesystem::path& path, const CaseResult& result) {
+  DrapeFile file = read_drape_vtp(path);
+  if (file.garment.triangles != result.mesh().triangles)
+    throw InvalidInput({path.string(), 0, ""}, "another garment",
+                       "the mesh that scenario.toml of the run makes with this version",
+                       "make the drape again: loosefit run scenario.toml -o DIR");
+  return std::move(file.drape);
+}
+
+/// Postures and donnings; none were made when the first drape is not settled.
+void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseResult& result) {
+  result.wear = plan_wear(result);
+  if (!result.drape.certificate.settled()) return;
+  const CaseWear& wear = result.wear;
+  int index = 0;
+  for (int d = 0; d < static_cast<int>(wear.donnings.size()); ++d)
+    for (int p = d == 0 ? 1 : 0; p < static_cast<int>(wear.postures.size()); ++p, ++index) {
+      CaseState state;
+      state.posture = p, state.donning = d, state.name = wear.postures[p];
+      state.seconds = at<double>(summary, "/states/" + std::to_string(index) + "/seconds");
+      const std::filesystem::path file = folder / state_folder(state) / "drape.vtp";
+      std::error_code error;
+      if (std::filesystem::exists(file, error))
+        state.drape = read_drape(file, result);
+      else
+        state.left_out = "the run has no drape of it";
+      result.wear.states.push_back(std::move(state));
+    }
 }
 
 }  // namespace
@@ -67,15 +101,12 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
       build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
                       result.scenario.material.material, all_attachments(result.scenario));
   clock.stop();
-  DrapeFile file = read_drape_vtp(folder / "drape.vtp");
-  if (file.garment.triangles != result.mesh().triangles)
-    throw InvalidInput({(folder / "drape.vtp").string(), 0, ""}, "another garment",
-                       "the mesh that scenario.toml beside it makes with this version",
-                       "make the drape again: loosefit run scenario.toml -o DIR");
-  result.drape = std::move(file.drape);
+  result.drape = read_drape(folder / "drape.vtp", result);
   result.seconds = clock.entries();
   const std::string text = read_text_file((folder / "summary.json").string(), 50000000);
-  recall(Json::parse(text, nullptr, false), result);
+  const Json summary = Json::parse(text, nullptr, false);
+  recall(summary, result);
+  recall_wear(folder, summary, result);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 namespace {
@@ -25,9 +26,7 @@ bool lies_on(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
 }
 
 SiteMeter meter_of(const CaseResult& result) {
-  return SiteMeter(result.mesh(), result.scenario.material.material,
-                   {{0, 0, result.drape.positions, result.body.body, result.maps.worn,
-                     result.maps.pressure.field.empty() ? nullptr : &result.maps.pressure.field}});
+  return SiteMeter(result.mesh(), result.scenario.material.material, worn_states(result));
 }
 
 bool has(const std::vector<Site>& sites, const std::string& name) {
@@ -61,17 +60,17 @@ std::vector<Site> common(const std::vector<Site>& sites, const std::vector<Ranki
 }
 
 std::vector<std::string> notes_on(const std::vector<RankedRun>& runs, bool same) {
-  if (runs.size() == 1) return {};
   std::vector<std::string> names, notes;
+  for (const RankedRun& run : runs)
+    for (const std::string& text : wear_warnings(*run.result))
+      notes.push_back(runs.size() == 1 ? text : run.name + ": " + text);
+  if (runs.size() == 1) return notes;
   for (const RankedRun& run : runs) names.push_back(run.name);
   notes.push_back(fmt::format("samples are the runs {}: {}", join(names),
                               same ? "sensors stay where they are sewn in the first"
                                    : "garments are cut differently, so every run has its own "
                                      "place of a site"));
-  const auto posture = [](const RankedRun& run) {
-    const Posture& p = run.result->scenario.body.posture;
-    return std::tuple(p.arm_abduction, p.forward_bend, p.sitting);
-  };
+  const auto posture = [](const RankedRun& run) { return run.result->scenario.body.posture; };
   if (std::any_of(runs.begin(), runs.end(),
                   [&](const RankedRun& run) { return posture(run) != posture(runs.front()); }))
     notes.push_back(

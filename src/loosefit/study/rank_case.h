@@ -20,8 +20,8 @@ RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed);
 /// Whether two patterns have the same pieces: names, and outlines to half a millimetre.
 bool same_pieces(const Pattern& a, const Pattern& b);
 
-/// Ranks sites over one or several runs, each a sample: wearers, or donnings of one. What needs
-/// several postures is not known from these. Needs result.maps (worn garment and pressure) of every
+/// Ranks sites over one or several runs, each donning of each a sample. Postures and donnings
+/// that do not count are named in the notes. Needs result.maps (worn garment and pressure) of every
 /// run. `with_sites` ranks the sites of the first run's scenario, and its presets where they are
 /// reported: in garments with the same pieces the sensors stay where they are sewn in the first;
 /// otherwise each run finds its own by their names, and what some run lacks is left out and noted.

@@ -3,6 +3,7 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 
@@ -24,13 +25,17 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
                                    scenario.material.material, all_attachments(result.scenario));
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
-  result.drape = drape_garment(result.garment, scenario.material.material, result.body.path,
-                               drape_options(scenario.simulation), clock);  // dress, settle
+  {
+    DrapeSession session(result.garment, scenario.material.material,
+                         drape_options(scenario.simulation), clock);
+    result.drape = session.put_on(result.body.path);  // dress, settle
+    wear_states(result, session, clock);              // postures, donnings
+  }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;
   if (open && !options.only_drape) {
     clock.stage("maps");
-    result.maps = make_maps(result, options.allow_unsettled);
+    add_maps(result, options.allow_unsettled);
 
     clock.stage("placement");
     result.sites = make_sites(result);

@@ -135,6 +135,33 @@ Json settle_json(const SettleReport& report) {
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
 }
 
+/// Postures, donnings, and what became of each of their drapes.
+void add_wear(const CaseWear& wear, Json& json) {
+  json["postures"] = wear.postures;
+  json["donnings"] = Json::array();
+  for (const CaseDonning& d : wear.donnings)
+    json["donnings"].push_back({{"shift_m", {d.shift.x(), d.shift.y(), d.shift.z()}},
+                                {"twist_deg", degrees(d.twist)},
+                                {"friction", d.friction}});
+  json["states"] = Json::array();
+  for (const CaseState& s : wear.states) {
+    const Certificate& c = s.drape.certificate;
+    Json entry = {
+        {"posture", s.name},
+        {"donning", s.donning + 1},
+        {"counts", s.counts()},
+        {"settled", c.settled()},
+        {"residual", c.residual},
+        {"intersections", {{"body", c.intersections_body}, {"self", c.intersections_self}}},
+        {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
+        {"seconds", s.seconds},
+        {"iterations", s.drape.report.total().iterations}};
+    for (const CaseMap& map : s.maps) entry["maps"][map.map.array] = statistics_json(map.overall);
+    if (!s.drape.report.parts.empty()) entry["parts"] = parts_json(s.drape.report.parts);
+    json["states"].push_back(std::move(entry));
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const CaseResult& result) {
@@ -160,6 +187,7 @@ std::string summary_json(const CaseResult& result) {
                       {"bending_length_m", bending_length(result.scenario.material.material)}};
   json["maps"] = maps_json(result.maps.maps);
   if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
+  if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
   for (const auto& [key, spread] : result.repeats)

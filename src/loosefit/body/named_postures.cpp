@@ -1,0 +1,62 @@
+#include "loosefit/body/named_postures.h"
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+Posture arms(double aside, double forward) {
+  Posture posture;
+  posture.arm_abduction = radians(aside);
+  posture.arm_flexion = radians(forward);
+  posture.elbow_extension = 1;
+  return posture;
+}
+
+// The arms hang: they are as far forward of the trunk as it leans.
+Posture bend(double lean) {
+  Posture posture;
+  posture.forward_bend = posture.arm_flexion = radians(lean);
+  return posture;
+}
+
+Posture slouch() {
+  Posture posture;
+  posture.slouch = 1;
+  posture.arm_flexion = radians(25);
+  return posture;
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, Posture>>& named_postures() {
+  static const std::vector<std::pair<std::string, Posture>> kTable = {
+      {"standing", {}},
+      {"a-pose", {radians(40.0), 0, 0}},
+      {"arms-forward", arms(10, 90)},
+      {"arms-overhead", arms(20, 160)},
+      {"forward-bend", {radians(25.0), radians(30.0), 0}},
+      {"forward-bend-15", bend(15)},
+      {"forward-bend-30", bend(30)},
+      {"forward-bend-45", bend(45)},
+      {"sitting", {radians(25.0), 0, 1}},
+      {"slouch", slouch()},
+  };
+  return kTable;
+}
+
+std::vector<std::string> posture_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : named_postures()) names.push_back(entry.first);
+  return names;
+}
+
+Posture named_posture(const std::string& name) {
+  for (const auto& [known, posture] : named_postures())
+    if (known == name) return posture;
+  throw InvalidInput({"", 0, "posture"}, "\"" + printable(name) + "\"", "the name of a posture",
+                     did_you_mean(name, posture_names()));
+}
+
+}  // namespace loosefit

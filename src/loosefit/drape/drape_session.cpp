@@ -1,0 +1,48 @@
+#include "loosefit/drape/drape_session.h"
+
+#include <tbb/global_control.h>
+
+#include <optional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/drape/cloth_run.h"
+
+namespace loosefit {
+
+struct DrapeSession::State {
+  State(const GarmentHierarchy& garment, Material m, const DrapeOptions& o, Progress& progress)
+      : material(std::move(m)), options(o), run(garment, material, options, progress) {
+    if (options.threads > 0)
+      threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  }
+  Material material;
+  DrapeOptions options;
+  std::optional<tbb::global_control> threads;
+  ClothRun run;
+  bool worn = false;
+};
+
+DrapeSession::DrapeSession(const GarmentHierarchy& garment, Material material,
+                           const DrapeOptions& options, Progress& progress)
+    : state_(std::make_unique<State>(garment, std::move(material), options, progress)) {}
+
+DrapeSession::~DrapeSession() = default;
+
+Drape DrapeSession::put_on(const BodyPath& body_at) {
+  if (state_->worn) throw Error("a garment is put on once in a drape session");
+  Drape drape = state_->run.put_on(body_at);
+  state_->worn = true;
+  return drape;
+}
+
+Drape DrapeSession::follow(const BodyPath& body_at) {
+  if (!state_->worn) throw Error("a garment has to be put on before it can follow its wearer");
+  return state_->run.follow(body_at);
+}
+
+Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
+                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress) {
+  return DrapeSession(garment, material, options, progress).put_on(body_at);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+
+#include "loosefit/drape/drape_garment.h"
+
+namespace loosefit {
+
+/// One donning: a garment is put on once and then follows its wearer from posture to posture.
+///
+/// Every posture is reached from the state in which put_on left cloth and friction, not from the
+/// posture before it: a sensor is calibrated in one posture and judged in others, so each is the
+/// same way from there, whatever else is on the list, and one that fails spoils no other.
+class DrapeSession {
+ public:
+  /// Keeps references to garment and progress.
+  DrapeSession(const GarmentHierarchy& garment, Material material, const DrapeOptions& options,
+               Progress& progress);
+  ~DrapeSession();
+  DrapeSession(const DrapeSession&) = delete;
+  DrapeSession& operator=(const DrapeSession&) = delete;
+
+  /// As drape_garment; its body_at(1) is the posture in which the wearer then stands.
+  Drape put_on(const BodyPath& body_at);
+
+  /// The body moves from where put_on left it to body_at(1), body_at giving the way; the cloth goes
+  /// along with the skin and rubs on it in steps, then settles on the finest level as after
+  /// put_on. Not dressed again. The time budget of the options holds for each call. Does not throw
+  /// when it fails to settle. \throws Error before put_on; Cancelled.
+  Drape follow(const BodyPath& body_at);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace loosefit

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/drape/cloth_run.h"
+#include "loosefit/drape/impact_zones.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kStep = 0.2;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
+constexpr int kIterations = 25;     ///< between two steps
+constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
+constexpr double kDisplaceTolerance = 5.0;
+constexpr double kNoTurn = 1e-6;  // [rad]
+
+/// Largest rotation that any skin undergoes from one posture to another [rad].
+double largest_turn(const Body& from, const Body& to) {
+  const auto &a = from.pose_from_rest, &b = to.pose_from_rest;
+  double turn = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 7) {
+    const Mat3 change = b[i].leftCols<3>() - a[i].leftCols<3>();
+    // ‖R − 1‖ = 2√2 sin(angle/2); blended maps are no rotations, but nearly.
+    turn = std::max(turn, 2 * std::asin(std::min(1.0, change.norm() / std::sqrt(8.0))));
+  }
+  return turn;
+}
+
+}  // namespace
+
+Drape ClothRun::follow(const BodyPath& body_at) {
+  start_ = Clock::now();
+  report_ = {};
+  iterations_ = 0;
+  x_ = worn_->x;
+  body_ = worn_->body;
+  model_->recall(worn_->memory);
+  part_ = "posture";
+  walk(body_at, kStep, kTolerance, kIterations);
+  part_ = "settle";
+  settle_finest();
+  return finish();
+}
+
+void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
+  const double turn = largest_turn(body_->body, body_at(1.0));
+  if (turn < kNoTurn) return;
+  const int steps = static_cast<int>(std::ceil(turn / step));
+  for (int k = 1; k <= steps; ++k) {
+    if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
+    std::shared_ptr<const PosedBody> next =
+        pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
+    const std::vector<Vec3> motion = skin_motion(*body_, next->body, x_);
+    const std::vector<Vec3> carried =
+        without_impacts(model_->self().candidates().features(), x_,
+                        smoothed_over(level_garment().triangles, x_, motion));
+    model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+    model_->body().carry_anchors(motion);
+    const double allowed = model_->self().begin_search(x_, carried);
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
+    body_ = std::move(next);
+    model_->body().set_field(body_->field);
+    settle(tolerance, iterations, 0.02, true);
+  }
+}
+
+void ClothRun::displace() {
+  const Vec3& shift = options_.start_shift;
+  if (shift.isZero() && options_.start_twist == 0) return;
+  const auto& skin = body_->body.surface.triangles;
+  std::vector<char> on_trunk(x_.size());
+  Vec3 centre = Vec3::Zero();
+  int count = 0;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const Segment part = body_->body.segment[skin[body_->tree->query(x_[i]).triangle][0]];
+    on_trunk[i] = part == Segment::torso || part == Segment::neck || part == Segment::thigh;
+    if (on_trunk[i]) centre += x_[i], ++count;
+  }
+  centre /= std::max(count, 1);
+  for (int k = 0; k < kDisplaceSteps; ++k) {
+    const Mat3 turn =
+        Eigen::AngleAxisd(options_.start_twist / kDisplaceSteps, Vec3::UnitZ()).toRotationMatrix();
+    std::vector<Vec3> move(x_.size(), shift / kDisplaceSteps);
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      if (on_trunk[i]) move[i] += turn * (x_[i] - centre) - (x_[i] - centre);
+    move = smoothed_over(level_garment().triangles, x_, std::move(move));
+    model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+    const double allowed = model_->self().begin_search(x_, move);
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];
+    settle(kDisplaceTolerance, kIterations, 0.01, true);
+  }
+}
+
+}  // namespace loosefit

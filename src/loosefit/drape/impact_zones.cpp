@@ -1,0 +1,69 @@
+#include "loosefit/drape/impact_zones.h"
+
+#include <Eigen/SVD>
+#include <map>
+#include <numeric>
+
+#include "loosefit/contact/candidate_pairs.h"
+#include "loosefit/contact/pair_distance.h"
+
+namespace loosefit {
+namespace {
+
+/// Sets of particles that move together.
+class Zones {
+ public:
+  explicit Zones(std::size_t particles) : of_(particles) { std::iota(of_.begin(), of_.end(), 0); }
+  int of(int i) {
+    while (of_[i] != i) i = of_[i] = of_[of_[i]];
+    return i;
+  }
+  /// True when they were apart before.
+  bool join(int i, int j) {
+    i = of(i), j = of(j);
+    of_[i] = j;
+    return i != j;
+  }
+
+ private:
+  std::vector<int> of_;
+};
+
+/// Displacements of the rigid motion nearest to the given ones (Kabsch 1976).
+void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
+                const std::vector<Vec3>& wanted, std::vector<Vec3>& u) {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  for (int i : members) from += x[i], to += x[i] + wanted[i];
+  from /= static_cast<double>(members.size()), to /= static_cast<double>(members.size());
+  Mat3 sum = Mat3::Zero();
+  for (int i : members) sum += (x[i] + wanted[i] - to) * (x[i] - from).transpose();
+  const Eigen::JacobiSVD<Mat3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 proper = Mat3::Identity();
+  proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  const Mat3 turn = svd.matrixU() * proper * svd.matrixV().transpose();
+  for (int i : members) u[i] = to + turn * (x[i] - from) - x[i];
+}
+
+}  // namespace
+
+std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::vector<Vec3>& x,
+                                  const std::vector<Vec3>& displacement, int rounds) {
+  std::vector<Vec3> u = displacement;
+  CandidatePairs candidates(features);
+  Zones zones(x.size());
+  for (int round = 0; round < rounds; ++round) {
+    bool joined = false;
+    for (const FeaturePair& pair : candidates.approaching(x, u)) {
+      if (time_of_impact(pair.kind, pair.points(x), pair.points(u)) >= 1) continue;
+      for (int k = 1; k < 4; ++k) joined |= zones.join(pair.particle[0], pair.particle[k]);
+    }
+    if (!joined) break;
+    std::map<int, std::vector<int>> members;
+    for (int i = 0; i < static_cast<int>(x.size()); ++i) members[zones.of(i)].push_back(i);
+    for (const auto& [zone, list] : members)
+      if (list.size() > 1) make_rigid(list, x, displacement, u);
+  }
+  return u;
+}
+
+}  // namespace loosefit

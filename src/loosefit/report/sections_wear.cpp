@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+double seconds_of(const CaseResult& result) {
+  double sum = 0;
+  for (const StageClock::Entry& entry : result.seconds)
+    if (entry.stage == "dress" || entry.stage == "settle") sum += entry.seconds;
+  return sum;
+}
+
+std::vector<std::string> row(const std::string& name, int donning, const Certificate& c,
+                             double seconds) {
+  return {name, std::to_string(donning + 1), c.settled() ? "settled" : "not settled",
+          number(c.residual, 2), fixed(seconds, 1)};
+}
+
+}  // namespace
+
+std::string wear_section(const CaseResult& result) {
+  const CaseWear& wear = result.wear;
+  if (wear.states.empty()) return {};
+  Table table({"posture", "donning", "drape", "residual", "seconds", "slip median mm",
+               "slip 95 % mm", "slip greatest mm"});
+  auto first = row(wear.postures.front(), 0, result.drape.certificate, seconds_of(result));
+  first.insert(first.end(), 3, "–");
+  table.add(first);
+  for (const CaseState& s : wear.states) {
+    auto cells = row(s.name, s.donning, s.drape.certificate, s.seconds);
+    if (!s.left_out.empty()) cells[2] = s.left_out;
+    const bool known = s.counts() && !s.maps.empty();
+    const MapStatistics slip = known ? s.maps.front().overall : MapStatistics{};
+    for (double value : {slip.median, slip.p95, slip.max})
+      cells.push_back(known ? fixed(value, 1) : "–");
+    table.add(cells);
+  }
+  std::string html = element("h2", "Postures and donnings");
+  html += element("p",
+                  "The garment was put on, then followed the body with friction from the first "
+                  "posture to each other one. Slip is that of the cloth on the skin since then. A "
+                  "drape that is not settled counts nowhere.");
+  html += table.html();
+  if (wear.donnings.size() > 1) {
+    Table how(
+        {"donning", "shift left mm", "shift back mm", "shift up mm", "twist deg", "friction ×"});
+    for (std::size_t k = 0; k < wear.donnings.size(); ++k) {
+      const CaseDonning& d = wear.donnings[k];
+      how.add({std::to_string(k + 1), fixed(1000 * d.shift.x(), 1), fixed(1000 * d.shift.y(), 1),
+               fixed(1000 * d.shift.z(), 1), fixed(degrees(d.twist), 1), fixed(d.friction, 2)});
+    }
+    html += how.html();
+  }
+  return html;
+}
+
+}  // namespace loosefit

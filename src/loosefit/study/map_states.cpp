@@ -1,0 +1,78 @@
+#include <cmath>
+#include <limits>
+
+#include "loosefit/maps/orientation_error.h"
+#include "loosefit/maps/skin_partner.h"
+#include "loosefit/study/case_stages.h"
+#include "loosefit/study/wear_states.h"
+
+namespace loosefit {
+namespace {
+
+CaseMap summed_up(PerformanceMap map, const WornGarment& worn) {
+  CaseMap entry;
+  entry.overall = statistics(map.values, worn.areas);
+  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
+  entry.map = std::move(map);
+  return entry;
+}
+
+/// Slip and orientation error over the postures of the first donning, per vertex.
+void add_posture_maps(CaseResult& result) {
+  const DressedState reference{result.drape.positions, result.body.body, result.maps.worn};
+  std::vector<DressedState> others;
+  PerformanceMap slip;
+  for (const CaseState& s : result.wear.states) {
+    if (s.donning != 0 || !s.counts()) continue;
+    others.push_back({s.drape.positions, *result.wear.bodies[s.posture], s.worn});
+    const PerformanceMap& here = s.maps.front().map;
+    if (slip.values.empty()) {
+      slip = here;
+      slip.title = "Slip on the skin, greatest over postures";
+      continue;
+    }
+    for (std::size_t v = 0; v < slip.values.size(); ++v)
+      slip.values[v] = std::max(slip.values[v], here.values[v]);
+  }
+  if (others.empty()) return;
+  result.maps.maps.push_back(summed_up(std::move(slip), result.maps.worn));
+  for (PerformanceMap& map : orientation_error_maps(result.mesh(), reference, others))
+    result.maps.maps.push_back(summed_up(std::move(map), result.maps.worn));
+}
+
+}  // namespace
+
+void map_states(CaseResult& result) {
+  const Material& material = result.scenario.material.material;
+  const auto body_of = [&](const CaseState& s) -> const Body& {
+    return s.posture == 0 ? result.body.body : *result.wear.bodies[s.posture];
+  };
+  for (CaseState& s : result.wear.states) {
+    if (!s.counts()) continue;
+    s.worn = relate(result.mesh(), s.drape.positions, body_of(s));
+    if (!s.drape.body_normal_force.empty())
+      s.pressure = contact_pressure(result.mesh(), s.drape, body_of(s), material,
+                                    result.scenario.simulation.gravity);
+  }
+  for (CaseState& s : result.wear.states) {
+    if (!s.counts() || s.posture == 0) continue;
+    const CaseState* own = nullptr;  // reference of a further donning
+    for (const CaseState& other : result.wear.states)
+      if (other.donning == s.donning && other.posture == 0 && other.counts()) own = &other;
+    const DressedState reference =
+        s.donning == 0 ? DressedState{result.drape.positions, result.body.body, result.maps.worn}
+                       : DressedState{own->drape.positions, result.body.body, own->worn};
+    s.maps.clear();
+    for (PerformanceMap& map :
+         slip_maps(result.mesh(), reference, {s.drape.positions, body_of(s), s.worn}))
+      s.maps.push_back(summed_up(std::move(map), s.worn));
+  }
+  add_posture_maps(result);
+}
+
+void add_maps(CaseResult& result, bool allow_unsettled) {
+  result.maps = make_maps(result, allow_unsettled);
+  map_states(result);
+}
+
+}  // namespace loosefit

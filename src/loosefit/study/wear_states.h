@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+
+#include "loosefit/base/progress.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/placement/site_state.h"
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+/// Postures, their bodies and the drawn donnings of a case; no states yet. Donnings are drawn from
+/// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
+/// normally, kept within two deviations.
+CaseWear plan_wear(const CaseResult& result);
+
+/// Stages "postures" and "donnings": the garment of `first`, which has been put on and gave
+/// result.drape, follows its wearer through the other postures; then each further donning puts it
+/// on from its own start and goes through all postures. Does not throw when one fails to settle:
+/// that state says why and does not count. Nothing happens when result.drape itself is not settled.
+void wear_states(CaseResult& result, DrapeSession& first, Progress& progress);
+
+/// Worn garment, pressure and slip of every state that counts. \pre result.maps
+void map_states(CaseResult& result);
+
+/// All states that count, with those of `result` itself first, to measure sensors in.
+std::vector<WornState> worn_states(const CaseResult& result);
+
+/// What does not count and why, one line each.
+std::vector<std::string> wear_warnings(const CaseResult& result);
+
+/// Where the files of a state lie in the folder of its run: "postures/NAME" for the first donning,
+/// "donnings/2/NAME" for the second.
+std::filesystem::path state_folder(const CaseState& state);
+
+}  // namespace loosefit

@@ -1,0 +1,101 @@
+#include "loosefit/drape/drape_session.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/named_postures.h"
+#include "support/shirt_on_body.h"
+
+namespace loosefit {
+namespace {
+
+Material knit() {
+  Material m;
+  m.areal_density = 0.16;
+  m.thickness = 7e-4;
+  m.stiffness_warp = 200;
+  m.stiffness_weft = 120;
+  m.poisson = 0.3;
+  m.stiffness_shear = 50;
+  m.bending_warp = m.bending_weft = 3e-6;
+  return m;
+}
+
+struct Wearer {
+  BodyParameters parameters = support::adult_parameters();
+  Material material = knit();
+  GarmentHierarchy garment =
+      build_hierarchy(support::shirt_for(support::standing(parameters, 25), 0.10), 0.03, material);
+
+  BodyPath still() const {
+    return [this](double) { return support::standing(parameters, 25); };
+  }
+};
+
+/// The body turned about a vertical axis by `angle` times the share: gravity and everything that
+/// touches turn with it.
+BodyPath turning(const Wearer& wearer, double angle) {
+  return [&wearer, angle](double share) {
+    Body body = support::standing(wearer.parameters, 25);
+    const Mat3 turn = Eigen::AngleAxisd(angle * share, Vec3::UnitZ()).toRotationMatrix();
+    for (Vec3& p : body.surface.vertices) p = turn * p;
+    for (Vec3& n : body.normals) n = turn * n;
+    for (auto& map : body.pose_from_rest) map = (turn * map).eval();
+    return body;
+  };
+}
+
+TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
+  const Wearer wearer;
+  Progress silent;
+  DrapeOptions options;
+  options.threads = 1;
+  DrapeSession session(wearer.garment, wearer.material, options, silent);
+  EXPECT_THROW(session.follow(wearer.still()), Error);
+  const Drape first = session.put_on(wearer.still());
+  ASSERT_TRUE(first.certificate.settled()) << first.certificate.stop_reason;
+  EXPECT_THROW(session.put_on(wearer.still()), Error);
+
+  const Drape same = session.follow(wearer.still());  // no motion: at rest it stays
+  ASSERT_TRUE(same.certificate.settled()) << same.certificate.stop_reason;
+  double moved = 0;
+  for (std::size_t i = 0; i < first.positions.size(); ++i)
+    moved = std::max(moved, (same.positions[i] - first.positions[i]).norm());
+  EXPECT_LT(moved, 1e-3);
+
+  constexpr double kAngle = 0.5;
+  const Drape turned = session.follow(turning(wearer, kAngle));
+  ASSERT_TRUE(turned.certificate.settled()) << turned.certificate.stop_reason;
+  const Mat3 turn = Eigen::AngleAxisd(kAngle, Vec3::UnitZ()).toRotationMatrix();
+  std::vector<double> off;
+  for (std::size_t i = 0; i < first.positions.size(); ++i)
+    off.push_back((turned.positions[i] - turn * first.positions[i]).norm());
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() / 2], 1e-3) << "of a way of a decimetre";
+  EXPECT_LT(off[off.size() * 95 / 100], 6e-3);
+}
+
+TEST(DrapeSession, ADisturbedStartEndsElsewhereAndTheSameOneAtTheSamePlace) {
+  const Wearer wearer;
+  Progress silent;
+  DrapeOptions options;
+  options.threads = 1;
+  const auto drape = [&] {
+    return DrapeSession(wearer.garment, wearer.material, options, silent).put_on(wearer.still());
+  };
+  const Drape plain = drape();
+  options.start_shift = Vec3(0, 0, -0.01);
+  options.start_twist = radians(8);
+  const Drape one = drape(), again = drape();
+  ASSERT_TRUE(one.certificate.settled()) << one.certificate.stop_reason;
+  EXPECT_EQ(one.positions, again.positions);
+  double apart = 0;
+  for (std::size_t i = 0; i < plain.positions.size(); ++i)
+    apart += (one.positions[i] - plain.positions[i]).norm() /
+             static_cast<double>(plain.positions.size());
+  EXPECT_GT(apart, 1e-3);
+  EXPECT_LT(apart, 0.03);
+}
+
+}  // namespace
+}  // namespace loosefit
