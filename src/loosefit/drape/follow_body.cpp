@@ -8,7 +8,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.2;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
 constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
@@ -51,12 +51,12 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
     std::shared_ptr<const PosedBody> next =
         pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
-    const std::vector<Vec3> motion = skin_motion(*body_, next->body, x_);
+    const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_,
-                        smoothed_over(level_garment().triangles, x_, motion));
+                        way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    model_->body().carry_anchors(motion);
+    model_->body().carry_anchors(way_of(motion, x_));
     const double allowed = model_->self().begin_search(x_, carried);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
     body_ = std::move(next);
@@ -81,10 +81,13 @@ void ClothRun::displace() {
   for (int k = 0; k < kDisplaceSteps; ++k) {
     const Mat3 turn =
         Eigen::AngleAxisd(options_.start_twist / kDisplaceSteps, Vec3::UnitZ()).toRotationMatrix();
-    std::vector<Vec3> move(x_.size(), shift / kDisplaceSteps);
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      if (on_trunk[i]) move[i] += turn * (x_[i] - centre) - (x_[i] - centre);
-    move = smoothed_over(level_garment().triangles, x_, std::move(move));
+    std::vector<MotionMap> maps(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const Mat3 own = on_trunk[i] ? turn : Mat3::Identity();
+      maps[i] << own, centre - own * centre + shift / kDisplaceSteps;
+    }
+    const std::vector<Vec3> move =
+        way_of(smoothed_over(level_garment().triangles, x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];

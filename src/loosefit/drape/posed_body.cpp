@@ -35,42 +35,51 @@ std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double
   return posed;
 }
 
-std::vector<Vec3> skin_motion(const PosedBody& from, const Body& to, const std::vector<Vec3>& x) {
-  std::vector<Vec3> u(x.size(), Vec3::Zero());
+std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
+                                   const std::vector<Vec3>& x) {
+  std::vector<MotionMap> motion(x.size(), MotionMap::Identity());
   const auto &old_pose = from.body.pose_from_rest, &new_pose = to.pose_from_rest;
-  if (old_pose.empty() || old_pose.size() != new_pose.size()) return u;
+  if (old_pose.empty() || old_pose.size() != new_pose.size()) return motion;
   tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
     const ClosestPoint hit = from.tree->query(x[i]);
     const Triangle& t = from.body.surface.triangles[hit.triangle];
+    motion[i].setZero();
     for (int k = 0; k < 3; ++k)
-      u[i] += hit.barycentric[k] *
-              (affine(new_pose[t[k]]) * (affine(old_pose[t[k]]).inverse() * x[i]) - x[i]);
+      motion[i] +=
+          hit.barycentric[k] *
+          (affine(new_pose[t[k]]) * affine(old_pose[t[k]]).inverse()).matrix().topRows<3>();
   });
-  return u;
+  return motion;
 }
 
-std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, const std::vector<Vec3>& x,
-                                std::vector<Vec3> u) {
+std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
+                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion) {
   double edge = 0;  // a pass reaches so far; n passes √n times
   for (const Triangle& t : triangles)
     for (int k = 0; k < 3; ++k)
       edge += (x[t[k]] - x[t[(k + 1) % 3]]).norm() / (3.0 * static_cast<double>(triangles.size()));
   const int passes =
       std::clamp(static_cast<int>(std::ceil(std::pow(kSmoothing / edge, 2))), 1, kMostPasses);
-  std::vector<Vec3> sum(u.size());
-  std::vector<int> count(u.size());
+  std::vector<MotionMap> sum(x.size());
+  std::vector<int> count(x.size());
   for (int pass = 0; pass < passes; ++pass) {
-    std::fill(sum.begin(), sum.end(), Vec3::Zero());
+    std::fill(sum.begin(), sum.end(), MotionMap::Zero());
     std::fill(count.begin(), count.end(), 0);
     for (const Triangle& t : triangles)
       for (int k = 0; k < 3; ++k) {
-        sum[t[k]] += u[t[(k + 1) % 3]] + u[t[(k + 2) % 3]];
+        sum[t[k]] += motion[t[(k + 1) % 3]] + motion[t[(k + 2) % 3]];
         count[t[k]] += 2;
       }
-    for (std::size_t i = 0; i < u.size(); ++i)
-      if (count[i] > 0) u[i] = sum[i] / count[i];
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (count[i] > 0) motion[i] = sum[i] / count[i];
   }
-  return u;
+  return motion;
+}
+
+std::vector<Vec3> way_of(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x) {
+  std::vector<Vec3> way(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) way[i] = motion[i] * x[i].homogeneous() - x[i];
+  return way;
 }
 
 }  // namespace loosefit

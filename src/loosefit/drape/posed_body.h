@@ -16,13 +16,21 @@ struct PosedBody {
 /// reach: box round the cloth; the field covers it with a margin for motion.
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing);
 
-/// Motion of the skin nearest to each point when the body under it moves from one posture to the
-/// next, the point taken along rigidly [m]; zero for bodies without a skeleton.
-std::vector<Vec3> skin_motion(const PosedBody& from, const Body& to, const std::vector<Vec3>& x);
+/// A rigid or nearly rigid motion: x → M x.
+using MotionMap = Eigen::Matrix<double, 3, 4>;
 
-/// The same smoothed over some 40 mm of the cloth at x: where the cloth goes with the body.
-std::vector<Vec3> smoothed_over(const std::vector<Triangle>& triangles, const std::vector<Vec3>& x,
-                                std::vector<Vec3> motion);
+/// Motion of the skin nearest to each point when the body under it moves from one posture to the
+/// next; no motion for bodies without a skeleton.
+std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
+                                   const std::vector<Vec3>& x);
+
+/// The same smoothed over some 40 mm of the cloth at x: how the cloth goes with the body. The maps
+/// are smoothed, not the ways, so that what moves as a whole keeps its shape.
+std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
+                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion);
+
+/// How far each point goes [m].
+std::vector<Vec3> way_of(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x);
 
 /// Box round points.
 Box3 bounds(const std::vector<Vec3>& x);
