@@ -12,11 +12,11 @@ LOOSEFIT := $(BUILD)/bin/loosefit
 # last client leaves: a test that connects at that moment would be thrown out.
 SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 
-.PHONY: help packages configure setup build demo test bench format tidy asan clean
+.PHONY: help packages configure setup build demo test bench bench-kernels format tidy asan clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | bench | format | tidy | asan | clean"
+	@echo "also: make setup | build | bench | bench-kernels | format | tidy | asan | clean"
 
 packages:
 	@tools/setup_packages.sh
@@ -44,12 +44,15 @@ test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
 	@$(SCREEN) ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
 
-# Kernels first, then whole runs. BENCH passes options on: make bench BENCH="--record quiet-machine"
+# Whole runs; BENCH picks cases and passes options: make bench BENCH="quick --record quiet-machine"
 bench: setup
+	@python3 bench/run_bench.py --binary $(LOOSEFIT) $(BENCH)
+
+# Single kernels; builds the programs of bench/solver and bench/peers too.
+bench-kernels: setup
 	@cmake -S . -B $(BUILD) -DLOOSEFIT_BENCH=ON > /dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark loosefit_bakeoff loosefit_peer
 	@$(BUILD)/bin/loosefit_benchmark
-	@$(SCREEN) python3 bench/run_bench.py --binary $(LOOSEFIT) $(BENCH)
 
 # Sources of the repository, also new ones; never files that git ignores.
 SOURCES = $(shell git ls-files --cached --others --exclude-standard '*.h' '*.cpp')

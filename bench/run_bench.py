@@ -1,68 +1,134 @@
 #!/usr/bin/env python3
-"""Benchmarks of the whole program, from the numbers in summary.json.
+"""Times whole runs of the program and keeps the figures.
 
-usage: run_bench.py --binary build/bin/loosefit [--rows reference-shirt,matrix] [--runs N]
-                    [--jobs N] [--edge-length M] [--bodies A,B] [--pictures]
-                    [--out DIR] [--record NOTE]
+usage: run_bench.py [CASE|GROUP ...] [--binary FILE] [--runs N] [--pictures] [--out DIR]
+                    [--json FILE] [--record NOTE] [--list]
 
-Rows
-  reference-shirt  examples/reference-shirt.toml: seconds per stage, peak memory (best of --runs)
-  matrix           four bodies x five chest fits: settled, residual, intersections, seconds, and the
-                   hoop strain at the chest, which for a tight garment is near -BGM / (1 + BGM) with
-                   the BGM of the cloth that lies at chest level (it is cut wider below the underarm)
-
-Prints tables. With --record, adds the results and the machine to bench/history/<row>.json.
-Exit code 1 when a case did not settle.
+Without names all cases run, which takes hours: `quick` is a minute. Each case is a process of its
+own; wall and processor seconds and peak memory are those of the whole process. Prints a table;
+--json writes the figures to a file, --record to bench/history/<date>-<commit>.json. Compare two
+such files with compare.py. Exit code 1 when a case failed or did not settle, 0 otherwise; cases
+that cannot be run yet are listed as missing.
 """
 import argparse
-import concurrent.futures
 import datetime
 import json
 import os
 import pathlib
 import platform
+import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
+import bench_cases
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-STAGES = ("body", "pattern", "garment", "dress", "settle", "maps", "placement", "report")
-
-# Two adults and the two study children: stature, chest, waist, hip in metres.
-BODIES = {
-    "woman": dict(sex=0, age=30, height=1.68, chest=0.88, waist=0.72, hip=0.97),
-    "man": dict(sex=1, age=30, height=1.80, chest=1.00, waist=0.86, hip=1.02),
-    "slim child": dict(sex=0.4, age=10, height=1.40, chest=0.63, waist=0.55, hip=0.68),
-    "heavy child": dict(sex=0.4, age=10, height=1.40, chest=0.75, waist=0.72, hip=0.80),
-}
-CHEST_FITS = (-0.05, 0.05, 0.15, 0.30, 0.45)
+HISTORY_SAMPLES = 40  # kept of each residual history
+KILL_AFTER = 600  # seconds beyond the case's own time budget
 
 
-def matrix_scenario(body, chest, edge_length):
-    """The whole shirt scales with the chest fit, as in the paper."""
-    return f"""[body]
-sex = {float(body['sex'])}
-age = {body['age']}
-height = {body['height']}
-measurements = {{ chest = {body['chest']}, waist = {body['waist']}, hip = {body['hip']} }}
-[garment]
-fit = {{ chest = {chest}, hip = {chest}, sleeve = {chest}, wrist = {chest} }}
-[simulation]
-edge_length = {edge_length}
-"""
+def residual_history(log):
+    """[[seconds, level, residual], …] from log.jsonl, thinned evenly; its progress notes carry it."""
+    samples = []
+    pattern = re.compile(r"level (\d+) of \d+, residual ([-+.\deEinfa]+)")
+    for line in log.read_text().splitlines() if log.exists() else []:
+        entry = json.loads(line)
+        if entry["event"] == "progress" and (found := pattern.search(entry["text"])):
+            samples.append([round(entry["seconds"], 2), int(found[1]), float(found[2])])
+    if len(samples) > HISTORY_SAMPLES:
+        step = (len(samples) - 1) / (HISTORY_SAMPLES - 1)
+        samples = [samples[round(i * step)] for i in range(HISTORY_SAMPLES)]
+    return samples
 
 
-def run(binary, scenario, folder, pictures):
-    """Runs one case; returns (exit code, summary or None, last line of its messages)."""
-    command = [binary, "run", str(scenario), "-o", str(folder), "--quiet"]
-    if not pictures:
+def run_process(command, cores, limit):
+    """(exit code, wall s, cpu s, peak MB, first line of stderr) of a whole process."""
+    def pin():
+        if cores:
+            os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:cores])
+    with tempfile.TemporaryFile() as errors:
+        start = time.monotonic()
+        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                 stderr=errors, preexec_fn=pin)
+        timer = threading.Timer(limit, child.kill)
+        timer.start()
+        _, status, usage = os.wait4(child.pid, 0)
+        timer.cancel()
+        wall = time.monotonic() - start
+        child.returncode = os.waitstatus_to_exitcode(status)
+        errors.seek(0)
+        message = (errors.read().decode(errors="replace").strip().splitlines() or [""])[0]
+    cpu = usage.ru_utime + usage.ru_stime
+    return child.returncode, wall, cpu, usage.ru_maxrss * 1024 / 1e6, message
+
+
+def run_once(case, options, folder):
+    scenario = folder.with_suffix(".toml")
+    scenario.write_text(case.scenario)
+    budget = float(re.search(r"time_budget = (\S+)", case.scenario)[1])
+    command = [options.binary, "run", str(scenario), "-o", str(folder), "--quiet"]
+    if not options.pictures:
         command.append("--no-pictures")
-    done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
-    summary_file = folder / "summary.json"
-    summary = json.loads(summary_file.read_text()) if summary_file.exists() else None
-    message = (done.stderr.strip().splitlines() or [""])[0]
-    return done.returncode, summary, message
+    code, wall, cpu, peak, message = run_process(command, case.cores, budget + KILL_AFTER)
+    row = {"exit_code": code, "wall_seconds": round(wall, 3), "cpu_seconds": round(cpu, 3),
+           "peak_memory_mb": round(peak, 1), "settled": False}
+    file = folder / "summary.json"
+    if not file.exists():
+        # No paths of this machine in what is stored.
+        return row | {"error": message.replace(str(folder.parent) + "/", "")}
+    summary = json.loads(file.read_text())
+    row |= {key: summary.get(key) for key in
+            ("settled", "stop_reason", "residual", "intersections", "vertices", "settle")}
+    row["iterations"] = summary["settle"]["iterations"]
+    row["factorisations"] = summary["settle"]["factorisations"]
+    row["seconds"] = {key: round(value, 3) for key, value in summary["seconds"].items()}
+    row["history"] = residual_history(folder / "log.jsonl")
+    # A tight garment strains round the chest by about −BGM / (1 + BGM) of the cloth at that level.
+    cut = summary["fit"].get("chest_cut", {})
+    row["hoop_strain"] = cut.get("hoop_strain")
+    chest = summary["body"]["measured"]["chest"]
+    if cut.get("flat") and cut["draped"] > 0.98 * chest:
+        row["bgm_at_chest_level"] = cut["flat"] / chest - 1
+    row["distance_median_mm"] = summary["maps"].get("distance_mm", {}).get("median")
+    row["versions"] = summary["versions"]
+    return row
+
+
+def median(values):
+    values = sorted(v for v in values if v is not None)
+    if not values:
+        return None
+    middle = len(values) // 2
+    return values[middle] if len(values) % 2 else 0.5 * (values[middle - 1] + values[middle])
+
+
+def status(entry):
+    if "missing" in entry:
+        return "missing"
+    if any("error" in run for run in entry["runs"]):
+        return "failed"
+    return "settled" if all(run["settled"] for run in entry["runs"]) else "NOT SETTLED"
+
+
+def print_row(name, entry):
+    state = status(entry)
+    if "missing" in entry:
+        print(f"{name:22} {state:12} {entry['missing']}", flush=True)
+        return
+    runs = entry["runs"]
+    if state == "failed":
+        error = next(run["error"] for run in runs if "error" in run)
+        print(f"{name:22} {state:12} exit {runs[0]['exit_code']}: {error}", flush=True)
+        return
+    middle = {key: median([run[key] for run in runs]) for key in
+              ("wall_seconds", "cpu_seconds", "peak_memory_mb", "iterations", "residual")}
+    cuts = max(run["intersections"]["body"] + run["intersections"]["self"] for run in runs)
+    print(f"{name:22} {state:12} {runs[0]['vertices']:8d} {middle['wall_seconds']:8.1f} "
+          f"{middle['cpu_seconds']:8.1f} {middle['peak_memory_mb']:8.0f} "
+          f"{middle['iterations']:6.0f} {middle['residual']:9.1e} {cuts:5d}", flush=True)
 
 
 def machine():
@@ -71,115 +137,89 @@ def machine():
         if line.startswith("model name"):
             model = line.split(":", 1)[1].strip()
             break
-    return {"processor": model, "cores": os.cpu_count(), "system": platform.system(),
+    try:
+        system = platform.freedesktop_os_release()["PRETTY_NAME"]
+    except OSError:
+        system = platform.system()
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
+    return {"processor": model, "cores": len(os.sched_getaffinity(0)),
+            "memory_gb": round(memory, 1), "system": system,
             "load": round(os.getloadavg()[0], 2)}
 
 
-def reference_shirt(options, out):
-    best = None
-    for number in range(options.runs):
-        code, summary, message = run(options.binary, ROOT / "examples/reference-shirt.toml",
-                                     out / f"reference-{number}", "DISPLAY" in os.environ)
-        if summary is None:
-            sys.exit(f"reference-shirt: exit code {code}: {message}")
-        if best is None or summary["seconds"]["total"] < best["seconds"]["total"]:
-            best = summary
-    print(f"reference-shirt: {'settled' if best['settled'] else 'NOT SETTLED'}, "
-          f"residual {best['residual']:.1e}, {best['vertices']} vertices, "
-          f"peak memory {best['peak_memory_mb']:.0f} MB")
-    print("  ".join(f"{stage} {best['seconds'].get(stage, 0):.2f}" for stage in STAGES)
-          + f"  total {best['seconds']['total']:.2f} s")
-    keys = ("settled", "residual", "intersections", "vertices", "seconds", "peak_memory_mb",
-            "settle")
-    return best["settled"], {key: best[key] for key in keys}
+def git(*words):
+    return subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True,
+                          text=True).stdout.strip()
 
 
-def matrix_case(options, out, name, chest):
-    folder = out / f"{name.replace(' ', '-')}-{chest:+.2f}"
-    scenario = folder.with_name(folder.name + ".toml")
-    scenario.write_text(matrix_scenario(BODIES[name], chest, options.edge_length))
-    start = time.monotonic()
-    code, summary, message = run(options.binary, scenario, folder, options.pictures)
-    row = {"body": name, "chest_fit": chest, "exit_code": code,
-           "wall_seconds": round(time.monotonic() - start, 1), "settled": False}
-    if summary is None:
-        return row | {"error": message}
-    row |= {key: summary[key] for key in ("settled", "residual", "intersections", "vertices",
-                                          "stop_reason", "peak_memory_mb")}
-    row["seconds"] = {key: round(value, 2) for key, value in summary["seconds"].items()}
-    cut = summary["fit"].get("chest_cut", {})
-    row["hoop_strain"] = cut.get("hoop_strain")
-    # Where the armholes reach below chest level the cut does not go all round: nothing to compare.
-    if cut.get("flat") and cut["draped"] > 0.98 * summary["body"]["measured"]["chest"]:
-        row["bgm_at_chest_level"] = cut["flat"] / summary["body"]["measured"]["chest"] - 1
-    row["distance_median_mm"] = summary["maps"].get("distance_mm", {}).get("median")
-    return row
-
-
-def matrix(options, out):
-    cases = [(name, chest) for name in BODIES for chest in CHEST_FITS
-             if not options.bodies or name in options.bodies.split(",")]
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        rows = list(pool.map(lambda case: matrix_case(options, out, *case), cases))
-    print(f"{'body':12} {'chest':>6} {'settled':>8} {'residual':>9} {'body':>5} {'self':>5} "
-          f"{'dress s':>8} {'settle s':>8} {'hoop':>8} {'tight':>8} {'gap mm':>7}")
-    for row in rows:
-        if "error" in row:
-            print(f"{row['body']:12} {row['chest_fit']:+6.2f} {'error':>8} {row['error']}")
-            continue
-        hoop, gap = row["hoop_strain"], row["distance_median_mm"]
-        bgm = row.get("bgm_at_chest_level", 0)
-        tight = -bgm / (1 + bgm)
-        print(f"{row['body']:12} {row['chest_fit']:+6.2f} {str(row['settled']):>8} "
-              f"{row['residual']:9.1e} {row['intersections']['body']:5d} "
-              f"{row['intersections']['self']:5d} {row['seconds'].get('dress', 0):8.1f} "
-              f"{row['seconds'].get('settle', 0):8.1f} "
-              f"{'' if hoop is None else format(hoop, '+.4f'):>8} "
-              f"{format(tight, '+.4f') if tight > 0 else '':>8} "
-              f"{'' if gap is None else format(gap, '.1f'):>7}")
-    settled = sum(row["settled"] for row in rows)
-    print(f"{settled} of {len(rows)} settled")
-    return settled == len(rows), rows
-
-
-def record(row, note, result):
-    path = ROOT / "bench" / "history" / f"{row}.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    history = json.loads(path.read_text()) if path.exists() else []
-    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"],
-                            capture_output=True, text=True).stdout.strip()
-    history.append({"date": datetime.date.today().isoformat(), "commit": commit, "note": note,
-                    "machine": machine(), "result": result})
-    path.write_text(json.dumps(history, indent=1) + "\n")
-    print(f"recorded in {path.relative_to(ROOT)}")
+def write(path, record):
+    """Atomic; one line per innermost list, so that differences can be read."""
+    text = json.dumps(record, indent=1, ensure_ascii=False)
+    text = re.sub(r"\[\s+([-\d.eE]+),\s+([-\d.eE]+),\s+([-\d.eE]+)\s+\]", r"[\1, \2, \3]", text)
+    temporary = path.with_name("." + path.name)
+    temporary.write_text(text + "\n")
+    temporary.replace(path)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="CASE|GROUP", help="only these; see --list")
     parser.add_argument("--binary", default=str(ROOT / "build/bin/loosefit"))
-    parser.add_argument("--rows", default="reference-shirt,matrix")
-    parser.add_argument("--runs", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=1, help="cases of the matrix at the same time")
-    parser.add_argument("--edge-length", type=float, default=0.010, help="of the matrix [m]")
-    parser.add_argument("--bodies", help="only these of the matrix: " + ", ".join(BODIES))
-    parser.add_argument("--pictures", action="store_true", help="draw the matrix too")
+    parser.add_argument("--runs", type=int, default=1, help="repeats of each case")
+    parser.add_argument("--pictures", action="store_true", help="draw the maps too")
     parser.add_argument("--out", help="keep the outputs in this folder")
-    parser.add_argument("--record", metavar="NOTE", help="add to bench/history")
+    parser.add_argument("--json", metavar="FILE", help="write the figures there")
+    parser.add_argument("--record", metavar="NOTE", help="add to bench/history, with a note")
+    parser.add_argument("--list", action="store_true", help="names and groups, nothing is run")
     options = parser.parse_args()
-    rows = {"reference-shirt": reference_shirt, "matrix": matrix}
-    wanted = options.rows.split(",")
-    if unknown := [name for name in wanted if name not in rows]:
-        parser.error(f"unknown row {unknown[0]}; known: {', '.join(rows)}")
+    try:
+        chosen = bench_cases.select(options.names)
+    except KeyError as unknown:
+        parser.error(f"unknown case or group {unknown}; see --list")
+    if options.list:
+        for case in chosen:
+            print(f"{case.name:22} {', '.join(case.groups):16} {case.missing or ''}".rstrip())
+        return 0
+    if options.runs < 1:
+        parser.error("--runs: at least 1")
+    if not pathlib.Path(options.binary).is_file():
+        parser.error(f"{options.binary}: no such program; build it or give --binary")
+
+    commit = git("rev-parse", "--short", "HEAD") + ("+" if git("status", "--porcelain", "-uno") else "")
+    date = datetime.date.today().isoformat()
+    record = {"date": date, "commit": commit, "note": options.record or "", "machine": machine(),
+              "versions": {}, "pictures": options.pictures, "cases": {}}
+    targets = [pathlib.Path(options.json)] if options.json else []
+    if options.record is not None:
+        stem, number = ROOT / "bench/history" / f"{date}-{commit.rstrip('+')}", 1
+        path = stem.with_name(stem.name + ".json")
+        while path.exists():
+            number += 1
+            path = stem.with_name(f"{stem.name}-{number}.json")
+        targets.append(path)
+    print(f"{'case':22} {'state':12} {'vertices':>8} {'wall s':>8} {'cpu s':>8} {'peak MB':>8} "
+          f"{'iter':>6} {'residual':>9} {'cuts':>5}", flush=True)
     good = True
     with tempfile.TemporaryDirectory() as scratch:
-        out = pathlib.Path(options.out or scratch)
+        out = pathlib.Path(options.out or scratch).resolve()
         out.mkdir(parents=True, exist_ok=True)
-        for name in wanted:
-            settled, result = rows[name](options, out)
-            good = good and settled
-            if options.record is not None:
-                record(name, options.record, result)
+        for case in chosen:
+            if case.missing:
+                entry = {"missing": case.missing}
+            else:
+                runs = [run_once(case, options, out / f"{case.name}-{number}")
+                        for number in range(options.runs)]
+                entry = {"groups": case.groups, "runs": runs}
+                for run in runs:
+                    record["versions"] |= run.pop("versions", {})
+                good = good and status(entry) == "settled"
+            record["cases"][case.name] = entry
+            print_row(case.name, entry)
+            for path in targets:  # after every case: a suite that is cut short keeps what it has
+                write(path, record)
+    for path in targets:
+        print(f"written: {path.relative_to(ROOT) if path.is_relative_to(ROOT) else path}")
     return 0 if good else 1
 
 

@@ -7,6 +7,8 @@ endif()
 add_test(NAME layers COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 add_test(NAME check_layers_test
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py)
+add_test(NAME tools_bench_suite
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/bench_suite_test.py)
 
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)

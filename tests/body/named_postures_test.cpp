@@ -47,10 +47,6 @@ TEST(NamedPostures, ASlouchRoundsTheBackAndLowersTheHead) {
   const Body upright = in("standing"), slumped = in("slouch");
   EXPECT_GT(turn_of_back(slumped) - turn_of_back(upright), 10);
   EXPECT_LT(slumped.landmarks.at("c7").z(), upright.landmarks.at("c7").z() - 0.02);
-  const auto drawn_forward = [](const Body& b) {
-    return b.landmarks.at("c7").y() - b.landmarks.at("acromion_L").y();
-  };
-  EXPECT_GT(drawn_forward(slumped), drawn_forward(upright) + 0.01);
 }
 
 TEST(NamedPostures, AreMirrorSymmetric) {

@@ -20,7 +20,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 REPOSITORY = HERE.parent.parent
 # Edge length [mm] -> number of drapes.
-PLAN = {20: 8, 14: 8, 10: 8, 7: 2}
+PLAN = {20: 8, 14: 8, 10: 8, 7: 4}
 MAPS = ["strain_max", "distance_mm", "angular_deviation_deg"]
 STATISTICS = ["area_mean", "median", "p95"]
 

@@ -89,14 +89,25 @@ double BodyContact::field_distance(const ContactPoint& point, const VectorField&
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
+BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool with_hessian) const {
+  constexpr double kLipschitz = 1.3;  // of the interpolated distance: it overshoots at creases
+  Touch touch;
+  if (!field_) return touch;
+  const Vec3 p = points_[i].position(x);
+  Clear& clear = clear_[i];
+  if (clear.slack > 0 && (p - clear.place).squaredNorm() < clear.slack * clear.slack) return touch;
+  touch.active = field_->sample(p, points_[i].offset, with_hessian, touch.sample);
+  clear = {p, touch.active ? -1 : (touch.sample.distance - points_[i].offset) / kLipschitz};
+  return touch;
+}
+
 const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x,
                                                             bool with_hessian) const {
   if (place_ == x && (with_hessian_ || !with_hessian)) return touch_;
   touch_.resize(points_.size());
+  clear_.resize(points_.size());
   for_ranges(static_cast<int>(points_.size()), 256, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      touch_[i].active = field_ && field_->sample(points_[i].position(x), points_[i].offset,
-                                                  with_hessian, touch_[i].sample);
+    for (int i = begin; i < end; ++i) touch_[i] = ask(i, x, with_hessian);
   });
   place_ = x;
   with_hessian_ = with_hessian;

@@ -56,7 +56,7 @@ class BodyContact : public Energy {
   /// The body moved or changed: contacts keep their anchors unless `forget_anchors`.
   void set_field(std::shared_ptr<const DistanceField> field) {
     field_ = std::move(field);
-    place_.clear();
+    forget_touches();
   }
   void forget_anchors() { friction_.forget(); }
   /// The skin under each particle has moved so far [m]: the anchors of friction move with it.
@@ -64,7 +64,7 @@ class BodyContact : public Energy {
   const std::vector<ContactPoint>& points() const { return points_; }
   /// To be changed: what is remembered of them is void.
   std::vector<ContactPoint>& change_points() {
-    place_.clear();
+    forget_touches();
     return points_;
   }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
@@ -88,6 +88,17 @@ class BodyContact : public Energy {
     bool active = false;
     DistanceField::Sample sample;
   };
+  /// Where a point was when it was found to be clear of the skin, and how far it may move from
+  /// there before it is asked again.
+  struct Clear {
+    Vec3 place = Vec3::Zero();
+    double slack = -1;
+  };
+  void forget_touches() {
+    place_.clear();
+    clear_.clear();
+  }
+  Touch ask(std::size_t point, const VectorField& x, bool with_hessian) const;
   const std::vector<Touch>& touches(const VectorField& x, bool with_hessian) const;
   std::vector<ContactPoint> points_;
   std::shared_ptr<const DistanceField> field_;
@@ -95,6 +106,7 @@ class BodyContact : public Energy {
   Friction friction_;
   mutable std::vector<Touch> touch_;  ///< at place_
   mutable VectorField place_;
+  mutable std::vector<Clear> clear_;
   mutable bool with_hessian_ = false;
 };
 

@@ -134,9 +134,15 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     const int nearest =
         index(static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])),
               static_cast<int>(std::lround(q[2])));
-    if (zone_[nearest] == Zone::outside) return false;
     // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
-    if (zone_[nearest] == Zone::band && value_[nearest] > reach + 0.9 * spacing_) return false;
+    if (zone_[nearest] != Zone::inside) {
+      const bool far = zone_[nearest] == Zone::outside;
+      const double least = (far ? kBandCells * spacing_ : value_[nearest]) - 0.9 * spacing_;
+      if (far || least > reach) {
+        out.distance = std::max(least, reach);
+        return false;
+      }
+    }
     const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
     // Contracted over y and z first, four nodes of a row at a time.
     Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
@@ -177,8 +183,8 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
   // Off the band: deep inside the body, at the rim of the band, or off the grid. Ask the surface.
   ClosestPoint hit;
   const double d = tree_.signed_distance(p, &hit);
-  if (!(d < reach)) return false;
   out.distance = d;
+  if (!(d < reach)) return false;
   out.gradient = d == 0 ? Vec3(Vec3::Zero()) : Vec3((p - hit.point) / d);
   out.hessian.setZero();
   return true;

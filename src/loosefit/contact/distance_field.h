@@ -25,8 +25,9 @@ class DistanceField {
     Vec3 gradient = Vec3::Zero();
     Mat3 hessian = Mat3::Zero();  ///< [1/m]
   };
-  /// False when p lies farther than `reach` outside (nothing is computed then). Derivatives are
-  /// those of the interpolant, so that an energy of the distance is exactly integrable.
+  /// False when p lies farther than `reach` outside: then only a lower bound of the distance is
+  /// given. Derivatives are those of the interpolant, so that an energy of the distance is exactly
+  /// integrable.
   bool sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const;
 
  private:

@@ -13,19 +13,19 @@
 namespace loosefit {
 namespace {
 
-constexpr double kDressTolerance = 1.0;  ///< residual at which the dressed coarse level may move on
+constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
 constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr double kCoarseTolerance = 0.1;  ///< residual before a level is handed to the finer one
+constexpr double kCoarseTolerance = 1.0;  ///< residual before a level is handed to the finer one
 constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
 constexpr int kPoseIterations = 40;
 constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
 constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
-constexpr double kCutTolerance = 0.1;  ///< residual at which the last cuts are looked for
+constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
 /// Pseudo-steps on the way to rest [s]: the first, and after contacts were changed near rest.
-constexpr double kFirstDt = 0.5, kStaticDt = 100;
+constexpr double kFirstDt = 0.5, kStaticDt = 10;
 
 }  // namespace
 

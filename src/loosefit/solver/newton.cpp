@@ -8,6 +8,8 @@ namespace loosefit {
 namespace {
 
 constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+/// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
+constexpr double kLeastHold = 1, kMostHold = 1e4;
 
 double dot(const VectorField& a, const VectorField& b) {
   double sum = 0;
@@ -87,6 +89,15 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       return true;
     }
     exact_ = false;
+    // At rest but for a few slow modes of negative curvature: a little inertia holds just them,
+    // where the projected matrix would hold everything and creep.
+    if (per_dt2 == 0) {
+      if (attempt(hold_)) {
+        hold_ = std::max(kLeastHold, hold_ / 4);
+        return true;
+      }
+      hold_ = std::min(kMostHold, 10 * hold_);
+    }
     wait_ = patience_;  // each failure in a row doubles the wait before the next try
     patience_ = std::min(8, 2 * patience_);
   } else {

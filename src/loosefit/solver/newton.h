@@ -54,6 +54,7 @@ class Newton {
   bool exact_ = false;
   int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
   int patience_ = 1;
+  double hold_ = 100;  ///< [1/s²], see factorise
   bool evaluated_ = false;  ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;

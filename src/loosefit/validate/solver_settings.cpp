@@ -27,7 +27,7 @@ std::vector<std::pair<std::string, std::string>> solver_settings() {
       {"at rest",
        fmt::format("net force over weight (root of the sum of squares over all free particles; "
                    "without weight in newtons, or against the applied load) at most {:g}, but for "
-                   "B5 under little weight (up to 4e-5), B7 (1e-4, with noise 1e-5), C1 (laying "
+                   "B5 under little weight (up to 4e-5), B7 (1e-4, let go 1e-5), C1 (laying "
                    "down: 1e-9), C2 (heavy strips 1e-5, let go 1e-4), C4 (1e-5), D1 (scaling: "
                    "1e-9), D2 (lowering: 1e-4); without weight, M3 (1e-10 and 1e-8 N) and B9 "
                    "(1e-8 N)",

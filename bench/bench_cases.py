@@ -1,0 +1,84 @@
+"""The cases of the suite: name, groups, scenario text. Edit here to add one."""
+
+# Two adults and the two children of the study: stature, chest, waist, hip in metres.
+BODIES = {
+    "woman": dict(sex=0.0, age=30, height=1.68, chest=0.88, waist=0.72, hip=0.97),
+    "man": dict(sex=1.0, age=30, height=1.80, chest=1.00, waist=0.86, hip=1.02),
+    "child-slim": dict(sex=0.4, age=10, height=1.40, chest=0.63, waist=0.55, hip=0.68),
+    "child-heavy": dict(sex=0.4, age=10, height=1.40, chest=0.75, waist=0.72, hip=0.80),
+}
+CHEST_FITS = (-0.05, 0.05, 0.15, 0.30, 0.45)
+REFERENCE_FIT = "fit = { chest = 0.10, hip = 0.08, sleeve = 0.15, wrist = 0.20 }"
+# Edge length in mm and time budget in seconds; sizes well above the goals, so that a slow case
+# still ends in a figure.
+SHIRTS = {"20": 600, "14": 600, "10": 600, "7": 900, "5": 1800, "3.5": 3600}
+
+
+class Case:
+    """One scenario. `cores`: processor cores it may use, None = all. `missing`: why it cannot run."""
+
+    def __init__(self, name, groups, scenario="", cores=None, missing=None):
+        self.name, self.groups, self.scenario = name, groups, scenario
+        self.cores, self.missing = cores, missing
+
+
+def scenario(garment, body="woman", edge_mm=10.0, budget=600, posture='posture = "standing"',
+             material="paper-cotton", threads=0):
+    b = BODIES[body]
+    return f"""[body]
+sex = {b["sex"]}
+age = {b["age"]}
+height = {b["height"]}
+measurements = {{ chest = {b["chest"]}, waist = {b["waist"]}, hip = {b["hip"]} }}
+{posture}
+[garment]
+{garment}
+[material]
+name = "{material}"
+[simulation]
+edge_length = {edge_mm / 1000:g}
+time_budget = {budget}
+threads = {threads}
+"""
+
+
+def all_fits(share):
+    """The whole shirt scales with the chest fit, as in the paper."""
+    return f"fit = {{ chest = {share}, hip = {share}, sleeve = {share}, wrist = {share} }}"
+
+
+def cases():
+    found = []
+    for mm, budget in SHIRTS.items():
+        groups = ["shirt"] + (["quick"] if mm in ("20", "14") else [])
+        found.append(Case(f"shirt-{mm}mm", groups,
+                          scenario(REFERENCE_FIT, edge_mm=float(mm), budget=budget)))
+    found.append(Case("shirt-14mm-one-core", ["shirt"],
+                      scenario(REFERENCE_FIT, edge_mm=14, threads=1), cores=1))
+    for body in BODIES:
+        for fit in CHEST_FITS:
+            found.append(Case(f"fit-{body}{round(100 * fit):+03d}", ["fits"],
+                              scenario(all_fits(fit), body)))
+    for body in ("child-slim", "child-heavy"):
+        found.append(Case(f"paper-{body}", ["children"], scenario('size = "child-142"', body)))
+    found += [
+        Case("tight", ["extremes"], scenario(all_fits(-0.30), material="compression-knit")),
+        Case("loose", ["extremes"], scenario(all_fits(1.0))),
+        Case("stiff", ["extremes"], scenario(REFERENCE_FIT, material="paper-cotton-literal")),
+        Case("limp", ["extremes"], scenario(REFERENCE_FIT, material="silk")),
+        # Dressed upright, then carried along to the posture of the maps.
+        Case("posture-change", ["posture"], scenario(
+            REFERENCE_FIT, posture='dress_posture = "standing"\nposture = "forward-bend"')),
+        Case("two-layer", ["layers"],
+             missing="a scenario holds one garment: two layers cannot be written down"),
+    ]
+    return found
+
+
+def select(wanted):
+    """Cases whose name or group is in the list, in the order of the suite; KeyError if none is."""
+    every = cases()
+    for word in wanted:
+        if not any(word == c.name or word in c.groups for c in every):
+            raise KeyError(word)
+    return [c for c in every if not wanted or any(w == c.name or w in c.groups for w in wanted)]

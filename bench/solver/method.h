@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "direction_rule.h"
+#include "loosefit/solver/newton.h"
+
+namespace loosefit::bakeoff {
+
+/// What the outer loop asks of a method: one iteration at a time on the function of one
+/// pseudo-step.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual Newton::Outcome iterate(VectorField& x, const VectorField& target, double dt) = 0;
+  virtual void begin_step(const VectorField& x, double dt) = 0;
+  virtual const VectorField& gradient(const VectorField& x) = 0;
+  virtual const SolverWork& work() const = 0;
+};
+
+/// Which matrix is factorised, and how long a factor serves.
+struct MatrixUse {
+  enum class Kind {
+    exact_or_projected,  ///< exact where it is definite, projected otherwise
+    projected,
+    /// The projected one with each 3 x 3 block B replaced by tr(B) I: positive semi-definite, blind
+    /// to how elements turn, and never softer; the constant matrix of projective dynamics.
+    isotropic,
+  } kind = Kind::exact_or_projected;
+  int iterations_per_factor = 1;
+  /// The matrix of the first iteration for ever; it is factorised anew only when the pseudo-step
+  /// has changed by more than a factor of two.
+  bool constant = false;
+};
+
+/// Line-searched descent with a direction rule on factors that may be old.
+struct FactoredOptions {
+  MatrixUse matrix;
+  bool curved =
+      false;  ///< second-order path by differences of the gradient (Transtrum, Sethna 2012)
+  double max_move = 0.02;
+};
+std::unique_ptr<Method> make_factored(const ParticleSystem& system, const FactoredOptions& options,
+                                      std::unique_ptr<DirectionRule> rule);
+
+/// A method of the contest.
+struct Candidate {
+  std::string name, what;
+  int per_step = 3;  ///< iterations between two refreshes of friction and contacts, at most
+  std::function<std::unique_ptr<Method>(const ParticleSystem&)> make;
+};
+std::vector<Candidate> candidates();
+
+}  // namespace loosefit::bakeoff

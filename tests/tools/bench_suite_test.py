@@ -1,0 +1,95 @@
+"""The suite must show what failed or is missing, and ratios must be those of the medians."""
+import contextlib
+import io
+import json
+import pathlib
+import stat
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "bench"))
+import bench_cases  # noqa: E402
+import compare  # noqa: E402
+import run_bench  # noqa: E402
+
+
+def call(program, *arguments):
+    printed = io.StringIO()
+    with mock.patch.object(sys, "argv", ["program", *map(str, arguments)]), \
+            contextlib.redirect_stdout(printed):
+        code = program.main()
+    return code, printed.getvalue()
+
+
+def record(**cases):
+    return {"date": "2026-01-01", "commit": "abc", "note": "",
+            "machine": {"processor": "p", "cores": 2, "load": 0}, "cases": cases}
+
+
+def runs(*cpu_seconds, settled=True):
+    return {"runs": [{"settled": settled, "wall_seconds": 2 * s, "cpu_seconds": s,
+                      "peak_memory_mb": 100, "iterations": 10} for s in cpu_seconds]}
+
+
+class Suite(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def test_names_and_groups_select(self):
+        self.assertEqual([c.name for c in bench_cases.select(["shirt-14mm", "shirt-20mm"])],
+                         ["shirt-20mm", "shirt-14mm"])
+        self.assertEqual(len(bench_cases.select(["fits"])), 20)
+        names = [c.name for c in bench_cases.cases()]
+        self.assertEqual(len(names), len(set(names)))
+        with self.assertRaises(KeyError):
+            bench_cases.select(["shirts"])
+
+    def test_a_failed_and_a_missing_case_are_shown(self):
+        program = self.folder / "loosefit"
+        program.write_text("#!/bin/sh\necho 'error: no body' >&2\nexit 2\n")
+        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        figures = self.folder / "figures.json"
+        code, printed = call(run_bench, "tight", "two-layer", "--binary", program, "--json", figures)
+        self.assertEqual(code, 1)
+        self.assertRegex(printed, r"tight +failed +exit 2: error: no body")
+        self.assertRegex(printed, r"two-layer +missing")
+        stored = json.loads(figures.read_text())["cases"]
+        self.assertEqual(stored["tight"]["runs"][0]["error"], "error: no body")
+        self.assertIn("missing", stored["two-layer"])
+
+    def test_history_is_thinned_and_keeps_its_ends(self):
+        log = self.folder / "log.jsonl"
+        log.write_text("".join(json.dumps({"seconds": i, "event": "progress",
+                                           "text": f"1 % level 2 of 3, residual {100 - i}.5"}) + "\n"
+                               for i in range(100)))
+        history = run_bench.residual_history(log)
+        self.assertEqual(len(history), run_bench.HISTORY_SAMPLES)
+        self.assertEqual((history[0], history[-1]), ([0, 2, 100.5], [99, 2, 1.5]))
+
+    def compared(self, a, b, *options):
+        paths = []
+        for name, content in (("a", a), ("b", b)):
+            paths.append(self.folder / f"{name}.json")
+            paths[-1].write_text(json.dumps(content))
+        return call(compare, *paths, *options)
+
+    def test_ratio_of_medians(self):
+        code, printed = self.compared(record(x=runs(1, 2, 30)), record(x=runs(1, 3, 4)))
+        self.assertEqual(code, 0)
+        self.assertRegex(printed, r"x +settled +settled +4.0 +6.0 +1.500 +1.500 +1.000 +1.000")
+
+    def test_worse_fails_on_time_and_on_what_no_longer_settles(self):
+        a, b = record(x=runs(1), y=runs(1)), record(x=runs(1.2), y=runs(1, settled=False))
+        self.assertEqual(self.compared(a, b, "--worse", "0.3")[0], 1)
+        code, printed = self.compared(a, record(x=runs(1.2), y=runs(1)), "--worse", "0.1")
+        self.assertEqual(code, 1)
+        self.assertIn("worse: x\n", printed)
+        self.assertEqual(self.compared(a, record(x=runs(1.2), y=runs(1)), "--worse", "0.3")[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
