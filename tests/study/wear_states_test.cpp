@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "loosefit/drape/posed_body.h"
 #include "loosefit/study/case_files.h"
+#include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
 #include "loosefit/study/rank_case.h"
-#include "loosefit/study/run_case.h"
 
 namespace loosefit {
 namespace {
@@ -19,13 +20,50 @@ const char* const kText =
     "[[site]]\nname = \"upper\"\nlandmark = \"upper_back\"\n"
     "[ranking]\nmodality = \"imu-inclination\"\n"
     "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
-    "[simulation]\nedge_length = 0.05\nthreads = 1\n";
+    "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n";
+
+/// A shirt as it is put on, called settled, stuck to the skin in every other posture but for a
+/// shift of 5 mm down the back in the second donning: no time is spent on settling.
+CaseResult make_worn_case() {
+  CaseResult result;
+  result.scenario = parse_scenario(kText, "case.toml");
+  result.body = make_body(result.scenario.body);
+  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
+                                   result.scenario.material.material, {});
+  Progress silent;
+  result.drape = drape_garment(result.garment, result.scenario.material.material, result.body.path,
+                               drape_options(result.scenario.simulation), silent);
+  result.drape.certificate = Certificate{};
+  result.drape.certificate.residual = 1e-4;
+  result.drape.certificate.intersections_body = result.drape.certificate.intersections_self = 0;
+  result.drape.certificate.stop_reason = "converged";
+  result.wear = plan_wear(result);
+  PosedBody posed;
+  posed.body = result.body.body;
+  posed.tree = std::make_unique<ClosestPointTree>(posed.body.surface);
+  for (int donning = 0; donning < 2; ++donning)
+    for (int p = donning == 0 ? 1 : 0; p < 2; ++p) {
+      CaseState state;
+      state.posture = p, state.donning = donning;
+      state.name = result.wear.postures[p];
+      state.drape = result.drape;
+      state.seconds = 1.5 + p + 2 * donning;
+      auto& x = state.drape.positions;
+      if (donning == 1)
+        for (Vec3& point : x) point.z() -= 0.005;
+      if (p > 0) {
+        const auto way = way_of(skin_motion(posed, *result.wear.bodies[p], x), x);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
+      }
+      result.wear.states.push_back(std::move(state));
+    }
+  add_maps(result, false);
+  return result;
+}
 
 const CaseResult& worn_case() {
-  static const CaseResult result = [] {
-    Progress silent;
-    return run_case(parse_scenario(kText, "case.toml"), silent);
-  }();
+  static const CaseResult result = make_worn_case();
   return result;
 }
 
@@ -57,14 +95,13 @@ TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
   EXPECT_TRUE(plan_wear(result).postures.empty());
 }
 
-TEST(WearStates, AllPosturesOfAllDonningsAreDrapedOnOneBodyPerPosture) {
+TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {
   const CaseResult& result = worn_case();
-  ASSERT_TRUE(result.drape.certificate.settled()) << result.drape.certificate.stop_reason;
   ASSERT_EQ(result.wear.states.size(), 3u);
   EXPECT_EQ(state_folder(result.wear.states[0]), "postures/forward-bend-15");
   EXPECT_EQ(state_folder(result.wear.states[2]), "donnings/2/forward-bend-15");
   const std::vector<WornState> states = worn_states(result);
-  ASSERT_EQ(states.size(), 4u) << "all settled";
+  ASSERT_EQ(states.size(), 4u);
   EXPECT_EQ(&states[0].body, &states[2].body) << "reference of both donnings";
   EXPECT_EQ(&states[1].body, &states[3].body);
 }
