@@ -73,18 +73,18 @@ void Newton::assemble(const VectorField& x, HessianKind kind) {
 }
 
 bool Newton::factorise(const VectorField& x, double per_dt2) {
-  std::vector<double> shift(system_.particles());
-  const auto attempt = [&](double regularisation) {
+  shift_.resize(system_.particles());
+  const auto attempt = [&](double regularisation, bool semidefinite) {
     for (int i = 0; i < system_.particles(); ++i)
-      shift[i] = (per_dt2 + regularisation) * system_.mass[i];
+      shift_[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++work_.factorisations;
     const Stopwatch watch(work_.factorise);
-    return cholesky_.factorise(matrix_, shift, system_.held);
+    return linear_.factorise(matrix_, shift_, system_.held, semidefinite);
   };
   exact_ = wait_ == 0;
   if (exact_) {
     assemble(x, HessianKind::exact);
-    if (attempt(0)) {
+    if (attempt(0, false)) {
       patience_ = 1;
       return true;
     }
@@ -92,7 +92,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
     // At rest but for a few slow modes of negative curvature: a little inertia holds just them,
     // where the projected matrix would hold everything and creep.
     if (per_dt2 == 0) {
-      if (attempt(hold_)) {
+      if (attempt(hold_, false)) {
         hold_ = std::max(kLeastHold, hold_ / 4);
         return true;
       }
@@ -107,7 +107,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
   assemble(x, HessianKind::definite);
   double extra = 0;
   for (int k = 0; k < 12; ++k) {
-    if (attempt(extra)) return true;
+    if (attempt(extra, true)) return true;
     extra = std::max(1.0, 100 * extra);
   }
   return false;
@@ -115,12 +115,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
 
 void Newton::direction(const VectorField& g, VectorField& dx) {
   const Stopwatch watch(work_.solve);
-  cholesky_.solve(g, dx);
-  for (std::size_t i = 0; i < dx.size(); ++i)
-    if (system_.is_held(static_cast<int>(i)))
-      dx[i].setZero();
-    else
-      dx[i] = -dx[i];
+  linear_.solve(g, dx);
 }
 
 Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, double dt) {

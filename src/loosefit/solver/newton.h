@@ -3,7 +3,7 @@
 
 #include "loosefit/solver/particle_system.h"
 #include "loosefit/solver/solver_work.h"
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/newton_system.h"
 
 namespace loosefit {
 
@@ -48,8 +48,9 @@ class Newton {
   const ParticleSystem& system_;
   Options options_;
   SolverWork work_;
-  SparseCholesky cholesky_;
+  NewtonSystem linear_;
   BlockMatrix matrix_;
+  std::vector<double> shift_;  ///< inertia and what makes the matrix definite [kg/s²]
   std::uint64_t pattern_version_ = 0;
   bool exact_ = false;
   int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
