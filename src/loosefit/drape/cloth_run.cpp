@@ -31,6 +31,7 @@ void ClothRun::make_model(double stiffness_share, bool with_friction) {
   if (!with_friction) material.friction_body = material.friction_self = 0;
   scale_membrane(material, stiffness_share);
   const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+  integrator_.reset();
   model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
   model_->body().set_field(body_->field);
 }
@@ -56,7 +57,11 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     return seconds() > options_.time_budget;
   };
   const long searches_before = model_->self().searches();
-  last_ = make_integrator(kind, model_->system())->settle(x_, settle);
+  if (!integrator_ || integrator_kind_ != kind) {
+    integrator_ = make_integrator(kind, model_->system());
+    integrator_kind_ = kind;
+  }
+  last_ = integrator_->settle(x_, settle);
   if (report_.parts.empty() || report_.parts.back().part != part_ ||
       report_.parts.back().level != level_)
     report_.parts.push_back({part_, level_, static_cast<int>(x_.size()), {}});

@@ -62,6 +62,8 @@ class ClothRun {
   std::vector<Vec3> x_;
   std::shared_ptr<const PosedBody> body_;
   std::unique_ptr<ClothModel> model_;
+  std::unique_ptr<Integrator> integrator_;  ///< of model_
+  IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
   SettleOutcome last_;
   SettleReport report_;
 

@@ -8,6 +8,7 @@ namespace loosefit {
 namespace {
 
 constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+constexpr int kMostPatience = 8;  ///< iterations between two tries of a matrix that was indefinite
 /// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
 constexpr double kLeastHold = 1, kMostHold = 1e4;
 
@@ -21,6 +22,12 @@ double dot(const VectorField& a, const VectorField& b) {
 
 Newton::Newton(const ParticleSystem& system, const Options& options)
     : system_(system), options_(options) {}
+
+void Newton::restart(const Options& options) {
+  options_ = options;
+  work_ = {};
+  evaluated_ = false;
+}
 
 void Newton::evaluate(const VectorField& x, double& energy, VectorField& g) {
   const Stopwatch watch(work_.evaluate);
@@ -99,9 +106,22 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       hold_ = std::min(kMostHold, 10 * hold_);
     }
     wait_ = patience_;  // each failure in a row doubles the wait before the next try
-    patience_ = std::min(8, 2 * patience_);
+    patience_ = std::min(kMostPatience, 2 * patience_);
   } else {
     --wait_;
+  }
+  // Compressed cloth is about as stiff against buckling as its compression is strong: without the
+  // compression it would be far too stiff there, with half of it the matrix is mostly definite.
+  if (halved_wait_ == 0) {
+    assemble(x, HessianKind::halved);
+    if (attempt(0, false)) {
+      halved_patience_ = 1;
+      return true;
+    }
+    halved_wait_ = halved_patience_;
+    halved_patience_ = std::min(kMostPatience, 2 * halved_patience_);
+  } else {
+    --halved_wait_;
   }
   // The projected one; it may still be singular (cloth free to slide): add what it takes.
   assemble(x, HessianKind::definite);

@@ -27,6 +27,8 @@ class Newton {
   explicit Newton(const ParticleSystem& system) : Newton(system, Options{}) {}
   Newton(const ParticleSystem& system, const Options& options);
 
+  /// Counts work anew; the particles may have been moved and contacts changed.
+  void restart(const Options& options);
   /// One iteration. target = x̂, dt [s]; dt = ∞ leaves out the inertia term.
   Outcome iterate(VectorField& x, const VectorField& target, double dt);
   /// Energy::begin_step of all energies.
@@ -55,6 +57,7 @@ class Newton {
   bool exact_ = false;
   int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
   int patience_ = 1;
+  int halved_wait_ = 0, halved_patience_ = 1;  ///< the same of the halved one
   double hold_ = 100;  ///< [1/s²], see factorise
   bool evaluated_ = false;  ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
