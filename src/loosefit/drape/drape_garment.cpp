@@ -23,7 +23,7 @@ constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the 
 constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
-constexpr int kCutIterations = 15;  ///< at most, before each of these looks
+constexpr int kCutIterations = 15;     ///< at most, before each of these looks
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
 /// Pseudo-steps on the way to rest [s]: the first, and after contacts were changed near rest.
 constexpr double kFirstDt = 0.5, kStaticDt = 10;

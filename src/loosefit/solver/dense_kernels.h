@@ -40,6 +40,16 @@ inline void subtract_square(const float* b, int r, int p, int ld, float* c) {
   cblas_ssyrk(CblasColMajor, CblasLower, CblasNoTrans, r, p, -1, b, ld, 1, c, r);
 }
 
+/// c −= a bᵀ with a m × p, b n × p, c m × n with columns ld_c apart.
+inline void subtract_product(const double* a, int m, const double* b, int n, int p, int ld,
+                             double* c, int ld_c) {
+  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, m, n, p, -1, a, ld, b, ld, 1, c, ld_c);
+}
+inline void subtract_product(const float* a, int m, const float* b, int n, int p, int ld, float* c,
+                             int ld_c) {
+  cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, m, n, p, -1, a, ld, b, ld, 1, c, ld_c);
+}
+
 /// y ← L⁻¹ y.
 inline void solve_lower(const double* l, int p, int ld, double* y) {
   cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, p, l, ld, y, 1);

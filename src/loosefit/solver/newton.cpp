@@ -7,7 +7,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+constexpr double kStretch = 8;    ///< longest extension of a projected Newton step
 constexpr int kMostPatience = 8;  ///< iterations between two tries of a matrix that was indefinite
 /// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
 constexpr double kLeastHold = 1, kMostHold = 1e4;

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
+#include "loosefit/solver/newton_system.h"
 #include "loosefit/solver/particle_system.h"
 #include "loosefit/solver/solver_work.h"
-#include "loosefit/solver/newton_system.h"
 
 namespace loosefit {
 
@@ -58,8 +58,8 @@ class Newton {
   int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
   int patience_ = 1;
   int halved_wait_ = 0, halved_patience_ = 1;  ///< the same of the halved one
-  double hold_ = 100;  ///< [1/s²], see factorise
-  bool evaluated_ = false;  ///< energy_ and gradient_ are those of place_
+  double hold_ = 100;                          ///< [1/s²], see factorise
+  bool evaluated_ = false;                     ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;
 };

@@ -7,8 +7,9 @@
 #include <new>
 
 #include "loosefit/base/error.h"
-#include "loosefit/solver/fill_order.h"
 #include "loosefit/solver/dense_kernels.h"
+#include "loosefit/solver/eliminate_front.h"
+#include "loosefit/solver/fill_order.h"
 #include "loosefit/solver/front_tree.h"
 
 namespace loosefit {
@@ -109,9 +110,11 @@ void SparseCholesky<Real>::Work::add_entries(int front, Real* f) {
     }
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r)
-        at[std::size_t(c) * height + r] += static_cast<Real>(e.transposed ? block(c, r) : block(r, c));
+        at[std::size_t(c) * height + r] +=
+            static_cast<Real>(e.transposed ? block(c, r) : block(r, c));
     if (e.i == e.j)
-      for (int c = 0; c < 3; ++c) at[std::size_t(c) * height + c] += static_cast<Real>((*shift)[e.j]);
+      for (int c = 0; c < 3; ++c)
+        at[std::size_t(c) * height + c] += static_cast<Real>((*shift)[e.j]);
   }
 }
 
@@ -126,7 +129,7 @@ void SparseCholesky<Real>::Work::add_child(int child, Real* f, Buffer& border_of
     const int column = from.place[c];
     const bool eliminated = column < to.columns;
     Real* target = eliminated ? f + 3 * column * height
-                                : border_of_parent.get() + 3 * (column - to.columns) * below;
+                              : border_of_parent.get() + 3 * (column - to.columns) * below;
     const std::size_t step = eliminated ? height : below;
     const int less = eliminated ? 0 : to.columns;
     for (int k = 0; k < 3; ++k) {
@@ -152,13 +155,7 @@ void SparseCholesky<Real>::Work::eliminate(int index) {
   if (r > 0) border[index] = std::make_unique<Real[]>(std::size_t(r) * r);
   add_entries(index, f);
   for (int child : front.children) add_child(child, f, border[index]);
-  if (!dense::factorise(f, p, height)) {
-    definite = false;
-    return;
-  }
-  if (r == 0) return;
-  dense::divide_rows(f, p, f + p, r, height);
-  dense::subtract_square(f + p, r, p, height, border[index].get());
+  if (!eliminate_front(f, p, r, border[index].get())) definite = false;
 }
 
 template <class Real>
@@ -186,7 +183,7 @@ SparseCholesky<Real>::~SparseCholesky() = default;
 
 template <class Real>
 bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<double>& shift,
-                               const std::vector<char>& held) try {
+                                     const std::vector<char>& held) try {
   Work& w = *work_;
   if (w.tree.order.empty() || w.column_start != a.column_start() || w.rows != a.rows())
     w.analyse(a);
