@@ -6,6 +6,7 @@
 #include <random>
 
 #include "loosefit/drape/certify.h"
+#include "loosefit/drape/worn_detail.h"
 
 namespace loosefit {
 namespace {
@@ -78,14 +79,13 @@ void ClothRun::perturb() {
 void ClothRun::refine() {
   const auto& parents = garment_.parents[level_ + 1];
   const auto normal = vertex_normals(x_, level_garment().triangles);
-  std::vector<Vec3> fine(parents.size()), bulge(parents.size());
+  std::vector<Vec3> bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
     const Vec3 edge = x_[b] - x_[a];
-    fine[i] = 0.5 * (x_[a] + x_[b]);
     bulge[i] = (normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8;
   }
-  x_ = std::move(fine);
+  x_ = on_coarse_surface(parents, x_);
   ++level_;
   make_model();
   model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
@@ -93,9 +93,10 @@ void ClothRun::refine() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 
-Drape ClothRun::finish() {
+Drape ClothRun::finish(const std::string& reason) {
   Drape drape;
-  drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
+  drape.certificate =
+      certify(*model_, level_garment(), x_, *body_, reason.empty() ? last_.text() : reason);
   report_.contacts_body = model_->body().active(x_);
   report_.contacts_self = model_->self().active(x_);
   for (const ContactPoint& p : model_->body().points())

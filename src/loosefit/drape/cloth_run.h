@@ -1,7 +1,6 @@
 #pragma once
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,9 @@
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {
+
+/// Residual at which a level is handed to the finer one.
+inline constexpr double kCoarseTolerance = 1.0;
 
 /// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
 /// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
@@ -41,7 +43,8 @@ class ClothRun {
   /// Shifts and twists the garment on the trunk as the options ask.
   void displace();
   /// Takes the cloth along with the body from where it stands to body_at(1), in steps of at most
-  /// that turn of any skin [rad], each settled to a loose tolerance.
+  /// that turn of any skin [rad], each settled to a loose tolerance. Steps are halved where the
+  /// cloth would come to lie deep in the skin.
   void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
   void settle_levels();
   /// From anywhere near to the residual `fine`, with rounds that free cuts into the skin.
@@ -50,7 +53,12 @@ class ClothRun {
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
   void refine();
-  Drape finish();
+  /// The same on the way to another posture: instead of being smoothed, the finer level gets back
+  /// what set it apart from the coarser one in the worn state, as far as it meets nothing, and its
+  /// friction: what its contacts have slid on the moving skin since then.
+  void refine_as_worn();
+  /// `reason`: why it ended, when that is not how the last settling did.
+  Drape finish(const std::string& reason = "");
 
   const GarmentHierarchy& garment_;
   const Material& material_;
@@ -65,13 +73,13 @@ class ClothRun {
   SettleOutcome last_;
   SettleReport report_;
 
-  /// The state at the end of put_on.
+  /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
   struct Worn {
     std::vector<Vec3> x;
-    std::shared_ptr<const PosedBody> body;
     ClothMemory memory;
   };
-  std::optional<Worn> worn_;
+  std::vector<Worn> worn_;
+  std::shared_ptr<const PosedBody> worn_body_;
 };
 
 }  // namespace loosefit

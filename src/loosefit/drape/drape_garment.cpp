@@ -16,8 +16,7 @@ namespace {
 constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
 constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr double kCoarseTolerance = 1.0;  ///< residual before a level is handed to the finer one
-constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
+constexpr double kPoseTolerance = 0.5;  ///< residual between two steps of a posture path
 constexpr int kPoseIterations = 40;
 constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
 constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
@@ -37,7 +36,8 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
   settle_levels();
-  worn_ = Worn{x_, body_, model_->memory()};
+  worn_.push_back({x_, model_->memory()});
+  worn_body_ = body_;
   return finish();
 }
 
@@ -60,6 +60,7 @@ void ClothRun::dress(Body body) {
 void ClothRun::settle_levels() {
   while (!is_finest()) {
     settle(kCoarseTolerance, options_.max_iterations, 0.02);
+    worn_.push_back({x_, model_->memory()});
     refine();
   }
   settle_finest(options_.residual_tolerance);
