@@ -54,7 +54,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
                                                      std::to_string(garment_.levels.size()) +
                                                      ", residual " + std::to_string(residual));
-    return seconds() > options_.time_budget;
+    return over(iteration);
   };
   const long searches_before = model_->self().searches();
   last_ = make_integrator(kind, model_->system())->settle(x_, settle);

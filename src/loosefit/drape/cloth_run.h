@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,10 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// Time or iterations are used up.
+  bool over(int more_iterations = 0) const {
+    return seconds() > options_.time_budget || iterations_ + more_iterations > most_iterations_;
+  }
   const Garment& level_garment() const { return garment_.levels[level_]; }
   bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
 
@@ -66,7 +71,8 @@ class ClothRun {
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
   int level_ = 0, iterations_ = 0;
-  std::string part_ = "dress";  ///< of the run, for the report
+  int most_iterations_ = std::numeric_limits<int>::max();  ///< of iterations_
+  std::string part_ = "dress";                             ///< of the run, for the report
   std::vector<Vec3> x_;
   std::shared_ptr<const PosedBody> body_;
   std::unique_ptr<ClothModel> model_;
@@ -80,6 +86,7 @@ class ClothRun {
   };
   std::vector<Worn> worn_;
   std::shared_ptr<const PosedBody> worn_body_;
+  int worn_iterations_ = 0;  ///< that the finest level took
 };
 
 }  // namespace loosefit

@@ -38,6 +38,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   settle_levels();
   worn_.push_back({x_, model_->memory()});
   worn_body_ = body_;
+  worn_iterations_ = report_.parts.back().work.iterations;
   return finish();
 }
 
@@ -75,17 +76,17 @@ void ClothRun::settle_finest(double fine) {
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
     settle(std::max(tolerance, fine), options_.max_iterations, first_dt);
-    if (seconds() > options_.time_budget) return;
+    if (over()) return;
     hold_off(true);
   }
   // A round for the last digits, while there are still cuts, would be thrown away.
   const double rough = std::max(kCutTolerance, fine);
   for (int round = 0; round <= kCutRounds; ++round) {
     settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
-    if (seconds() > options_.time_budget) break;
+    if (over()) break;
     if (round < kCutRounds && hold_off(false)) continue;
     if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
-    if (seconds() > options_.time_budget || round == kCutRounds || !hold_off(false)) break;
+    if (over() || round == kCutRounds || !hold_off(false)) break;
   }
   report_.held_off_triangles = static_cast<int>(times_cut.size());
 }

@@ -12,14 +12,17 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.4;          ///< largest turn of any skin in one step of the way [rad]
-constexpr double kTolerance = 100;     ///< residual between two steps: no more than a way through
-constexpr int kIterations = 25;        ///< between two steps
-constexpr double kTooFar = 5;          ///< times the tolerance, beyond which a step is worked on
-constexpr int kPatience = 8;           ///< times as long
-constexpr double kTooDeep = 0.012;     ///< in the skin after a step, for which it is halved [m]
-constexpr int kHalvings = 3;           ///< at most
-constexpr double kCaught = 0.005;      ///< in the skin at rest on a coarse level: lost [m]
+constexpr double kStep = 0.4;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
+constexpr int kIterations = 25;     ///< between two steps
+constexpr double kTooFar = 5;       ///< times the tolerance, beyond which a step is worked on
+constexpr int kPatience = 8;        ///< times as long
+constexpr double kTooDeep = 0.012;  ///< in the skin after a step, for which it is halved [m]
+constexpr int kHalvings = 3;        ///< at most
+constexpr double kCaught = 0.005;   ///< in the skin at rest on a coarse level: lost [m]
+/// Iterations on the finest level after which a posture is given up: so many times those of putting
+/// on, and not before so many.
+constexpr int kFarMore = 3, kManyIterations = 500;
 constexpr double kRoughField = 0.010;  ///< spacing of the distance field on the way [m]
 /// Of the wanted residual: the certificate looks anew, when contacts may have come or gone.
 constexpr double kFine = 0.8;
@@ -62,6 +65,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   start_ = Clock::now();
   report_ = {};
   iterations_ = 0;
+  most_iterations_ = std::numeric_limits<int>::max();
   body_ = worn_body_;
   // The way is gone on the coarsest level, where an iteration costs a fraction.
   level_ = 0;
@@ -81,7 +85,11 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
   if (caught > kCaught) return finish(caught_text(caught));
   part_ = "settle";
+  const int most = std::max(kManyIterations, kFarMore * worn_iterations_);
+  most_iterations_ = iterations_ + most;
   settle_finest(kFine * options_.residual_tolerance);
+  if (iterations_ > most_iterations_)
+    return finish(fmt::format("given up after {} iterations on the finest level", most));
   return finish();
 }
 
