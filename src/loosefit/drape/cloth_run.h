@@ -14,6 +14,8 @@ namespace loosefit {
 
 /// Residual at which a level is handed to the finer one.
 inline constexpr double kCoarseTolerance = 1.0;
+/// First pseudo-step near rest [s].
+inline constexpr double kStaticDt = 10;
 
 /// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
 /// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
@@ -52,8 +54,8 @@ class ClothRun {
   /// cloth would come to lie deep in the skin.
   void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
   void settle_levels();
-  /// From anywhere near to the residual `fine`, with rounds that free cuts into the skin.
-  void settle_finest(double fine);
+  /// From anywhere near to the last digits, with rounds that free cuts into the skin.
+  void settle_finest();
   /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.

@@ -23,8 +23,7 @@ constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
-/// Pseudo-steps on the way to rest [s]: the first, and after contacts were changed near rest.
-constexpr double kFirstDt = 0.5, kStaticDt = 10;
+constexpr double kFirstDt = 0.5;       ///< first pseudo-step on the way to rest [s]
 
 }  // namespace
 
@@ -36,10 +35,11 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
   settle_levels();
+  Drape drape = finish();
   worn_.push_back({x_, model_->memory()});
   worn_body_ = body_;
   worn_iterations_ = report_.parts.back().work.iterations;
-  return finish();
+  return drape;
 }
 
 void ClothRun::dress(Body body) {
@@ -64,10 +64,10 @@ void ClothRun::settle_levels() {
     worn_.push_back({x_, model_->memory()});
     refine();
   }
-  settle_finest(options_.residual_tolerance);
+  settle_finest();
 }
 
-void ClothRun::settle_finest(double fine) {
+void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
   const auto hold_off = [&](bool look_ahead) {
@@ -75,12 +75,12 @@ void ClothRun::settle_finest(double fine) {
                          look_ahead, times_cut);
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    settle(std::max(tolerance, fine), options_.max_iterations, first_dt);
+    settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
     if (over()) return;
     hold_off(true);
   }
   // A round for the last digits, while there are still cuts, would be thrown away.
-  const double rough = std::max(kCutTolerance, fine);
+  const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
   for (int round = 0; round <= kCutRounds; ++round) {
     settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
     if (over()) break;

@@ -24,9 +24,7 @@ constexpr double kCaught = 0.005;   ///< in the skin at rest on a coarse level: 
 /// on, and not before so many.
 constexpr int kFarMore = 3, kManyIterations = 500;
 constexpr double kRoughField = 0.010;  ///< spacing of the distance field on the way [m]
-/// Of the wanted residual: the certificate looks anew, when contacts may have come or gone.
-constexpr double kFine = 0.8;
-constexpr int kDisplaceSteps = 4;  ///< in which the start is shifted and twisted
+constexpr int kDisplaceSteps = 4;      ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -87,7 +85,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   part_ = "settle";
   const int most = std::max(kManyIterations, kFarMore * worn_iterations_);
   most_iterations_ = iterations_ + most;
-  settle_finest(kFine * options_.residual_tolerance);
+  settle_finest();
   if (iterations_ > most_iterations_)
     return finish(fmt::format("given up after {} iterations on the finest level", most));
   return finish();
