@@ -13,6 +13,11 @@ REFERENCE_FIT = "fit = { chest = 0.10, hip = 0.08, sleeve = 0.15, wrist = 0.20 }
 # still ends in a figure.
 SHIRTS = {"20": 600, "14": 600, "10": 600, "7": 900, "5": 1800, "3.5": 3600}
 
+POSTURES = """[postures]
+list = ["standing", "arms-forward", "arms-overhead", "forward-bend-15", "forward-bend-30",
+        "forward-bend-45", "sitting", "slouch"]
+"""
+
 
 class Case:
     """One scenario. `cores`: processor cores it may use, None = all. `missing`: why it cannot run."""
@@ -23,7 +28,7 @@ class Case:
 
 
 def scenario(garment, body="woman", edge_mm=10.0, budget=600, posture='posture = "standing"',
-             material="paper-cotton", threads=0):
+             material="paper-cotton", threads=0, extra=""):
     b = BODIES[body]
     return f"""[body]
 sex = {b["sex"]}
@@ -39,7 +44,7 @@ name = "{material}"
 edge_length = {edge_mm / 1000:g}
 time_budget = {budget}
 threads = {threads}
-"""
+{extra}"""
 
 
 def all_fits(share):
@@ -69,6 +74,11 @@ def cases():
         # Dressed upright, then carried along to the posture of the maps.
         Case("posture-change", ["posture"], scenario(
             REFERENCE_FIT, posture='dress_posture = "standing"\nposture = "forward-bend"')),
+        # Worn in every named posture after the first drape, each followed from there.
+        Case("postures", ["posture"], scenario(
+            REFERENCE_FIT, edge_mm=14, posture="", extra=POSTURES)),
+        Case("postures-child", ["posture"], scenario(
+            'size = "child-142"', "child-slim", edge_mm=14, posture="", extra=POSTURES)),
         Case("two-layer", ["layers"],
              missing="a scenario holds one garment: two layers cannot be written down"),
     ]

@@ -93,8 +93,30 @@ def run_once(case, options, folder):
     if cut.get("flat") and cut["draped"] > 0.98 * chest:
         row["bgm_at_chest_level"] = cut["flat"] / chest - 1
     row["distance_median_mm"] = summary["maps"].get("distance_mm", {}).get("median")
+    if summary.get("states"):
+        row["postures"] = posture_costs(summary)
     row["versions"] = summary["versions"]
     return row
+
+
+def posture_costs(summary):
+    """Wall seconds of every posture change against those of the first drape, and of maps and scores
+    (stages maps and placement) against all drapes; iterations on the finest level alike."""
+    seconds, states = summary["seconds"], summary["states"]
+    first = seconds["dress"] + seconds["settle"]
+    finest = max(part["level"] for part in summary["settle"]["parts"])
+
+    def fine_iterations(parts):
+        return sum(part["iterations"] for part in parts if part["level"] == finest)
+    drapes = first + sum(state["seconds"] for state in states)
+    return {"first_drape_seconds": round(first, 2),
+            "first_drape_fine_iterations": fine_iterations(summary["settle"]["parts"]),
+            "maps_and_scores_share": round((seconds["maps"] + seconds["placement"]) / drapes, 4),
+            "changes": [{"posture": state["posture"], "counts": state["counts"],
+                         "stop_reason": state["stop_reason"],
+                         "share_of_first_drape": round(state["seconds"] / first, 3),
+                         "fine_iterations": fine_iterations(state.get("parts", []))}
+                        for state in states]}
 
 
 def median(values):
@@ -129,6 +151,20 @@ def print_row(name, entry):
     print(f"{name:22} {state:12} {runs[0]['vertices']:8d} {middle['wall_seconds']:8.1f} "
           f"{middle['cpu_seconds']:8.1f} {middle['peak_memory_mb']:8.0f} "
           f"{middle['iterations']:6.0f} {middle['residual']:9.1e} {cuts:5d}", flush=True)
+    print_postures(runs)
+
+
+def print_postures(runs):
+    costs = [run["postures"] for run in runs if "postures" in run]
+    for i, change in enumerate(costs[0]["changes"] if costs else []):
+        share = median([cost["changes"][i]["share_of_first_drape"] for cost in costs])
+        counts = all(cost["changes"][i]["counts"] for cost in costs)
+        print(f"  {change['posture']:20} {'counts' if counts else 'LEFT OUT':12} "
+              f"{100 * share:4.0f} % of the first drape" +
+              ("" if counts else f": {change['stop_reason']}"), flush=True)
+    if costs:
+        share = median([cost["maps_and_scores_share"] for cost in costs])
+        print(f"  maps and scores      {100 * share:17.1f} % of the drapes", flush=True)
 
 
 def machine():

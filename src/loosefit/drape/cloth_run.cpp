@@ -6,10 +6,12 @@
 #include <random>
 
 #include "loosefit/drape/certify.h"
+#include "loosefit/drape/worn_detail.h"
 
 namespace loosefit {
 namespace {
 
+constexpr int kNearer = 3;            ///< attempts to meet the certificate's residual
 constexpr double kCoarseLayer = 2.0;  ///< coarse levels keep layers this much farther apart
 
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
@@ -54,7 +56,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
                                                      std::to_string(garment_.levels.size()) +
                                                      ", residual " + std::to_string(residual));
-    return seconds() > options_.time_budget;
+    return over(iteration);
   };
   const long searches_before = model_->self().searches();
   if (!integrator_ || integrator_kind_ != kind) {
@@ -83,14 +85,13 @@ void ClothRun::perturb() {
 void ClothRun::refine() {
   const auto& parents = garment_.parents[level_ + 1];
   const auto normal = vertex_normals(x_, level_garment().triangles);
-  std::vector<Vec3> fine(parents.size()), bulge(parents.size());
+  std::vector<Vec3> bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
     const Vec3 edge = x_[b] - x_[a];
-    fine[i] = 0.5 * (x_[a] + x_[b]);
     bulge[i] = (normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8;
   }
-  x_ = std::move(fine);
+  x_ = on_coarse_surface(parents, x_);
   ++level_;
   make_model();
   model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
@@ -98,9 +99,21 @@ void ClothRun::refine() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 
-Drape ClothRun::finish() {
+Drape ClothRun::finish(const std::string& reason) {
   Drape drape;
-  drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
+  const auto look = [&] {
+    drape.certificate =
+        certify(*model_, level_garment(), x_, *body_, reason.empty() ? last_.text() : reason);
+  };
+  look();
+  // It looks anew, when contacts may have come or gone: then a little nearer to rest.
+  double nearer = 0.8 * options_.residual_tolerance;
+  for (int k = 0; k < kNearer && last_.reason == SettleOutcome::Reason::converged &&
+                  reason.empty() && drape.certificate.residual > options_.residual_tolerance;
+       ++k, nearer /= 2) {
+    settle(nearer, options_.max_iterations, kStaticDt);
+    look();
+  }
   report_.contacts_body = model_->body().active(x_);
   report_.contacts_self = model_->self().active(x_);
   for (const ContactPoint& p : model_->body().points())

@@ -1,7 +1,7 @@
 #pragma once
 #include <chrono>
+#include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +11,11 @@
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {
+
+/// Residual at which a level is handed to the finer one.
+inline constexpr double kCoarseTolerance = 1.0;
+/// First pseudo-step near rest [s].
+inline constexpr double kStaticDt = 10;
 
 /// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
 /// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
@@ -29,6 +34,10 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// Time or iterations are used up.
+  bool over(int more_iterations = 0) const {
+    return seconds() > options_.time_budget || iterations_ + more_iterations > most_iterations_;
+  }
   const Garment& level_garment() const { return garment_.levels[level_]; }
   bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
 
@@ -41,16 +50,22 @@ class ClothRun {
   /// Shifts and twists the garment on the trunk as the options ask.
   void displace();
   /// Takes the cloth along with the body from where it stands to body_at(1), in steps of at most
-  /// that turn of any skin [rad], each settled to a loose tolerance.
+  /// that turn of any skin [rad], each settled to a loose tolerance. Steps are halved where the
+  /// cloth would come to lie deep in the skin.
   void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
   void settle_levels();
-  /// From anywhere near to the residual `fine`, with rounds that free cuts into the skin.
-  void settle_finest(double fine);
+  /// From anywhere near to the last digits, with rounds that free cuts into the skin.
+  void settle_finest();
   /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
   void refine();
-  Drape finish();
+  /// The same on the way to another posture: instead of being smoothed, the finer level gets back
+  /// what set it apart from the coarser one in the worn state, as far as it meets nothing, and its
+  /// friction: what its contacts have slid on the moving skin since then.
+  void refine_as_worn();
+  /// `reason`: why it ended, when that is not how the last settling did.
+  Drape finish(const std::string& reason = "");
 
   const GarmentHierarchy& garment_;
   const Material& material_;
@@ -58,7 +73,8 @@ class ClothRun {
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
   int level_ = 0, iterations_ = 0;
-  std::string part_ = "dress";  ///< of the run, for the report
+  int most_iterations_ = std::numeric_limits<int>::max();  ///< of iterations_
+  std::string part_ = "dress";                             ///< of the run, for the report
   std::vector<Vec3> x_;
   std::shared_ptr<const PosedBody> body_;
   std::unique_ptr<ClothModel> model_;
@@ -67,13 +83,14 @@ class ClothRun {
   SettleOutcome last_;
   SettleReport report_;
 
-  /// The state at the end of put_on.
+  /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
   struct Worn {
     std::vector<Vec3> x;
-    std::shared_ptr<const PosedBody> body;
     ClothMemory memory;
   };
-  std::optional<Worn> worn_;
+  std::vector<Worn> worn_;
+  std::shared_ptr<const PosedBody> worn_body_;
+  int worn_iterations_ = 0;  ///< that the finest level took
 };
 
 }  // namespace loosefit

@@ -16,8 +16,7 @@ namespace {
 constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
 constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr double kCoarseTolerance = 1.0;  ///< residual before a level is handed to the finer one
-constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
+constexpr double kPoseTolerance = 0.5;  ///< residual between two steps of a posture path
 constexpr int kPoseIterations = 40;
 constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
 constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
@@ -25,8 +24,7 @@ constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr int kCutIterations = 15;     ///< at most, before each of these looks
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
-/// Pseudo-steps on the way to rest [s]: the first, and after contacts were changed near rest.
-constexpr double kFirstDt = 0.5, kStaticDt = 10;
+constexpr double kFirstDt = 0.5;       ///< first pseudo-step on the way to rest [s]
 
 }  // namespace
 
@@ -38,8 +36,11 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
   settle_levels();
-  worn_ = Worn{x_, body_, model_->memory()};
-  return finish();
+  Drape drape = finish();
+  worn_.push_back({x_, model_->memory()});
+  worn_body_ = body_;
+  worn_iterations_ = report_.parts.back().work.iterations;
+  return drape;
 }
 
 void ClothRun::dress(Body body) {
@@ -61,12 +62,13 @@ void ClothRun::dress(Body body) {
 void ClothRun::settle_levels() {
   while (!is_finest()) {
     settle(kCoarseTolerance, options_.max_iterations, 0.02);
+    worn_.push_back({x_, model_->memory()});
     refine();
   }
-  settle_finest(options_.residual_tolerance);
+  settle_finest();
 }
 
-void ClothRun::settle_finest(double fine) {
+void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
   const auto hold_off = [&](bool look_ahead) {
@@ -74,18 +76,19 @@ void ClothRun::settle_finest(double fine) {
                          look_ahead, times_cut);
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    settle(std::max(tolerance, fine), std::min(kCutIterations, options_.max_iterations), first_dt);
-    if (seconds() > options_.time_budget) return;
+    settle(std::max(tolerance, options_.residual_tolerance),
+           std::min(kCutIterations, options_.max_iterations), first_dt);
+    if (over()) return;
     hold_off(true);
   }
   // A round for the last digits, while there are still cuts, would be thrown away.
-  const double rough = std::max(kCutTolerance, fine);
+  const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
   for (int round = 0; round <= kCutRounds; ++round) {
     settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
-    if (seconds() > options_.time_budget) break;
+    if (over()) break;
     if (round < kCutRounds && hold_off(false)) continue;
     if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
-    if (seconds() > options_.time_budget || round == kCutRounds || !hold_off(false)) break;
+    if (over() || round == kCutRounds || !hold_off(false)) break;
   }
   report_.held_off_triangles = static_cast<int>(times_cut.size());
 }

@@ -1,21 +1,30 @@
+#include <fmt/format.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "loosefit/drape/cloth_run.h"
 #include "loosefit/drape/impact_zones.h"
+#include "loosefit/drape/worn_detail.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.2;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kStep = 0.4;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
 constexpr double kTooFar = 5;       ///< times the tolerance, beyond which a step is worked on
 constexpr int kPatience = 8;        ///< times as long
-/// Of the wanted residual: the certificate looks anew, when contacts may have come or gone.
-constexpr double kFine = 0.8;
-constexpr int kDisplaceSteps = 4;  ///< in which the start is shifted and twisted
+constexpr double kTooDeep = 0.012;  ///< in the skin after a step, for which it is halved [m]
+constexpr int kHalvings = 3;        ///< at most
+constexpr double kCaught = 0.005;   ///< in the skin at rest on a coarse level: lost [m]
+/// Iterations on the finest level after which a posture is given up: so many times those of putting
+/// on, and not before so many.
+constexpr int kFarMore = 3, kManyIterations = 500;
+constexpr double kRoughField = 0.010;  ///< spacing of the distance field on the way [m]
+constexpr int kDisplaceSteps = 4;      ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -31,40 +40,100 @@ double largest_turn(const Body& from, const Body& to) {
   return turn;
 }
 
+/// How deep the deepest point lies in the skin [m].
+double depth(const std::vector<Vec3>& x, const PosedBody& body) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, x.size()), 0.0,
+      [&](const auto& range, double deepest) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          deepest = std::max(deepest, -body.tree->signed_distance(x[i]));
+        return deepest;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+std::string caught_text(double depth) {
+  return fmt::format("given up: the cloth is caught {:.0f} mm deep in a fold of the skin",
+                     1e3 * depth);
+}
+
 }  // namespace
 
 Drape ClothRun::follow(const BodyPath& body_at) {
   start_ = Clock::now();
   report_ = {};
   iterations_ = 0;
-  x_ = worn_->x;
-  body_ = worn_->body;
-  model_->recall(worn_->memory);
+  most_iterations_ = std::numeric_limits<int>::max();
+  body_ = worn_body_;
+  // The way is gone on the coarsest level, where an iteration costs a fraction.
+  level_ = 0;
+  if (largest_turn(body_->body, body_at(1.0)) < kNoTurn)
+    level_ = static_cast<int>(worn_.size()) - 1;
+  x_ = worn_[level_].x;
+  make_model();
+  model_->recall(worn_[level_].memory);
   part_ = "posture";
   walk(body_at, kStep, kTolerance, kIterations);
+  double caught = 0;
+  while (!is_finest()) {
+    settle(kCoarseTolerance, kPatience * kIterations, 0.02);
+    caught = std::max(caught, depth(x_, *body_));
+    refine_as_worn();
+  }
+  // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
+  if (caught > kCaught) return finish(caught_text(caught));
   part_ = "settle";
-  settle_finest(kFine * options_.residual_tolerance);
+  const int most = std::max(kManyIterations, kFarMore * worn_iterations_);
+  most_iterations_ = iterations_ + most;
+  settle_finest();
+  if (iterations_ > most_iterations_)
+    return finish(fmt::format("given up after {} iterations on the finest level", most));
   return finish();
+}
+
+void ClothRun::refine_as_worn() {
+  const auto& parents = garment_.parents[level_ + 1];
+  const std::vector<Vec3> before = on_coarse_surface(parents, worn_[level_].x);
+  const Worn& worn = worn_[++level_];
+  x_ = on_coarse_surface(parents, x_);
+  make_model();
+  const std::vector<Vec3> detail =
+      without_impacts(model_->self().candidates().features(), x_,
+                      turned_detail(level_garment().triangles, before, worn.x, x_));
+  const double allowed = model_->self().begin_search(x_, detail);
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * detail[i];
+  model_->recall(worn.memory);
+  model_->body().set_field(body_->field);
+  model_->body().carry_anchors(way_of(skin_motion(*worn_body_, body_->body, worn.x), worn.x));
 }
 
 void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
-  const int steps = static_cast<int>(std::ceil(turn / step));
-  for (int k = 1; k <= steps; ++k) {
-    if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
-    std::shared_ptr<const PosedBody> next =
-        pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
+  double share = 1 / std::ceil(turn / step);
+  double least = std::ldexp(share, -kHalvings);
+  for (double gone = 0; gone < 1;) {
+    if (seconds() > options_.time_budget) share = least = 1;  // end on the wanted body
+    const double to = gone + 1.01 * share < 1 ? gone + share : 1;
+    std::shared_ptr<PosedBody> next = pose_for_queries(body_at(to));
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_,
                         way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    model_->body().carry_anchors(way_of(motion, x_));
     const double allowed = model_->self().begin_search(x_, carried);
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
+    std::vector<Vec3> there = x_;
+    for (std::size_t i = 0; i < x_.size(); ++i) there[i] += allowed * carried[i];
+    if (share > 1.5 * least && depth(there, *next) > kTooDeep) {
+      share /= 2;
+      continue;
+    }
+    add_field(*next, bounds(there), to < 1 ? kRoughField : kFieldSpacing);
+    model_->body().carry_anchors(way_of(motion, x_));
+    x_ = std::move(there);
     body_ = std::move(next);
     model_->body().set_field(body_->field);
+    gone = to;
     settle(tolerance, iterations, 0.02, true);
     // Pressed deep into the skin it would be pulled through it on the next step.
     if (last_.residual > kTooFar * tolerance)

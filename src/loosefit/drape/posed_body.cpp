@@ -25,13 +25,22 @@ Box3 bounds(const std::vector<Vec3>& x) {
   return box;
 }
 
-std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {
+std::unique_ptr<PosedBody> pose_for_queries(Body body) {
   auto posed = std::make_unique<PosedBody>();
   posed->body = std::move(body);
   posed->tree = std::make_unique<ClosestPointTree>(posed->body.surface);
+  return posed;
+}
+
+void add_field(PosedBody& posed, const Box3& cloth, double spacing) {
   const Vec3 margin = Vec3::Constant(kMargin);
-  posed->field = std::make_shared<DistanceField>(
-      *posed->tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing);
+  posed.field = std::make_shared<DistanceField>(
+      *posed.tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing);
+}
+
+std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {
+  auto posed = pose_for_queries(std::move(body));
+  add_field(*posed, cloth, spacing);
   return posed;
 }
 

@@ -13,7 +13,10 @@ struct PosedBody {
   std::shared_ptr<const DistanceField> field;
 };
 
-/// reach: box round the cloth; the field covers it with a margin for motion.
+/// A posed body without its field.
+std::unique_ptr<PosedBody> pose_for_queries(Body body);
+/// cloth: box round the cloth; the field covers it with a margin for motion.
+void add_field(PosedBody& posed, const Box3& cloth, double spacing);
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing);
 
 /// A rigid or nearly rigid motion: x → M x.

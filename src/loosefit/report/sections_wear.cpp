@@ -39,10 +39,11 @@ std::string wear_section(const CaseResult& result) {
     table.add(cells);
   }
   std::string html = element("h2", "Postures and donnings");
-  html += element("p",
-                  "The garment was put on, then followed the body with friction from the first "
-                  "posture to each other one. Slip is that of the cloth on the skin since then. A "
-                  "drape that is not settled counts nowhere.");
+  html += element(
+      "p",
+      "The garment was put on, then followed the body with friction from the first "
+      "posture to each other one. Slip is that of the cloth on the skin since then. A "
+      "drape that is not settled, or in which a limb has left its opening, counts nowhere.");
   html += table.html();
   if (wear.donnings.size() > 1) {
     Table how(
