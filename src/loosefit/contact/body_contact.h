@@ -78,6 +78,9 @@ class BodyContact : public Energy {
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
+  /// The part of add_gradient that is friction.
+  void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
+
   int active(const VectorField& x) const;
   /// f_i += Σ weight · A p ‖∇d‖ over the contact points: magnitudes of the normal force, friction
   /// left out, shared among the particles [N]. Their sum is the total normal force exactly.

@@ -62,6 +62,25 @@ ClothModel::ClothModel(const Garment& garment, const Material& material,
   system_.gravity = options.gravity;
 }
 
+ClothModel::Forces ClothModel::forces(const VectorField& x) const {
+  Forces forces;
+  for (VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
+  auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
+  membrane_->add_gradient(x, membrane);
+  bending_->add_gradient(x, bending);
+  gravity_->add_gradient(x, gravity);
+  body_->add_gradient(x, body);
+  self_->add_gradient(x, self);
+  body_->add_friction(x, body_friction);
+  self_->add_friction(x, self_friction);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    body[i] -= body_friction[i];
+    self[i] -= self_friction[i];
+    for (VectorField& f : forces) f[i] = -f[i];
+  }
+  return forces;
+}
+
 void ClothModel::recall(const ClothMemory& memory) {
   *body_ = memory.body;
   *self_ = memory.self;

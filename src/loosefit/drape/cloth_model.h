@@ -5,6 +5,7 @@
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/gravity_energy.h"
@@ -34,6 +35,10 @@ class ClothModel {
   BodyContact& body() { return *body_; }
   SelfContact& self() { return *self_; }
   const BodyContact& body() const { return *body_; }
+
+  /// Forces on every particle [N], by kind in the order of kForceNames.
+  using Forces = std::array<VectorField, kForceNames.size()>;
+  Forces forces(const VectorField& x) const;
 
   ClothMemory memory() const { return {*body_, *self_, bending_->memory()}; }
   /// Takes up what this model remembered earlier.

@@ -6,11 +6,13 @@
 #include <random>
 
 #include "loosefit/drape/certify.h"
+#include "loosefit/drape/explain_unsettled.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kCoarseLayer = 2.0;  ///< coarse levels keep layers this much farther apart
+constexpr double kWorthKeeping = 0.7;  ///< fall of the residual that makes a state worth keeping
+constexpr double kCoarseLayer = 2.0;   ///< coarse levels keep layers this much farther apart
 
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
   switch (kind) {
@@ -22,6 +24,13 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleS
       break;
   }
   return make_quasi_static(system);
+}
+
+/// Without cuts before with cuts, then by the residual.
+bool better(const Certificate& a, const Certificate& b) {
+  const bool a_cuts = a.intersections_body + a.intersections_self > 0;
+  const bool b_cuts = b.intersections_body + b.intersections_self > 0;
+  return a_cuts == b_cuts ? a.residual < b.residual : b_cuts;
 }
 
 }  // namespace
@@ -53,7 +62,9 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
                                                      std::to_string(garment_.levels.size()) +
                                                      ", residual " + std::to_string(residual));
-    return seconds() > options_.time_budget;
+    if (is_finest() && !preparing && (!lowest_ || residual < kWorthKeeping * lowest_->residual))
+      keep(lowest_, residual);
+    return is_late();
   };
   const long searches_before = model_->self().searches();
   last_ = make_integrator(kind, model_->system())->settle(x_, settle);
@@ -64,6 +75,10 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   iterations_ += last_.work.iterations;
   report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
   return last_.reason == SettleOutcome::Reason::converged;
+}
+
+void ClothRun::keep(std::optional<Kept>& kept, double residual) {
+  kept.emplace(Kept{x_, model_->memory(), residual});
 }
 
 void ClothRun::perturb() {
@@ -94,8 +109,30 @@ void ClothRun::refine() {
 }
 
 Drape ClothRun::finish() {
+  // A loose tolerance may have been met when the time was up: that is not why it stopped.
+  const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
+  const std::string reason = cut_short ? "time budget" : last_.text();
+  const auto certified = [&] { return certify(*model_, level_garment(), x_, *body_, reason); };
+  const auto take = [&](const Kept& kept) {
+    x_ = kept.x;
+    model_->recall(kept.memory);
+    return certified();
+  };
   Drape drape;
-  drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
+  drape.certificate = certified();
+  if (!drape.certificate.settled()) {
+    const Kept now{x_, model_->memory(), drape.certificate.residual};
+    const Kept* best = &now;
+    for (const auto* other : {&lowest_, &clear_}) {
+      if (!other->has_value()) continue;
+      const Certificate c = take(**other);
+      if (!better(c, drape.certificate)) continue;
+      drape.certificate = c;
+      best = &**other;
+    }
+    drape.certificate = take(*best);
+    drape.unsettled = explain_unsettled(*model_, level_garment(), x_, *body_, drape.certificate);
+  }
   report_.contacts_body = model_->body().active(x_);
   report_.contacts_self = model_->self().active(x_);
   for (const ContactPoint& p : model_->body().points())

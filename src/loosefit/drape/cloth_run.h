@@ -50,7 +50,9 @@ class ClothRun {
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
   void refine();
+  /// Certifies the cloth as it is or, where that is not settled, as it was at its best.
   Drape finish();
+  bool is_late() const { return seconds() > options_.time_budget; }
 
   const GarmentHierarchy& garment_;
   const Material& material_;
@@ -64,6 +66,16 @@ class ClothRun {
   std::unique_ptr<ClothModel> model_;
   SettleOutcome last_;
   SettleReport report_;
+
+  /// A state of the finest level on the last body, to come back to.
+  struct Kept {
+    std::vector<Vec3> x;
+    ClothMemory memory;
+    double residual;
+  };
+  void keep(std::optional<Kept>& kept, double residual);
+  std::optional<Kept> lowest_;  ///< that of the lowest residual, cuts or not
+  std::optional<Kept> clear_;   ///< that of the lowest residual among those found free of cuts
 
   /// The state at the end of put_on.
   struct Worn {

@@ -50,16 +50,16 @@ void ClothRun::dress(Body body) {
   // that it comes to lie on the limbs and is not pulled through them.
   for (double share : {0.01, 0.1}) {
     make_model(share, false);
-    settle(kContractTolerance, kContractIterations, 0.01, true);
+    if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
   }
   make_model();
-  displace();
-  settle(kDressTolerance, options_.max_iterations, 0.01, true);
+  if (!is_late()) displace();
+  if (!is_late()) settle(kDressTolerance, options_.max_iterations, 0.01, true);
 }
 
 void ClothRun::settle_levels() {
   while (!is_finest()) {
-    settle(kCoarseTolerance, options_.max_iterations, 0.02);
+    if (!is_late()) settle(kCoarseTolerance, options_.max_iterations, 0.02);
     refine();
   }
   settle_finest();
@@ -68,23 +68,29 @@ void ClothRun::settle_levels() {
 void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
+  lowest_.reset(), clear_.reset();
   const auto hold_off = [&](bool look_ahead) {
-    return hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                         look_ahead, times_cut);
+    const bool low = !clear_ || last_.residual < clear_->residual;
+    std::optional<Kept> here;
+    if (low) keep(here, last_.residual);
+    const bool cuts = hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
+                                    look_ahead, times_cut);
+    if (low && !cuts) clear_ = std::move(here);
+    return cuts;
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
     settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
-    if (seconds() > options_.time_budget) return;
+    if (is_late()) return;
     hold_off(true);
   }
   // A round for the last digits, while there are still cuts, would be thrown away.
   const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
   for (int round = 0; round <= kCutRounds; ++round) {
     settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
-    if (seconds() > options_.time_budget) break;
+    if (is_late()) break;
     if (round < kCutRounds && hold_off(false)) continue;
     if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
-    if (seconds() > options_.time_budget || round == kCutRounds || !hold_off(false)) break;
+    if (is_late() || round == kCutRounds || !hold_off(false)) break;
   }
   report_.held_off_triangles = static_cast<int>(times_cut.size());
 }

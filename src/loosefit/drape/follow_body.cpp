@@ -48,7 +48,7 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
   if (turn < kNoTurn) return;
   const int steps = static_cast<int>(std::ceil(turn / step));
   for (int k = 1; k <= steps; ++k) {
-    if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
+    if (is_late()) k = steps;  // end on the wanted body, settled or not
     std::shared_ptr<const PosedBody> next =
         pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
@@ -61,7 +61,7 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
     body_ = std::move(next);
     model_->body().set_field(body_->field);
-    settle(tolerance, iterations, 0.02, true);
+    if (!is_late()) settle(tolerance, iterations, 0.02, true);
   }
 }
 
@@ -78,7 +78,7 @@ void ClothRun::displace() {
     if (on_trunk[i]) centre += x_[i], ++count;
   }
   centre /= std::max(count, 1);
-  for (int k = 0; k < kDisplaceSteps; ++k) {
+  for (int k = 0; k < kDisplaceSteps && !is_late(); ++k) {
     const Mat3 turn =
         Eigen::AngleAxisd(options_.start_twist / kDisplaceSteps, Vec3::UnitZ()).toRotationMatrix();
     std::vector<MotionMap> maps(x_.size());
