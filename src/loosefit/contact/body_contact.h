@@ -67,6 +67,11 @@ class BodyContact : public Energy {
     forget_touches();
     return points_;
   }
+  /// The layer of every point: rest distance [m] and stiffness [Pa/m]. Anchors of friction stay.
+  void set_layer(double offset, double stiffness) {
+    for (ContactPoint& p : change_points()) p.offset = offset;
+    stiffness_ = stiffness;
+  }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 

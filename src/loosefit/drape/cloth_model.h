@@ -40,6 +40,10 @@ class ClothModel {
   using Forces = std::array<VectorField, kForceNames.size()>;
   Forces forces(const VectorField& x) const;
 
+  /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
+  /// thicker than half the fabric; 0: by the fabric itself.
+  void pad_body(double thickness);
+
   ClothMemory memory() const { return {*body_, *self_, bending_->memory()}; }
   /// Takes up what this model remembered earlier.
   void recall(const ClothMemory& memory);
@@ -50,6 +54,7 @@ class ClothModel {
   std::unique_ptr<GravityEnergy> gravity_;
   std::unique_ptr<BodyContact> body_;
   std::unique_ptr<SelfContact> self_;
+  double half_thickness_, layer_stiffness_;
   ParticleSystem system_;
 };
 

@@ -43,6 +43,10 @@ class ClothRun {
   /// Takes the cloth along with the body from where it stands to body_at(1), in steps of at most
   /// that turn of any skin [rad], each settled to a loose tolerance.
   void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
+  /// Puts the cloth on the body, one step of the way farther, carried along as far as it meets none
+  /// of itself. With `whole` nothing is done unless that is all the way; returns whether it was
+  /// done.
+  bool step_to(Body body, bool whole);
   void settle_levels();
   /// From anywhere near to the last digits, with rounds that free cuts into the skin.
   void settle_finest();

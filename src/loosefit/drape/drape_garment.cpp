@@ -20,7 +20,11 @@ constexpr double kCoarseTolerance = 1.0;  ///< residual before a level is handed
 constexpr double kPoseTolerance = 0.5;    ///< residual between two steps of a posture path
 constexpr int kPoseIterations = 40;
 constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
-constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
+/// Thickness of the soft layer between body and cloth until it stands in its posture [m]: contacts
+/// then come one after another over millimetres of way and not all within the last tenth of one, so
+/// Newton's steps stay whole, and nothing is pulled through the skin.
+constexpr double kPad = 0.005;
+constexpr int kCutRounds = 8;  ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
@@ -36,6 +40,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   part_ = "posture";
   walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
+  model_->pad_body(0);
   settle_levels();
   worn_ = Worn{x_, body_, model_->memory()};
   return finish();
@@ -50,9 +55,11 @@ void ClothRun::dress(Body body) {
   // that it comes to lie on the limbs and is not pulled through them.
   for (double share : {0.01, 0.1}) {
     make_model(share, false);
+    model_->pad_body(kPad);
     if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
   }
   make_model();
+  model_->pad_body(kPad);
   if (!is_late()) displace();
   if (!is_late()) settle(kDressTolerance, options_.max_iterations, 0.01, true);
 }

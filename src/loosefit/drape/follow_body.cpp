@@ -11,6 +11,10 @@ namespace {
 constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
+constexpr double kWhole = 0.999;    ///< share of its way that the cloth has to go along a step
+constexpr int kShortest = 16;       ///< a step may be so many times shorter than usual
+constexpr double kBehind = 100;     ///< residual after a step that takes more iterations
+constexpr int kCatchUp = 4;         ///< times more of them
 constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
@@ -43,25 +47,42 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   return finish();
 }
 
+bool ClothRun::step_to(Body body, bool whole) {
+  std::shared_ptr<const PosedBody> next =
+      pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
+  const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
+  const std::vector<Vec3> carried =
+      without_impacts(model_->self().candidates().features(), x_,
+                      way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
+  model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+  const double allowed = model_->self().begin_search(x_, carried);
+  // A body that goes where the cloth cannot follow would pass through it.
+  if (whole && allowed < kWhole) return false;
+  model_->body().carry_anchors(way_of(motion, x_));
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
+  body_ = std::move(next);
+  model_->body().set_field(body_->field);
+  return true;
+}
+
 void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
-  const int steps = static_cast<int>(std::ceil(turn / step));
-  for (int k = 1; k <= steps; ++k) {
-    if (is_late()) k = steps;  // end on the wanted body, settled or not
-    std::shared_ptr<const PosedBody> next =
-        pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
-    const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
-    const std::vector<Vec3> carried =
-        without_impacts(model_->self().candidates().features(), x_,
-                        way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
-    model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    model_->body().carry_anchors(way_of(motion, x_));
-    const double allowed = model_->self().begin_search(x_, carried);
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
-    body_ = std::move(next);
-    model_->body().set_field(body_->field);
-    if (!is_late()) settle(tolerance, iterations, 0.02, true);
+  const double usual = 1 / std::ceil(turn / step), least = usual / kShortest;
+  double length = usual;
+  for (double share = 0; share < 1;) {
+    if (is_late()) length = 1;  // end on the wanted body, settled or not
+    const double next = share + length > 1 - 0.5 * least ? 1 : share + length;
+    if (!step_to(body_at(next), length > least && !is_late())) {
+      length *= 0.5;
+      continue;
+    }
+    share = next;
+    length = std::min(usual, 2 * length);
+    if (is_late()) continue;
+    settle(tolerance, iterations, 0.02, true);
+    // What is far from balance falls behind more with every step.
+    if (last_.residual > kBehind) settle(kBehind, kCatchUp * iterations, 0.02, true);
   }
 }
 
