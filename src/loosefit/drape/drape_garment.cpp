@@ -48,7 +48,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
 
 void ClothRun::dress(Body body) {
   x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
-                                 : dress_as_placed(level_garment(), garment_.pattern);
+                                 : dress_as_placed(level_garment(), garment_.pattern, body.surface);
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
