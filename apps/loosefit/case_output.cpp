@@ -85,6 +85,8 @@ void print_result(const CaseResult& result, const std::string& folder) {
              certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
              certificate.intersections_body, certificate.intersections_self,
              certificate.stop_reason);
+  if (const auto& unsettled = result.drape.unsettled)
+    fmt::print("because {}\nhint: {}\n", unsettled->why, unsettled->hint);
   for (const auto& [level, mobility] : result.pattern.fit)
     fmt::print("fit {:8} {:+.3f}\n", level, mobility);
   if (!result.maps.maps.empty())

@@ -116,6 +116,23 @@ TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   EXPECT_EQ(html.find("Sensor sites"), std::string::npos);
 }
 
+TEST_F(Report, UnsettledDrapeSaysWhy) {
+  EXPECT_EQ(report_html(result_, {}).find("Why it did not settle"), std::string::npos);
+  result_.drape.certificate.residual = 0.2;
+  Unsettled u;
+  u.why = "6 triangles cut the body: front the torso (6)";
+  u.hint = "more <room>";
+  u.worst.push_back({.vertex = 4711, .panel = "sleeve", .near = "left forearm", .net = 0.25});
+  u.worst[0].force[3] = 1.75;
+  u.cuts.push_back({.triangle = 815, .panel = "front", .with = "torso", .body = true});
+  result_.drape.unsettled = u;
+  const std::string html = report_html(result_, {});
+  for (const char* text :
+       {"Why it did not settle", u.why.c_str(), "more &lt;room&gt;", "4711", "left forearm",
+        "<td>0.25</td>", "<td>1.8</td>", "815", "the body: torso", "friction on the body [N]"})
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+}
+
 TEST_F(Report, UnsettledMapsCarryAWarning) {
   result_.drape.certificate.intersections_self = 2;
   const std::string html = report_html(result_, {});

@@ -105,6 +105,28 @@ TEST(Summary, UnsettledWithoutMapsIsSealed) {
   const auto json = nlohmann::json::parse(summary_json(result));
   EXPECT_EQ(json["settled"], false);
   EXPECT_EQ(json["sealed"], true);
+  EXPECT_FALSE(json["settle"].contains("unsettled"));
+}
+
+TEST(Summary, SaysWhyItIsUnsettled) {
+  CaseResult result = small_result();
+  Unsettled u;
+  u.why = "for a reason";
+  u.worst.push_back({.vertex = 7, .panel = "front", .at = {0.1, 0.2}, .near = "torso", .net = 2});
+  u.worst[0].force[3] = 3.5;
+  u.cuts.push_back({.triangle = 9, .panel = "back", .with = "right upper arm", .body = true});
+  result.drape.unsettled = u;
+  const auto json = nlohmann::json::parse(summary_json(result))["settle"]["unsettled"];
+  EXPECT_EQ(json["why"], "for a reason");
+  EXPECT_EQ(json["worst"][0]["vertex"], 7);
+  EXPECT_EQ(json["worst"][0]["v_m"], 0.2);
+  EXPECT_EQ(json["worst"][0]["near"], "torso");
+  EXPECT_EQ(json["worst"][0]["net_N"], 2);
+  EXPECT_EQ(json["worst"][0]["force_N"]["body contact"], 3.5);
+  EXPECT_EQ(json["worst"][0]["force_N"]["gravity"], 0);
+  EXPECT_EQ(json["cuts"][0]["triangle"], 9);
+  EXPECT_EQ(json["cuts"][0]["cuts"], "body");
+  EXPECT_EQ(json["cuts"][0]["with"], "right upper arm");
 }
 
 TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {

@@ -49,9 +49,11 @@ ClothModel::ClothModel(const Garment& garment, const Material& material,
                                              garment.triangle_built_in);
   gravity_ = std::make_unique<GravityEnergy>(garment.vertex_mass, options.gravity);
   const auto area = flat_areas(garment);
+  half_thickness_ = 0.5 * m.thickness;
+  layer_stiffness_ = layer_stiffness(m);
   body_ = std::make_unique<BodyContact>(
-      contact_points(garment.triangles, area, garment.vertex_count, 0.5 * m.thickness),
-      layer_stiffness(m), m.friction_body, kStickReach);
+      contact_points(garment.triangles, area, garment.vertex_count, half_thickness_),
+      layer_stiffness_, m.friction_body, kStickReach);
   SelfContact::Options contact;
   contact.thickness = self_thickness;
   contact.friction = m.friction_self;
@@ -60,6 +62,30 @@ ClothModel::ClothModel(const Garment& garment, const Material& material,
   system_.energies = {membrane_.get(), bending_.get(), gravity_.get(), body_.get(), self_.get()};
   system_.mass = garment.vertex_mass;
   system_.gravity = options.gravity;
+}
+
+void ClothModel::pad_body(double thickness) {
+  const double offset = std::max(thickness, half_thickness_);
+  body_->set_layer(offset, layer_stiffness_ * half_thickness_ / offset);
+}
+
+ClothModel::Forces ClothModel::forces(const VectorField& x) const {
+  Forces forces;
+  for (VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
+  auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
+  membrane_->add_gradient(x, membrane);
+  bending_->add_gradient(x, bending);
+  gravity_->add_gradient(x, gravity);
+  body_->add_gradient(x, body);
+  self_->add_gradient(x, self);
+  body_->add_friction(x, body_friction);
+  self_->add_friction(x, self_friction);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    body[i] -= body_friction[i];
+    self[i] -= self_friction[i];
+    for (VectorField& f : forces) f[i] = -f[i];
+  }
+  return forces;
 }
 
 void ClothModel::recall(const ClothMemory& memory) {

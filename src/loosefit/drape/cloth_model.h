@@ -5,6 +5,7 @@
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/gravity_energy.h"
@@ -35,6 +36,14 @@ class ClothModel {
   SelfContact& self() { return *self_; }
   const BodyContact& body() const { return *body_; }
 
+  /// Forces on every particle [N], by kind in the order of kForceNames.
+  using Forces = std::array<VectorField, kForceNames.size()>;
+  Forces forces(const VectorField& x) const;
+
+  /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
+  /// thicker than half the fabric; 0: by the fabric itself.
+  void pad_body(double thickness);
+
   ClothMemory memory() const { return {*body_, *self_, bending_->memory()}; }
   /// Takes up what this model remembered earlier.
   void recall(const ClothMemory& memory);
@@ -45,6 +54,7 @@ class ClothModel {
   std::unique_ptr<GravityEnergy> gravity_;
   std::unique_ptr<BodyContact> body_;
   std::unique_ptr<SelfContact> self_;
+  double half_thickness_, layer_stiffness_;
   ParticleSystem system_;
 };
 

@@ -6,13 +6,15 @@
 #include <random>
 
 #include "loosefit/drape/certify.h"
+#include "loosefit/drape/explain_unsettled.h"
 #include "loosefit/drape/worn_detail.h"
 
 namespace loosefit {
 namespace {
 
-constexpr int kNearer = 3;            ///< attempts to meet the certificate's residual
-constexpr double kCoarseLayer = 2.0;  ///< coarse levels keep layers this much farther apart
+constexpr int kNearer = 3;             ///< attempts to meet the certificate's residual
+constexpr double kWorthKeeping = 0.7;  ///< fall of the residual that makes a state worth keeping
+constexpr double kCoarseLayer = 2.0;   ///< coarse levels keep layers this much farther apart
 
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
   switch (kind) {
@@ -24,6 +26,13 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleS
       break;
   }
   return make_quasi_static(system);
+}
+
+/// Without cuts before with cuts, then by the residual.
+bool better(const Certificate& a, const Certificate& b) {
+  const bool a_cuts = a.intersections_body + a.intersections_self > 0;
+  const bool b_cuts = b.intersections_body + b.intersections_self > 0;
+  return a_cuts == b_cuts ? a.residual < b.residual : b_cuts;
 }
 
 }  // namespace
@@ -56,6 +65,8 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
                                                      std::to_string(garment_.levels.size()) +
                                                      ", residual " + std::to_string(residual));
+    if (is_finest() && !preparing && (!lowest_ || residual < kWorthKeeping * lowest_->residual))
+      keep(lowest_, residual);
     return over(iteration);
   };
   const long searches_before = model_->self().searches();
@@ -71,6 +82,10 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   iterations_ += last_.work.iterations;
   report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
   return last_.reason == SettleOutcome::Reason::converged;
+}
+
+void ClothRun::keep(std::optional<Kept>& kept, double residual) {
+  kept.emplace(Kept{x_, model_->memory(), residual});
 }
 
 void ClothRun::perturb() {
@@ -99,20 +114,42 @@ void ClothRun::refine() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 
-Drape ClothRun::finish(const std::string& reason) {
-  Drape drape;
-  const auto look = [&] {
-    drape.certificate =
-        certify(*model_, level_garment(), x_, *body_, reason.empty() ? last_.text() : reason);
+Drape ClothRun::finish(const std::string& given_up) {
+  // A loose tolerance may have been met when the time was up: that is not why it stopped.
+  const auto reason = [&] {
+    if (!given_up.empty()) return given_up;
+    const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
+    return cut_short ? std::string("time budget") : last_.text();
   };
-  look();
+  const auto certified = [&] { return certify(*model_, level_garment(), x_, *body_, reason()); };
+  const auto take = [&](const Kept& kept) {
+    x_ = kept.x;
+    model_->recall(kept.memory);
+    return certified();
+  };
+  Drape drape;
+  drape.certificate = certified();
   // It looks anew, when contacts may have come or gone: then a little nearer to rest.
   double nearer = 0.8 * options_.residual_tolerance;
-  for (int k = 0; k < kNearer && last_.reason == SettleOutcome::Reason::converged &&
-                  reason.empty() && drape.certificate.residual > options_.residual_tolerance;
+  for (int k = 0;
+       k < kNearer && last_.reason == SettleOutcome::Reason::converged && given_up.empty() &&
+       !is_late() && drape.certificate.residual > options_.residual_tolerance;
        ++k, nearer /= 2) {
     settle(nearer, options_.max_iterations, kStaticDt);
-    look();
+    drape.certificate = certified();
+  }
+  if (!drape.certificate.settled()) {
+    const Kept now{x_, model_->memory(), drape.certificate.residual};
+    const Kept* best = &now;
+    for (const auto* other : {&lowest_, &clear_}) {
+      if (!other->has_value()) continue;
+      const Certificate c = take(**other);
+      if (!better(c, drape.certificate)) continue;
+      drape.certificate = c;
+      best = &**other;
+    }
+    drape.certificate = take(*best);
+    drape.unsettled = explain_unsettled(*model_, level_garment(), x_, *body_, drape.certificate);
   }
   report_.contacts_body = model_->body().active(x_);
   report_.contacts_self = model_->self().active(x_);

@@ -34,9 +34,10 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  bool is_late() const { return seconds() > options_.time_budget; }
   /// Time or iterations are used up.
   bool over(int more_iterations = 0) const {
-    return seconds() > options_.time_budget || iterations_ + more_iterations > most_iterations_;
+    return is_late() || iterations_ + more_iterations > most_iterations_;
   }
   const Garment& level_garment() const { return garment_.levels[level_]; }
   bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
@@ -64,8 +65,9 @@ class ClothRun {
   /// what set it apart from the coarser one in the worn state, as far as it meets nothing, and its
   /// friction: what its contacts have slid on the moving skin since then.
   void refine_as_worn();
-  /// `reason`: why it ended, when that is not how the last settling did.
-  Drape finish(const std::string& reason = "");
+  /// Certifies the cloth as it is or, where that is not settled, as it was at its best. `given_up`:
+  /// why it ended, when that is not how the last settling did.
+  Drape finish(const std::string& given_up = "");
 
   const GarmentHierarchy& garment_;
   const Material& material_;
@@ -82,6 +84,16 @@ class ClothRun {
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
   SettleOutcome last_;
   SettleReport report_;
+
+  /// A state of the finest level on the last body, to come back to.
+  struct Kept {
+    std::vector<Vec3> x;
+    ClothMemory memory;
+    double residual;
+  };
+  void keep(std::optional<Kept>& kept, double residual);
+  std::optional<Kept> lowest_;  ///< that of the lowest residual, cuts or not
+  std::optional<Kept> clear_;   ///< that of the lowest residual among those found free of cuts
 
   /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
   struct Worn {

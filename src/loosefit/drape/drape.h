@@ -1,8 +1,10 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/drape/unsettled.h"
 #include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
@@ -61,6 +63,7 @@ struct Drape {
   std::vector<double> body_normal_force;
   Certificate certificate;
   SettleReport report;
+  std::optional<Unsettled> unsettled;  ///< why it is not settled, when it is not
 };
 
 }  // namespace loosefit

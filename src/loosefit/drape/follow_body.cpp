@@ -17,8 +17,9 @@ constexpr double kTolerance = 100;  ///< residual between two steps: no more tha
 constexpr int kIterations = 25;     ///< between two steps
 constexpr double kTooFar = 5;       ///< times the tolerance, beyond which a step is worked on
 constexpr int kPatience = 8;        ///< times as long
+constexpr double kWhole = 0.999;    ///< share of its way that the cloth has to go along a step
 constexpr double kTooDeep = 0.012;  ///< in the skin after a step, for which it is halved [m]
-constexpr int kHalvings = 3;        ///< at most
+constexpr int kShortest = 16;       ///< a step may be so many times shorter than usual
 constexpr double kCaught = 0.005;   ///< in the skin at rest on a coarse level: lost [m]
 /// Iterations on the finest level after which a posture is given up: so many times those of putting
 /// on, and not before so many.
@@ -64,6 +65,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   report_ = {};
   iterations_ = 0;
   most_iterations_ = std::numeric_limits<int>::max();
+  lowest_.reset(), clear_.reset();
   body_ = worn_body_;
   // The way is gone on the coarsest level, where an iteration costs a fraction.
   level_ = 0;
@@ -110,11 +112,11 @@ void ClothRun::refine_as_worn() {
 void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
-  double share = 1 / std::ceil(turn / step);
-  double least = std::ldexp(share, -kHalvings);
+  const double usual = 1 / std::ceil(turn / step), least = usual / kShortest;
+  double length = usual;
   for (double gone = 0; gone < 1;) {
-    if (seconds() > options_.time_budget) share = least = 1;  // end on the wanted body
-    const double to = gone + 1.01 * share < 1 ? gone + share : 1;
+    if (is_late()) length = 1;  // end on the wanted body, settled or not
+    const double to = gone + length > 1 - 0.5 * least ? 1 : gone + length;
     std::shared_ptr<PosedBody> next = pose_for_queries(body_at(to));
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
     const std::vector<Vec3> carried =
@@ -124,8 +126,10 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     const double allowed = model_->self().begin_search(x_, carried);
     std::vector<Vec3> there = x_;
     for (std::size_t i = 0; i < x_.size(); ++i) there[i] += allowed * carried[i];
-    if (share > 1.5 * least && depth(there, *next) > kTooDeep) {
-      share /= 2;
+    // A body that goes where the cloth cannot follow would pass through it.
+    if (length > 1.5 * least && !is_late() &&
+        (allowed < kWhole || depth(there, *next) > kTooDeep)) {
+      length /= 2;
       continue;
     }
     add_field(*next, bounds(there), to < 1 ? kRoughField : kFieldSpacing);
@@ -134,6 +138,8 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     body_ = std::move(next);
     model_->body().set_field(body_->field);
     gone = to;
+    length = std::min(usual, 2 * length);
+    if (is_late()) continue;
     settle(tolerance, iterations, 0.02, true);
     // Pressed deep into the skin it would be pulled through it on the next step.
     if (last_.residual > kTooFar * tolerance)
@@ -154,7 +160,7 @@ void ClothRun::displace() {
     if (on_trunk[i]) centre += x_[i], ++count;
   }
   centre /= std::max(count, 1);
-  for (int k = 0; k < kDisplaceSteps; ++k) {
+  for (int k = 0; k < kDisplaceSteps && !is_late(); ++k) {
     const Mat3 turn =
         Eigen::AngleAxisd(options_.start_twist / kDisplaceSteps, Vec3::UnitZ()).toRotationMatrix();
     std::vector<MotionMap> maps(x_.size());

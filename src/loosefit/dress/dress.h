@@ -17,9 +17,12 @@ bool is_shirt(const Garment& garment);
 /// \throws GeometryError when the body cannot be dressed in this posture.
 std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body);
 
-/// First positions of any other garment: the placement that its pattern file gives to the panels,
-/// seams closed at the mean of their sides.
-/// \throws GeometryError when the placed panels cut through each other.
-std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern);
+/// First positions of any other garment [m]: the placement that its pattern file gives to the
+/// panels, seams closed at the mean of their sides. Panels that cut each other or lie in the body
+/// are moved along their outside normals, by up to 0.3 m, until none does (of two that look the
+/// same way, the later one); seams that then still pass through the body are left to contact.
+/// \throws GeometryError when that does not part them, or the pattern lacks a panel.
+std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern,
+                                  const TriangleMesh& body);
 
 }  // namespace loosefit

@@ -14,6 +14,8 @@ namespace loosefit {
 std::string headline_section(const CaseResult& result);
 /// Settled or sealed, with the numbers that say so and the way the residual fell.
 std::string certificate_section(const CaseResult& result);
+/// Why the drape is not settled: what is out of balance, by which forces, and what cuts.
+std::string unsettled_section(const CaseResult& result);
 /// One row of pictures per view, embedded.
 std::string picture_section(const CaseResult& result, const std::vector<Picture>& pictures);
 /// What each map means: equation, source and mesh, so that a number can be traced.

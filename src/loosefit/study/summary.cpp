@@ -135,6 +135,37 @@ Json settle_json(const SettleReport& report) {
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
 }
 
+Json unsettled_json(const Unsettled& u) {
+  Json json = {{"why", u.why},
+               {"hint", u.hint},
+               {"times_allowed", u.times_allowed},
+               {"vertices_of_90_percent", u.vertices_of_most},
+               {"lagging_friction_share", u.lagging_share},
+               {"worst", Json::array()},
+               {"cuts", Json::array()}};
+  const auto place = [](const auto& p, Json& entry) {
+    entry["panel"] = p.panel;
+    entry["u_m"] = p.at.x(), entry["v_m"] = p.at.y();
+    entry["position_m"] = {p.position.x(), p.position.y(), p.position.z()};
+  };
+  for (const UnbalancedVertex& v : u.worst) {
+    Json entry = {{"vertex", v.vertex}};
+    place(v, entry);
+    entry["near"] = v.near;
+    entry["net_N"] = v.net;
+    for (std::size_t k = 0; k < v.force.size(); ++k) entry["force_N"][kForceNames[k]] = v.force[k];
+    json["worst"].push_back(std::move(entry));
+  }
+  for (const CutTriangle& c : u.cuts) {
+    Json entry = {{"triangle", c.triangle}};
+    place(c, entry);
+    entry["cuts"] = c.body ? "body" : "cloth";
+    entry["with"] = c.with;
+    json["cuts"].push_back(std::move(entry));
+  }
+  return json;
+}
+
 /// Postures, donnings, and what became of each of their drapes.
 void add_wear(const CaseWear& wear, Json& json) {
   json["postures"] = wear.postures;
@@ -156,6 +187,7 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
         {"iterations", s.drape.report.total().iterations}};
+    if (s.drape.unsettled) entry["unsettled"] = unsettled_json(*s.drape.unsettled);
     for (const CaseMap& map : s.maps) entry["maps"][map.map.array] = statistics_json(map.overall);
     if (!s.drape.report.parts.empty()) entry["parts"] = parts_json(s.drape.report.parts);
     json["states"].push_back(std::move(entry));
@@ -179,6 +211,7 @@ std::string summary_json(const CaseResult& result) {
   json["seconds"] = seconds_json(result.seconds);
   json["peak_memory_mb"] = result.peak_memory_mb;
   json["settle"] = settle_json(result.drape.report);
+  if (result.drape.unsettled) json["settle"]["unsettled"] = unsettled_json(*result.drape.unsettled);
   json["body"] = body_json(result.body);
   json["fit"] = fit_json(result);
   json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
