@@ -17,8 +17,8 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
 CaseMap summed_up(PerformanceMap map, const WornGarment& worn);
 
 /// The same into result.maps, and the maps of all its postures and donnings: in the reference
-/// posture the same maps and wrinkles, in the others slip; and the slip and calibrated orientation
-/// error over the postures of the first donning beside the other maps.
+/// posture the same maps, in the others slip, in all the wrinkles; and the slip and calibrated
+/// orientation error over the postures of the first donning beside the other maps.
 void add_maps(CaseResult& result, bool allow_unsettled);
 
 /// Stage "placement": preset sites and those of the scenario, with what the maps say there.

@@ -45,8 +45,8 @@ void map_states(CaseResult& result) {
     if (!s.drape.body_normal_force.empty())
       s.pressure = contact_pressure(result.mesh(), s.drape, body_of(s), material,
                                     result.scenario.simulation.gravity);
-    if (s.posture > 0) continue;
     s.wrinkles = regional_wrinkles(result.mesh(), s.worn);
+    if (s.posture > 0) continue;
     s.maps.clear();
     for (PerformanceMap& map :
          compute_maps(result.mesh(), s.drape, s.worn, result.scenario.output.maps,
