@@ -102,6 +102,19 @@ def figure4(out, material):
     save(figure, f"harms2012-back-{material}.png")
 
 
+def bent(out):
+    """The child tight at the hip, as put on and after a bend."""
+    panels = [("tight-hip-base/maps", "tight hip (−7 %), as put on"),
+              ("tight-hip-bent/postures/standing", "the same child, after a bend of 30°")]
+    figure = plot.figure(figsize=(9, 4.7), dpi=92)
+    for column, (folder, title) in enumerate(panels):
+        axis = figure.add_axes([0.5 * column, 0, 0.5, 0.93])
+        axis.imshow(plot.imread(out / folder / "drape-back.png"))
+        axis.set_title(title, fontsize=10.5)
+        frame(axis)
+    save(figure, "harms2012-bent.png")
+
+
 def figure3(out):
     """The paper's four panels of the reference garment."""
     panels = [("drape", "(a) reference garment"), ("strain", "(b) vertical strain"),
@@ -170,6 +183,7 @@ def main():
     for material in ("paper-cotton", "cotton-jersey"):
         figure4(out, material)
     figure3(out)
+    bent(out)
     lines(json.loads((HERE / "places.json").read_text()))
 
 

@@ -34,7 +34,7 @@ def with_display(command):
         return command
     if not shutil.which("xvfb-run"):
         raise SystemExit("error: no display and no xvfb-run (package xvfb)")
-    return ["xvfb-run", "-a", *command]
+    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", *command]
 
 
 def run(command):
@@ -133,7 +133,7 @@ def main():
     if arguments.no_page:
         return
     drape(arguments.binary, arguments.output, "reference", REFERENCE.read_text())
-    for name in [*MAIN, "reference"]:
+    for name in [*MAIN, "reference", "tight-hip-base", "tight-hip-bent"]:
         draw(arguments.binary, arguments.output / name)
     for script in ("places.py", "pictures.py"):
         subprocess.run([sys.executable, str(HERE / script), str(arguments.output)], check=True)

@@ -66,3 +66,9 @@ def mean_direction(wrinkles):
     """Mean angle of directions (a and a + 180° are the same), weighted by coherence [deg]."""
     whole = sum(w["coherence"] * cmath.exp(2j * math.radians(w["angle_deg"])) for w in wrinkles)
     return math.degrees(cmath.phase(whole)) / 2
+
+
+def parts(wrinkle):
+    """Rms slope of the upright and of the level part of the folds [deg]."""
+    lean = wrinkle["coherence"] * math.cos(2 * math.radians(wrinkle["angle_deg"]))
+    return [wrinkle["slope_rms_deg"] * math.sqrt((1 + sign * lean) / 2) for sign in (1, -1)]

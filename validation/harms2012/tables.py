@@ -8,7 +8,7 @@ import json
 import statistics
 
 from cases import HERE, MAIN, REPOSITORY, SIDE, SITES
-from statistics_of import deviation, mean_direction, order_text, ranking, samples
+from statistics_of import deviation, mean_direction, order_text, parts, ranking, samples
 
 PAGE = REPOSITORY / "docs" / "validation" / "harms2012.md"
 NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back",
@@ -18,7 +18,7 @@ TITLES = {"slim-paper-cotton": "slim child, cotton of the paper",
           "heavy-paper-cotton": "heavy child, cotton of the paper",
           "slim-cotton-jersey": "slim child, cotton jersey",
           "heavy-cotton-jersey": "heavy child, cotton jersey"}
-VARIANTS = {"base": "14 mm edges, else as above", "arms": "arms 40° aside instead of 25°",
+VARIANTS = {"base": "14 mm edges, else as above", "arms": "arms 40° aside instead of 25°", "low": "arms 12° aside instead of 25°",
             "lifted": "put on up to 30 mm off", "literal": "cotton with the printed modulus of fibre",
             "knit": "cotton with the tension of a knit", "friction": "friction on skin 0.9, not 0.4",
             "starts": "only the start shaken by 1 mm rms"}
@@ -186,7 +186,7 @@ def regions_block(results, _):
 def direction_row(case, region, tensor):
     found = [d["wrinkles"][region] for d in settled(case) if "wrinkles" in d]
     if not found:
-        return ["–"] * 6
+        return ["–"] * 7
     plain = [w for w in found if w["coherence"] >= PLAIN]
     upright = sum(abs(w["angle_deg"]) <= UPRIGHT for w in plain)
     level = sum(abs(w["angle_deg"]) >= LEVEL for w in plain)
@@ -195,7 +195,7 @@ def direction_row(case, region, tensor):
         mean = mean_direction([{"angle_deg": a, "coherence": c} for a, c in tensor])
         check = f"{degrees(mean)}, {statistics.fmean(c for _, c in tensor):.2f}"
     return [degrees(mean_direction(found)), pm([w["coherence"] for w in found], 2),
-            pm([w["slope_rms_deg"] for w in found]), f"{upright} of {len(found)}",
+            pm([parts(w)[0] for w in found]), pm([parts(w)[1] for w in found]), f"{upright} of {len(found)}",
             f"{level} of {len(found)}", check]
 
 
@@ -208,7 +208,8 @@ def wrinkles_block(results, places):
             rows.append([TITLES.get(name, name.replace("-base", " child, 14 mm edges")),
                          NAMES[region], *direction_row(results[name], region, tensor)])
     return table(["case", "region", "fold direction to the vertical", "coherence",
-                  "slope [° rms]", "upright in", "level in", "check: direction, coherence"], rows)
+                  "slope of upright folds [° rms]", "of level folds",
+                  "upright in", "level in", "check: direction, coherence"], rows)
 
 
 def width_block(_, places):
@@ -227,18 +228,29 @@ def width_block(_, places):
 
 
 def lifted_block(results, _):
+    how = {"base": "as put on", "lifted": "put on up to 30 mm off", "bent": "after a bend of 30°"}
     rows = []
-    for name in ("heavy-lifted", "tight-hip-lifted", "heavy-bent", "tight-hip-bent"):
-        child, how = name.rsplit("-", 1)
-        how = ", up again from a bend of 30°" if how == "bent" else ""
-        for k, d in enumerate(results.get(name, {"drapes": []})["drapes"]):
-            cells = [f"{degrees(w['angle_deg'])}, {w['coherence']:.2f}, {w['slope_rms_deg']:.0f}°"
-                     for w in (d["wrinkles"][r] for r in ("mid_back", "lower_back", "hips"))] \
-                if "wrinkles" in d else ["not settled"] * 3
-            up = 1000 * d["how"]["shift_m"][2] if "how" in d else float("nan")
-            rows.append([f"{child.replace('-', ' ')} child{how}", str(k + 1), f"{up:+.0f}", *cells])
-    return table(["child", "donning", "put on too high by [mm]", "mid back", "lower back",
-                  "hips"], rows)
+
+    def add(child, what, drapes):
+        seen = [[parts(d["wrinkles"][r]) for d in drapes]
+                for r in ("mid_back", "lower_back", "hips")]
+        rows.append([child, what, str(len(drapes)),
+                     *(pm([p[k] for p in region]) if len(region) > 1 else f"{region[0][k]:.1f}"
+                       for region in seen for k in (0, 1))])
+
+    for child in ("heavy", "tight-hip"):
+        for variant, words_of in how.items():
+            drapes = [d for d in results.get(f"{child}-{variant}", {"drapes": []})["drapes"]
+                      if "wrinkles" in d]
+            if not drapes:
+                continue
+            name = child.replace("-", " ")
+            add(name, words_of, drapes)
+            if variant == "lifted":
+                top = max(drapes, key=lambda d: d["how"]["shift_m"][2])
+                add(name, f"… {1000 * top['how']['shift_m'][2]:.0f} mm too high", [top])
+    return table(["child", "", "drapes", "mid back: upright [° rms]", "level", "lower back: upright",
+                  "level", "hips: upright", "level"], rows)
 
 
 def tilt_block(results, _):
@@ -248,7 +260,7 @@ def tilt_block(results, _):
         if not signed["scapula"]:
             continue
         sizes = {s: [abs(v) for v in signed[s]] for s in SITES}
-        lines.append([TITLES[name], *(pm(signed[s]) for s in SITES), order_text(sizes, NAMES),
+        lines.append([TITLES[name], *(pm(signed[s]).replace("-", "−") for s in SITES), order_text(sizes, NAMES),
                       " < ".join(f"{NAMES[s]} {deviation(signed[s]):.1f}" for s in
                                  sorted(SITES, key=lambda s: deviation(signed[s])))])
     return table(["case", *(NAMES[s] + " [°]" for s in SITES), "order by size",
