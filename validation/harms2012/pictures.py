@@ -104,7 +104,8 @@ def figure4(out, material):
 
 def bent(out):
     """The child tight at the hip, as put on and after a bend."""
-    panels = [("tight-hip-base/maps", "tight hip (−7 %), as put on"),
+    fit = json.loads((out / "tight-hip-base" / "summary.json").read_text())["fit"]["measured"]
+    panels = [("tight-hip-base/maps", f"tight hip ({100 * fit['hip']:+.0f} %), as put on"),
               ("tight-hip-bent/postures/standing", "the same child, after a bend of 30°")]
     figure = plot.figure(figsize=(9, 4.7), dpi=92)
     for column, (folder, title) in enumerate(panels):
