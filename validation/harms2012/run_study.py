@@ -62,15 +62,16 @@ def draw(binary, target):
 
 def of_drape(state):
     """What is kept of one drape."""
-    kept = {"settled": state["settled"], "residual": state["residual"],
+    settled = state.get("counts", state["settled"])  # a state may be left out for other reasons
+    kept = {"settled": settled, "residual": state["residual"],
             "stop_reason": state["stop_reason"]}
-    if state["settled"] and state.get("sites"):
+    if settled and state.get("sites"):
         kept["sites"] = {name: {key: round(state["sites"][name][key], 4) for key in SITE_VALUES}
                          for name in SITE_NAMES}
         kept["regions"] = {region: {key: round(state["maps"][key]["regions"][region]["area_mean"], 4)
                                     for key in MAPS}
                            for region in BACK}
-    if state["settled"] and state.get("wrinkles"):
+    if settled and state.get("wrinkles"):
         kept["wrinkles"] = {region: {key: round(value, 4)
                                      for key, value in state["wrinkles"][region].items()}
                             for region in BACK}

@@ -78,10 +78,12 @@ void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseR
       state.seconds = at<double>(summary, "/states/" + std::to_string(index) + "/seconds");
       const std::filesystem::path file = folder / state_folder(state) / "drape.vtp";
       std::error_code error;
-      if (std::filesystem::exists(file, error))
+      if (std::filesystem::exists(file, error)) {
         state.drape = read_drape(file, result);
-      else
+        check_worn(result, state);
+      } else {
         state.left_out = "the run has no drape of it";
+      }
       result.wear.states.push_back(std::move(state));
     }
 }
