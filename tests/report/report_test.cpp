@@ -105,6 +105,17 @@ TEST_F(Report, ShowsThePressureByBothEstimates) {
   EXPECT_NE(html.find("<td>50.0 %</td><td>0.0 %</td><td>50.0 %</td>"), std::string::npos);
 }
 
+TEST_F(Report, ShowsWhereTheFoldsRun) {
+  EXPECT_EQ(report_html(result_, {}).find("Wrinkles"), std::string::npos);
+  result_.maps.wrinkles[Region::mid_back] = {radians(-3), 0.9, radians(12)};
+  result_.maps.wrinkles[Region::lower_back] = {radians(40), 0.05, radians(8)};
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("mid back</th><td>12.0</td><td>\u22123</td><td>0.90</td>"),
+            std::string::npos);
+  // A direction that hardly any fold has is not shown.
+  EXPECT_NE(html.find("lower back</th><td>8.0</td><td>–</td><td>0.05</td>"), std::string::npos);
+}
+
 TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   result_.drape.certificate.residual = 0.2;
   result_.maps = {};

@@ -87,6 +87,33 @@ TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
   EXPECT_DOUBLE_EQ(json["regions"]["chest"]["mean_kPa"], 0.5);
 }
 
+TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
+  CaseResult result = small_result();
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("wrinkles"));
+  result.maps.wrinkles[Region::mid_back] = {radians(-30), 0.75, radians(12)};
+  result.wear.postures = {"reference"};
+  result.wear.donnings.resize(2);
+  CaseState& again = result.wear.states.emplace_back();
+  again.donning = 1;
+  again.name = "reference";
+  again.drape.certificate = result.drape.certificate;
+  again.maps = result.maps.maps;
+  again.maps[0].overall.area_mean = 4.5;
+  again.wrinkles[Region::lower_back] = {radians(88), 0.5, radians(6)};
+  again.sites = result.sites;
+  again.sites[0].values["distance_mm"] = {7.5, 9};
+  const auto json = nlohmann::json::parse(summary_json(result));
+  EXPECT_NEAR(json["wrinkles"]["mid_back"]["angle_deg"], -30, 1e-12);
+  EXPECT_EQ(json["wrinkles"]["mid_back"]["coherence"], 0.75);
+  EXPECT_NEAR(json["wrinkles"]["mid_back"]["slope_rms_deg"], 12, 1e-12);
+  const auto& state = json["states"][0];
+  EXPECT_EQ(state["donning"], 2);
+  EXPECT_EQ(state["maps"]["distance_mm"]["area_mean"], 4.5);
+  EXPECT_EQ(state["maps"]["distance_mm"]["regions"]["mid_back"]["median"], 0.5);
+  EXPECT_NEAR(state["wrinkles"]["lower_back"]["angle_deg"], 88, 1e-12);
+  EXPECT_EQ(state["sites"]["a, \"b\""]["distance_mm"], 7.5);
+}
+
 TEST(Summary, DigestFollowsTheScenarioOnly) {
   CaseResult a = small_result(), b = small_result();
   b.seconds.clear();

@@ -24,6 +24,8 @@ std::string definition_section(const CaseResult& result);
 std::string map_section(const CaseResult& result);
 /// Contact pressure by both estimates, over the garment and per region, with their disagreement.
 std::string pressure_section(const CaseResult& result);
+/// Slope, direction and coherence of the folds per region.
+std::string wrinkle_section(const CaseResult& result);
 /// The quantities of the maps at every site.
 std::string site_section(const CaseResult& result);
 /// One row per posture and donning: whether it settled, how the garment slipped, what it took.

@@ -11,6 +11,7 @@
 #include "loosefit/maps/compute_maps.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/statistics.h"
+#include "loosefit/maps/wrinkle_direction.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
@@ -37,6 +38,7 @@ struct CaseMaps {
   std::vector<CaseMap> maps;
   CasePressure pressure;
   GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
+  std::map<Region, WrinkleDirection> wrinkles;
 };
 
 /// Spread of one number over the repeats of a case.
@@ -62,7 +64,10 @@ struct CaseState {
   /// Stage "maps", of a settled drape.
   WornGarment worn = {};
   PressureField pressure = {};
-  std::vector<CaseMap> maps = {};  ///< slip against the reference posture of the same donning
+  /// In the reference posture the maps of the case; else slip against it in the same donning.
+  std::vector<CaseMap> maps = {};
+  std::map<Region, WrinkleDirection> wrinkles = {};
+  std::vector<Site> sites = {};  ///< the case's sites in this drape; reference posture only
   bool counts() const { return left_out.empty() && drape.certificate.settled(); }
 };
 

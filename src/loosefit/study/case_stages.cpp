@@ -16,9 +16,9 @@ IntegratorKind integrator_kind(const std::string& word) {
                      "semi-implicit-euler, implicit-euler or quasi-static");
 }
 
-std::vector<PerformanceMap> plain_maps(const CaseMaps& maps) {
+std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps) {
   std::vector<PerformanceMap> plain;
-  for (const CaseMap& entry : maps.maps) plain.push_back(entry.map);
+  for (const CaseMap& entry : maps) plain.push_back(entry.map);
   return plain;
 }
 
@@ -49,6 +49,14 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
           .start_perturbation = simulation.start_perturbation};
 }
 
+CaseMap summed_up(PerformanceMap map, const WornGarment& worn) {
+  CaseMap entry;
+  entry.overall = statistics(map.values, worn.areas);
+  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
+  entry.map = std::move(map);
+  return entry;
+}
+
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
   const Garment& garment = result.mesh();
   const std::vector<Vec3>& positions = result.drape.positions;
@@ -57,26 +65,30 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
   made.pressure = make_pressure(result, made.worn);
   for (PerformanceMap& map :
        compute_maps(garment, result.drape, made.worn, result.scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field, &result.scenario.material.material})) {
-    CaseMap entry;
-    entry.overall = statistics(map.values, made.worn.areas);
-    entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
-    entry.map = std::move(map);
-    made.maps.push_back(std::move(entry));
-  }
+                    {allow_unsettled, &made.pressure.field, &result.scenario.material.material}))
+    made.maps.push_back(summed_up(std::move(map), made.worn));
+  made.wrinkles = regional_wrinkles(garment, made.worn);
   made.chest = torso_girth(garment, positions, made.worn, chest_height(result.body.body));
   return made;
 }
 
 std::vector<Site> make_sites(const CaseResult& result) {
   return find_sites(result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
-                    plain_maps(result.maps), result.scenario.sites,
+                    plain_maps(result.maps.maps), result.scenario.sites,
                     result.scenario.output.preset_sites);
+}
+
+void add_sites(CaseResult& result) {
+  result.sites = make_sites(result);
+  for (CaseState& s : result.wear.states)
+    if (s.posture == 0 && s.counts())
+      s.sites = revisit_sites(result.sites, result.mesh(), s.drape.positions, result.body.body,
+                              s.worn, plain_maps(s.maps));
 }
 
 std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites) {
   return revisit_sites(sites, result.mesh(), result.drape.positions, result.body.body,
-                       result.maps.worn, plain_maps(result.maps));
+                       result.maps.worn, plain_maps(result.maps.maps));
 }
 
 std::vector<std::string> collected_warnings(const CaseResult& result) {

@@ -38,7 +38,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
     add_maps(result, options.allow_unsettled);
 
     clock.stage("placement");
-    result.sites = make_sites(result);
+    add_sites(result);
     warn_of_moved_boards(result);
 
     repeat_drapes(result, clock);

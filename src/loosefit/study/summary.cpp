@@ -27,6 +27,15 @@ Json maps_json(const std::vector<CaseMap>& maps) {
   return json;
 }
 
+Json wrinkles_json(const std::map<Region, WrinkleDirection>& wrinkles) {
+  Json json = Json::object();
+  for (const auto& [region, w] : wrinkles)
+    json[name(region)] = {{"angle_deg", degrees(w.angle)},
+                          {"coherence", w.coherence},
+                          {"slope_rms_deg", degrees(w.slope)}};
+  return json;
+}
+
 Json agreement_json(const PressureAgreement& a) {
   return {{"contact_area_m2", a.contact_area},
           {"mean_kPa", a.contact_mean / 1000},
@@ -188,7 +197,9 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"seconds", s.seconds},
         {"iterations", s.drape.report.total().iterations}};
     if (s.drape.unsettled) entry["unsettled"] = unsettled_json(*s.drape.unsettled);
-    for (const CaseMap& map : s.maps) entry["maps"][map.map.array] = statistics_json(map.overall);
+    if (!s.maps.empty()) entry["maps"] = maps_json(s.maps);
+    if (!s.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.wrinkles);
+    for (const Site& site : s.sites) entry["sites"][site.name] = site_json(site);
     if (!s.drape.report.parts.empty()) entry["parts"] = parts_json(s.drape.report.parts);
     json["states"].push_back(std::move(entry));
   }
@@ -219,6 +230,7 @@ std::string summary_json(const CaseResult& result) {
                       {"source", result.scenario.material.material.source},
                       {"bending_length_m", bending_length(result.scenario.material.material)}};
   json["maps"] = maps_json(result.maps.maps);
+  if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);
   if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
