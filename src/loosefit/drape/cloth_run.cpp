@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/certify.h"
 
 namespace loosefit {
@@ -26,13 +27,27 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleS
 
 }  // namespace
 
+ClothRun::ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options,
+                   Progress& progress)
+    : layers_(layers), options_(options), progress_(progress) {
+  if (layers.empty()) throw InvalidInput("a drape needs at least one garment");
+  for (const ClothLayer& layer : layers)
+    if (layer.garment->levels.size() != layers.front().garment->levels.size())
+      throw InvalidInput("garments worn over each other need meshes of the same levels");
+}
+
 void ClothRun::make_model(double stiffness_share, bool with_friction) {
-  Material material = material_;
-  if (!with_friction) material.friction_body = material.friction_self = 0;
-  scale_membrane(material, stiffness_share);
-  const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
-  model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
-  model_->body().set_field(body_->field);
+  std::vector<ModelLayer> parts;
+  for (int l = 0; l < layers(); ++l) {
+    Material material = layers_[l].material;
+    if (!with_friction) material.friction_body = material.friction_self = 0;
+    scale_membrane(material, stiffness_share);
+    const double thickness = material.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+    parts.push_back({&level_garment(l), std::move(material), thickness});
+  }
+  const double share = with_friction ? 1 : 0;
+  model_ = std::make_unique<ClothModel>(parts, share * layer_friction(layers_), options_);
+  model_->set_field(body_->field);
 }
 
 bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool preparing) {
@@ -51,7 +66,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     const double done = std::log10(std::max(residual, tolerance) / 10) /
                         std::log10(options_.residual_tolerance / 10);
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
-                                                     std::to_string(garment_.levels.size()) +
+                                                     std::to_string(levels()) +
                                                      ", residual " + std::to_string(residual));
     return seconds() > options_.time_budget;
   };
@@ -76,15 +91,15 @@ void ClothRun::perturb() {
 }
 
 void ClothRun::refine() {
-  const auto& parents = garment_.parents[level_ + 1];
-  const auto normal = vertex_normals(x_, level_garment().triangles);
-  std::vector<Vec3> fine(parents.size()), bulge(parents.size());
-  for (std::size_t i = 0; i < parents.size(); ++i) {
-    const auto [a, b] = parents[i];
-    const Vec3 edge = x_[b] - x_[a];
-    fine[i] = 0.5 * (x_[a] + x_[b]);
-    bulge[i] = (normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8;
-  }
+  const auto normal = vertex_normals(x_, triangles());
+  std::vector<Vec3> fine, bulge;
+  for (int l = 0, shift = 0; l < layers(); shift += level_garment(l++).vertex_count)
+    for (const auto& [first, second] : layers_[l].garment->parents[level_ + 1]) {
+      const int a = first + shift, b = second + shift;
+      const Vec3 edge = x_[b] - x_[a];
+      fine.push_back(0.5 * (x_[a] + x_[b]));
+      bulge.push_back((normal[b] * normal[b].dot(edge) - normal[a] * normal[a].dot(edge)) / 8);
+    }
   x_ = std::move(fine);
   ++level_;
   make_model();
@@ -95,16 +110,19 @@ void ClothRun::refine() {
 
 Drape ClothRun::finish() {
   Drape drape;
-  drape.certificate = certify(*model_, level_garment(), x_, *body_, last_.text());
-  report_.contacts_body = model_->body().active(x_);
+  drape.certificate = certify(*model_, x_, *body_, last_.text());
   report_.contacts_self = model_->self().active(x_);
-  for (const ContactPoint& p : model_->body().points())
-    report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
   drape.body_contact_force.assign(x_.size(), Vec3::Zero());
-  model_->body().add_gradient(x_, drape.body_contact_force);
-  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.body_normal_force.assign(x_.size(), 0.0);
-  model_->body().add_normal_force(x_, drape.body_normal_force);
+  for (int l = 0; l < layers(); ++l) {
+    const BodyContact& contact = model_->body(l);
+    report_.contacts_body += contact.active(x_);
+    for (const ContactPoint& p : contact.points())
+      report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
+    contact.add_gradient(x_, drape.body_contact_force);
+    contact.add_normal_force(x_, drape.body_normal_force);
+  }
+  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.positions = x_;
   drape.report = report_;
   return drape;

@@ -12,14 +12,13 @@
 
 namespace loosefit {
 
-/// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
+/// A garment, or several worn over each other, on the way to rest, and on to other postures: knows the state of the cloth, the body
 /// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
 /// constructor.
 class ClothRun {
  public:
-  ClothRun(const GarmentHierarchy& garment, const Material& material, const DrapeOptions& options,
-           Progress& progress)
-      : garment_(garment), material_(material), options_(options), progress_(progress) {}
+  /// \throws InvalidInput for no layers, or layers of different edge lengths.
+  ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options, Progress& progress);
 
   /// Dress and settle, as drape_garment. What it leaves is where `follow` starts.
   Drape put_on(const BodyPath& body_at);
@@ -29,8 +28,11 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  const Garment& level_garment() const { return garment_.levels[level_]; }
-  bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
+  const Garment& level_garment(int layer) const { return layers_[layer].garment->levels[level_]; }
+  int layers() const { return static_cast<int>(layers_.size()); }
+  int levels() const { return static_cast<int>(layers_.front().garment->levels.size()); }
+  bool is_finest() const { return level_ + 1 == levels(); }
+  const std::vector<Triangle>& triangles() const { return model_->mesh().triangles; }
 
   void make_model(double stiffness_share = 1, bool with_friction = true);
   /// Settles the current level; true when the tolerance was met.
@@ -52,8 +54,7 @@ class ClothRun {
   void refine();
   Drape finish();
 
-  const GarmentHierarchy& garment_;
-  const Material& material_;
+  const std::vector<ClothLayer>& layers_;
   const DrapeOptions& options_;
   Progress& progress_;
   Clock::time_point start_ = Clock::now();

@@ -42,8 +42,10 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
 }
 
 void ClothRun::dress(Body body) {
-  x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
-                                 : dress_as_placed(level_garment(), garment_.pattern);
+  std::vector<LayerToDress> to_dress;
+  for (int l = 0; l < layers(); ++l)
+    to_dress.push_back({&level_garment(l), &layers_[l].garment->pattern});
+  x_ = dress_layers(to_dress, body);
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
@@ -68,9 +70,10 @@ void ClothRun::settle_levels() {
 void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
+  std::vector<double> half_thickness;
+  for (const ClothLayer& layer : layers_) half_thickness.push_back(0.5 * layer.material.thickness);
   const auto hold_off = [&](bool look_ahead) {
-    return hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                         look_ahead, times_cut);
+    return hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
     settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);

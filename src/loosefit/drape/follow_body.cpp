@@ -54,13 +54,14 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_,
-                        way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
+                        way_of(smoothed_over(triangles(), x_, motion), x_));
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    model_->body().carry_anchors(way_of(motion, x_));
+    const std::vector<Vec3> way = way_of(motion, x_);
+    for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
     const double allowed = model_->self().begin_search(x_, carried);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
     body_ = std::move(next);
-    model_->body().set_field(body_->field);
+    model_->set_field(body_->field);
     settle(tolerance, iterations, 0.02, true);
   }
 }
@@ -87,7 +88,7 @@ void ClothRun::displace() {
       maps[i] << own, centre - own * centre + shift / kDisplaceSteps;
     }
     const std::vector<Vec3> move =
-        way_of(smoothed_over(level_garment().triangles, x_, std::move(maps)), x_);
+        way_of(smoothed_over(triangles(), x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];

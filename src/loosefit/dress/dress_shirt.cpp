@@ -6,6 +6,7 @@
 #include "loosefit/dress/body_outline.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/dress/flat_layout.h"
+#include "loosefit/dress/lay_shirt.h"
 #include "loosefit/dress/shirt_frame.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -13,6 +14,7 @@ namespace loosefit {
 namespace {
 
 constexpr double kClearance = 0.02;    ///< first try, between body and sheets [m]
+constexpr double kMostClearance = 0.06;
 constexpr double kLeastDepth = 0.008;  ///< sheet to middle surface off the seams [m]
 
 /// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
@@ -60,7 +62,8 @@ class Panel2d {
   std::string name_;
 };
 
-std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clearance) {
+/// `layer`: number of garments under it.
+std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clearance, int layer) {
   const BodyOutline depth(body, clearance);
   const ShirtFrame frame = shirt_frame(g, body, depth, clearance);
 
@@ -97,12 +100,13 @@ std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clea
       sheets[v] |= is_back ? 2 : 1;
     }
   }
+  const double least_depth = (1 + layer) * kLeastDepth;
   std::vector<Vec3> x(g.vertex_count);
   for (int v = 0; v < g.vertex_count; ++v) {
     const double u = place[v][0], z = place[v][1], middle = depth.middle(u, z);
     double y = middle;
-    if (sheets[v] == 1) y = std::min(depth.front(u, z), middle - kLeastDepth);
-    if (sheets[v] == 2) y = std::max(depth.back(u, z), middle + kLeastDepth);
+    if (sheets[v] == 1) y = std::min(depth.front(u, z), middle - least_depth);
+    if (sheets[v] == 2) y = std::max(depth.back(u, z), middle + least_depth);
     x[v] = Vec3(u, y, z);
   }
   return x;
@@ -121,22 +125,31 @@ bool is_shirt(const Garment& garment) {
   return garment.panel_names.size() == 6;
 }
 
-std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
+ShirtStart lay_shirt(const Garment& shirt, const Body& body, double first_clearance, int layer,
+                     const TriangleMesh& under) {
   std::string why;
-  for (double clearance = kClearance; clearance < 0.06; clearance *= 1.3) {
+  const double most = kMostClearance * (1 + layer);
+  for (double clearance = first_clearance; clearance < most; clearance *= 1.3) {
     std::vector<Vec3> x;
     try {
-      x = lay_round_body(shirt, body, clearance);
+      x = lay_round_body(shirt, body, clearance, layer);
     } catch (const GeometryError& error) {
       why = error.what();
-      if (clearance * 1.3 >= 0.06) throw;
+      if (clearance * 1.3 >= most) throw;
       continue;
     }
     const auto hits = self_intersections(x, shirt.triangles);
-    if (hits.empty()) return x;
+    const auto cuts = mesh_intersections(x, shirt.triangles, under.vertices, under.triangles);
+    if (hits.empty() && cuts.empty()) return {x, clearance};
     why = std::to_string(hits.size()) + " pairs of its triangles cut each other at the start";
+    if (!cuts.empty())
+      why += ", " + std::to_string(cuts.size()) + " cut the garments under it";
   }
   throw GeometryError("the shirt cannot be laid round this body: " + why);
+}
+
+std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
+  return lay_shirt(shirt, body, kClearance, 0, {}).positions;
 }
 
 }  // namespace loosefit

@@ -37,6 +37,13 @@ Image with_foot(const Image& image, int foot) {
   return sheet;
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int shift = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const Triangle& t : more.triangles)
+    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+}
+
 void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
                  const std::vector<PerformanceMap>& maps) {
   const auto n = static_cast<std::size_t>(garment.vertex_count);
@@ -79,7 +86,8 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
   check_sizes(garment, positions, maps);
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
-  const TriangleMesh form = mannequin(body, garment, positions);
+  TriangleMesh form = mannequin(body, garment, positions);
+  append(form, options.under);
   Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
               options.height - foot, options.supersampling, options.ambient_occlusion);
   std::vector<const PerformanceMap*> drawn;

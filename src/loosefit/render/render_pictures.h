@@ -23,6 +23,7 @@ struct PictureOptions {
   bool ambient_occlusion = true;   ///< depth in the folds; about half a second per picture
   std::vector<View> views = {View::front, View::back};
   bool undecorated = true;  ///< also the plain drape: drape-<view>.png
+  TriangleMesh under;       ///< cloth worn under the garment, grey where it shows
 };
 
 /// One written picture.

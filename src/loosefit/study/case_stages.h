@@ -13,7 +13,10 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat = 0)
 /// Stage "maps" for the drape of `result`. \throws Error if it is sealed and not allowed.
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
 
-/// The same into result.maps, and the maps of all its postures and donnings: slip of each, and the
+/// The same of a garment under the studied one.
+CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled);
+
+/// The same of all garments into `result`, and the maps of all its postures and donnings: slip of each, and the
 /// slip and calibrated orientation error over the postures of the first donning beside the other
 /// maps.
 void add_maps(CaseResult& result, bool allow_unsettled);

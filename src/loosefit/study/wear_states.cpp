@@ -8,6 +8,7 @@
 #include <random>
 
 #include "loosefit/body/named_postures.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
@@ -47,7 +48,7 @@ void follow_all(CaseResult& result, DrapeSession& session, int donning) {
   for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p) {
     CaseState state = state_of(result.wear, p, donning);
     const auto start = Clock::now();
-    state.drape = session.follow(way(result, p));
+    take_drape(session.follow(way(result, p)), result, state);
     state.seconds = seconds_since(start);
     result.wear.states.push_back(std::move(state));
   }
@@ -55,16 +56,13 @@ void follow_all(CaseResult& result, DrapeSession& session, int donning) {
 
 void put_on_again(CaseResult& result, int donning, Progress& progress) {
   const CaseDonning& how = result.wear.donnings[donning];
-  Material material = result.scenario.material.material;
-  material.friction_body *= how.friction;
-  material.friction_self *= how.friction;
   DrapeOptions options = drape_options(result.scenario.simulation);
   options.start_shift = how.shift;
   options.start_twist = how.twist;
   const auto start = Clock::now();
-  DrapeSession session(result.garment, material, options, progress);
+  DrapeSession session(cloth_layers(result, how.friction), options, progress);
   CaseState state = state_of(result.wear, 0, donning);
-  state.drape = session.put_on(result.body.path);
+  take_drape(session.put_on(result.body.path), result, state);
   state.seconds = seconds_since(start);
   const bool settled = state.drape.certificate.settled();
   result.wear.states.push_back(std::move(state));
