@@ -1,18 +1,17 @@
 #pragma once
 #include "loosefit/dress/dress.h"
-#include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
 
-/// A shirt laid round a body, and how far from it.
-struct ShirtStart {
-  std::vector<Vec3> positions;
-  double clearance = 0;  ///< [m]
+/// How far a shirt is laid from the body.
+struct ShirtRoom {
+  double clearance = 0.02;     ///< of sheets and seams from the body, all round [m]
+  double least_depth = 0.008;  ///< of a sheet from the surface in the middle, off the seams [m]
+  double depth_share = 1;      ///< of a sheet from that surface, against the body and its clearance
 };
 
-/// As dress_shirt, over what is worn under it: with this clearance or more until nothing cuts.
-/// `layer`: number of garments under it. \throws GeometryError as dress_shirt.
-ShirtStart lay_shirt(const Garment& shirt, const Body& body, double first_clearance, int layer,
-                     const TriangleMesh& under);
+/// One try of dress_shirt; the sheets may cut themselves.
+/// \throws GeometryError when a panel would fold over, and as dress_shirt.
+std::vector<Vec3> lay_shirt(const Garment& shirt, const Body& body, const ShirtRoom& room);
 
 }  // namespace loosefit
