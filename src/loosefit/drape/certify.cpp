@@ -6,7 +6,8 @@
 
 namespace loosefit {
 
-Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body, const std::string& stop_reason) {
+Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
+                    const std::string& stop_reason) {
   Certificate c;
   model.system().begin_step(x, std::numeric_limits<double>::infinity());
   const Residual r = residual_of(model.system(), model.system().gradient(x));

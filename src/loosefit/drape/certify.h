@@ -6,6 +6,7 @@
 namespace loosefit {
 
 /// Measures the force balance and tests for intersections with exact predicates, of all layers.
-Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body, const std::string& stop_reason);
+Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
+                    const std::string& stop_reason);
 
 }  // namespace loosefit

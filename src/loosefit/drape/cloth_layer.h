@@ -38,8 +38,8 @@ ClothMesh joined(const std::vector<const Garment*>& garments);
 /// μ between each two layers [–], symmetric, friction_self on the diagonal.
 Eigen::MatrixXd layer_friction(const std::vector<ClothLayer>& layers);
 
-/// What a drape of several layers says of one: positions and forces of that garment; certificate and
-/// report are those of the whole. \throws Error when the drape is not of these layers.
+/// What a drape of several layers says of one: positions and forces of that garment; certificate
+/// and report are those of the whole. \throws Error when the drape is not of these layers.
 Drape drape_of_layer(const Drape& all, const std::vector<ClothLayer>& layers, int layer);
 
 }  // namespace loosefit

@@ -66,8 +66,8 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     const double done = std::log10(std::max(residual, tolerance) / 10) /
                         std::log10(options_.residual_tolerance / 10);
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
-                                                     std::to_string(levels()) +
-                                                     ", residual " + std::to_string(residual));
+                                                     std::to_string(levels()) + ", residual " +
+                                                     std::to_string(residual));
     return seconds() > options_.time_budget;
   };
   const long searches_before = model_->self().searches();

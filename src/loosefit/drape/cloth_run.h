@@ -12,9 +12,9 @@
 
 namespace loosefit {
 
-/// A garment, or several worn over each other, on the way to rest, and on to other postures: knows the state of the cloth, the body
-/// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
-/// constructor.
+/// A garment, or several worn over each other, on the way to rest, and on to other postures: knows
+/// the state of the cloth, the body under it, the clock, the report and whom to tell. Keeps
+/// references to all arguments of the constructor.
 class ClothRun {
  public:
   /// \throws InvalidInput for no layers, or layers of different edge lengths.

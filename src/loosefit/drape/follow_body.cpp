@@ -87,8 +87,7 @@ void ClothRun::displace() {
       const Mat3 own = on_trunk[i] ? turn : Mat3::Identity();
       maps[i] << own, centre - own * centre + shift / kDisplaceSteps;
     }
-    const std::vector<Vec3> move =
-        way_of(smoothed_over(triangles(), x_, std::move(maps)), x_);
+    const std::vector<Vec3> move = way_of(smoothed_over(triangles(), x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];

@@ -40,7 +40,8 @@ struct ScenarioGarment {
 struct ScenarioUnder {
   ScenarioGarment garment;
   MaterialCard material;
-  std::optional<double> friction;  ///< against the garments over it; absent: mean of their materials'
+  std::optional<double>
+      friction;  ///< against the garments over it; absent: mean of their materials'
 };
 
 /// [simulation]

@@ -143,7 +143,8 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
 
   check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
 
-  const double upper = (1 + fit.sleeve) * m.upper_arm, wrist = (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length);
+  const double upper = (1 + fit.sleeve) * m.upper_arm,
+               wrist = (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length);
   const double front_width = d.cap->front_share * upper, back_width = upper - front_width;
   // A dropped shoulder is taken off the sleeve.
   const double top_length =

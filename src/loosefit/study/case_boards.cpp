@@ -44,13 +44,13 @@ void place_boards(CaseResult& result, Progress& progress) {
   coarse.scenario = scenario;
   coarse.under = result.under;
   mesh_under(coarse, edge);
-  coarse.garment =
-      build_hierarchy(pattern, edge, scenario.material.material, scenario.attachments);
+  coarse.garment = build_hierarchy(pattern, edge, scenario.material.material, scenario.attachments);
   const Garment& bare = coarse.mesh();
   check_sites(bare, result.body.body, sites);
   DrapeOptions options = drape_options(scenario.simulation);
   options.residual_tolerance = kCoarseResidual;
-  take_drape(DrapeSession(cloth_layers(coarse), options, progress).put_on(result.body.path), coarse);
+  take_drape(DrapeSession(cloth_layers(coarse), options, progress).put_on(result.body.path),
+             coarse);
   const WornGarment worn = relate(bare, coarse.drape.positions, result.body.body);
   const std::vector<Site> found =
       find_sites(bare, coarse.drape.positions, result.body.body, worn, {}, sites, false);

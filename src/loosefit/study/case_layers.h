@@ -8,7 +8,8 @@
 // What is worn under the garment that is studied.
 namespace loosefit {
 
-/// Stage "pattern" for every [[under]] of the scenario. \throws as make_pattern, naming the section.
+/// Stage "pattern" for every [[under]] of the scenario. \throws as make_pattern, naming the
+/// section.
 std::vector<CaseUnder> make_under_patterns(const Scenario& scenario, const Body& body);
 
 /// Stage "garment" for them: meshes at `edge_length` [m]. Needs scenario and their patterns.

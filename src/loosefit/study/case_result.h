@@ -68,7 +68,7 @@ struct CaseState {
   Drape drape;
   std::vector<Drape> under = {};  ///< of the garments under it, the innermost first
   double seconds = 0;             ///< to drape it
-  std::string left_out = {};  ///< why there is no drape to speak of; else empty
+  std::string left_out = {};      ///< why there is no drape to speak of; else empty
   /// Stage "maps", of a settled drape.
   WornGarment worn = {};
   PressureField pressure = {};
@@ -95,7 +95,7 @@ struct CaseResult {
   Drape drape;
   CaseMaps maps;
   std::vector<CaseUnder> under;  ///< the innermost first
-  CaseWear wear;  ///< empty for one posture and one donning
+  CaseWear wear;                 ///< empty for one posture and one donning
   std::vector<Site> sites;
   /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
   std::map<std::string, Spread> repeats;

@@ -33,8 +33,8 @@ std::vector<PerformanceMap> plain_maps(const CaseMaps& maps) {
 CasePressure make_pressure(const Worn& of, const WornGarment& worn, const Scenario& scenario) {
   CasePressure made;
   if (of.drape.body_normal_force.empty()) return made;
-  made.field = contact_pressure(of.garment, of.drape, of.body, of.material,
-                                scenario.simulation.gravity);
+  made.field =
+      contact_pressure(of.garment, of.drape, of.body, of.material, scenario.simulation.gravity);
   made.overall = compare_pressures(made.field, worn.regions);
   for (Region region : all_regions()) {
     const PressureAgreement here = compare_pressures(made.field, worn.regions, region);
@@ -47,9 +47,8 @@ CaseMaps maps_of(const Worn& of, const Scenario& scenario, bool allow_unsettled)
   CaseMaps made;
   made.worn = relate(of.garment, of.drape.positions, of.body);
   made.pressure = make_pressure(of, made.worn, scenario);
-  for (PerformanceMap& map :
-       compute_maps(of.garment, of.drape, made.worn, scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field, &of.material})) {
+  for (PerformanceMap& map : compute_maps(of.garment, of.drape, made.worn, scenario.output.maps,
+                                          {allow_unsettled, &made.pressure.field, &of.material})) {
     CaseMap entry;
     entry.overall = statistics(map.values, made.worn.areas);
     entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
@@ -74,16 +73,15 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
 }
 
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
-  return maps_of(
-      {result.mesh(), result.drape, result.scenario.material.material, result.body.body},
-      result.scenario, allow_unsettled);
+  return maps_of({result.mesh(), result.drape, result.scenario.material.material, result.body.body},
+                 result.scenario, allow_unsettled);
 }
 
 CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled) {
   const CaseUnder& under = result.under[layer];
-  return maps_of({under.mesh(), under.drape, result.scenario.under[layer].material.material,
-                  result.body.body},
-                 result.scenario, allow_unsettled);
+  return maps_of(
+      {under.mesh(), under.drape, result.scenario.under[layer].material.material, result.body.body},
+      result.scenario, allow_unsettled);
 }
 
 std::vector<Site> make_sites(const CaseResult& result) {

@@ -16,9 +16,9 @@ CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
 /// The same of a garment under the studied one.
 CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled);
 
-/// The same of all garments into `result`, and the maps of all its postures and donnings: slip of each, and the
-/// slip and calibrated orientation error over the postures of the first donning beside the other
-/// maps.
+/// The same of all garments into `result`, and the maps of all its postures and donnings: slip of
+/// each, and the slip and calibrated orientation error over the postures of the first donning
+/// beside the other maps.
 void add_maps(CaseResult& result, bool allow_unsettled);
 
 /// Stage "placement": preset sites and those of the scenario, with what the maps say there.

@@ -96,8 +96,8 @@ Json garments_json(const CaseResult& result) {
     if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
     json.push_back(std::move(entry));
   }
-  json.push_back(garment_json(result.pattern, result.mesh(), result.scenario.material.material,
-                              result.drape));
+  json.push_back(
+      garment_json(result.pattern, result.mesh(), result.scenario.material.material, result.drape));
   return json;
 }
 
