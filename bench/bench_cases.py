@@ -69,8 +69,14 @@ def cases():
         # Dressed upright, then carried along to the posture of the maps.
         Case("posture-change", ["posture"], scenario(
             REFERENCE_FIT, posture='dress_posture = "standing"\nposture = "forward-bend"')),
-        Case("two-layer", ["layers"],
-             missing="a scenario holds one garment: two layers cannot be written down"),
+        Case("two-layer", ["layers"], scenario(
+            "fit = { chest = 0.20, hip = 0.15, sleeve = 0.30, wrist = 0.30 }", edge_mm=14) + """[[under]]
+pattern = "t-shirt"
+fit = { chest = 0.05, hip = 0.05, sleeve = 0.12 }
+friction = 0.3
+[under.material]
+name = "cotton-jersey"
+"""),
     ]
     return found
 

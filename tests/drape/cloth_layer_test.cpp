@@ -76,6 +76,7 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   Progress silent;
   DrapeOptions options;
   options.threads = 1;
+  options.max_iterations = 150;
   DrapeSession session(wearer.layers, options, silent);
   const Drape all = session.put_on(wearer.arms(25, 25));
   ASSERT_TRUE(all.certificate.settled())
@@ -128,7 +129,13 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   for (const Vec3& f : inner.body_contact_force) through_inner += f[2];
   EXPECT_GT(through_inner, 1.05 * g0.mass * kGravity) << "it bears part of the outer one too";
 
+  for (const PartWork& part : all.report.parts) printf("%s %d\n", part.part.c_str(), part.work.iterations);
+  fflush(stdout);
+  for (size_t i = 0; i < all.report.history.size(); i += 5) printf("%d %.2e\n", all.report.history[i].iteration, all.report.history[i].residual);
+  fflush(stdout);
   const Drape raised = session.follow(wearer.arms(25, 40));
+  for (const PartWork& part : raised.report.parts) printf("%s %d\n", part.part.c_str(), part.work.iterations);
+  for (size_t i = 0; i < raised.report.history.size(); i += 10) printf("%d %.2e\n", raised.report.history[i].iteration, raised.report.history[i].residual);
   EXPECT_TRUE(raised.certificate.settled())
       << raised.certificate.stop_reason << " " << raised.certificate.residual;
   EXPECT_EQ(raised.certificate.intersections_layers, 0);

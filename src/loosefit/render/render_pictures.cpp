@@ -15,6 +15,7 @@ namespace {
 constexpr Rgb kCloth = {226, 231, 238};
 constexpr double kMapAmbient = 0.55;  // light left in the deepest shade of a map
 constexpr double kSceneAmbient = 0.25;
+constexpr double kThrough = 0.35;  // opacity of a garment that is looked through
 
 /// Colour × light. `floor` lifts the light so that colours stay comparable with the legend.
 Image lit(Image colours, const Image& light, double ambient) {
@@ -35,13 +36,6 @@ Image with_foot(const Image& image, int foot) {
   Image sheet(image.width, image.height + foot);
   std::copy(image.pixels.begin(), image.pixels.end(), sheet.pixels.begin());
   return sheet;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const int shift = static_cast<int>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Triangle& t : more.triangles)
-    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
 }
 
 void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
@@ -86,15 +80,17 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
   check_sizes(garment, positions, maps);
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
-  TriangleMesh form = mannequin(body, garment, positions);
-  append(form, options.under);
-  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
-              options.height - foot, options.supersampling, options.ambient_occlusion);
+  const TriangleMesh form = mannequin(body, garment, positions);
+  const bool layered = !options.under.triangles.empty();
+  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams,
+               layered ? &options.under : nullptr},
+              options.width, options.height - foot, options.supersampling,
+              options.ambient_occlusion);
   std::vector<const PerformanceMap*> drawn;
   for (const PerformanceMap& map : maps)
     if (map.pictured) drawn.push_back(&map);
-  const double total =
-      static_cast<double>(options.views.size() * (drawn.size() + (options.undecorated ? 1 : 0)));
+  const double total = static_cast<double>(
+      options.views.size() * (drawn.size() + (options.undecorated ? (layered ? 2 : 1) : 0)));
 
   std::vector<Picture> pictures;
   const auto finish = [&](const Image& image, const std::string& map, View view) {
@@ -109,6 +105,14 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
       finish(scaled_down(lit(scene.colours(nullptr, kCloth), light, kSceneAmbient),
                          options.supersampling),
              "drape", view);
+    if (options.undecorated && layered) {
+      scene.set_opacity(kThrough);
+      const Image dim = scene.light();
+      finish(scaled_down(lit(scene.colours(nullptr, kCloth), dim, kSceneAmbient),
+                         options.supersampling),
+             "layers", view);
+      scene.set_opacity(1);
+    }
     for (const PerformanceMap* map : drawn) {
       Image image = with_foot(
           scaled_down(lit(scene.colours(map), light, kMapAmbient), options.supersampling), foot);

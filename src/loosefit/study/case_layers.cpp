@@ -9,7 +9,8 @@ namespace {
 InvalidInput in_under(const InvalidInput& error, const Scenario& scenario, std::size_t layer) {
   const std::string& key = error.place().key;
   const std::string& file = scenario.under[layer].garment.file;
-  if (!error.place().file.empty() || key.starts_with("measures.")) return error;
+  const bool of_body = key.starts_with("measures.") || key.starts_with("body.");
+  if (!error.place().file.empty() || of_body) return error;
   if (!file.empty()) return error.at({file, 0, key});
   return error.at({{}, 0, "under[" + std::to_string(layer) + "]." + key});
 }
