@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/drape/carry_layers.h"
 #include "loosefit/drape/cloth_run.h"
 #include "loosefit/drape/impact_zones.h"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
+constexpr double kWholeWay = 0.9;   ///< share of the way of layers that must be free
+constexpr int kTicks = 16;          ///< parts of a step, the shortest way where it is not
 constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
@@ -46,23 +49,30 @@ Drape ClothRun::follow(const BodyPath& body_at) {
 void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
-  const int steps = static_cast<int>(std::ceil(turn / step));
-  for (int k = 1; k <= steps; ++k) {
-    if (seconds() > options_.time_budget) k = steps;  // end on the wanted body, settled or not
+  const int ticks = kTicks * static_cast<int>(std::ceil(turn / step));
+  for (int gone = 0, stride = kTicks; gone < ticks;) {
+    // At the end of the budget on the wanted body, settled or not.
+    const int target = seconds() > options_.time_budget ? ticks : std::min(gone + stride, ticks);
     std::shared_ptr<const PosedBody> next =
-        pose_for_contact(body_at(double(k) / steps), bounds(x_), kFieldSpacing);
+        pose_for_contact(body_at(double(target) / ticks), bounds(x_), kFieldSpacing);
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_,
-                        way_of(smoothed_over(triangles(), x_, motion), x_));
+                        way_of(carried_layers(model_->mesh(), x_, motion), x_));
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
+    const double allowed = model_->self().begin_search(x_, carried);
+    // Layers that lie on each other have little room: shorter ways, and settling makes it anew.
+    if (layers() > 1 && allowed < kWholeWay && stride > 1 && seconds() < options_.time_budget) {
+      stride /= 2;
+      continue;
+    }
     const std::vector<Vec3> way = way_of(motion, x_);
     for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
-    const double allowed = model_->self().begin_search(x_, carried);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * carried[i];
     body_ = std::move(next);
     model_->set_field(body_->field);
     settle(tolerance, iterations, 0.02, true);
+    gone = target;
   }
 }
 
@@ -87,7 +97,7 @@ void ClothRun::displace() {
       const Mat3 own = on_trunk[i] ? turn : Mat3::Identity();
       maps[i] << own, centre - own * centre + shift / kDisplaceSteps;
     }
-    const std::vector<Vec3> move = way_of(smoothed_over(triangles(), x_, std::move(maps)), x_);
+    const std::vector<Vec3> move = way_of(carried_layers(model_->mesh(), x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];
