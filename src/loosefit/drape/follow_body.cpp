@@ -12,9 +12,13 @@ namespace {
 constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
-constexpr double kWholeWay = 0.9;   ///< share of the way of layers that must be free
-constexpr int kTicks = 16;          ///< parts of a step, the shortest way where it is not
-constexpr int kDisplaceSteps = 4;   ///< in which the start is shifted and twisted
+/// The same of several layers: what the body pushes out has to push the next one.
+constexpr double kLayeredStep = 0.04, kLayeredTolerance = 5;
+constexpr int kLayeredIterations = 100;
+constexpr double kWholeWay = 0.9;  ///< share of the way of layers that must be free
+constexpr double kStray = 0.002;   ///< that impact zones may lead them off it [m]
+constexpr int kTicks = 8;          ///< parts of a step, the shortest way where it is not
+constexpr int kDisplaceSteps = 4;  ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -30,6 +34,12 @@ double largest_turn(const Body& from, const Body& to) {
   return turn;
 }
 
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).squaredNorm());
+  return std::sqrt(most);
+}
+
 }  // namespace
 
 Drape ClothRun::follow(const BodyPath& body_at) {
@@ -40,7 +50,10 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   body_ = worn_->body;
   model_->recall(worn_->memory);
   part_ = "posture";
-  walk(body_at, kStep, kTolerance, kIterations);
+  if (layers() == 1)
+    walk(body_at, kStep, kTolerance, kIterations);
+  else
+    walk(body_at, kLayeredStep, kLayeredTolerance, kLayeredIterations);
   part_ = "settle";
   settle_finest();
   return finish();
@@ -56,13 +69,15 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     std::shared_ptr<const PosedBody> next =
         pose_for_contact(body_at(double(target) / ticks), bounds(x_), kFieldSpacing);
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
+    const std::vector<Vec3> wanted = way_of(carried_layers(model_->mesh(), x_, motion), x_);
     const std::vector<Vec3> carried =
-        without_impacts(model_->self().candidates().features(), x_,
-                        way_of(carried_layers(model_->mesh(), x_, motion), x_));
+        without_impacts(model_->self().candidates().features(), x_, wanted);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, carried);
-    // Layers that lie on each other have little room: shorter ways, and settling makes it anew.
-    if (layers() > 1 && allowed < kWholeWay && stride > 1 && seconds() < options_.time_budget) {
+    // Layers that lie on each other have little room, and would be taken along like one rigid
+    // piece: shorter ways, and settling makes room anew.
+    const bool clear = allowed >= kWholeWay && farthest(wanted, carried) <= kStray;
+    if (layers() > 1 && !clear && stride > 1 && seconds() < options_.time_budget) {
       stride /= 2;
       continue;
     }
@@ -73,6 +88,7 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     model_->set_field(body_->field);
     settle(tolerance, iterations, 0.02, true);
     gone = target;
+    stride = std::min(2 * stride, kTicks);
   }
 }
 
