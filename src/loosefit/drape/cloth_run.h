@@ -46,8 +46,8 @@ class ClothRun {
   /// that turn of any skin [rad], each settled to a loose tolerance.
   void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
   void settle_levels();
-  /// From anywhere near to the last digits, with rounds that free cuts into the skin.
-  void settle_finest();
+  /// From anywhere near to the residual `fine`, with rounds that free cuts into the skin.
+  void settle_finest(double fine);
   /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
   /// surface, so no new intersections; then they move towards the smooth surface through the coarse
   /// normals (PN triangles, Vlachos et al. 2001) as far as they meet nothing.

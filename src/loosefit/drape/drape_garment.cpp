@@ -64,10 +64,10 @@ void ClothRun::settle_levels() {
     settle(kCoarseTolerance, options_.max_iterations, 0.02);
     refine();
   }
-  settle_finest();
+  settle_finest(options_.residual_tolerance);
 }
 
-void ClothRun::settle_finest() {
+void ClothRun::settle_finest(double fine) {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
   std::vector<double> half_thickness;
@@ -76,12 +76,12 @@ void ClothRun::settle_finest() {
     return hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
+    settle(std::max(tolerance, fine), options_.max_iterations, first_dt);
     if (seconds() > options_.time_budget) return;
     hold_off(true);
   }
   // A round for the last digits, while there are still cuts, would be thrown away.
-  const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
+  const double rough = std::max(kCutTolerance, fine);
   for (int round = 0; round <= kCutRounds; ++round) {
     settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
     if (seconds() > options_.time_budget) break;

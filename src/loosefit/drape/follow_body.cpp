@@ -9,7 +9,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.3;       ///< largest turn of any skin in one step of the way [rad]
+constexpr double kStep = 0.2;       ///< largest turn of any skin in one step of the way [rad]
 constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
 constexpr int kIterations = 25;     ///< between two steps
 /// The same of several layers: what the body pushes out has to push the next one.
@@ -18,6 +18,10 @@ constexpr int kLayeredIterations = 100;
 constexpr double kWholeWay = 0.9;  ///< share of the way of layers that must be free
 constexpr double kStray = 0.002;   ///< that impact zones may lead them off it [m]
 constexpr int kTicks = 8;          ///< parts of a step, the shortest way where it is not
+constexpr double kTooFar = 5;      ///< times the tolerance, beyond which a step is worked on
+constexpr int kPatience = 8;       ///< times as long
+/// Of the wanted residual: the certificate looks anew, when contacts may have come or gone.
+constexpr double kFine = 0.8;
 constexpr int kDisplaceSteps = 4;  ///< in which the start is shifted and twisted
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
@@ -55,7 +59,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   else
     walk(body_at, kLayeredStep, kLayeredTolerance, kLayeredIterations);
   part_ = "settle";
-  settle_finest();
+  settle_finest(kFine * options_.residual_tolerance);
   return finish();
 }
 
@@ -87,6 +91,9 @@ void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int 
     body_ = std::move(next);
     model_->set_field(body_->field);
     settle(tolerance, iterations, 0.02, true);
+    // Pressed deep into the skin it would be pulled through it on the next step.
+    if (last_.residual > kTooFar * tolerance)
+      settle(kTooFar * tolerance, kPatience * iterations, 0.02, true);
     gone = target;
     stride = std::min(2 * stride, kTicks);
   }

@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "loosefit/contact/candidate_pairs.h"
 #include "loosefit/contact/pair_distance.h"
@@ -29,9 +30,9 @@ class Zones {
   std::vector<int> of_;
 };
 
-/// Displacements of the rigid motion nearest to the given ones (Kabsch 1976).
+/// Displacements of the rigid motion nearest to the given ones (Kabsch 1976), or their mean.
 void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
-                const std::vector<Vec3>& wanted, std::vector<Vec3>& u) {
+                const std::vector<Vec3>& wanted, bool may_turn, std::vector<Vec3>& u) {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   for (int i : members) from += x[i], to += x[i] + wanted[i];
   from /= static_cast<double>(members.size()), to /= static_cast<double>(members.size());
@@ -40,7 +41,8 @@ void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
   const Eigen::JacobiSVD<Mat3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 proper = Mat3::Identity();
   proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Mat3 turn = svd.matrixU() * proper * svd.matrixV().transpose();
+  const Mat3 turn =
+      may_turn ? Mat3(svd.matrixU() * proper * svd.matrixV().transpose()) : Mat3(Mat3::Identity());
   for (int i : members) u[i] = to + turn * (x[i] - from) - x[i];
 }
 
@@ -51,17 +53,24 @@ std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::ve
   std::vector<Vec3> u = displacement;
   CandidatePairs candidates(features);
   Zones zones(x.size());
+  std::set<int> stiff;  // particles of zones that had better not turn
   for (int round = 0; round < rounds; ++round) {
-    bool joined = false;
+    bool joined = false, again = false;
     for (const FeaturePair& pair : candidates.approaching(x, u)) {
       if (time_of_impact(pair.kind, pair.points(x), pair.points(u)) >= 1) continue;
-      for (int k = 1; k < 4; ++k) joined |= zones.join(pair.particle[0], pair.particle[k]);
+      bool apart = false;
+      for (int k = 1; k < 4; ++k) apart |= zones.join(pair.particle[0], pair.particle[k]);
+      joined |= apart;
+      // Turning features that all but touch, on straight ways, may count as meeting.
+      if (!apart) again |= stiff.insert(pair.particle[0]).second;
     }
-    if (!joined) break;
+    if (!joined && !again) break;
     std::map<int, std::vector<int>> members;
     for (int i = 0; i < static_cast<int>(x.size()); ++i) members[zones.of(i)].push_back(i);
+    std::set<int> shifted;
+    for (int i : stiff) shifted.insert(zones.of(i));
     for (const auto& [zone, list] : members)
-      if (list.size() > 1) make_rigid(list, x, displacement, u);
+      if (list.size() > 1) make_rigid(list, x, displacement, !shifted.count(zone), u);
   }
   return u;
 }

@@ -84,8 +84,10 @@ void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseR
         for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
           state.under.push_back(read_drape(file.parent_path() / under_folder(l) / "drape.vtp",
                                            result.under[l].mesh()));
-      } else
+        check_worn(result, state);
+      } else {
         state.left_out = "the run has no drape of it";
+      }
       result.wear.states.push_back(std::move(state));
     }
 }

@@ -19,6 +19,10 @@ CaseWear plan_wear(const CaseResult& result);
 /// that state says why and does not count. Nothing happens when result.drape itself is not settled.
 void wear_states(CaseResult& result, DrapeSession& first, Progress& progress);
 
+/// Marks a settled state as left out when limbs no longer go through the openings that they go
+/// through in result.drape (drape/worn_limbs.h).
+void check_worn(const CaseResult& result, CaseState& state);
+
 /// Worn garment, pressure and slip of every state that counts. \pre result.maps
 void map_states(CaseResult& result);
 

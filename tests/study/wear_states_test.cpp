@@ -1,0 +1,178 @@
+#include "loosefit/study/wear_states.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "loosefit/drape/posed_body.h"
+#include "loosefit/study/case_files.h"
+#include "loosefit/study/case_stages.h"
+#include "loosefit/study/load_case.h"
+#include "loosefit/study/rank_case.h"
+
+namespace loosefit {
+namespace {
+
+const char* const kText =
+    "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n"
+    "[donning]\nrepeats = 2\n"
+    "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
+    "[[site]]\nname = \"upper\"\nlandmark = \"upper_back\"\n"
+    "[ranking]\nmodality = \"imu-inclination\"\n"
+    "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
+    "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n";
+
+/// A shirt as it is put on, called settled, stuck to the skin in every other posture but for a
+/// shift of 5 mm down the back in the second donning: no time is spent on settling.
+CaseResult make_worn_case() {
+  CaseResult result;
+  result.scenario = parse_scenario(kText, "case.toml");
+  result.body = make_body(result.scenario.body);
+  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
+                                   result.scenario.material.material, {});
+  Progress silent;
+  result.drape = drape_garment(result.garment, result.scenario.material.material, result.body.path,
+                               drape_options(result.scenario.simulation), silent);
+  result.drape.certificate = Certificate{};
+  result.drape.certificate.residual = 1e-4;
+  result.drape.certificate.intersections_body = result.drape.certificate.intersections_self = 0;
+  result.drape.certificate.stop_reason = "converged";
+  result.wear = plan_wear(result);
+  PosedBody posed;
+  posed.body = result.body.body;
+  posed.tree = std::make_unique<ClosestPointTree>(posed.body.surface);
+  for (int donning = 0; donning < 2; ++donning)
+    for (int p = donning == 0 ? 1 : 0; p < 2; ++p) {
+      CaseState state;
+      state.posture = p, state.donning = donning;
+      state.name = result.wear.postures[p];
+      state.drape = result.drape;
+      state.seconds = 1.5 + p + 2 * donning;
+      auto& x = state.drape.positions;
+      if (donning == 1)
+        for (Vec3& point : x) point.z() -= 0.005;
+      if (p > 0) {
+        const auto way = way_of(skin_motion(posed, *result.wear.bodies[p], x), x);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
+      }
+      result.wear.states.push_back(std::move(state));
+    }
+  add_maps(result, false);
+  return result;
+}
+
+const CaseResult& worn_case() {
+  static const CaseResult result = make_worn_case();
+  return result;
+}
+
+RankingTable ranked(const CaseResult& result) {
+  return rank_cases({{"run", &result}}, ranking_wish(result.scenario.ranking, 1), true);
+}
+
+TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
+  CaseResult result;
+  result.scenario = parse_scenario("[donning]\nrepeats = 50\n", "case.toml");
+  const CaseWear wear = plan_wear(result);
+  ASSERT_EQ(wear.donnings.size(), 50u);
+  EXPECT_TRUE(wear.donnings[0].shift.isZero());
+  EXPECT_EQ(wear.donnings[0].twist, 0);
+  EXPECT_EQ(wear.donnings[0].friction, 1);
+  double most_shift = 0, most_twist = 0, sum = 0;
+  for (std::size_t k = 1; k < 50; ++k) {
+    most_shift = std::max(most_shift, wear.donnings[k].shift.cwiseAbs().maxCoeff());
+    most_twist = std::max(most_twist, std::abs(wear.donnings[k].twist));
+    sum += std::pow(std::log(wear.donnings[k].friction), 2);
+  }
+  EXPECT_LE(most_shift, 0.010);
+  EXPECT_GT(most_shift, 0.009);
+  EXPECT_LE(most_twist, radians(10));
+  EXPECT_GT(most_twist, radians(9));
+  EXPECT_NEAR(std::sqrt(sum / 49), 0.18, 0.04) << "0.2, cut at two deviations";
+  EXPECT_EQ(plan_wear(result).donnings[7].twist, wear.donnings[7].twist);
+  result.scenario = parse_scenario("", "case.toml");
+  EXPECT_TRUE(plan_wear(result).postures.empty());
+}
+
+TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {
+  const CaseResult& result = worn_case();
+  ASSERT_EQ(result.wear.states.size(), 3u);
+  EXPECT_EQ(state_folder(result.wear.states[0]), "postures/forward-bend-15");
+  EXPECT_EQ(state_folder(result.wear.states[2]), "donnings/2/forward-bend-15");
+  const std::vector<WornState> states = worn_states(result);
+  ASSERT_EQ(states.size(), 4u);
+  EXPECT_EQ(&states[0].body, &states[2].body) << "reference of both donnings";
+  EXPECT_EQ(&states[1].body, &states[3].body);
+}
+
+TEST(WearStates, MapsOfSlipAndOrientationErrorComeWithSeveralPostures) {
+  const CaseResult& result = worn_case();
+  std::map<std::string, const CaseMap*> maps;
+  for (const CaseMap& map : result.maps.maps) maps[map.map.array] = &map;
+  for (const char* array : {"slip_mm", "coe_rms_deg", "coe_p95_deg"})
+    ASSERT_TRUE(maps.count(array)) << array;
+  EXPECT_GT(maps["slip_mm"]->overall.median, 0.1);
+  EXPECT_LT(maps["slip_mm"]->overall.median, 40);
+  EXPECT_GT(maps["coe_rms_deg"]->overall.median, 0.1);
+}
+
+TEST(WearStates, RankingTellsTheErrorOverPosturesPerDonning) {
+  const RankingTable table = ranked(worn_case());
+  ASSERT_EQ(table.sites.size(), 2u);
+  EXPECT_EQ(table.sample_names, (std::vector<std::string>{"run donning 1", "run donning 2"}));
+  for (const RankedSite& site : table.ranking.sites) {
+    EXPECT_TRUE(site.score.rated()) << site.score.reason;
+    EXPECT_FALSE(site.score.reason.empty());
+  }
+}
+
+TEST(WearStates, AStoredRunRanksAlike) {
+  const CaseResult& result = worn_case();
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "worn-states";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  write_case_files(folder, result);
+  write_summary_file(folder, result);
+  Progress silent;
+  CaseResult loaded = load_case(folder, silent);
+  ASSERT_EQ(loaded.wear.states.size(), result.wear.states.size());
+  EXPECT_EQ(loaded.wear.states[1].seconds, result.wear.states[1].seconds);
+  add_maps(loaded, false);
+  const RankingTable a = ranked(result), b = ranked(loaded);
+  for (std::size_t i = 0; i < a.sites.size(); ++i)
+    for (std::size_t k = 0; k < a.sites[i].samples.size(); ++k)
+      EXPECT_DOUBLE_EQ(a.sites[i].samples[k].at("coe_rms_deg"),
+                       b.sites[i].samples[k].at("coe_rms_deg"));
+  std::filesystem::remove_all(folder / "postures");
+  const CaseResult poorer = load_case(folder, silent);
+  EXPECT_FALSE(poorer.wear.states[0].counts());
+  EXPECT_EQ(wear_warnings(poorer).size(), 1u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(WearStates, WhatDidNotSettleIsNamedAndCountsNowhere) {
+  CaseResult result = worn_case();
+  result.wear.states[2].drape.certificate.residual = 0.1;
+  result.wear.states[2].drape.certificate.stop_reason = "time budget";
+  EXPECT_EQ(worn_states(result).size(), 3u);
+  const std::vector<std::string> warnings = wear_warnings(result);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("forward-bend-15 of donning 2"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("time budget"), std::string::npos) << warnings[0];
+  EXPECT_EQ(ranked(result).notes.front(), warnings[0]);
+}
+
+TEST(WearStates, AnArmBesideItsSleeveDoesNotCount) {
+  CaseResult result = worn_case();
+  CaseState& state = result.wear.states[0];
+  check_worn(result, state);
+  EXPECT_TRUE(state.counts());
+  for (Vec3& p : state.drape.positions) p.z() -= 0.5;
+  check_worn(result, state);
+  EXPECT_FALSE(state.counts());
+  EXPECT_NE(state.left_out.find("arm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace loosefit
