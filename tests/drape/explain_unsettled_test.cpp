@@ -37,8 +37,7 @@ struct Square {
   Unsettled explain() {
     ClothModel model(garment, material, options, material.thickness);
     model.body().set_field(body->field);
-    return explain_unsettled(model, garment, x, *body,
-                             certify(model, garment, x, *body, "time budget"));
+    return explain_unsettled(model, {&garment}, x, *body, certify(model, x, *body, "time budget"));
   }
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/certify.h"
 #include "loosefit/drape/explain_unsettled.h"
 #include "loosefit/drape/worn_detail.h"
@@ -37,14 +38,28 @@ bool better(const Certificate& a, const Certificate& b) {
 
 }  // namespace
 
+ClothRun::ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options,
+                   Progress& progress)
+    : layers_(layers), options_(options), progress_(progress) {
+  if (layers.empty()) throw InvalidInput("a drape needs at least one garment");
+  for (const ClothLayer& layer : layers)
+    if (layer.garment->levels.size() != layers.front().garment->levels.size())
+      throw InvalidInput("garments worn over each other need meshes of the same levels");
+}
+
 void ClothRun::make_model(double stiffness_share, bool with_friction) {
-  Material material = material_;
-  if (!with_friction) material.friction_body = material.friction_self = 0;
-  scale_membrane(material, stiffness_share);
-  const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+  std::vector<ModelLayer> parts;
+  for (int l = 0; l < layers(); ++l) {
+    Material material = layers_[l].material;
+    if (!with_friction) material.friction_body = material.friction_self = 0;
+    scale_membrane(material, stiffness_share);
+    const double thickness = material.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+    parts.push_back({&level_garment(l), std::move(material), thickness});
+  }
+  const double share = with_friction ? 1 : 0;
   integrator_.reset();
-  model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
-  model_->body().set_field(body_->field);
+  model_ = std::make_unique<ClothModel>(parts, share * layer_friction(layers_), options_);
+  model_->set_field(body_->field);
 }
 
 bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool preparing) {
@@ -63,8 +78,8 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     const double done = std::log10(std::max(residual, tolerance) / 10) /
                         std::log10(options_.residual_tolerance / 10);
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
-                                                     std::to_string(garment_.levels.size()) +
-                                                     ", residual " + std::to_string(residual));
+                                                     std::to_string(levels()) + ", residual " +
+                                                     std::to_string(residual));
     if (is_finest() && !preparing && (!lowest_ || residual < kWorthKeeping * lowest_->residual))
       keep(lowest_, residual);
     return over(iteration);
@@ -97,9 +112,17 @@ void ClothRun::perturb() {
   for (Vec3& p : x_) p += shift * (1 + 0.5 * std::sin(20 * p[2] + 12 * p[0] + phase));
 }
 
+std::vector<std::array<int, 2>> ClothRun::parents_of_next() const {
+  std::vector<std::array<int, 2>> all;
+  for (int l = 0, shift = 0; l < layers(); shift += level_garment(l++).vertex_count)
+    for (const auto& [a, b] : layers_[l].garment->parents[level_ + 1])
+      all.push_back({a + shift, b + shift});
+  return all;
+}
+
 void ClothRun::refine() {
-  const auto& parents = garment_.parents[level_ + 1];
-  const auto normal = vertex_normals(x_, level_garment().triangles);
+  const auto parents = parents_of_next();
+  const auto normal = vertex_normals(x_, triangles());
   std::vector<Vec3> bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
@@ -121,7 +144,7 @@ Drape ClothRun::finish(const std::string& given_up) {
     const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
     return cut_short ? std::string("time budget") : last_.text();
   };
-  const auto certified = [&] { return certify(*model_, level_garment(), x_, *body_, reason()); };
+  const auto certified = [&] { return certify(*model_, x_, *body_, reason()); };
   const auto take = [&](const Kept& kept) {
     x_ = kept.x;
     model_->recall(kept.memory);
@@ -149,17 +172,22 @@ Drape ClothRun::finish(const std::string& given_up) {
       best = &**other;
     }
     drape.certificate = take(*best);
-    drape.unsettled = explain_unsettled(*model_, level_garment(), x_, *body_, drape.certificate);
+    std::vector<const Garment*> garments;
+    for (int l = 0; l < layers(); ++l) garments.push_back(&level_garment(l));
+    drape.unsettled = explain_unsettled(*model_, garments, x_, *body_, drape.certificate);
   }
-  report_.contacts_body = model_->body().active(x_);
   report_.contacts_self = model_->self().active(x_);
-  for (const ContactPoint& p : model_->body().points())
-    report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
   drape.body_contact_force.assign(x_.size(), Vec3::Zero());
-  model_->body().add_gradient(x_, drape.body_contact_force);
-  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.body_normal_force.assign(x_.size(), 0.0);
-  model_->body().add_normal_force(x_, drape.body_normal_force);
+  for (int l = 0; l < layers(); ++l) {
+    const BodyContact& contact = model_->body(l);
+    report_.contacts_body += contact.active(x_);
+    for (const ContactPoint& p : contact.points())
+      report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
+    contact.add_gradient(x_, drape.body_contact_force);
+    contact.add_normal_force(x_, drape.body_normal_force);
+  }
+  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.positions = x_;
   drape.report = report_;
   return drape;

@@ -17,14 +17,13 @@ inline constexpr double kCoarseTolerance = 1.0;
 /// First pseudo-step near rest [s].
 inline constexpr double kStaticDt = 10;
 
-/// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
-/// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
-/// constructor.
+/// A garment, or several worn over each other, on the way to rest, and on to other postures: knows
+/// the state of the cloth, the body under it, the clock, the report and whom to tell. Keeps
+/// references to all arguments of the constructor.
 class ClothRun {
  public:
-  ClothRun(const GarmentHierarchy& garment, const Material& material, const DrapeOptions& options,
-           Progress& progress)
-      : garment_(garment), material_(material), options_(options), progress_(progress) {}
+  /// \throws InvalidInput for no layers, or layers of different edge lengths.
+  ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options, Progress& progress);
 
   /// Dress and settle, as drape_garment. What it leaves is where `follow` starts.
   Drape put_on(const BodyPath& body_at);
@@ -39,8 +38,13 @@ class ClothRun {
   bool over(int more_iterations = 0) const {
     return is_late() || iterations_ + more_iterations > most_iterations_;
   }
-  const Garment& level_garment() const { return garment_.levels[level_]; }
-  bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
+  const Garment& level_garment(int layer) const { return layers_[layer].garment->levels[level_]; }
+  int layers() const { return static_cast<int>(layers_.size()); }
+  int levels() const { return static_cast<int>(layers_.front().garment->levels.size()); }
+  bool is_finest() const { return level_ + 1 == levels(); }
+  const std::vector<Triangle>& triangles() const { return model_->mesh().triangles; }
+  /// GarmentHierarchy::parents of the next finer level, all layers numbered through.
+  std::vector<std::array<int, 2>> parents_of_next() const;
 
   void make_model(double stiffness_share = 1, bool with_friction = true);
   /// Settles the current level; true when the tolerance was met.
@@ -69,8 +73,7 @@ class ClothRun {
   /// why it ended, when that is not how the last settling did.
   Drape finish(const std::string& given_up = "");
 
-  const GarmentHierarchy& garment_;
-  const Material& material_;
+  const std::vector<ClothLayer>& layers_;
   const DrapeOptions& options_;
   Progress& progress_;
   Clock::time_point start_ = Clock::now();

@@ -15,7 +15,8 @@ struct Certificate {
   double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
   int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
   int intersections_self = -1;
-  std::string stop_reason;  ///< "converged", "time budget", "iteration limit", …
+  std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
+  int intersections_layers = 0;  ///< of intersections_self, those between two garments
   bool settled() const {
     return residual <= 1e-3 && intersections_body == 0 && intersections_self == 0;
   }

@@ -49,19 +49,21 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
 }
 
 void ClothRun::dress(Body body) {
-  x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
-                                 : dress_as_placed(level_garment(), garment_.pattern, body.surface);
+  std::vector<LayerToDress> to_dress;
+  for (int l = 0; l < layers(); ++l)
+    to_dress.push_back({&level_garment(l), &layers_[l].garment->pattern});
+  x_ = dress_layers(to_dress, body);
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
   // that it comes to lie on the limbs and is not pulled through them.
   for (double share : {0.01, 0.1}) {
     make_model(share, false);
-    model_->pad_body(kPad);
+    if (layers() == 1) model_->pad_body(kPad);
     if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
   }
   make_model();
-  model_->pad_body(kPad);
+  if (layers() == 1) model_->pad_body(kPad);
   if (!is_late()) displace();
   if (!is_late()) settle(kDressTolerance, options_.max_iterations, 0.01, true);
 }
@@ -78,13 +80,14 @@ void ClothRun::settle_levels() {
 void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
+  std::vector<double> half_thickness;
+  for (const ClothLayer& layer : layers_) half_thickness.push_back(0.5 * layer.material.thickness);
   lowest_.reset(), clear_.reset();
   const auto hold_off = [&](bool look_ahead) {
     const bool low = !clear_ || last_.residual < clear_->residual;
     std::optional<Kept> here;
     if (low) keep(here, last_.residual);
-    const bool cuts = hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                                    look_ahead, times_cut);
+    const bool cuts = hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
     if (low && !cuts) clear_ = std::move(here);
     return cuts;
   };

@@ -31,33 +31,55 @@ std::string nearest_part(const PosedBody& body, const Vec3& p) {
   return part_name(body.body, body.body.surface.triangles[body.tree->query(p).triangle][0]);
 }
 
-CutTriangle cut_triangle(const Garment& g, const std::vector<Vec3>& x, int t) {
+/// The garments of a model and the places in them.
+struct Wardrobe {
+  const ClothMesh& mesh;
+  const std::vector<const Garment*>& layers;
+
+  int layer_of_vertex(int v) const {
+    return static_cast<int>(
+               std::upper_bound(mesh.first_vertex.begin(), mesh.first_vertex.end(), v) -
+               mesh.first_vertex.begin()) -
+           1;
+  }
+  std::string panel_name(int layer, int panel) const {
+    const std::string& name = layers[layer]->panel_names[panel];
+    return layers.size() > 1 ? fmt::format("{} of garment {}", name, layer + 1) : name;
+  }
+  std::string panel_of_triangle(int t) const {
+    const int l = mesh.triangle_layer[t];
+    return panel_name(l, layers[l]->triangle_panel[t - mesh.first_triangle[l]]);
+  }
+};
+
+CutTriangle cut_triangle(const Wardrobe& w, const std::vector<Vec3>& x, int t) {
+  const int l = w.mesh.triangle_layer[t];
   CutTriangle cut;
-  cut.triangle = t;
-  cut.panel = g.panel_names[g.triangle_panel[t]];
+  cut.triangle = t - w.mesh.first_triangle[l];
+  cut.panel = w.panel_of_triangle(t);
   for (int k = 0; k < 3; ++k) {
-    cut.at += g.triangle_uv[t][k] / 3;
-    cut.position += x[g.triangles[t][k]] / 3;
+    cut.at += w.layers[l]->triangle_uv[cut.triangle][k] / 3;
+    cut.position += x[w.mesh.triangles[t][k]] / 3;
   }
   return cut;
 }
 
 /// Every triangle that cuts something, once for each thing that it cuts.
-std::vector<CutTriangle> all_cuts(const Garment& g, const std::vector<Vec3>& x,
+std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
                                   const PosedBody& body) {
   std::vector<CutTriangle> cuts;
   std::map<std::pair<int, std::string>, bool> seen;
   const auto add = [&](int t, const std::string& with, bool is_body) {
     if (!seen.emplace(std::pair(t, with), true).second) return;
-    cuts.push_back(cut_triangle(g, x, t));
+    cuts.push_back(cut_triangle(w, x, t));
     cuts.back().with = with;
     cuts.back().body = is_body;
   };
   const TriangleMesh& skin = body.body.surface;
-  for (const auto& [t, s] : mesh_intersections(x, g.triangles, skin.vertices, skin.triangles))
+  const auto& triangles = w.mesh.triangles;
+  for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
     add(t, part_name(body.body, skin.triangles[s][0]), true);
-  for (const auto& [t, s] : self_intersections(x, g.triangles))
-    add(t, g.panel_names[g.triangle_panel[s]], false);
+  for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s), false);
   return cuts;
 }
 
@@ -106,9 +128,11 @@ std::string hint_for(const Certificate& c) {
 
 }  // namespace
 
-Unsettled explain_unsettled(ClothModel& model, const Garment& garment, const std::vector<Vec3>& x,
-                            const PosedBody& body, const Certificate& certificate) {
+Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>& layers,
+                            const std::vector<Vec3>& x, const PosedBody& body,
+                            const Certificate& certificate) {
   Unsettled u;
+  const Wardrobe wardrobe{model.mesh(), layers};
   const ClothModel::Forces forces = model.forces(x);
   std::vector<double> square(x.size());
   double sum = 0;
@@ -129,16 +153,17 @@ Unsettled explain_unsettled(ClothModel& model, const Garment& garment, const std
   for (std::size_t k = 0; k < std::min(kWorst, order.size()); ++k) {
     const int i = order[k];
     UnbalancedVertex v;
-    v.vertex = i;
-    v.panel = garment.panel_names[garment.vertex_panel[i]];
-    v.at = garment.vertex_uv[i];
+    const int layer = wardrobe.layer_of_vertex(i);
+    v.vertex = i - wardrobe.mesh.first_vertex[layer];
+    v.panel = wardrobe.panel_name(layer, layers[layer]->vertex_panel[v.vertex]);
+    v.at = layers[layer]->vertex_uv[v.vertex];
     v.position = x[i];
     v.near = nearest_part(body, x[i]);
     v.net = std::sqrt(square[i]);
     for (std::size_t f = 0; f < forces.size(); ++f) v.force[f] = forces[f][i].norm();
     u.worst.push_back(std::move(v));
   }
-  u.cuts = all_cuts(garment, x, body);
+  u.cuts = all_cuts(wardrobe, x, body);
   if (!(certificate.residual <= kAllowed) && !u.worst.empty()) u.why = balance_in_words(u);
   for (bool of_body : {true, false}) {
     const std::string text = cuts_in_words(u.cuts, of_body);

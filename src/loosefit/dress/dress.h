@@ -25,4 +25,16 @@ std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body);
 std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern,
                                   const TriangleMesh& body);
 
+/// One garment of those that are worn over each other.
+struct LayerToDress {
+  const Garment* garment = nullptr;
+  const Pattern* pattern = nullptr;  ///< where is_shirt does not hold: the placement
+};
+
+/// First positions of garments worn over each other, the innermost first: vertices of all in turn.
+/// Each as if alone (dress_shirt, dress_as_placed), but every shirt with more room than the layer
+/// under it, so that its sheets pass before and behind those, and its seams beside them. Nothing
+/// cuts anything. \throws GeometryError as the above, and when layers cut each other.
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body);
+
 }  // namespace loosefit

@@ -41,6 +41,15 @@ struct CaseMaps {
   std::map<Region, WrinkleDirection> wrinkles;
 };
 
+/// A garment worn under the one that is studied.
+struct CaseUnder {
+  CasePattern pattern;
+  GarmentHierarchy garment;
+  Drape drape;    ///< its certificate is that of all garments
+  CaseMaps maps;  ///< the same maps as of the studied garment
+  const Garment& mesh() const { return garment.finest(); }
+};
+
 /// Spread of one number over the repeats of a case.
 struct Spread {
   double mean = 0, deviation = 0;  ///< sample standard deviation
@@ -59,8 +68,9 @@ struct CaseState {
   int posture = 0, donning = 0;  ///< indices into the case's postures and donnings
   std::string name;              ///< of the posture
   Drape drape;
-  double seconds = 0;         ///< to drape it
-  std::string left_out = {};  ///< why there is no drape to speak of; else empty
+  std::vector<Drape> under = {};  ///< of the garments under it, the innermost first
+  double seconds = 0;             ///< to drape it
+  std::string left_out = {};      ///< why there is no drape to speak of; else empty
   /// Stage "maps", of a settled drape.
   WornGarment worn = {};
   PressureField pressure = {};
@@ -89,7 +99,8 @@ struct CaseResult {
   GarmentHierarchy garment;
   Drape drape;
   CaseMaps maps;
-  CaseWear wear;  ///< empty for one posture and one donning
+  std::vector<CaseUnder> under;  ///< the innermost first
+  CaseWear wear;                 ///< empty for one posture and one donning
   std::vector<Site> sites;
   /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
   std::map<std::string, Spread> repeats;

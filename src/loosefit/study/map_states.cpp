@@ -71,6 +71,8 @@ void map_states(CaseResult& result) {
 
 void add_maps(CaseResult& result, bool allow_unsettled) {
   result.maps = make_maps(result, allow_unsettled);
+  for (std::size_t l = 0; l < result.under.size(); ++l)
+    result.under[l].maps = make_under_maps(result, static_cast<int>(l), allow_unsettled);
   map_states(result);
 }
 

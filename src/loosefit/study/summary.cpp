@@ -63,17 +63,50 @@ Json body_json(const CaseBody& body) {
   return json;
 }
 
-Json fit_json(const CaseResult& result) {
+Json fit_json(const CasePattern& pattern, const CaseMaps& maps) {
   Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
-  for (const auto& [level, mobility] : result.pattern.fit) json["measured"][level] = mobility;
-  for (const auto& [level, girth] : result.pattern.girths) json["girths"][level] = girth;
-  if (!result.maps.maps.empty()) {
-    const GarmentGirth& chest = result.maps.chest;
+  for (const auto& [level, mobility] : pattern.fit) json["measured"][level] = mobility;
+  for (const auto& [level, girth] : pattern.girths) json["girths"][level] = girth;
+  if (!maps.maps.empty()) {
+    const GarmentGirth& chest = maps.chest;
     json["chest_cut"] = {{"level", chest.level},
                          {"draped", chest.draped},
                          {"flat", chest.flat},
                          {"hoop_strain", chest.hoop_strain()}};
   }
+  return json;
+}
+
+Json material_json(const Material& material) {
+  return {{"name", material.name},
+          {"source", material.source},
+          {"bending_length_m", bending_length(material)}};
+}
+
+Json garment_json(const CasePattern& pattern, const Garment& garment, const Material& material,
+                  const Drape& drape) {
+  double force = 0;
+  for (double f : drape.body_normal_force) force += f;
+  return {{"pattern", pattern.pattern.name},  {"material", material_json(material)},
+          {"vertices", garment.vertex_count}, {"triangles", garment.triangles.size()},
+          {"area_m2", garment.area},          {"mass_kg", garment.mass},
+          {"normal_force_on_body_N", force}};
+}
+
+/// What is worn, the innermost first; the studied garment last, its maps are those of the case.
+Json garments_json(const CaseResult& result) {
+  Json json = Json::array();
+  for (std::size_t l = 0; l < result.under.size(); ++l) {
+    const CaseUnder& under = result.under[l];
+    const ScenarioUnder& wished = result.scenario.under[l];
+    Json entry = garment_json(under.pattern, under.mesh(), wished.material.material, under.drape);
+    entry["fit"] = fit_json(under.pattern, under.maps);
+    entry["maps"] = maps_json(under.maps.maps);
+    if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
+    json.push_back(std::move(entry));
+  }
+  json.push_back(
+      garment_json(result.pattern, result.mesh(), result.scenario.material.material, result.drape));
   return json;
 }
 
@@ -216,6 +249,7 @@ std::string summary_json(const CaseResult& result) {
   json["residual_max"] = certificate.residual_max;
   json["intersections"] = {{"body", certificate.intersections_body},
                            {"self", certificate.intersections_self}};
+  if (!result.under.empty()) json["intersections"]["layers"] = certificate.intersections_layers;
   json["stop_reason"] = certificate.stop_reason;
   json["vertices"] = result.mesh().vertex_count;
   json["triangles"] = result.mesh().triangles.size();
@@ -224,11 +258,10 @@ std::string summary_json(const CaseResult& result) {
   json["settle"] = settle_json(result.drape.report);
   if (result.drape.unsettled) json["settle"]["unsettled"] = unsettled_json(*result.drape.unsettled);
   json["body"] = body_json(result.body);
-  json["fit"] = fit_json(result);
+  json["fit"] = fit_json(result.pattern, result.maps);
   json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
-  json["material"] = {{"name", result.scenario.material.material.name},
-                      {"source", result.scenario.material.material.source},
-                      {"bending_length_m", bending_length(result.scenario.material.material)}};
+  json["material"] = material_json(result.scenario.material.material);
+  if (!result.under.empty()) json["garments"] = garments_json(result);
   json["maps"] = maps_json(result.maps.maps);
   if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);
   if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
