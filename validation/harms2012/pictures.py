@@ -87,6 +87,8 @@ def figure4(out, material):
     figure = plot.figure(figsize=(9, 9.2), dpi=92)
     for column, child in enumerate(("slim", "heavy")):
         folder = out / f"{child}-{material}"
+        if not (folder / "maps").exists():
+            continue
         axis = figure.add_axes([0.5 * column, 0.53, 0.5, 0.44])
         axis.imshow(plot.imread(folder / "maps" / "drape-back.png"))
         axis.set_title(title_of(folder, child), fontsize=10.5)
