@@ -21,7 +21,7 @@ constexpr int kPatience = 8;        ///< times as long
 constexpr double kWhole = 0.999;    ///< share of its way that the cloth has to go along a step
 constexpr double kTooDeep = 0.012;  ///< in the skin after a step, for which it is halved [m]
 constexpr int kShortest = 16;       ///< a step may be so many times shorter than usual
-constexpr double kCaught = 0.005;   ///< in the skin at rest on a coarse level: lost [m]
+constexpr double kCaught = 0.005;   ///< in the skin near rest: lost [m]
 /// Iterations on the finest level after which a posture is given up: so many times those of putting
 /// on, and not before so many.
 constexpr int kFarMore = 3, kManyIterations = 500;
@@ -97,9 +97,13 @@ Drape ClothRun::follow(const BodyPath& body_at) {
     caught = std::max(caught, depth(x_, *body_));
     refine_as_worn();
   }
-  // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
-  if (caught > kCaught) return finish(caught_text(caught));
   part_ = "settle";
+  // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
+  if (caught < kCaught) {
+    settle(kTolerance, kPatience * kIterations, 0.1, true);
+    caught = depth(x_, *body_);
+  }
+  if (caught > kCaught) return finish(caught_text(caught));
   const int most = std::max(kManyIterations, kFarMore * worn_iterations_);
   most_iterations_ = iterations_ + most;
   settle_finest();
