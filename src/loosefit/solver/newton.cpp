@@ -81,17 +81,17 @@ void Newton::assemble(const VectorField& x, HessianKind kind) {
 
 bool Newton::factorise(const VectorField& x, double per_dt2) {
   shift_.resize(system_.particles());
-  const auto attempt = [&](double regularisation, bool semidefinite) {
+  const auto attempt = [&](double regularisation) {
     for (int i = 0; i < system_.particles(); ++i)
       shift_[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++work_.factorisations;
     const Stopwatch watch(work_.factorise);
-    return linear_.factorise(matrix_, shift_, system_.held, semidefinite);
+    return linear_.factorise(matrix_, shift_, system_.held);
   };
   exact_ = wait_ == 0;
   if (exact_) {
     assemble(x, HessianKind::exact);
-    if (attempt(0, false)) {
+    if (attempt(0)) {
       patience_ = 1;
       return true;
     }
@@ -99,7 +99,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
     // At rest but for a few slow modes of negative curvature: a little inertia holds just them,
     // where the projected matrix would hold everything and creep.
     if (per_dt2 == 0) {
-      if (attempt(hold_, false)) {
+      if (attempt(hold_)) {
         hold_ = std::max(kLeastHold, hold_ / 4);
         return true;
       }
@@ -114,7 +114,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
   // compression it would be far too stiff there, with half of it the matrix is mostly definite.
   if (halved_wait_ == 0) {
     assemble(x, HessianKind::halved);
-    if (attempt(0, false)) {
+    if (attempt(0)) {
       halved_patience_ = 1;
       return true;
     }
@@ -127,7 +127,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
   assemble(x, HessianKind::definite);
   double extra = 0;
   for (int k = 0; k < 12; ++k) {
-    if (attempt(extra, true)) return true;
+    if (attempt(extra)) return true;
     extra = std::max(1.0, 100 * extra);
   }
   return false;

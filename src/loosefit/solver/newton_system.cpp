@@ -5,7 +5,8 @@
 namespace loosefit {
 namespace {
 
-constexpr int kMostIterations = 25;  ///< beyond which a factor in double precision is cheaper
+constexpr int kMostIterations = 8;  ///< beyond which single precision will not do
+constexpr int kMostBreakdowns = 2;  ///< likewise
 
 double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double sum = 0;
@@ -16,25 +17,28 @@ double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }  // namespace
 
 bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& shift,
-                             const std::vector<char>& held, bool semidefinite) {
+                             const std::vector<char>& held) {
   a_ = &a;
   shift_ = &shift;
   held_ = &held;
-  if (!in_double_) {
-    if (single_.factorise(a, shift, held)) return true;
-    if (!semidefinite) return false;
-    in_double_ = true;
-  }
-  return double_.factorise(a, shift, held);
+  used_double_ = in_double_;
+  if (!in_double_ && single_.factorise(a, shift, held)) return true;
+  // Cheap where the matrix is indefinite indeed: it breaks down early.
+  if (!double_.factorise(a, shift, held)) return false;
+  used_double_ = true;
+  if (!in_double_) in_double_ = ++broke_down_ == kMostBreakdowns;
+  return true;
 }
 
 void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
   std::vector<Vec3> b(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) b[i] = -g[i];
   drop_held(b);
-  if (!in_double_ && !conjugate_gradients(b, dx))
-    in_double_ = double_.factorise(*a_, *shift_, *held_);
-  if (in_double_) double_.solve(b, dx);
+  if (!used_double_ && !conjugate_gradients(b, dx)) {
+    in_double_ = true;
+    used_double_ = double_.factorise(*a_, *shift_, *held_);
+  }
+  if (used_double_) double_.solve(b, dx);
   drop_held(dx);
 }
 

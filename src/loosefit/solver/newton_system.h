@@ -11,10 +11,9 @@ namespace loosefit {
 /// and Mary 2022). Where single precision will not do, double precision takes over for good.
 class NewtonSystem {
  public:
-  /// As SparseCholesky::factorise. `semidefinite`: A is known to be; then a factor that breaks down
-  /// is a matter of precision.
+  /// As SparseCholesky::factorise.
   bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
-                 const std::vector<char>& held, bool semidefinite);
+                 const std::vector<char>& held);
   /// dx to a residual of kAccuracy ‖g‖; a direction of descent in any case. Held particles get
   /// zero. \pre factorise returned true, and its arguments still live unchanged
   void solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx);
@@ -29,7 +28,9 @@ class NewtonSystem {
 
   SparseCholesky<float> single_;
   SparseCholesky<double> double_;
-  bool in_double_ = false;
+  bool in_double_ = false;    ///< from now on
+  bool used_double_ = false;  ///< for the last factor
+  int broke_down_ = 0;        ///< factors in single precision of matrices that are definite
   const BlockMatrix* a_ = nullptr;
   const std::vector<double>* shift_ = nullptr;
   const std::vector<char>* held_ = nullptr;
