@@ -79,8 +79,14 @@ def cases():
             REFERENCE_FIT, edge_mm=14, posture="", extra=POSTURES)),
         Case("postures-child", ["posture"], scenario(
             'size = "child-142"', "child-slim", edge_mm=14, posture="", extra=POSTURES)),
-        Case("two-layer", ["layers"],
-             missing="a scenario holds one garment: two layers cannot be written down"),
+        Case("two-layer", ["layers"], scenario(
+            "fit = { chest = 0.20, hip = 0.15, sleeve = 0.30, wrist = 0.30 }", edge_mm=14) + """[[under]]
+pattern = "t-shirt"
+fit = { chest = 0.05, hip = 0.05, sleeve = 0.12 }
+friction = 0.3
+[under.material]
+name = "cotton-jersey"
+"""),
     ]
     return found
 

@@ -8,6 +8,7 @@
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/write_report.h"
 #include "loosefit/study/case_files.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/rank_case.h"
 #include "loosefit/study/wear_states.h"
 
@@ -30,9 +31,20 @@ std::vector<Picture> draw(const std::filesystem::path& folder, const CaseResult&
     for (const CaseState& state : result.wear.states)
       if (state.donning == 0 && !state.drape.positions.empty()) {
         progress.check_cancelled();
+        options.under = under_surface(result, &state);
         render_pictures(folder / state_folder(state), *result.wear.bodies[state.posture],
                         result.mesh(), state.drape.positions, {}, options);
       }
+  for (int l = 0; l < static_cast<int>(result.under.size()); ++l) {
+    progress.check_cancelled();
+    const CaseUnder& under = result.under[l];
+    std::vector<PerformanceMap> own;
+    for (const CaseMap& entry : under.maps.maps) own.push_back(entry.map);
+    options.under = {};
+    render_pictures(folder / under_folder(l), result.body.body, under.mesh(), under.drape.positions,
+                    own, options);
+  }
+  options.under = under_surface(result);
   return render_pictures(folder / "maps", result.body.body, result.mesh(), result.drape.positions,
                          maps, options, [&progress](double share) {
                            progress.check_cancelled();
@@ -85,6 +97,8 @@ void print_result(const CaseResult& result, const std::string& folder) {
              certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
              certificate.intersections_body, certificate.intersections_self,
              certificate.stop_reason);
+  if (const auto& unsettled = result.drape.unsettled)
+    fmt::print("because {}\nhint: {}\n", unsettled->why, unsettled->hint);
   for (const auto& [level, mobility] : result.pattern.fit)
     fmt::print("fit {:8} {:+.3f}\n", level, mobility);
   if (!result.maps.maps.empty())

@@ -34,7 +34,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   clock.stage("maps");
   add_maps(result, arguments.allow_unsettled);
   clock.stage("placement");
-  result.sites = make_sites(result);
+  add_sites(result);
   clock.stop();
   result.seconds.insert(result.seconds.end(), clock.entries().begin(), clock.entries().end());
   result.warnings = collected_warnings(result);

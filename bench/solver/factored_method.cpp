@@ -262,7 +262,7 @@ class Factored : public Method {
   FactoredOptions options_;
   std::unique_ptr<DirectionRule> rule_;
   SolverWork work_;
-  SparseCholesky cholesky_;
+  SparseCholesky<double> cholesky_;
   BlockMatrix matrix_;
   std::uint64_t pattern_version_ = 0;
   bool has_factor_ = false, exact_ = false, retried_ = false, evaluated_ = false;

@@ -147,6 +147,8 @@ TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
   const ProgramRun run =
       loosefit("run " + file("case.toml", kStopped) + " --no-pictures -o " + out);
   EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("because the net force is "), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("hint: "), std::string::npos) << run.output;
   for (const char* name : {"summary.json", "drape.vtp", "body.vtp", "pattern.json", "scenario.toml",
                            "log.jsonl", "report.html"})
     EXPECT_TRUE(fs::exists(base / "out" / name)) << name;

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "loosefit/base/error.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/garment/assemble.h"
+#include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "support/shapes.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit {
@@ -31,11 +36,17 @@ Pattern two_squares(double distance) {
   return pattern;
 }
 
+TriangleMesh far_away() {
+  TriangleMesh ball = support::sphere(0.1, 6, 12);
+  for (Vec3& p : ball.vertices) p += Vec3(9, 9, 9);
+  return ball;
+}
+
 TEST(DressAsPlaced, PutsPanelsWhereThePatternSaysAndClosesSeamsInTheMiddle) {
   const Pattern pattern = two_squares(0.3);
   const Garment g = assemble(pattern, 0.04, Material{});
   EXPECT_FALSE(is_shirt(g));
-  const auto x = dress_as_placed(g, pattern);
+  const auto x = dress_as_placed(g, pattern, far_away());
   EXPECT_TRUE(self_intersections(x, g.triangles).empty());
   for (const auto& chain : g.edge_chains)
     for (int v : chain.vertices)
@@ -58,24 +69,87 @@ TEST(DressAsPlaced, PutsPanelsWhereThePatternSaysAndClosesSeamsInTheMiddle) {
   }
 }
 
-TEST(DressAsPlaced, PanelsThatCrossAreNamed) {
-  Pattern pattern = two_squares(0.1);
-  // The back leans through the front.
-  pattern.panels[1].rotation =
-      pattern.panels[1].rotation * Eigen::AngleAxisd(0.8, Vec3::UnitX()).toRotationMatrix();
-  const Garment g = assemble(pattern, 0.04, Material{});
-  std::string what;
-  for (double sign : {1.0, -1.0}) {
-    pattern.panels[1].translation[1] = sign * 0.05;
-    try {
-      dress_as_placed(g, pattern);
-    } catch (const GeometryError& e) {
-      what = e.what();
-      EXPECT_FALSE(e.hint().empty());
+/// Heights of a panel's inner vertices over where the pattern puts it, along its outside [m].
+std::set<long> lifts_in_mm(const Garment& g, const Pattern& pattern, const std::vector<Vec3>& x,
+                           const std::string& name) {
+  std::set<long> lifts;
+  const Panel& panel = pattern.panels[pattern.find_panel(name)];
+  for (std::size_t t = 0; t < g.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const double u = g.triangle_uv[t][k][0];
+      if (g.panel_names[g.triangle_panel[t]] != name || u < 1e-9 || u > 0.4 - 1e-9) continue;
+      const Vec3 local = panel.rotation.transpose() * (x[g.triangles[t][k]] - panel.translation);
+      lifts.insert(std::lround(1000 * local[2]));
     }
+  return lifts;
+}
+
+TEST(DressAsPlaced, PanelsThatCrossArePartedAlongTheirOutsides) {
+  Pattern pattern = two_squares(0.1);
+  const Garment g = assemble(pattern, 0.04, Material{});
+  // The back leans, its top edge 0.3 sin 0.4 = 0.117 m from its plane: to one side through the
+  // front, to the other away from it.
+  std::multiset<bool> moved;
+  for (double lean : {-0.4, 0.4}) {
+    pattern.panels[1].rotation = two_squares(0.1).panels[1].rotation *
+                                 Eigen::AngleAxisd(lean, Vec3::UnitX()).toRotationMatrix();
+    const auto x = dress_as_placed(g, pattern, far_away());
+    EXPECT_TRUE(self_intersections(x, g.triangles).empty()) << lean;
+    const auto back = lifts_in_mm(g, pattern, x, "back");
+    ASSERT_EQ(back.size(), 1u);
+    EXPECT_LE(*back.begin(), 50);
+    moved.insert(*back.begin() > 0);
   }
-  EXPECT_NE(what.find("front"), std::string::npos) << what;
-  EXPECT_NE(what.find("back"), std::string::npos) << what;
+  EXPECT_EQ(moved, (std::multiset<bool>{false, true}));
+}
+
+TEST(DressAsPlaced, APanelInTheBodyIsMovedOutOfItAndTheOtherStays) {
+  Pattern pattern = two_squares(0.6);
+  TriangleMesh ball = support::sphere(0.1, 24, 48);
+  for (Vec3& p : ball.vertices) p += Vec3(0, 0, 1.15);
+  pattern.panels[0].translation[1] = -0.07;  // 3 cm deep in the ball
+  const Garment g = assemble(pattern, 0.04, Material{});
+  const auto x = dress_as_placed(g, pattern, ball);
+  EXPECT_TRUE(self_intersections(x, g.triangles).empty());
+  const ClosestPointTree skin(ball);
+  for (const Vec3& p : x) EXPECT_GT(skin.signed_distance(p), 0);
+  // The vertices at 40 mm from each other may stand 20 mm off the pole, where the ball is 2 mm
+  // lower.
+  EXPECT_EQ(lifts_in_mm(g, pattern, x, "back"), std::set<long>{0});
+  const auto front = lifts_in_mm(g, pattern, x, "front");
+  ASSERT_EQ(front.size(), 1u);
+  EXPECT_NEAR(static_cast<double>(*front.begin()), 30, 10);
+}
+
+TEST(DressAsPlaced, OfTwoPanelsOneOnTheOtherTheLaterIsLaidOver) {
+  Pattern pattern = two_squares(0.3);
+  pattern.panels[1] = rectangle_panel("over", 0.4, 0.3);
+  pattern.panels[1].rotation = pattern.panels[0].rotation;
+  pattern.panels[1].translation = pattern.panels[0].translation + Vec3(0.05, 0, 0.03);
+  pattern.stitches.clear();
+  const Garment g = assemble(pattern, 0.04, Material{});
+  const auto x = dress_as_placed(g, pattern, far_away());
+  EXPECT_TRUE(self_intersections(x, g.triangles).empty());
+  EXPECT_EQ(lifts_in_mm(g, pattern, x, "front"), std::set<long>{0});
+  EXPECT_EQ(lifts_in_mm(g, pattern, x, "over"), std::set<long>{10});
+}
+
+TEST(DressAsPlaced, PanelsThatCannotBePartedAreNamed) {
+  // The back looks the way of the front and is turned a quarter, so that its seams cross the front.
+  Pattern pattern = two_squares(0.1);
+  pattern.panels[1].rotation =
+      pattern.panels[0].rotation * Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
+  pattern.panels[1].translation = Vec3(0.2, -0.05, 1.0);
+  const Garment g = assemble(pattern, 0.04, Material{});
+  try {
+    dress_as_placed(g, pattern, far_away());
+    FAIL() << "no error";
+  } catch (const GeometryError& e) {
+    const std::string what = e.what();
+    EXPECT_NE(what.find("front"), std::string::npos) << what;
+    EXPECT_NE(what.find("does not part them"), std::string::npos) << what;
+    EXPECT_FALSE(e.hint().empty());
+  }
 }
 
 TEST(DressAsPlaced, PanelMissingFromThePatternIsNamed) {
@@ -83,7 +157,7 @@ TEST(DressAsPlaced, PanelMissingFromThePatternIsNamed) {
   const Garment g = assemble(pattern, 0.04, Material{});
   pattern.panels[1].name = "other";
   try {
-    dress_as_placed(g, pattern);
+    dress_as_placed(g, pattern, far_away());
     FAIL() << "no error";
   } catch (const GeometryError& e) {
     EXPECT_NE(std::string(e.what()).find("back"), std::string::npos) << e.what();

@@ -21,6 +21,7 @@ TEST(ScenarioDocs, NameEveryKey) {
   scenario.sites = {SiteSpec{}, pattern, anatomical};
   scenario.material = load_material("wool-measured");
   scenario.ranking.modality = "ecg";
+  scenario.under = {ScenarioUnder{scenario.garment, scenario.material, 0.3}};
   std::istringstream lines(scenario_toml(scenario));
   int keys = 0;
   for (std::string line; std::getline(lines, line);) {

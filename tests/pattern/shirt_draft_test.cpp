@@ -290,5 +290,48 @@ TEST(GarmentSize, EverySizeDraftsToItsFinishedGirths) {
   EXPECT_FALSE(garment_size("child-900"));
 }
 
+TEST(ShortSleeves, EndWhereTheyAreAskedToWithTheAskedGirthThere) {
+  for (const ShirtMeasures& body : {kAdult, kChild, kMeanFemale})
+    for (const double length : {0.36, 0.5, 0.75}) {
+      ShirtFit fit = fit_of(0.1, 0.1, 0.2, 0.15);
+      fit.sleeve_length = length;
+      fit.shoulder_follow = 0;
+      ShirtDraftReport report;
+      const Pattern shirt = draft_shirt(body, fit, &report);
+      EXPECT_NEAR(edge_length(shirt, "sleeve_L_front", "top"),
+                  length * body.arm_length - report.dropped, 1e-9);
+      const auto girths = shirt_girths(shirt, body.hps_to_waist);
+      EXPECT_NEAR(girths.at("sleeve"), 1.2 * body.upper_arm, 1e-6);
+      EXPECT_NEAR(girths.at("wrist"), 1.15 * arm_girth_at(body, length), 1e-9);
+      EXPECT_NEAR(edge_length(shirt, "sleeve_L_front", "under"),
+                  edge_length(shirt, "sleeve_L_back", "under"), 1e-9);
+    }
+}
+
+TEST(ShortSleeves, ArmGirthIsThatOfUpperArmAndWristAtTheirPlaces) {
+  EXPECT_EQ(arm_girth_at(kAdult, 0.3), kAdult.upper_arm);
+  EXPECT_EQ(arm_girth_at(kAdult, 0.5), kAdult.upper_arm);
+  EXPECT_NEAR(arm_girth_at(kAdult, 0.75), (kAdult.upper_arm + kAdult.wrist) / 2, 1e-12);
+  EXPECT_EQ(arm_girth_at(kAdult, 1), kAdult.wrist);
+}
+
+TEST(ShortSleeves, TooShortAndTooLongAreErrorsThatSayWhatWouldDo) {
+  const auto message = [](double length, double sleeve) {
+    ShirtFit fit = fit_of(0.1, 0.1, sleeve, 0.15);
+    fit.sleeve_length = length;
+    try {
+      draft_shirt(kMeanFemale, fit);
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
+    }
+    return std::string("drafted");
+  };
+  EXPECT_NE(message(0.25, -0.2).find("fit.sleeve_length: found 0.25, expected at least"),
+            std::string::npos)
+      << message(0.25, -0.2);
+  EXPECT_NE(message(1.2, 0.1).find("fit.sleeve_length: found 1.2, expected 0.25 to 1"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace loosefit

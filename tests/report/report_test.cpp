@@ -105,6 +105,17 @@ TEST_F(Report, ShowsThePressureByBothEstimates) {
   EXPECT_NE(html.find("<td>50.0 %</td><td>0.0 %</td><td>50.0 %</td>"), std::string::npos);
 }
 
+TEST_F(Report, ShowsWhereTheFoldsRun) {
+  EXPECT_EQ(report_html(result_, {}).find("Wrinkles"), std::string::npos);
+  result_.maps.wrinkles[Region::mid_back] = {radians(-3), 0.9, radians(12)};
+  result_.maps.wrinkles[Region::lower_back] = {radians(40), 0.05, radians(8)};
+  const std::string html = report_html(result_, {});
+  EXPECT_NE(html.find("mid back</th><td>12.0</td><td>\u22123</td><td>0.90</td>"),
+            std::string::npos);
+  // A direction that hardly any fold has is not shown.
+  EXPECT_NE(html.find("lower back</th><td>8.0</td><td>–</td><td>0.05</td>"), std::string::npos);
+}
+
 TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   result_.drape.certificate.residual = 0.2;
   result_.maps = {};
@@ -114,6 +125,23 @@ TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   EXPECT_NE(html.find("SEALED"), std::string::npos);
   EXPECT_NE(html.find("box bad"), std::string::npos);
   EXPECT_EQ(html.find("Sensor sites"), std::string::npos);
+}
+
+TEST_F(Report, UnsettledDrapeSaysWhy) {
+  EXPECT_EQ(report_html(result_, {}).find("Why it did not settle"), std::string::npos);
+  result_.drape.certificate.residual = 0.2;
+  Unsettled u;
+  u.why = "6 triangles cut the body: front the torso (6)";
+  u.hint = "more <room>";
+  u.worst.push_back({.vertex = 4711, .panel = "sleeve", .near = "left forearm", .net = 0.25});
+  u.worst[0].force[3] = 1.75;
+  u.cuts.push_back({.triangle = 815, .panel = "front", .with = "torso", .body = true});
+  result_.drape.unsettled = u;
+  const std::string html = report_html(result_, {});
+  for (const char* text :
+       {"Why it did not settle", u.why.c_str(), "more &lt;room&gt;", "4711", "left forearm",
+        "<td>0.25</td>", "<td>1.8</td>", "815", "the body: torso", "friction on the body [N]"})
+    EXPECT_NE(html.find(text), std::string::npos) << text;
 }
 
 TEST_F(Report, UnsettledMapsCarryAWarning) {

@@ -45,7 +45,7 @@ Eigen::VectorXd flat(const std::vector<Vec3>& f) {
 
 TEST(SparseCholesky, SolvesLikeADenseFactorisationWithShiftsAndHeldParticles) {
   const int n = 40;
-  SparseCholesky cholesky;
+  SparseCholesky<double> cholesky;
   for (unsigned seed : {1u, 2u, 3u}) {  // the order is reused, the values and holds change
     const BlockMatrix m = random_matrix(n, 14, seed);
     std::vector<double> shift(n);
@@ -72,7 +72,7 @@ TEST(SparseCholesky, SolvesLikeADenseFactorisationWithShiftsAndHeldParticles) {
 
 TEST(SparseCholesky, SaysWhenTheMatrixIsIndefiniteAndRecovers) {
   const int n = 20;
-  SparseCholesky cholesky;
+  SparseCholesky<double> cholesky;
   const BlockMatrix m = random_matrix(n, -5, 4);
   EXPECT_FALSE(cholesky.factorise(m, std::vector<double>(n, 0.0), {}));
   EXPECT_TRUE(cholesky.factorise(m, std::vector<double>(n, 100.0), {}));

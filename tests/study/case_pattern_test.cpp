@@ -56,6 +56,24 @@ TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
   EXPECT_EQ(garmentcode_text(a.pattern), garmentcode_text(b.pattern));
 }
 
+TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
+  ScenarioGarment wished;
+  wished.pattern = "t-shirt";
+  wished.fit.sleeve_length = 0.36;
+  wished.fit.wrist = 0.12;
+  const CasePattern made = make_pattern(wished, measured_woman());
+  EXPECT_EQ(made.pattern.name, "t-shirt");
+  EXPECT_NEAR(made.fit.at("cuff"), 0.12, 1e-9);
+  EXPECT_NEAR(made.girths.at("cuff"), 1.12 * 0.284, 1e-9);
+  EXPECT_EQ(made.fit.count("wrist"), 0u);
+  EXPECT_EQ(made.girths.count("wrist"), 0u);
+
+  ScenarioGarment sized = wished;
+  sized.size = "women-38";
+  const CasePattern fixed = make_pattern(sized, measured_woman());
+  EXPECT_NEAR(fixed.girths.at("cuff"), fixed.girths.at("sleeve"), 1e-6) << "no taper";
+}
+
 TEST(MakePattern, MissingMeasureIsNamed) {
   Body body = measured_woman();
   body.measured.erase("scye_depth");

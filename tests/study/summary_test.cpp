@@ -87,6 +87,33 @@ TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
   EXPECT_DOUBLE_EQ(json["regions"]["chest"]["mean_kPa"], 0.5);
 }
 
+TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
+  CaseResult result = small_result();
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("wrinkles"));
+  result.maps.wrinkles[Region::mid_back] = {radians(-30), 0.75, radians(12)};
+  result.wear.postures = {"reference"};
+  result.wear.donnings.resize(2);
+  CaseState& again = result.wear.states.emplace_back();
+  again.donning = 1;
+  again.name = "reference";
+  again.drape.certificate = result.drape.certificate;
+  again.maps = result.maps.maps;
+  again.maps[0].overall.area_mean = 4.5;
+  again.wrinkles[Region::lower_back] = {radians(88), 0.5, radians(6)};
+  again.sites = result.sites;
+  again.sites[0].values["distance_mm"] = {7.5, 9};
+  const auto json = nlohmann::json::parse(summary_json(result));
+  EXPECT_NEAR(json["wrinkles"]["mid_back"]["angle_deg"], -30, 1e-12);
+  EXPECT_EQ(json["wrinkles"]["mid_back"]["coherence"], 0.75);
+  EXPECT_NEAR(json["wrinkles"]["mid_back"]["slope_rms_deg"], 12, 1e-12);
+  const auto& state = json["states"][0];
+  EXPECT_EQ(state["donning"], 2);
+  EXPECT_EQ(state["maps"]["distance_mm"]["area_mean"], 4.5);
+  EXPECT_EQ(state["maps"]["distance_mm"]["regions"]["mid_back"]["median"], 0.5);
+  EXPECT_NEAR(state["wrinkles"]["lower_back"]["angle_deg"], 88, 1e-12);
+  EXPECT_EQ(state["sites"]["a, \"b\""]["distance_mm"], 7.5);
+}
+
 TEST(Summary, DigestFollowsTheScenarioOnly) {
   CaseResult a = small_result(), b = small_result();
   b.seconds.clear();
@@ -105,6 +132,28 @@ TEST(Summary, UnsettledWithoutMapsIsSealed) {
   const auto json = nlohmann::json::parse(summary_json(result));
   EXPECT_EQ(json["settled"], false);
   EXPECT_EQ(json["sealed"], true);
+  EXPECT_FALSE(json["settle"].contains("unsettled"));
+}
+
+TEST(Summary, SaysWhyItIsUnsettled) {
+  CaseResult result = small_result();
+  Unsettled u;
+  u.why = "for a reason";
+  u.worst.push_back({.vertex = 7, .panel = "front", .at = {0.1, 0.2}, .near = "torso", .net = 2});
+  u.worst[0].force[3] = 3.5;
+  u.cuts.push_back({.triangle = 9, .panel = "back", .with = "right upper arm", .body = true});
+  result.drape.unsettled = u;
+  const auto json = nlohmann::json::parse(summary_json(result))["settle"]["unsettled"];
+  EXPECT_EQ(json["why"], "for a reason");
+  EXPECT_EQ(json["worst"][0]["vertex"], 7);
+  EXPECT_EQ(json["worst"][0]["v_m"], 0.2);
+  EXPECT_EQ(json["worst"][0]["near"], "torso");
+  EXPECT_EQ(json["worst"][0]["net_N"], 2);
+  EXPECT_EQ(json["worst"][0]["force_N"]["body contact"], 3.5);
+  EXPECT_EQ(json["worst"][0]["force_N"]["gravity"], 0);
+  EXPECT_EQ(json["cuts"][0]["triangle"], 9);
+  EXPECT_EQ(json["cuts"][0]["cuts"], "body");
+  EXPECT_EQ(json["cuts"][0]["with"], "right upper arm");
 }
 
 TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {

@@ -30,7 +30,7 @@ inline Body standing(const BodyParameters& parameters, double arm_degrees) {
 }
 
 /// The shirt drafted for this body with the same fit at chest and hip.
-inline Pattern shirt_for(const Body& body, double fit) {
+inline Pattern shirt_for(const Body& body, double fit, double sleeve_length = 1) {
   const auto of = [&](const char* name) { return body.measured.at(name); };
   const ShirtMeasures measures = {.chest = of("chest"),
                                   .waist = of("waist"),
@@ -46,6 +46,7 @@ inline Pattern shirt_for(const Body& body, double fit) {
                                   .arm_length = of("arm_length")};
   ShirtFit ease;
   ease.chest = ease.hip = fit;
+  ease.sleeve_length = sleeve_length;
   return draft_shirt(measures, ease);
 }
 

@@ -53,13 +53,16 @@ class Suite(unittest.TestCase):
         program.write_text("#!/bin/sh\necho 'error: no body' >&2\nexit 2\n")
         program.chmod(program.stat().st_mode | stat.S_IXUSR)
         figures = self.folder / "figures.json"
-        code, printed = call(run_bench, "tight", "two-layer", "--binary", program, "--json", figures)
+        suite = [c for c in bench_cases.cases() if c.name == "tight"]
+        suite.append(bench_cases.Case("later", ["later"], missing="cannot be written down yet"))
+        with mock.patch.object(bench_cases, "cases", lambda: suite):
+            code, printed = call(run_bench, "tight", "later", "--binary", program, "--json", figures)
         self.assertEqual(code, 1)
         self.assertRegex(printed, r"tight +failed +exit 2: error: no body")
-        self.assertRegex(printed, r"two-layer +missing")
+        self.assertRegex(printed, r"later +missing")
         stored = json.loads(figures.read_text())["cases"]
         self.assertEqual(stored["tight"]["runs"][0]["error"], "error: no body")
-        self.assertIn("missing", stored["two-layer"])
+        self.assertIn("missing", stored["later"])
 
     def test_history_is_thinned_and_keeps_its_ends(self):
         log = self.folder / "log.jsonl"

@@ -67,6 +67,11 @@ class BodyContact : public Energy {
     forget_touches();
     return points_;
   }
+  /// The layer of every point: rest distance [m] and stiffness [Pa/m]. Anchors of friction stay.
+  void set_layer(double offset, double stiffness) {
+    for (ContactPoint& p : change_points()) p.offset = offset;
+    stiffness_ = stiffness;
+  }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 
@@ -77,6 +82,9 @@ class BodyContact : public Energy {
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+
+  /// The part of add_gradient that is friction.
+  void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
 
   int active(const VectorField& x) const;
   /// f_i += Σ weight · A p ‖∇d‖ over the contact points: magnitudes of the normal force, friction

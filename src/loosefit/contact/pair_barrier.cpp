@@ -101,7 +101,7 @@ PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const B
   for (int k = 0; k < 4; ++k) gap[k] = b.d.weight[k] * b.d.normal;
   const Column g = stacked(gap);
   PairMatrix h = b.curvature * g * g.transpose();
-  if (kind == HessianKind::definite || !(b.d.distance > 0)) return h;
+  if (kind != HessianKind::exact || !(b.d.distance > 0)) return h;
   h += b.slope * distance_hessian(pair.kind, x, b.d);
   const Mollifier m = mollify(pair, x);
   if (m.curvature == 0) return h;

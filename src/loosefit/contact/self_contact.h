@@ -45,6 +45,9 @@ class SelfContact : public Energy {
   std::uint64_t pattern_version(const VectorField& x) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
+  /// The part of add_gradient that is friction.
+  void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
+
   int active(const VectorField& x) const;
   long searches() const { return searches_; }  ///< continuous detections so far
   std::size_t pairs() const { return pairs_.size(); }

@@ -6,17 +6,21 @@
 
 namespace loosefit {
 
-Certificate certify(ClothModel& model, const Garment& garment, const std::vector<Vec3>& x,
-                    const PosedBody& body, const std::string& stop_reason) {
+Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
+                    const std::string& stop_reason) {
   Certificate c;
   model.system().begin_step(x, std::numeric_limits<double>::infinity());
   const Residual r = residual_of(model.system(), model.system().gradient(x));
   c.residual = r.norm;
   c.residual_max = r.largest;
   const auto& skin = body.body.surface;
-  c.intersections_self = static_cast<int>(self_intersections(x, garment.triangles).size());
+  const ClothMesh& cloth = model.mesh();
+  const auto cuts = self_intersections(x, cloth.triangles);
+  c.intersections_self = static_cast<int>(cuts.size());
+  for (const auto& [a, b] : cuts)
+    c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
   c.intersections_body = static_cast<int>(
-      mesh_intersections(x, garment.triangles, skin.vertices, skin.triangles).size());
+      mesh_intersections(x, cloth.triangles, skin.vertices, skin.triangles).size());
   c.stop_reason = stop_reason;
   // Balanced forces alone are no rest: say what is left.
   if (c.intersections_body + c.intersections_self > 0)

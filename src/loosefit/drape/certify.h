@@ -5,8 +5,8 @@
 
 namespace loosefit {
 
-/// Measures the force balance and tests for intersections with exact predicates.
-Certificate certify(ClothModel& model, const Garment& garment, const std::vector<Vec3>& x,
-                    const PosedBody& body, const std::string& stop_reason);
+/// Measures the force balance and tests for intersections with exact predicates, of all layers.
+Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
+                    const std::string& stop_reason);
 
 }  // namespace loosefit

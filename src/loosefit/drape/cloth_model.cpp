@@ -23,49 +23,120 @@ double shortest_height(const Garment& g) {
   return least;
 }
 
-}  // namespace
-
-std::vector<double> flat_areas(const Garment& garment) {
-  std::vector<double> area;
-  for (const auto& [a, b, c] : garment.triangle_uv)
-    area.push_back(0.5 * std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]));
-  return area;
+/// Explicit viscosity is stable only well below the time in which a wave crosses a triangle.
+Material stable(Material m, const Garment& garment, const DrapeOptions& options) {
+  if (options.integrator != IntegratorKind::semi_implicit_euler) return m;
+  const double speed = std::sqrt(std::max(m.stiffness_warp, m.stiffness_weft) /
+                                 ((1 - m.poisson * m.poisson) * m.areal_density));
+  m.damping = std::min(m.damping, 0.1 * shortest_height(garment) / speed);
+  return m;
 }
 
+std::vector<ContactPoint> layer_points(const ClothMesh& mesh, int layer, const Garment& garment,
+                                       double offset) {
+  const std::vector<double> area(mesh.area.begin() + mesh.first_triangle[layer],
+                                 mesh.area.begin() + mesh.first_triangle[layer + 1]);
+  std::vector<ContactPoint> points =
+      contact_points(garment.triangles, area, garment.vertex_count, offset);
+  for (ContactPoint& p : points)
+    for (int k = 0; k < p.count; ++k) p.particle[k] += mesh.first_vertex[layer];
+  return points;
+}
+
+}  // namespace
+
 ClothModel::ClothModel(const Garment& garment, const Material& material,
-                       const DrapeOptions& options, double self_thickness) {
-  Material m = material;
-  if (options.integrator == IntegratorKind::semi_implicit_euler) {
-    // Explicit viscosity is stable only well below the time in which a wave crosses a triangle.
-    const double speed = std::sqrt(std::max(m.stiffness_warp, m.stiffness_weft) /
-                                   ((1 - m.poisson * m.poisson) * m.areal_density));
-    m.damping = std::min(m.damping, 0.1 * shortest_height(garment) / speed);
-  }
+                       const DrapeOptions& options, double self_thickness)
+    : ClothModel({{&garment, material, self_thickness}},
+                 Eigen::MatrixXd::Constant(1, 1, material.friction_self), options) {}
+
+ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const Eigen::MatrixXd& friction,
+                       const DrapeOptions& options) {
   const bool viscous = options.integrator != IntegratorKind::quasi_static;
-  membrane_ = std::make_unique<MembraneEnergy>(garment.triangles, garment.triangle_uv,
-                                               garment.triangle_membrane_factor, m, viscous);
-  bending_ = std::make_unique<BendingEnergy>(garment.triangles, garment.triangle_uv,
-                                             garment.triangle_added_bending, m, viscous,
-                                             garment.triangle_built_in);
-  gravity_ = std::make_unique<GravityEnergy>(garment.vertex_mass, options.gravity);
-  const auto area = flat_areas(garment);
-  body_ = std::make_unique<BodyContact>(
-      contact_points(garment.triangles, area, garment.vertex_count, 0.5 * m.thickness),
-      layer_stiffness(m), m.friction_body, kStickReach);
+  std::vector<const Garment*> garments;
+  for (const ModelLayer& layer : layers) garments.push_back(layer.garment);
+  mesh_ = joined(garments);
   SelfContact::Options contact;
-  contact.thickness = self_thickness;
-  contact.friction = m.friction_self;
+  for (int l = 0; l < mesh_.layers(); ++l) {
+    const Garment& garment = *layers[l].garment;
+    const Material m = stable(layers[l].material, garment, options);
+    const std::vector<Triangle> triangles = mesh_.triangles_of(l);
+    membrane_.push_back(std::make_unique<MembraneEnergy>(
+        triangles, garment.triangle_uv, garment.triangle_membrane_factor, m, viscous));
+    bending_.push_back(std::make_unique<BendingEnergy>(triangles, garment.triangle_uv,
+                                                       garment.triangle_added_bending, m, viscous,
+                                                       garment.triangle_built_in));
+    system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
+    half_thickness_.push_back(0.5 * m.thickness);
+    layer_stiffness_.push_back(layer_stiffness(m));
+    body_.push_back(
+        std::make_unique<BodyContact>(layer_points(mesh_, l, garment, half_thickness_.back()),
+                                      layer_stiffness_.back(), m.friction_body, kStickReach));
+    if (mesh_.layers() > 1)
+      contact.triangle_thickness.resize(mesh_.first_triangle[l + 1], layers[l].self_thickness);
+  }
+  gravity_ = std::make_unique<GravityEnergy>(system_.mass, options.gravity);
+  contact.thickness = layers.front().self_thickness;
+  contact.friction = friction(0, 0);
+  if (mesh_.layers() > 1) {
+    contact.triangle_layer = mesh_.triangle_layer;
+    contact.layer_friction = friction;
+  }
   contact.stick_reach = kStickReach;
-  self_ = std::make_unique<SelfContact>(garment.triangles, area, garment.vertex_count, contact);
-  system_.energies = {membrane_.get(), bending_.get(), gravity_.get(), body_.get(), self_.get()};
-  system_.mass = garment.vertex_mass;
+  self_ = std::make_unique<SelfContact>(mesh_.triangles, mesh_.area, mesh_.vertices, contact);
+  for (const auto& e : membrane_) system_.energies.push_back(e.get());
+  for (const auto& e : bending_) system_.energies.push_back(e.get());
+  system_.energies.push_back(gravity_.get());
+  for (const auto& e : body_) system_.energies.push_back(e.get());
+  system_.energies.push_back(self_.get());
   system_.gravity = options.gravity;
 }
 
+void ClothModel::pad_body(double thickness) {
+  for (int l = 0; l < mesh_.layers(); ++l) {
+    const double offset = std::max(thickness, half_thickness_[l]);
+    body_[l]->set_layer(offset, layer_stiffness_[l] * half_thickness_[l] / offset);
+  }
+}
+
+ClothModel::Forces ClothModel::forces(const VectorField& x) const {
+  Forces forces;
+  for (VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
+  auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
+  for (const auto& e : membrane_) e->add_gradient(x, membrane);
+  for (const auto& e : bending_) e->add_gradient(x, bending);
+  gravity_->add_gradient(x, gravity);
+  for (const auto& e : body_) {
+    e->add_gradient(x, body);
+    e->add_friction(x, body_friction);
+  }
+  self_->add_gradient(x, self);
+  self_->add_friction(x, self_friction);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    body[i] -= body_friction[i];
+    self[i] -= self_friction[i];
+    for (VectorField& f : forces) f[i] = -f[i];
+  }
+  return forces;
+}
+
+void ClothModel::set_field(const std::shared_ptr<const DistanceField>& field) {
+  for (const auto& contact : body_) contact->set_field(field);
+}
+
+ClothMemory ClothModel::memory() const {
+  ClothMemory memory{{}, *self_, {}};
+  for (const auto& contact : body_) memory.body.push_back(*contact);
+  for (const auto& bending : bending_) memory.bending.push_back(bending->memory());
+  return memory;
+}
+
 void ClothModel::recall(const ClothMemory& memory) {
-  *body_ = memory.body;
+  for (std::size_t l = 0; l < body_.size(); ++l) {
+    *body_[l] = memory.body[l];
+    bending_[l]->recall(memory.bending[l]);
+  }
   *self_ = memory.self;
-  bending_->recall(memory.bending);
 }
 
 }  // namespace loosefit

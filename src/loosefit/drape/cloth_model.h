@@ -4,7 +4,9 @@
 
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
+#include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/gravity_energy.h"
@@ -16,14 +18,26 @@ inline constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb s
 
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
-  BodyContact body;
+  std::vector<BodyContact> body;  ///< per layer
   SelfContact self;
-  std::vector<PlaneRows> bending;
+  std::vector<std::vector<PlaneRows>> bending;
 };
 
-/// All energies of one garment level and the particle system that refers to them.
+/// One layer on one level, as its energies see it.
+struct ModelLayer {
+  const Garment* garment = nullptr;
+  Material material;
+  double self_thickness = 5e-4;  ///< distance at which it begins to repel cloth, shared by both [m]
+};
+
+/// All energies of one level of a garment, or of several worn over each other, and the particle
+/// system that refers to them. Each layer has its own elasticity and its own contact with the body;
+/// contact of cloth with cloth is one for all.
 class ClothModel {
  public:
+  /// friction: between the layers (layer_friction).
+  ClothModel(const std::vector<ModelLayer>& layers, const Eigen::MatrixXd& friction,
+             const DrapeOptions& options);
   /// self_thickness: distance at which layers begin to repel [m].
   ClothModel(const Garment& garment, const Material& material, const DrapeOptions& options,
              double self_thickness);
@@ -31,24 +45,34 @@ class ClothModel {
   ClothModel& operator=(const ClothModel&) = delete;
 
   ParticleSystem& system() { return system_; }
-  BodyContact& body() { return *body_; }
+  const ClothMesh& mesh() const { return mesh_; }
+  BodyContact& body(int layer = 0) { return *body_[layer]; }
   SelfContact& self() { return *self_; }
-  const BodyContact& body() const { return *body_; }
+  const BodyContact& body(int layer = 0) const { return *body_[layer]; }
+  /// Of the body contact of every layer.
+  void set_field(const std::shared_ptr<const DistanceField>& field);
 
-  ClothMemory memory() const { return {*body_, *self_, bending_->memory()}; }
+  /// Forces on every particle [N], by kind in the order of kForceNames.
+  using Forces = std::array<VectorField, kForceNames.size()>;
+  Forces forces(const VectorField& x) const;
+
+  /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
+  /// thicker than half the fabric; 0: by the fabric itself.
+  void pad_body(double thickness);
+
+  ClothMemory memory() const;
   /// Takes up what this model remembered earlier.
   void recall(const ClothMemory& memory);
 
  private:
-  std::unique_ptr<MembraneEnergy> membrane_;
-  std::unique_ptr<BendingEnergy> bending_;
+  ClothMesh mesh_;
+  std::vector<std::unique_ptr<MembraneEnergy>> membrane_;  // per layer
+  std::vector<std::unique_ptr<BendingEnergy>> bending_;
   std::unique_ptr<GravityEnergy> gravity_;
-  std::unique_ptr<BodyContact> body_;
+  std::vector<std::unique_ptr<BodyContact>> body_;
   std::unique_ptr<SelfContact> self_;
+  std::vector<double> half_thickness_, layer_stiffness_;  // per layer
   ParticleSystem system_;
 };
-
-/// Flat areas of the triangles [m²].
-std::vector<double> flat_areas(const Garment& garment);
 
 }  // namespace loosefit

@@ -5,14 +5,17 @@
 #include <limits>
 #include <random>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/certify.h"
+#include "loosefit/drape/explain_unsettled.h"
 #include "loosefit/drape/worn_detail.h"
 
 namespace loosefit {
 namespace {
 
-constexpr int kNearer = 3;            ///< attempts to meet the certificate's residual
-constexpr double kCoarseLayer = 2.0;  ///< coarse levels keep layers this much farther apart
+constexpr int kNearer = 3;             ///< attempts to meet the certificate's residual
+constexpr double kWorthKeeping = 0.7;  ///< fall of the residual that makes a state worth keeping
+constexpr double kCoarseLayer = 2.0;   ///< coarse levels keep layers this much farther apart
 
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
   switch (kind) {
@@ -26,15 +29,37 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleS
   return make_quasi_static(system);
 }
 
+/// Without cuts before with cuts, then by the residual.
+bool better(const Certificate& a, const Certificate& b) {
+  const bool a_cuts = a.intersections_body + a.intersections_self > 0;
+  const bool b_cuts = b.intersections_body + b.intersections_self > 0;
+  return a_cuts == b_cuts ? a.residual < b.residual : b_cuts;
+}
+
 }  // namespace
 
+ClothRun::ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options,
+                   Progress& progress)
+    : layers_(layers), options_(options), progress_(progress) {
+  if (layers.empty()) throw InvalidInput("a drape needs at least one garment");
+  for (const ClothLayer& layer : layers)
+    if (layer.garment->levels.size() != layers.front().garment->levels.size())
+      throw InvalidInput("garments worn over each other need meshes of the same levels");
+}
+
 void ClothRun::make_model(double stiffness_share, bool with_friction) {
-  Material material = material_;
-  if (!with_friction) material.friction_body = material.friction_self = 0;
-  scale_membrane(material, stiffness_share);
-  const double thickness = material_.thickness * (is_finest() ? 1.0 : kCoarseLayer);
-  model_ = std::make_unique<ClothModel>(level_garment(), material, options_, thickness);
-  model_->body().set_field(body_->field);
+  std::vector<ModelLayer> parts;
+  for (int l = 0; l < layers(); ++l) {
+    Material material = layers_[l].material;
+    if (!with_friction) material.friction_body = material.friction_self = 0;
+    scale_membrane(material, stiffness_share);
+    const double thickness = material.thickness * (is_finest() ? 1.0 : kCoarseLayer);
+    parts.push_back({&level_garment(l), std::move(material), thickness});
+  }
+  const double share = with_friction ? 1 : 0;
+  integrator_.reset();
+  model_ = std::make_unique<ClothModel>(parts, share * layer_friction(layers_), options_);
+  model_->set_field(body_->field);
 }
 
 bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool preparing) {
@@ -53,12 +78,18 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
     const double done = std::log10(std::max(residual, tolerance) / 10) /
                         std::log10(options_.residual_tolerance / 10);
     progress_.update(std::clamp(done, 0.0, 1.0), "level " + std::to_string(level_ + 1) + " of " +
-                                                     std::to_string(garment_.levels.size()) +
-                                                     ", residual " + std::to_string(residual));
+                                                     std::to_string(levels()) + ", residual " +
+                                                     std::to_string(residual));
+    if (is_finest() && !preparing && (!lowest_ || residual < kWorthKeeping * lowest_->residual))
+      keep(lowest_, residual);
     return over(iteration);
   };
   const long searches_before = model_->self().searches();
-  last_ = make_integrator(kind, model_->system())->settle(x_, settle);
+  if (!integrator_ || integrator_kind_ != kind) {
+    integrator_ = make_integrator(kind, model_->system());
+    integrator_kind_ = kind;
+  }
+  last_ = integrator_->settle(x_, settle);
   if (report_.parts.empty() || report_.parts.back().part != part_ ||
       report_.parts.back().level != level_)
     report_.parts.push_back({part_, level_, static_cast<int>(x_.size()), {}});
@@ -66,6 +97,10 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   iterations_ += last_.work.iterations;
   report_.ccd_queries += static_cast<int>(model_->self().searches() - searches_before);
   return last_.reason == SettleOutcome::Reason::converged;
+}
+
+void ClothRun::keep(std::optional<Kept>& kept, double residual) {
+  kept.emplace(Kept{x_, model_->memory(), residual});
 }
 
 void ClothRun::perturb() {
@@ -77,9 +112,17 @@ void ClothRun::perturb() {
   for (Vec3& p : x_) p += shift * (1 + 0.5 * std::sin(20 * p[2] + 12 * p[0] + phase));
 }
 
+std::vector<std::array<int, 2>> ClothRun::parents_of_next() const {
+  std::vector<std::array<int, 2>> all;
+  for (int l = 0, shift = 0; l < layers(); shift += level_garment(l++).vertex_count)
+    for (const auto& [a, b] : layers_[l].garment->parents[level_ + 1])
+      all.push_back({a + shift, b + shift});
+  return all;
+}
+
 void ClothRun::refine() {
-  const auto& parents = garment_.parents[level_ + 1];
-  const auto normal = vertex_normals(x_, level_garment().triangles);
+  const auto parents = parents_of_next();
+  const auto normal = vertex_normals(x_, triangles());
   std::vector<Vec3> bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
@@ -94,30 +137,57 @@ void ClothRun::refine() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 
-Drape ClothRun::finish(const std::string& reason) {
-  Drape drape;
-  const auto look = [&] {
-    drape.certificate =
-        certify(*model_, level_garment(), x_, *body_, reason.empty() ? last_.text() : reason);
+Drape ClothRun::finish(const std::string& given_up) {
+  // A loose tolerance may have been met when the time was up: that is not why it stopped.
+  const auto reason = [&] {
+    if (!given_up.empty()) return given_up;
+    const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
+    return cut_short ? std::string("time budget") : last_.text();
   };
-  look();
+  const auto certified = [&] { return certify(*model_, x_, *body_, reason()); };
+  const auto take = [&](const Kept& kept) {
+    x_ = kept.x;
+    model_->recall(kept.memory);
+    return certified();
+  };
+  Drape drape;
+  drape.certificate = certified();
   // It looks anew, when contacts may have come or gone: then a little nearer to rest.
   double nearer = 0.8 * options_.residual_tolerance;
-  for (int k = 0; k < kNearer && last_.reason == SettleOutcome::Reason::converged &&
-                  reason.empty() && drape.certificate.residual > options_.residual_tolerance;
+  for (int k = 0;
+       k < kNearer && last_.reason == SettleOutcome::Reason::converged && given_up.empty() &&
+       !is_late() && drape.certificate.residual > options_.residual_tolerance;
        ++k, nearer /= 2) {
     settle(nearer, options_.max_iterations, kStaticDt);
-    look();
+    drape.certificate = certified();
   }
-  report_.contacts_body = model_->body().active(x_);
+  if (!drape.certificate.settled()) {
+    const Kept now{x_, model_->memory(), drape.certificate.residual};
+    const Kept* best = &now;
+    for (const auto* other : {&lowest_, &clear_}) {
+      if (!other->has_value()) continue;
+      const Certificate c = take(**other);
+      if (!better(c, drape.certificate)) continue;
+      drape.certificate = c;
+      best = &**other;
+    }
+    drape.certificate = take(*best);
+    std::vector<const Garment*> garments;
+    for (int l = 0; l < layers(); ++l) garments.push_back(&level_garment(l));
+    drape.unsettled = explain_unsettled(*model_, garments, x_, *body_, drape.certificate);
+  }
   report_.contacts_self = model_->self().active(x_);
-  for (const ContactPoint& p : model_->body().points())
-    report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
   drape.body_contact_force.assign(x_.size(), Vec3::Zero());
-  model_->body().add_gradient(x_, drape.body_contact_force);
-  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.body_normal_force.assign(x_.size(), 0.0);
-  model_->body().add_normal_force(x_, drape.body_normal_force);
+  for (int l = 0; l < layers(); ++l) {
+    const BodyContact& contact = model_->body(l);
+    report_.contacts_body += contact.active(x_);
+    for (const ContactPoint& p : contact.points())
+      report_.largest_contact_offset = std::max(report_.largest_contact_offset, p.offset);
+    contact.add_gradient(x_, drape.body_contact_force);
+    contact.add_normal_force(x_, drape.body_normal_force);
+  }
+  for (Vec3& f : drape.body_contact_force) f = -f;
   drape.positions = x_;
   drape.report = report_;
   return drape;

@@ -17,14 +17,13 @@ inline constexpr double kCoarseTolerance = 1.0;
 /// First pseudo-step near rest [s].
 inline constexpr double kStaticDt = 10;
 
-/// A garment on its way to rest, and on to other postures: knows the state of the cloth, the body
-/// under it, the clock, the report and whom to tell. Keeps references to all arguments of the
-/// constructor.
+/// A garment, or several worn over each other, on the way to rest, and on to other postures: knows
+/// the state of the cloth, the body under it, the clock, the report and whom to tell. Keeps
+/// references to all arguments of the constructor.
 class ClothRun {
  public:
-  ClothRun(const GarmentHierarchy& garment, const Material& material, const DrapeOptions& options,
-           Progress& progress)
-      : garment_(garment), material_(material), options_(options), progress_(progress) {}
+  /// \throws InvalidInput for no layers, or layers of different edge lengths.
+  ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options, Progress& progress);
 
   /// Dress and settle, as drape_garment. What it leaves is where `follow` starts.
   Drape put_on(const BodyPath& body_at);
@@ -34,12 +33,18 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  bool is_late() const { return seconds() > options_.time_budget; }
   /// Time or iterations are used up.
   bool over(int more_iterations = 0) const {
-    return seconds() > options_.time_budget || iterations_ + more_iterations > most_iterations_;
+    return is_late() || iterations_ + more_iterations > most_iterations_;
   }
-  const Garment& level_garment() const { return garment_.levels[level_]; }
-  bool is_finest() const { return level_ + 1 == static_cast<int>(garment_.levels.size()); }
+  const Garment& level_garment(int layer) const { return layers_[layer].garment->levels[level_]; }
+  int layers() const { return static_cast<int>(layers_.size()); }
+  int levels() const { return static_cast<int>(layers_.front().garment->levels.size()); }
+  bool is_finest() const { return level_ + 1 == levels(); }
+  const std::vector<Triangle>& triangles() const { return model_->mesh().triangles; }
+  /// GarmentHierarchy::parents of the next finer level, all layers numbered through.
+  std::vector<std::array<int, 2>> parents_of_next() const;
 
   void make_model(double stiffness_share = 1, bool with_friction = true);
   /// Settles the current level; true when the tolerance was met.
@@ -64,11 +69,11 @@ class ClothRun {
   /// what set it apart from the coarser one in the worn state, as far as it meets nothing, and its
   /// friction: what its contacts have slid on the moving skin since then.
   void refine_as_worn();
-  /// `reason`: why it ended, when that is not how the last settling did.
-  Drape finish(const std::string& reason = "");
+  /// Certifies the cloth as it is or, where that is not settled, as it was at its best. `given_up`:
+  /// why it ended, when that is not how the last settling did.
+  Drape finish(const std::string& given_up = "");
 
-  const GarmentHierarchy& garment_;
-  const Material& material_;
+  const std::vector<ClothLayer>& layers_;
   const DrapeOptions& options_;
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
@@ -78,8 +83,20 @@ class ClothRun {
   std::vector<Vec3> x_;
   std::shared_ptr<const PosedBody> body_;
   std::unique_ptr<ClothModel> model_;
+  std::unique_ptr<Integrator> integrator_;  ///< of model_
+  IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
   SettleOutcome last_;
   SettleReport report_;
+
+  /// A state of the finest level on the last body, to come back to.
+  struct Kept {
+    std::vector<Vec3> x;
+    ClothMemory memory;
+    double residual;
+  };
+  void keep(std::optional<Kept>& kept, double residual);
+  std::optional<Kept> lowest_;  ///< that of the lowest residual, cuts or not
+  std::optional<Kept> clear_;   ///< that of the lowest residual among those found free of cuts
 
   /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
   struct Worn {

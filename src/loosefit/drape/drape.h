@@ -1,8 +1,10 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/drape/unsettled.h"
 #include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
@@ -13,7 +15,8 @@ struct Certificate {
   double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
   int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
   int intersections_self = -1;
-  std::string stop_reason;  ///< "converged", "time budget", "iteration limit", …
+  std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
+  int intersections_layers = 0;  ///< of intersections_self, those between two garments
   bool settled() const {
     return residual <= 1e-3 && intersections_body == 0 && intersections_self == 0;
   }
@@ -61,6 +64,7 @@ struct Drape {
   std::vector<double> body_normal_force;
   Certificate certificate;
   SettleReport report;
+  std::optional<Unsettled> unsettled;  ///< why it is not settled, when it is not
 };
 
 }  // namespace loosefit

@@ -19,9 +19,14 @@ constexpr int kContractIterations = 60;
 constexpr double kPoseTolerance = 0.5;  ///< residual between two steps of a posture path
 constexpr int kPoseIterations = 40;
 constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
-constexpr int kCutRounds = 8;       ///< attempts to free the last cuts into the body
+/// Thickness of the soft layer between body and cloth until it stands in its posture [m]: contacts
+/// then come one after another over millimetres of way and not all within the last tenth of one, so
+/// Newton's steps stay whole, and nothing is pulled through the skin.
+constexpr double kPad = 0.005;
+constexpr int kCutRounds = 8;  ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
+constexpr int kCutIterations = 15;     ///< at most, before each of these looks
 constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
 constexpr double kFirstDt = 0.5;       ///< first pseudo-step on the way to rest [s]
 
@@ -34,6 +39,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   part_ = "posture";
   walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
   part_ = "settle";
+  model_->pad_body(0);
   settle_levels();
   Drape drape = finish();
   worn_.push_back({x_, model_->memory()});
@@ -43,24 +49,28 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
 }
 
 void ClothRun::dress(Body body) {
-  x_ = is_shirt(level_garment()) ? dress_shirt(level_garment(), body)
-                                 : dress_as_placed(level_garment(), garment_.pattern);
+  std::vector<LayerToDress> to_dress;
+  for (int l = 0; l < layers(); ++l)
+    to_dress.push_back({&level_garment(l), &layers_[l].garment->pattern});
+  x_ = dress_layers(to_dress, body);
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
   // that it comes to lie on the limbs and is not pulled through them.
   for (double share : {0.01, 0.1}) {
     make_model(share, false);
-    settle(kContractTolerance, kContractIterations, 0.01, true);
+    if (layers() == 1) model_->pad_body(kPad);
+    if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
   }
   make_model();
-  displace();
-  settle(kDressTolerance, options_.max_iterations, 0.01, true);
+  if (layers() == 1) model_->pad_body(kPad);
+  if (!is_late()) displace();
+  if (!is_late()) settle(kDressTolerance, options_.max_iterations, 0.01, true);
 }
 
 void ClothRun::settle_levels() {
   while (!is_finest()) {
-    settle(kCoarseTolerance, options_.max_iterations, 0.02);
+    if (!is_late()) settle(kCoarseTolerance, options_.max_iterations, 0.02);
     worn_.push_back({x_, model_->memory()});
     refine();
   }
@@ -70,12 +80,20 @@ void ClothRun::settle_levels() {
 void ClothRun::settle_finest() {
   // Cuts into the skin are looked for long before the last digits of the balance are sought.
   std::map<int, int> times_cut;
+  std::vector<double> half_thickness;
+  for (const ClothLayer& layer : layers_) half_thickness.push_back(0.5 * layer.material.thickness);
+  lowest_.reset(), clear_.reset();
   const auto hold_off = [&](bool look_ahead) {
-    return hold_off_cuts(*model_, level_garment(), *body_, x_, 0.5 * material_.thickness,
-                         look_ahead, times_cut);
+    const bool low = !clear_ || last_.residual < clear_->residual;
+    std::optional<Kept> here;
+    if (low) keep(here, last_.residual);
+    const bool cuts = hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
+    if (low && !cuts) clear_ = std::move(here);
+    return cuts;
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    settle(std::max(tolerance, options_.residual_tolerance), options_.max_iterations, first_dt);
+    settle(std::max(tolerance, options_.residual_tolerance),
+           std::min(kCutIterations, options_.max_iterations), first_dt);
     if (over()) return;
     hold_off(true);
   }

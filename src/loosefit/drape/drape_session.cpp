@@ -10,21 +10,25 @@
 namespace loosefit {
 
 struct DrapeSession::State {
-  State(const GarmentHierarchy& garment, Material m, const DrapeOptions& o, Progress& progress)
-      : material(std::move(m)), options(o), run(garment, material, options, progress) {
+  State(std::vector<ClothLayer> garments, const DrapeOptions& o, Progress& progress)
+      : layers(std::move(garments)), options(o), run(layers, options, progress) {
     if (options.threads > 0)
       threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
   }
-  Material material;
+  std::vector<ClothLayer> layers;
   DrapeOptions options;
   std::optional<tbb::global_control> threads;
   ClothRun run;
   bool worn = false;
 };
 
+DrapeSession::DrapeSession(std::vector<ClothLayer> layers, const DrapeOptions& options,
+                           Progress& progress)
+    : state_(std::make_unique<State>(std::move(layers), options, progress)) {}
+
 DrapeSession::DrapeSession(const GarmentHierarchy& garment, Material material,
                            const DrapeOptions& options, Progress& progress)
-    : state_(std::make_unique<State>(garment, std::move(material), options, progress)) {}
+    : DrapeSession({{&garment, std::move(material)}}, options, progress) {}
 
 DrapeSession::~DrapeSession() = default;
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/drape_garment.h"
 
 namespace loosefit {
@@ -12,6 +13,10 @@ namespace loosefit {
 /// same way from there, whatever else is on the list, and one that fails spoils no other.
 class DrapeSession {
  public:
+  /// Garments worn over each other, the innermost first; positions and forces of its drapes are
+  /// those of all layers in turn (drape_of_layer). Keeps references to garments and progress.
+  /// \throws InvalidInput for no layers, or layers meshed at different edge lengths.
+  DrapeSession(std::vector<ClothLayer> layers, const DrapeOptions& options, Progress& progress);
   /// Keeps references to garment and progress.
   DrapeSession(const GarmentHierarchy& garment, Material material, const DrapeOptions& options,
                Progress& progress);

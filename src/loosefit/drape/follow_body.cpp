@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/drape/carry_layers.h"
 #include "loosefit/drape/cloth_run.h"
 #include "loosefit/drape/impact_zones.h"
 #include "loosefit/drape/worn_detail.h"
@@ -17,14 +18,20 @@ constexpr double kTolerance = 100;  ///< residual between two steps: no more tha
 constexpr int kIterations = 25;     ///< between two steps
 constexpr double kTooFar = 5;       ///< times the tolerance, beyond which a step is worked on
 constexpr int kPatience = 8;        ///< times as long
+constexpr double kWhole = 0.999;    ///< share of its way that the cloth has to go along a step
 constexpr double kTooDeep = 0.012;  ///< in the skin after a step, for which it is halved [m]
-constexpr int kHalvings = 3;        ///< at most
+constexpr int kShortest = 16;       ///< a step may be so many times shorter than usual
 constexpr double kCaught = 0.005;   ///< in the skin near rest: lost [m]
 /// Iterations on the finest level after which a posture is given up: so many times those of putting
 /// on, and not before so many.
 constexpr int kFarMore = 3, kManyIterations = 500;
 constexpr double kRoughField = 0.010;  ///< spacing of the distance field on the way [m]
 constexpr int kDisplaceSteps = 4;      ///< in which the start is shifted and twisted
+/// The same of several layers: what the body pushes out has to push the next one.
+constexpr double kLayeredStep = 0.04, kLayeredTolerance = 5;
+constexpr int kLayeredIterations = 100;
+constexpr double kWholeWay = 0.9;  ///< share of the way of layers that must be free
+constexpr double kStray = 0.002;   ///< that impact zones may lead them off it [m]
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -57,6 +64,12 @@ std::string caught_text(double depth) {
                      1e3 * depth);
 }
 
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).squaredNorm());
+  return std::sqrt(most);
+}
+
 }  // namespace
 
 Drape ClothRun::follow(const BodyPath& body_at) {
@@ -64,16 +77,20 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   report_ = {};
   iterations_ = 0;
   most_iterations_ = std::numeric_limits<int>::max();
+  lowest_.reset(), clear_.reset();
   body_ = worn_body_;
   // The way is gone on the coarsest level, where an iteration costs a fraction.
   level_ = 0;
-  if (largest_turn(body_->body, body_at(1.0)) < kNoTurn)
+  if (layers() > 1 || largest_turn(body_->body, body_at(1.0)) < kNoTurn)
     level_ = static_cast<int>(worn_.size()) - 1;
   x_ = worn_[level_].x;
   make_model();
   model_->recall(worn_[level_].memory);
   part_ = "posture";
-  walk(body_at, kStep, kTolerance, kIterations);
+  if (layers() == 1)
+    walk(body_at, kStep, kTolerance, kIterations);
+  else
+    walk(body_at, kLayeredStep, kLayeredTolerance, kLayeredIterations);
   double caught = 0;
   while (!is_finest()) {
     settle(kCoarseTolerance, kPatience * kIterations, 0.02);
@@ -96,48 +113,56 @@ Drape ClothRun::follow(const BodyPath& body_at) {
 }
 
 void ClothRun::refine_as_worn() {
-  const auto& parents = garment_.parents[level_ + 1];
+  const auto parents = parents_of_next();
   const std::vector<Vec3> before = on_coarse_surface(parents, worn_[level_].x);
   const Worn& worn = worn_[++level_];
   x_ = on_coarse_surface(parents, x_);
   make_model();
-  const std::vector<Vec3> detail =
-      without_impacts(model_->self().candidates().features(), x_,
-                      turned_detail(level_garment().triangles, before, worn.x, x_));
+  const std::vector<Vec3> detail = without_impacts(model_->self().candidates().features(), x_,
+                                                   turned_detail(triangles(), before, worn.x, x_));
   const double allowed = model_->self().begin_search(x_, detail);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * detail[i];
   model_->recall(worn.memory);
-  model_->body().set_field(body_->field);
-  model_->body().carry_anchors(way_of(skin_motion(*worn_body_, body_->body, worn.x), worn.x));
+  model_->set_field(body_->field);
+  const std::vector<Vec3> way = way_of(skin_motion(*worn_body_, body_->body, worn.x), worn.x);
+  for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
 }
 
 void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
-  double share = 1 / std::ceil(turn / step);
-  double least = std::ldexp(share, -kHalvings);
+  const double usual = 1 / std::ceil(turn / step), least = usual / kShortest;
+  double length = usual;
   for (double gone = 0; gone < 1;) {
-    if (seconds() > options_.time_budget) share = least = 1;  // end on the wanted body
-    const double to = gone + 1.01 * share < 1 ? gone + share : 1;
+    if (is_late()) length = 1;  // end on the wanted body, settled or not
+    const double to = gone + length > 1 - 0.5 * least ? 1 : gone + length;
     std::shared_ptr<PosedBody> next = pose_for_queries(body_at(to));
     const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
+    const std::vector<Vec3> wanted = way_of(carried_layers(model_->mesh(), x_, motion), x_);
     const std::vector<Vec3> carried =
-        without_impacts(model_->self().candidates().features(), x_,
-                        way_of(smoothed_over(level_garment().triangles, x_, motion), x_));
+        without_impacts(model_->self().candidates().features(), x_, wanted);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, carried);
     std::vector<Vec3> there = x_;
     for (std::size_t i = 0; i < x_.size(); ++i) there[i] += allowed * carried[i];
-    if (share > 1.5 * least && depth(there, *next) > kTooDeep) {
-      share /= 2;
+    // A body that goes where the cloth cannot follow would pass through it. Layers that lie on each
+    // other have little room, and would be taken along like one rigid piece: shorter ways, and
+    // settling makes room anew.
+    const bool clear = layers() == 1 ? allowed >= kWhole && depth(there, *next) <= kTooDeep
+                                     : allowed >= kWholeWay && farthest(wanted, carried) <= kStray;
+    if (length > 1.5 * least && !is_late() && !clear) {
+      length /= 2;
       continue;
     }
-    add_field(*next, bounds(there), to < 1 ? kRoughField : kFieldSpacing);
-    model_->body().carry_anchors(way_of(motion, x_));
+    add_field(*next, bounds(there), to < 1 && level_ == 0 ? kRoughField : kFieldSpacing);
+    const std::vector<Vec3> way = way_of(motion, x_);
+    for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
     x_ = std::move(there);
     body_ = std::move(next);
-    model_->body().set_field(body_->field);
+    model_->set_field(body_->field);
     gone = to;
+    length = std::min(usual, 2 * length);
+    if (is_late()) continue;
     settle(tolerance, iterations, 0.02, true);
     // Pressed deep into the skin it would be pulled through it on the next step.
     if (last_.residual > kTooFar * tolerance)
@@ -158,7 +183,7 @@ void ClothRun::displace() {
     if (on_trunk[i]) centre += x_[i], ++count;
   }
   centre /= std::max(count, 1);
-  for (int k = 0; k < kDisplaceSteps; ++k) {
+  for (int k = 0; k < kDisplaceSteps && !is_late(); ++k) {
     const Mat3 turn =
         Eigen::AngleAxisd(options_.start_twist / kDisplaceSteps, Vec3::UnitZ()).toRotationMatrix();
     std::vector<MotionMap> maps(x_.size());
@@ -166,8 +191,7 @@ void ClothRun::displace() {
       const Mat3 own = on_trunk[i] ? turn : Mat3::Identity();
       maps[i] << own, centre - own * centre + shift / kDisplaceSteps;
     }
-    const std::vector<Vec3> move =
-        way_of(smoothed_over(level_garment().triangles, x_, std::move(maps)), x_);
+    const std::vector<Vec3> move = way_of(carried_layers(model_->mesh(), x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];

@@ -59,11 +59,12 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
 
 }  // namespace
 
-bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
-                   const std::vector<Vec3>& x, double half_thickness, bool look_ahead,
+bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
+                   const std::vector<double>& half_thickness, bool look_ahead,
                    std::map<int, int>& times_cut) {
   const auto& skin = body.body.surface;
-  const auto& triangles = garment.triangles;
+  const ClothMesh& cloth = model.mesh();
+  const auto& triangles = cloth.triangles;
   std::set<int> cut;
   for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
     cut.insert(t);
@@ -73,27 +74,30 @@ bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& b
   const std::vector<double> least = least_distances(*body.tree, triangles, x, cut);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
-  const auto area = flat_areas(garment);
-  BodyContact& contact = model.body();
   std::map<int, std::vector<int>> cuts_at;  // vertex → cut triangles
   std::map<int, double> raise;              // of a triangle's contact points [m]
   for (int t : cut) {
+    const int layer = cloth.triangle_layer[t];
     if (++times_cut[t] == 1)
-      add_lattice(triangles[t], area[t], half_thickness, lattice(triangles[t], x),
-                  contact.change_points());
+      add_lattice(triangles[t], cloth.area[t], half_thickness[layer], lattice(triangles[t], x),
+                  model.body(layer).change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
     raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
   }
-  for (ContactPoint& p : contact.change_points()) {
-    const auto near = cuts_at.find(p.particle[0]);
-    if (near == cuts_at.end()) continue;
-    double most = -1;
-    for (int t : near->second)
-      if (p.within(triangles[t])) most = std::max(most, raise.at(t));
-    if (most < 0) continue;
-    const double seen = contact.field_distance(p, x, kFarField);
-    const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
-    p.offset = std::max(p.offset, half_thickness + std::clamp(error, 0.0, kFarField)) + most;
+  for (int layer = 0; layer < cloth.layers(); ++layer) {
+    BodyContact& contact = model.body(layer);
+    for (ContactPoint& p : contact.change_points()) {
+      const auto near = cuts_at.find(p.particle[0]);
+      if (near == cuts_at.end()) continue;
+      double most = -1;
+      for (int t : near->second)
+        if (p.within(triangles[t])) most = std::max(most, raise.at(t));
+      if (most < 0) continue;
+      const double seen = contact.field_distance(p, x, kFarField);
+      const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
+      p.offset =
+          std::max(p.offset, half_thickness[layer] + std::clamp(error, 0.0, kFarField)) + most;
+    }
   }
   return any;
 }

@@ -13,9 +13,9 @@ namespace loosefit {
 /// time; so are triangles that are about to cut, when any cuts or with look_ahead. times_cut counts
 /// per triangle over the rounds. Returns false when nothing cuts (then nothing is changed unless
 /// look_ahead); otherwise the cloth has to be settled again. half_thickness: offset of an
-/// undisturbed contact point [m].
-bool hold_off_cuts(ClothModel& model, const Garment& garment, const PosedBody& body,
-                   const std::vector<Vec3>& x, double half_thickness, bool look_ahead,
+/// undisturbed contact point of each layer [m].
+bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
+                   const std::vector<double>& half_thickness, bool look_ahead,
                    std::map<int, int>& times_cut);
 
 }  // namespace loosefit

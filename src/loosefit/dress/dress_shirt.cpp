@@ -6,14 +6,15 @@
 #include "loosefit/dress/body_outline.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/dress/flat_layout.h"
+#include "loosefit/dress/lay_shirt.h"
 #include "loosefit/dress/shirt_frame.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kClearance = 0.02;    ///< first try, between body and sheets [m]
-constexpr double kLeastDepth = 0.008;  ///< sheet to middle surface off the seams [m]
+constexpr double kClearance = 0.02;  ///< first try, between body and sheets [m]
+constexpr double kMostClearance = 0.06;
 
 /// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
 void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,
@@ -60,9 +61,22 @@ class Panel2d {
   std::string name_;
 };
 
-std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clearance) {
-  const BodyOutline depth(body, clearance);
-  const ShirtFrame frame = shirt_frame(g, body, depth, clearance);
+}  // namespace
+
+bool is_shirt(const Garment& garment) {
+  for (const char* panel : {"front", "back"})
+    for (const char* edge :
+         {"hem", "side_L", "side_R", "armhole_L", "armhole_R", "shoulder_L", "shoulder_R", "neck"})
+      if (!garment.find_chain(panel, edge)) return false;
+  for (const char* panel : {"sleeve_L_front", "sleeve_L_back", "sleeve_R_front", "sleeve_R_back"})
+    for (const char* edge : {"top", "cuff", "under", "cap"})
+      if (!garment.find_chain(panel, edge)) return false;
+  return garment.panel_names.size() == 6;
+}
+
+std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom& room) {
+  const BodyOutline depth(body, room.clearance);
+  const ShirtFrame frame = shirt_frame(g, body, depth, room.clearance);
 
   // A vertex on a seam between front and back lies on the middle surface, others before or behind.
   std::vector<int> sheets(g.vertex_count, 0);  // bit 0: front, bit 1: back
@@ -101,35 +115,26 @@ std::vector<Vec3> lay_round_body(const Garment& g, const Body& body, double clea
   for (int v = 0; v < g.vertex_count; ++v) {
     const double u = place[v][0], z = place[v][1], middle = depth.middle(u, z);
     double y = middle;
-    if (sheets[v] == 1) y = std::min(depth.front(u, z), middle - kLeastDepth);
-    if (sheets[v] == 2) y = std::max(depth.back(u, z), middle + kLeastDepth);
+    if (sheets[v] == 1)
+      y = std::min(middle + room.depth_share * (depth.front(u, z) - middle),
+                   middle - room.least_depth);
+    if (sheets[v] == 2)
+      y = std::max(middle + room.depth_share * (depth.back(u, z) - middle),
+                   middle + room.least_depth);
     x[v] = Vec3(u, y, z);
   }
   return x;
 }
 
-}  // namespace
-
-bool is_shirt(const Garment& garment) {
-  for (const char* panel : {"front", "back"})
-    for (const char* edge :
-         {"hem", "side_L", "side_R", "armhole_L", "armhole_R", "shoulder_L", "shoulder_R", "neck"})
-      if (!garment.find_chain(panel, edge)) return false;
-  for (const char* panel : {"sleeve_L_front", "sleeve_L_back", "sleeve_R_front", "sleeve_R_back"})
-    for (const char* edge : {"top", "cuff", "under", "cap"})
-      if (!garment.find_chain(panel, edge)) return false;
-  return garment.panel_names.size() == 6;
-}
-
 std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
   std::string why;
-  for (double clearance = kClearance; clearance < 0.06; clearance *= 1.3) {
+  for (double clearance = kClearance; clearance < kMostClearance; clearance *= 1.3) {
     std::vector<Vec3> x;
     try {
-      x = lay_round_body(shirt, body, clearance);
+      x = lay_shirt(shirt, body, {clearance});
     } catch (const GeometryError& error) {
       why = error.what();
-      if (clearance * 1.3 >= 0.06) throw;
+      if (clearance * 1.3 >= kMostClearance) throw;
       continue;
     }
     const auto hits = self_intersections(x, shirt.triangles);

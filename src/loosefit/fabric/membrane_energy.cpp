@@ -161,13 +161,14 @@ void MembraneEnergy::add_pattern(const VectorField&, BlockPattern& pattern) cons
 }
 
 void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  const bool definite = kind == HessianKind::definite;
+  const bool exact = kind == HessianKind::exact;
+  const double compression = exact ? 1 : kind == HessianKind::halved ? 0.5 : 0;
   block_.resize(6 * kTile * tiles_.size());
   for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
     TileState state;
     tile_state(t, x, true, state);
     PlaneTangent& c = state.tangent;
-    if (!plain_ && definite)
+    if (!plain_ && !exact)
       for (int i = 0; i < kTile; ++i) drop_negative_part(c, i);
     if (viscous_ratio_ > 0) {
       const PlaneTangent& viscosity = plain_ ? linear_ : tangent_start_[t];
@@ -175,7 +176,7 @@ void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKi
         for (int i = 0; i < kTile; ++i) c[k][i] += viscous_ratio_ * viscosity[k][i];
     }
     std::array<TileRow, 54> row;
-    membrane_blocks(tiles_[t], state.s, state.response.stress, c, definite, row);
+    membrane_blocks(tiles_[t], state.s, state.response.stress, c, compression, row);
     spread(row, block_[6 * kTile * t].data());
   });
   to_blocks_.add(block_, h);

@@ -35,7 +35,7 @@ void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s, const 
 
 LOOSEFIT_VECTORISED
 void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
-                     const PlaneTangent& c, bool definite, std::array<TileRow, 54>& out) {
+                     const PlaneTangent& c, double compression, std::array<TileRow, 54>& out) {
   // Geometric stiffness: w rᵃᵀ stress rᵇ on the diagonal of block (a, b).
   PlaneRows g;
   for (int i = 0; i < kTile; ++i) {
@@ -44,8 +44,8 @@ void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const Pl
     const double radius = std::sqrt(half * half + off * off);
     // Positive part of a 2 × 2: (high + low)/2 on average, (high − low)/2 along (half, off).
     const double high = mean + radius, low = mean - radius;
-    const double high_kept = high > 0 || !definite ? high : 0.0;
-    const double low_kept = low > 0 || !definite ? low : 0.0;
+    const double high_kept = high > 0 ? high : compression * high;
+    const double low_kept = low > 0 ? low : compression * low;
     const double spread = 0.5 * (high_kept - low_kept) / (radius > 0 ? radius : 1.0);
     const double middle = 0.5 * (high_kept + low_kept);
     g[0][i] = middle + spread * half;

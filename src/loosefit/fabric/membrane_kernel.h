@@ -24,9 +24,9 @@ void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s, const 
                        std::array<TileRow, 9>& out);
 
 /// Second derivatives: blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2), column by column [N/m].
-/// `definite` keeps only the tensile part of the stress (Volino et al. 2009); with C ⪰ 0 the
-/// result is positive semi-definite.
+/// Compressive stress counts in the share `compression`: 1 is exact; with 0 only the tensile part
+/// is kept (Volino et al. 2009), and with C ⪰ 0 the result is positive semi-definite.
 void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
-                     const PlaneTangent& c, bool definite, std::array<TileRow, 54>& out);
+                     const PlaneTangent& c, double compression, std::array<TileRow, 54>& out);
 
 }  // namespace loosefit

@@ -9,6 +9,8 @@
 namespace loosefit {
 namespace {
 
+constexpr std::size_t kMostUnder = 3;
+
 // Names become file names, table rows and JSON keys, so two of the same kind must differ.
 template <class Spec>
 void refuse_equal_names(const std::vector<Spec>& specs, ConfigReader& root, const char* key) {
@@ -38,6 +40,11 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   scenario.body = read_body_section(root.table("body"), scenario.postures);
   scenario.garment = read_garment_section(root.table("garment"));
   scenario.material = read_material_section(root.table("material"));
+  for (const ConfigReader& table : root.tables("under"))
+    scenario.under.push_back(read_under_section(table));
+  if (scenario.under.size() > kMostUnder)
+    throw root.error("under", std::to_string(scenario.under.size()) + " garments",
+                     "at most " + std::to_string(kMostUnder), {});
   for (const ConfigReader& table : root.tables("attachment"))
     scenario.attachments.push_back(read_attachment_section(table));
   for (const ConfigReader& table : root.tables("site"))

@@ -36,6 +36,14 @@ struct ScenarioGarment {
   ShirtFit fit{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
 };
 
+/// [[under]]: a garment worn under that of [garment].
+struct ScenarioUnder {
+  ScenarioGarment garment;
+  MaterialCard material;
+  std::optional<double>
+      friction;  ///< against the garments over it; absent: mean of their materials'
+};
+
 /// [simulation]
 struct ScenarioSimulation {
   double edge_length = 0.010;  ///< wished triangle edge [m]
@@ -83,6 +91,7 @@ struct Scenario {
   ScenarioBody body;
   ScenarioGarment garment;
   MaterialCard material;
+  std::vector<ScenarioUnder> under;  ///< the innermost first
   std::vector<Attachment> attachments;
   std::vector<SiteSpec> sites;
   ScenarioSimulation simulation;

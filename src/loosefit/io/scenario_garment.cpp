@@ -19,6 +19,8 @@ ShirtFit read_fit(ConfigReader table, ShirtFit fit) {
   fit.scye_ease = table.number("scye_ease", fit.scye_ease, {0, 0.15, "metres"});
   fit.shoulder_follow = table.number("shoulder_follow", fit.shoulder_follow, {0, 1, "a fraction"});
   fit.cap_ease = table.number("cap_ease", fit.cap_ease, {0, 0.15, "a fraction"});
+  fit.sleeve_length =
+      table.number("sleeve_length", fit.sleeve_length, {0.25, 1, "a share of the arm"});
   table.finish();
   return fit;
 }
@@ -60,7 +62,7 @@ bool names_a_file(const std::string& pattern) {
 
 }  // namespace
 
-ScenarioGarment read_garment_section(ConfigReader table) {
+ScenarioGarment read_garment_keys(ConfigReader& table) {
   ScenarioGarment garment;
   garment.pattern = table.text("pattern", garment.pattern);
   if (names_a_file(garment.pattern)) {
@@ -71,13 +73,19 @@ ScenarioGarment read_garment_section(ConfigReader table) {
         throw table.error(key, "no fit or size beside a pattern file",
                           "a pattern file is taken at the size it has");
   } else {
-    garment.pattern = table.choice("pattern", garment.pattern, {"long-sleeve-shirt"});
+    garment.pattern = table.choice("pattern", garment.pattern, {"long-sleeve-shirt", "t-shirt"});
+    if (garment.pattern == "t-shirt") garment.fit.wrist = 0.12, garment.fit.sleeve_length = 0.36;
     garment.size = table.choice("size", "", garment_size_names());
     if (!garment.size.empty() && table.has("fit"))
       throw table.error("fit", "either fit or size",
                         "a size fixes the garment; a fit follows the body");
     garment.fit = read_fit(table.table("fit"), garment.fit);
   }
+  return garment;
+}
+
+ScenarioGarment read_garment_section(ConfigReader table) {
+  ScenarioGarment garment = read_garment_keys(table);
   table.finish();
   return garment;
 }

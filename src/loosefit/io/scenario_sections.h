@@ -11,7 +11,10 @@ std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader 
 /// `postures`: those of [postures]; the first is the default of body.posture.
 ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures);
 ScenarioGarment read_garment_section(ConfigReader table);
+/// The keys of [garment]; does not refuse others.
+ScenarioGarment read_garment_keys(ConfigReader& table);
 MaterialCard read_material_section(ConfigReader table);
+ScenarioUnder read_under_section(ConfigReader table);
 Attachment read_attachment_section(ConfigReader table);
 SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
@@ -20,6 +23,10 @@ ScenarioRanking read_ranking_section(ConfigReader table);
 /// [donning]; `given`: the section stands in the file. [simulation] must have been read.
 ScenarioDonning read_donning_section(ConfigReader table, bool given,
                                      const ScenarioSimulation& simulation);
+
+/// [garment] and [[under]] as TOML.
+std::string garment_toml(const ScenarioGarment& garment, const std::string& section = "garment");
+std::string under_toml(const ScenarioUnder& under);
 
 /// [postures] and [donning] as TOML; empty where there is nothing to say.
 std::string wear_toml(const Scenario& scenario);

@@ -45,21 +45,6 @@ std::string body_text(const ScenarioBody& body) {
          "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
 }
 
-std::string garment_text(const ScenarioGarment& garment) {
-  if (!garment.file.empty()) return "[garment]\npattern = " + toml_quoted(garment.file) + "\n";
-  std::string text = "[garment]\npattern = " + toml_quoted(garment.pattern) + "\n";
-  if (!garment.size.empty()) return text + "size = " + toml_quoted(garment.size) + "\n";
-  const ShirtFit& fit = garment.fit;
-  text += "\n[garment.fit]\nchest = " + shortest(fit.chest) + "\n";
-  if (fit.waist) text += "waist = " + shortest(*fit.waist) + "\n";
-  return text + fmt::format(
-                    "hip = {}\nsleeve = {}\nwrist = {}\nneck_ease = {}\nscye_ease = {}\n"
-                    "shoulder_follow = {}\ncap_ease = {}\n",
-                    shortest(fit.hip), shortest(fit.sleeve), shortest(fit.wrist),
-                    shortest(fit.neck_ease), shortest(fit.scye_ease), shortest(fit.shoulder_follow),
-                    shortest(fit.cap_ease));
-}
-
 std::string part_text(const Board& board) {
   return "at = " + point_text(board.centre) + "\n" +
          (board.radius > 0 ? "radius = " + shortest(board.radius)
@@ -119,9 +104,10 @@ std::string degrees_text(double angle) {
 
 std::string scenario_toml(const Scenario& scenario) {
   const Material& material = scenario.material.material;
-  std::string text = body_text(scenario.body) + "\n" + garment_text(scenario.garment) +
+  std::string text = body_text(scenario.body) + "\n" + garment_toml(scenario.garment) +
                      "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
                      material_toml(material);
+  for (const ScenarioUnder& under : scenario.under) text += "\n" + under_toml(under);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
   text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output) +

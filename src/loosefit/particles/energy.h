@@ -13,6 +13,7 @@ using VectorField = std::vector<Vec3>;
 /// Which second derivative the solver wants.
 enum class HessianKind {
   exact,     ///< the derivative of the gradient, possibly indefinite (see TangentReach)
+  halved,    ///< between the two: half of what would make element blocks indefinite is left in
   definite,  ///< a positive semi-definite approximation: every element block is ⪰ 0
 };
 

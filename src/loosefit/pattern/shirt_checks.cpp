@@ -40,6 +40,7 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   in_range("fit.scye_ease", fit.scye_ease, -0.02, 0.15, " m");
   in_range("fit.shoulder_follow", fit.shoulder_follow, 0.0, 1.0, "");
   in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
+  in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
 }
 
 void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
@@ -82,11 +83,17 @@ void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const Sh
                     "fit {:.3g}",
                     5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
         "the shoulder seam must be at least 20 mm long");
-  if (under_length < 0.05)
+  const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]
+  if (under_length < least && fit.sleeve_length < 1)
+    throw InvalidInput(
+        InputPlace{{}, 0, "fit.sleeve_length"}, fmt::format("{:.4g}", fit.sleeve_length),
+        fmt::format("at least {:.2f} for this armhole and sleeve",
+                    fit.sleeve_length + (least - under_length) / m.arm_length + 0.005));
+  if (under_length < least)
     throw InvalidInput(InputPlace{{}, 0, "measures.arm_length"},
                        fmt::format("{:.4g} m", m.arm_length),
                        fmt::format("at least {:.3f} m for this armhole and sleeve",
-                                   m.arm_length + 0.05 - under_length));
+                                   m.arm_length + least - under_length));
   for (const Panel& panel : shirt.panels) {
     const std::vector<Vec2> outline = outline_polygon(panel);
     if (first_self_crossing(outline).first < 0 && signed_area(outline) > 0) continue;

@@ -1,5 +1,6 @@
 #include "loosefit/pattern/shirt_draft.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/base/error.h"
@@ -127,6 +128,12 @@ Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& rep
 
 }  // namespace
 
+double arm_girth_at(const ShirtMeasures& m, double share) {
+  constexpr double kAboveElbow = 0.5;
+  const double down = std::clamp((share - kAboveElbow) / (1 - kAboveElbow), 0.0, 1.0);
+  return (1 - down) * m.upper_arm + down * m.wrist;
+}
+
 Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
                     const ShirtPlacement& placement) {
   check_shirt_input(m, fit);
@@ -136,17 +143,19 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
 
   check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
 
-  const double upper = (1 + fit.sleeve) * m.upper_arm, wrist = (1 + fit.wrist) * m.wrist;
+  const double upper = (1 + fit.sleeve) * m.upper_arm,
+               wrist = (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length);
   const double front_width = d.cap->front_share * upper, back_width = upper - front_width;
   // A dropped shoulder is taken off the sleeve.
-  const double top_length = m.arm_length - (d.front.shoulder_x - m.shoulder_breadth / 2);
+  const double top_length =
+      fit.sleeve_length * m.arm_length - (d.front.shoulder_x - m.shoulder_breadth / 2);
   const double under_length = top_length - d.cap->height;
   // Equal taper of both halves keeps the two underarm seams equal.
   const double front_cuff = wrist / 2 + front_width - upper / 2;
   const double back_cuff = wrist / 2 + back_width - upper / 2;
 
   Pattern shirt;
-  shirt.name = "long-sleeve-shirt";
+  shirt.name = fit.sleeve_length < 1 ? "short-sleeve-shirt" : "long-sleeve-shirt";
   shirt.panels = {torso_panel(d.front, true), torso_panel(d.back, false)};
   for (const std::string s : {"L", "R"}) {
     const bool left = s == "L";

@@ -36,7 +36,14 @@ struct ShirtFit {
   double scye_ease = 0.025;      ///< underarm below the armpit [m]
   double shoulder_follow = 0.5;  ///< share of a positive chest fit that widens the shoulders
   double cap_ease = 0.0;         ///< sleeve cap longer than the armhole by this share
+  /// Sleeve, from the shoulder point to its hem, as a share of the arm; below 1 `wrist` counts
+  /// against arm_girth_at there.
+  double sleeve_length = 1.0;
 };
+
+/// Girth of the arm at a share of the way from the shoulder point to the wrist [m]: that of the
+/// upper arm to half way, above the elbow, then even down to the wrist (forearms are nearly cones).
+double arm_girth_at(const ShirtMeasures& measures, double share);
 
 /// What the draft arrived at.
 struct ShirtDraftReport {
@@ -55,11 +62,11 @@ struct ShirtPlacement {
   double arm_abduction = 0.4363323129985824;  ///< upper arm to the downward vertical [rad]; 25°
 };
 
-/// Long-sleeve knit shirt of six pieces and twelve seams with the asked girths exactly
-/// (patterns.md section 6). Pieces: front, back, sleeve_L_front, sleeve_L_back, sleeve_R_front,
-/// sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve edges top, cuff,
-/// under, cap.
-/// \throws InvalidInput when a size or fit is outside its range, or no sleeve fits the armhole.
+/// Knit shirt, long-sleeved or with shorter sleeves, of six pieces and twelve seams with the asked
+/// girths exactly (patterns.md section 6). Pieces: front, back, sleeve_L_front, sleeve_L_back,
+/// sleeve_R_front, sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve
+/// edges top, cuff, under, cap. \throws InvalidInput when a size or fit is outside its range, or no
+/// sleeve fits the armhole.
 Pattern draft_shirt(const ShirtMeasures& measures, const ShirtFit& fit = {},
                     ShirtDraftReport* report = nullptr, const ShirtPlacement& placement = {});
 

@@ -15,6 +15,7 @@ namespace {
 constexpr Rgb kCloth = {226, 231, 238};
 constexpr double kMapAmbient = 0.55;  // light left in the deepest shade of a map
 constexpr double kSceneAmbient = 0.25;
+constexpr double kThrough = 0.35;  // opacity of a garment that is looked through
 
 /// Colour × light. `floor` lifts the light so that colours stay comparable with the legend.
 Image lit(Image colours, const Image& light, double ambient) {
@@ -80,13 +81,16 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
   const TriangleMesh form = mannequin(body, garment, positions);
-  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams}, options.width,
-              options.height - foot, options.supersampling, options.ambient_occlusion);
+  const bool layered = !options.under.triangles.empty();
+  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams,
+               layered ? &options.under : nullptr},
+              options.width, options.height - foot, options.supersampling,
+              options.ambient_occlusion);
   std::vector<const PerformanceMap*> drawn;
   for (const PerformanceMap& map : maps)
     if (map.pictured) drawn.push_back(&map);
-  const double total =
-      static_cast<double>(options.views.size() * (drawn.size() + (options.undecorated ? 1 : 0)));
+  const double total = static_cast<double>(
+      options.views.size() * (drawn.size() + (options.undecorated ? (layered ? 2 : 1) : 0)));
 
   std::vector<Picture> pictures;
   const auto finish = [&](const Image& image, const std::string& map, View view) {
@@ -101,6 +105,14 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
       finish(scaled_down(lit(scene.colours(nullptr, kCloth), light, kSceneAmbient),
                          options.supersampling),
              "drape", view);
+    if (options.undecorated && layered) {
+      scene.set_opacity(kThrough);
+      const Image dim = scene.light();
+      finish(scaled_down(lit(scene.colours(nullptr, kCloth), dim, kSceneAmbient),
+                         options.supersampling),
+             "layers", view);
+      scene.set_opacity(1);
+    }
     for (const PerformanceMap* map : drawn) {
       Image image = with_foot(
           scaled_down(lit(scene.colours(map), light, kMapAmbient), options.supersampling), foot);

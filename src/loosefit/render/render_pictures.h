@@ -23,19 +23,21 @@ struct PictureOptions {
   bool ambient_occlusion = true;   ///< depth in the folds; about half a second per picture
   std::vector<View> views = {View::front, View::back};
   bool undecorated = true;  ///< also the plain drape: drape-<view>.png
+  TriangleMesh under;       ///< cloth worn under the garment, in a colour of its own
 };
 
 /// One written picture.
 struct Picture {
-  std::string map;  ///< PerformanceMap::map, or "drape" for the undecorated one
+  std::string map;  ///< PerformanceMap::map, or "drape" and "layers" for the undecorated ones
   View view = View::front;
   std::filesystem::path file;
 };
 
 /// Draws the drape with every map whose `pictured` is set and writes DIR/<map>-<view>.png. The body
 /// is a neutral grey dress form (render/mannequin.h); colours are fixed by each map's range; NaN is
-/// grey. `after_each` is called with the share done and may throw to stop. \throws Error when there
-/// is no X display (check_display), IoError when a file cannot be written.
+/// grey. Cloth worn under the garment is drawn too, and with `undecorated` also through the
+/// garment: layers-<view>.png. `after_each` is called with the share done and may throw to stop.
+/// \throws Error when there is no X display (check_display), IoError when a file cannot be written.
 std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
                                      const Garment& garment, const std::vector<Vec3>& positions,
                                      const std::vector<PerformanceMap>& maps,

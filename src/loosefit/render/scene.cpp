@@ -28,6 +28,7 @@ VTK_MODULE_INIT(vtkInteractionStyle)
 namespace loosefit {
 namespace {
 constexpr Rgb kMannequin = {176, 176, 176};
+constexpr Rgb kUnder = {150, 166, 200};
 constexpr Rgb kLine = {35, 35, 35};
 constexpr double kMargin = 1.06;           // picture frame over garment extent
 constexpr double kAmbient = 0.25;          // of light()
@@ -96,8 +97,8 @@ struct Scene::Window {
   vtkRenderWindow* window = shared_window();
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> key, fill_light;
-  Part body, garment, lines, seams;
-  Vec3 lower, upper;          ///< box of the garment
+  Part body, under, garment, lines, seams;
+  Vec3 lower, upper;          ///< box of all cloth
   Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of all
   int width = 0, height = 0;
   bool ambient_occlusion = false;
@@ -157,8 +158,9 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
   w.window->AddRenderer(w.renderer);
 
   set_surface(w.body.data, content.body.vertices, content.body.triangles);
+  if (content.under) set_surface(w.under.data, content.under->vertices, content.under->triangles);
   set_surface(w.garment.data, content.positions, content.triangles);
-  for (Window::Part* part : {&w.body, &w.garment}) {
+  for (Window::Part* part : {&w.body, &w.under, &w.garment}) {
     part->connect();
     w.renderer->AddActor(part->actor);
   }
@@ -179,10 +181,14 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
   for (const Vec3& p : content.body.vertices) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
   for (const Vec3& p : content.positions) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
   w.lower = w.upper = content.positions.empty() ? Vec3::Zero() : content.positions[0];
-  for (const Vec3& p : content.positions) {
-    w.lower = w.lower.cwiseMin(p);
-    w.upper = w.upper.cwiseMax(p);
-  }
+  const auto extend = [&w](const std::vector<Vec3>& points) {
+    for (const Vec3& p : points) {
+      w.lower = w.lower.cwiseMin(p);
+      w.upper = w.upper.cwiseMax(p);
+    }
+  };
+  extend(content.positions);
+  if (content.under) extend(content.under->vertices);
 }
 
 Scene::~Scene() { window_->window->RemoveRenderer(window_->renderer); }
@@ -208,10 +214,14 @@ void Scene::look(View view) {
   w.renderer->ResetCameraClippingRange();
 }
 
+void Scene::set_opacity(double opacity) {
+  window_->garment.actor->GetProperty()->SetOpacity(opacity);
+}
+
 Image Scene::light() {
   Window& w = *window_;
   w.garment.mapper->ScalarVisibilityOff();
-  for (Window::Part* part : {&w.body, &w.garment}) w.set_lit(*part, true);
+  for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, true);
   w.lines.actor->VisibilityOff();
   w.seams.actor->VisibilityOff();
   w.renderer->SetUseSSAO(w.ambient_occlusion);
@@ -225,10 +235,11 @@ Image Scene::light() {
 Image Scene::colours(const PerformanceMap* map, Rgb cloth) {
   Window& w = *window_;
   w.renderer->SetUseSSAO(false);
-  for (Window::Part* part : {&w.body, &w.garment}) w.set_lit(*part, false);
+  for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, false);
   w.lines.actor->VisibilityOn();
   w.seams.actor->VisibilityOn();
   set_colour(w.body.actor, kMannequin);
+  set_colour(w.under.actor, kUnder);
   set_colour(w.garment.actor, cloth);
   if (map) {
     vtkNew<vtkDoubleArray> scalars;

@@ -16,6 +16,7 @@ struct SceneContent {
   const std::vector<Triangle>& triangles;  ///< garment
   std::vector<std::array<int, 2>> lines;   ///< dark lines on the garment (vertex pairs)
   std::vector<std::array<int, 2>> seams;   ///< thinner lines
+  const TriangleMesh* under = nullptr;     ///< cloth between body and garment
 };
 
 /// One VTK window that draws a garment on its mannequin. Light and colour are drawn apart, because
@@ -28,6 +29,8 @@ class Scene {
         bool ambient_occlusion);
   ~Scene();
   void look(View view);
+  /// 1: opaque; less lets body and cloth under the garment be seen through it.
+  void set_opacity(double opacity);
   /// Grey light of the scene as if all was white, 0..255; background 255. Not scaled down.
   Image light();
   /// Unlit colours: garment by `map` (plain `cloth` when null), mannequin, lines. Not scaled down.

@@ -14,6 +14,8 @@ namespace loosefit {
 std::string headline_section(const CaseResult& result);
 /// Settled or sealed, with the numbers that say so and the way the residual fell.
 std::string certificate_section(const CaseResult& result);
+/// Why the drape is not settled: what is out of balance, by which forces, and what cuts.
+std::string unsettled_section(const CaseResult& result);
 /// One row of pictures per view, embedded.
 std::string picture_section(const CaseResult& result, const std::vector<Picture>& pictures);
 /// What each map means: equation, source and mesh, so that a number can be traced.
@@ -22,8 +24,12 @@ std::string definition_section(const CaseResult& result);
 std::string map_section(const CaseResult& result);
 /// Contact pressure by both estimates, over the garment and per region, with their disagreement.
 std::string pressure_section(const CaseResult& result);
+/// Slope, direction and coherence of the folds per region.
+std::string wrinkle_section(const CaseResult& result);
 /// The quantities of the maps at every site.
 std::string site_section(const CaseResult& result);
+/// What is worn over each other, the innermost first; empty for one garment.
+std::string layer_section(const CaseResult& result);
 /// One row per posture and donning: whether it settled, how the garment slipped, what it took.
 std::string wear_section(const CaseResult& result);
 /// The ranked sites: scores with their intervals as a chart, then reasons; empty without a table.

@@ -44,7 +44,11 @@ std::string headline_section(const CaseResult& result) {
     sentence +=
         fmt::format(", {}{:.0f} % at the chest", chest->second < 0 ? "tight by " : "loose by ",
                     std::abs(100 * chest->second));
-  sentence += ", in " + result.scenario.material.material.name + ".";
+  sentence += ", in " + result.scenario.material.material.name;
+  for (std::size_t l = result.under.size(); l-- > 0;)
+    sentence += " over the " + result.under[l].pattern.pattern.name + " in " +
+                result.scenario.under[l].material.material.name;
+  sentence += ".";
   html += element("p", escaped(sentence), "lead");
   if (!result.warnings.empty()) {
     std::string list;
@@ -76,6 +80,9 @@ std::string certificate_section(const CaseResult& result) {
                       fact("largest on one particle", number(c.residual_max, 3)) +
                       fact("crossings with the body", count_text(c.intersections_body)) +
                       fact("crossings with itself", count_text(c.intersections_self)) +
+                      (result.under.empty() ? ""
+                                            : fact("of these, between garments",
+                                                   count_text(c.intersections_layers))) +
                       fact("stopped:", c.stop_reason);
   if (result.drape.report.total().iterations > 0)
     facts += fact("iterations", std::to_string(result.drape.report.total().iterations));

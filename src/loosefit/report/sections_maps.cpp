@@ -19,6 +19,7 @@ std::string embedded(const std::filesystem::path& file) {
 std::string title_of(const CaseResult& result, const std::string& map) {
   for (const CaseMap& entry : result.maps.maps)
     if (entry.map.map == map) return entry.map.title;
+  if (map == "layers") return "What is worn under it";
   return map == "drape" ? "The garment as it hangs" : map;
 }
 

@@ -32,7 +32,7 @@ std::string wear_section(const CaseResult& result) {
   for (const CaseState& s : wear.states) {
     auto cells = row(s.name, s.donning, s.drape.certificate, s.seconds);
     if (!s.left_out.empty()) cells[2] = s.left_out;
-    const bool known = s.counts() && !s.maps.empty();
+    const bool known = s.counts() && s.posture > 0 && !s.maps.empty();
     const MapStatistics slip = known ? s.maps.front().overall : MapStatistics{};
     for (double value : {slip.median, slip.p95, slip.max})
       cells.push_back(known ? fixed(value, 1) : "–");

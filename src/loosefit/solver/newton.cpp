@@ -7,7 +7,8 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+constexpr double kStretch = 8;    ///< longest extension of a projected Newton step
+constexpr int kMostPatience = 8;  ///< iterations between two tries of a matrix that was indefinite
 /// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
 constexpr double kLeastHold = 1, kMostHold = 1e4;
 
@@ -21,6 +22,12 @@ double dot(const VectorField& a, const VectorField& b) {
 
 Newton::Newton(const ParticleSystem& system, const Options& options)
     : system_(system), options_(options) {}
+
+void Newton::restart(const Options& options) {
+  options_ = options;
+  work_ = {};
+  evaluated_ = false;
+}
 
 void Newton::evaluate(const VectorField& x, double& energy, VectorField& g) {
   const Stopwatch watch(work_.evaluate);
@@ -73,13 +80,13 @@ void Newton::assemble(const VectorField& x, HessianKind kind) {
 }
 
 bool Newton::factorise(const VectorField& x, double per_dt2) {
-  std::vector<double> shift(system_.particles());
+  shift_.resize(system_.particles());
   const auto attempt = [&](double regularisation) {
     for (int i = 0; i < system_.particles(); ++i)
-      shift[i] = (per_dt2 + regularisation) * system_.mass[i];
+      shift_[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++work_.factorisations;
     const Stopwatch watch(work_.factorise);
-    return cholesky_.factorise(matrix_, shift, system_.held);
+    return linear_.factorise(matrix_, shift_, system_.held);
   };
   exact_ = wait_ == 0;
   if (exact_) {
@@ -99,9 +106,22 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       hold_ = std::min(kMostHold, 10 * hold_);
     }
     wait_ = patience_;  // each failure in a row doubles the wait before the next try
-    patience_ = std::min(8, 2 * patience_);
+    patience_ = std::min(kMostPatience, 2 * patience_);
   } else {
     --wait_;
+  }
+  // Compressed cloth is about as stiff against buckling as its compression is strong: without the
+  // compression it would be far too stiff there, with half of it the matrix is mostly definite.
+  if (halved_wait_ == 0) {
+    assemble(x, HessianKind::halved);
+    if (attempt(0)) {
+      halved_patience_ = 1;
+      return true;
+    }
+    halved_wait_ = halved_patience_;
+    halved_patience_ = std::min(kMostPatience, 2 * halved_patience_);
+  } else {
+    --halved_wait_;
   }
   // The projected one; it may still be singular (cloth free to slide): add what it takes.
   assemble(x, HessianKind::definite);
@@ -115,12 +135,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
 
 void Newton::direction(const VectorField& g, VectorField& dx) {
   const Stopwatch watch(work_.solve);
-  cholesky_.solve(g, dx);
-  for (std::size_t i = 0; i < dx.size(); ++i)
-    if (system_.is_held(static_cast<int>(i)))
-      dx[i].setZero();
-    else
-      dx[i] = -dx[i];
+  linear_.solve(g, dx);
 }
 
 Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, double dt) {

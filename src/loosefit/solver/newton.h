@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
+#include "loosefit/solver/newton_system.h"
 #include "loosefit/solver/particle_system.h"
 #include "loosefit/solver/solver_work.h"
-#include "loosefit/solver/sparse_cholesky.h"
 
 namespace loosefit {
 
@@ -27,6 +27,8 @@ class Newton {
   explicit Newton(const ParticleSystem& system) : Newton(system, Options{}) {}
   Newton(const ParticleSystem& system, const Options& options);
 
+  /// Counts work anew; the particles may have been moved and contacts changed.
+  void restart(const Options& options);
   /// One iteration. target = x̂, dt [s]; dt = ∞ leaves out the inertia term.
   Outcome iterate(VectorField& x, const VectorField& target, double dt);
   /// Energy::begin_step of all energies.
@@ -48,14 +50,16 @@ class Newton {
   const ParticleSystem& system_;
   Options options_;
   SolverWork work_;
-  SparseCholesky cholesky_;
+  NewtonSystem linear_;
   BlockMatrix matrix_;
+  std::vector<double> shift_;  ///< inertia and what makes the matrix definite [kg/s²]
   std::uint64_t pattern_version_ = 0;
   bool exact_ = false;
   int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
   int patience_ = 1;
-  double hold_ = 100;  ///< [1/s²], see factorise
-  bool evaluated_ = false;  ///< energy_ and gradient_ are those of place_
+  int halved_wait_ = 0, halved_patience_ = 1;  ///< the same of the halved one
+  double hold_ = 100;                          ///< [1/s²], see factorise
+  bool evaluated_ = false;                     ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;
 };

@@ -15,21 +15,21 @@ constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is 
 
 class QuasiStatic : public Integrator {
  public:
-  explicit QuasiStatic(const ParticleSystem& system) : system_(system) {}
+  explicit QuasiStatic(const ParticleSystem& system) : system_(system), newton_(system) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    Newton newton(system_, {options.max_move});
+    newton_.restart({options.max_move});
     SettleOutcome outcome;
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0, slow = 0;
     system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
-    newton.begin_step(x, dt);
+    newton_.begin_step(x, dt);
     while (true) {
-      newton.begin_step(x, infinity);
-      const bool rest = judge_balance(system_, newton.gradient(x), options.tolerance, outcome);
-      outcome.work = newton.work();
+      newton_.begin_step(x, infinity);
+      const bool rest = judge_balance(system_, newton_.gradient(x), options.tolerance, outcome);
+      outcome.work = newton_.work();
       if (rest) return outcome;
       if (outcome.work.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
@@ -39,11 +39,11 @@ class QuasiStatic : public Integrator {
       double first_force = -1, last_share = 1;
       bool moved = false, reduced = false;
       for (int k = 0; k < kNewtonPerStep; ++k) {
-        if (options.watch && options.watch(newton.work().iterations, outcome.residual)) {
+        if (options.watch && options.watch(newton_.work().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
           return outcome;
         }
-        const auto step = newton.iterate(x, start, dt < kStaticDt ? dt : infinity);
+        const auto step = newton_.iterate(x, start, dt < kStaticDt ? dt : infinity);
         if (first_force < 0) first_force = step.force;
         if (!step.moved) {
           last_share = 0;
@@ -77,6 +77,7 @@ class QuasiStatic : public Integrator {
 
  private:
   const ParticleSystem& system_;
+  Newton newton_;  ///< keeps what it learned of the matrix from one call to the next
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "loosefit/solver/sparse_cholesky.h"
 
-#include <cblas.h>
 #include <tbb/task_group.h>
 
 #include <atomic>
@@ -8,10 +7,10 @@
 #include <new>
 
 #include "loosefit/base/error.h"
+#include "loosefit/solver/dense_kernels.h"
+#include "loosefit/solver/eliminate_front.h"
 #include "loosefit/solver/fill_order.h"
 #include "loosefit/solver/front_tree.h"
-
-extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace loosefit {
 namespace {
@@ -19,18 +18,12 @@ namespace {
 constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
 constexpr double kMoreWork = 1.3;   ///< than when the order was chosen: choose another
 
-using Buffer = std::unique_ptr<double[]>;
-
-/// Cholesky factor in place of the lower triangle of a, n × n, leading dimension lda.
-bool factorise_dense(double* a, int n, int lda) {
-  int info = 0;
-  dpotrf_("L", &n, a, &lda, &info);
-  return info == 0;
-}
-
 }  // namespace
 
-struct SparseCholesky::Work {
+template <class Real>
+struct SparseCholesky<Real>::Work {
+  using Buffer = std::unique_ptr<Real[]>;
+
   FrontTree tree;
   double flops_of_order = 0;            ///< when the order was chosen
   std::vector<int> column_start, rows;  ///< block pattern that the tree was made for
@@ -53,11 +46,12 @@ struct SparseCholesky::Work {
   void analyse(const BlockMatrix& matrix);
   void eliminate_subtree(int front);
   void eliminate(int front);
-  void add_entries(int front, double* f);
-  void add_child(int child, double* f, Buffer& border_of_parent);
+  void add_entries(int front, Real* f);
+  void add_child(int child, Real* f, Buffer& border_of_parent);
 };
 
-void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
+template <class Real>
+void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   column_start = matrix.column_start();
   rows = matrix.rows();
   // A few blocks more or less leave the old order good, most of the time.
@@ -98,16 +92,17 @@ void SparseCholesky::Work::analyse(const BlockMatrix& matrix) {
   for (std::size_t f = 0; f < fronts; ++f) {
     const Front& front = tree.fronts[f];
     factor[f] =
-        std::make_unique_for_overwrite<double[]>(9 * std::size_t(front.size()) * front.columns);
+        std::make_unique_for_overwrite<Real[]>(9 * std::size_t(front.size()) * front.columns);
   }
 }
 
-void SparseCholesky::Work::add_entries(int front, double* f) {
+template <class Real>
+void SparseCholesky<Real>::Work::add_entries(int front, Real* f) {
   const int height = 3 * tree.fronts[front].size();
   const bool any_held = !held->empty();
   for (const Entry& e : entries[front]) {
     const Mat3& block = a->blocks()[e.block];
-    double* at = f + 3 * std::size_t(e.column) * height + 3 * e.row;
+    Real* at = f + 3 * std::size_t(e.column) * height + 3 * e.row;
     if (any_held && ((*held)[e.i] || (*held)[e.j])) {
       if (e.i == e.j)
         for (int c = 0; c < 3; ++c) at[std::size_t(c) * height + c] += 1;
@@ -115,30 +110,33 @@ void SparseCholesky::Work::add_entries(int front, double* f) {
     }
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r)
-        at[std::size_t(c) * height + r] += e.transposed ? block(c, r) : block(r, c);
+        at[std::size_t(c) * height + r] +=
+            static_cast<Real>(e.transposed ? block(c, r) : block(r, c));
     if (e.i == e.j)
-      for (int c = 0; c < 3; ++c) at[std::size_t(c) * height + c] += (*shift)[e.j];
+      for (int c = 0; c < 3; ++c)
+        at[std::size_t(c) * height + c] += static_cast<Real>((*shift)[e.j]);
   }
 }
 
-void SparseCholesky::Work::add_child(int child, double* f, Buffer& border_of_parent) {
+template <class Real>
+void SparseCholesky<Real>::Work::add_child(int child, Real* f, Buffer& border_of_parent) {
   const Front& from = tree.fronts[child];
   const Front& to = tree.fronts[from.parent];
   const int n = static_cast<int>(from.rows.size());
   const std::size_t height = 3 * std::size_t(to.size()), below = 3 * to.rows.size();
-  const double* source = border[child].get();
+  const Real* source = border[child].get();
   for (int c = 0; c < n; ++c) {
     const int column = from.place[c];
     const bool eliminated = column < to.columns;
-    double* target = eliminated ? f + 3 * column * height
-                                : border_of_parent.get() + 3 * (column - to.columns) * below;
+    Real* target = eliminated ? f + 3 * column * height
+                              : border_of_parent.get() + 3 * (column - to.columns) * below;
     const std::size_t step = eliminated ? height : below;
     const int less = eliminated ? 0 : to.columns;
     for (int k = 0; k < 3; ++k) {
-      const double* s = source + (3 * std::size_t(c) + k) * (3 * std::size_t(n));
-      double* t = target + k * step;
+      const Real* s = source + (3 * std::size_t(c) + k) * (3 * std::size_t(n));
+      Real* t = target + k * step;
       for (int r = c; r < n; ++r) {
-        double* at = t + 3 * (from.place[r] - less);
+        Real* at = t + 3 * (from.place[r] - less);
         at[0] += s[3 * r];
         at[1] += s[3 * r + 1];
         at[2] += s[3 * r + 2];
@@ -148,26 +146,20 @@ void SparseCholesky::Work::add_child(int child, double* f, Buffer& border_of_par
   border[child].reset();
 }
 
-void SparseCholesky::Work::eliminate(int index) {
+template <class Real>
+void SparseCholesky<Real>::Work::eliminate(int index) {
   const Front& front = tree.fronts[index];
   const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
-  double* f = factor[index].get();
-  std::fill_n(f, std::size_t(height) * p, 0.0);
-  if (r > 0) border[index] = std::make_unique<double[]>(std::size_t(r) * r);
+  Real* f = factor[index].get();
+  std::fill_n(f, std::size_t(height) * p, Real(0));
+  if (r > 0) border[index] = std::make_unique<Real[]>(std::size_t(r) * r);
   add_entries(index, f);
   for (int child : front.children) add_child(child, f, border[index]);
-  if (!factorise_dense(f, p, height)) {
-    definite = false;
-    return;
-  }
-  if (r == 0) return;
-  cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, r, p, 1.0, f, height,
-              f + p, height);
-  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, r, p, -1.0, f + p, height, 1.0,
-              border[index].get(), r);
+  if (!eliminate_front(f, p, r, border[index].get())) definite = false;
 }
 
-void SparseCholesky::Work::eliminate_subtree(int index) {
+template <class Real>
+void SparseCholesky<Real>::Work::eliminate_subtree(int index) {
   const Front& front = tree.fronts[index];
   tbb::task_group group;
   bool parallel = false;
@@ -184,11 +176,14 @@ void SparseCholesky::Work::eliminate_subtree(int index) {
   if (definite) eliminate(index);
 }
 
-SparseCholesky::SparseCholesky() : work_(std::make_unique<Work>()) {}
-SparseCholesky::~SparseCholesky() = default;
+template <class Real>
+SparseCholesky<Real>::SparseCholesky() : work_(std::make_unique<Work>()) {}
+template <class Real>
+SparseCholesky<Real>::~SparseCholesky() = default;
 
-bool SparseCholesky::factorise(const BlockMatrix& a, const std::vector<double>& shift,
-                               const std::vector<char>& held) try {
+template <class Real>
+bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<double>& shift,
+                                     const std::vector<char>& held) try {
   Work& w = *work_;
   if (w.tree.order.empty() || w.column_start != a.column_start() || w.rows != a.rows())
     w.analyse(a);
@@ -208,40 +203,46 @@ bool SparseCholesky::factorise(const BlockMatrix& a, const std::vector<double>& 
   throw SolverFailure("out of memory in the sparse factorisation");
 }
 
-void SparseCholesky::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) {
+template <class Real>
+void SparseCholesky<Real>::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const {
   const Work& w = *work_;
   const int n = static_cast<int>(rhs.size());
-  Eigen::VectorXd y(3 * n), part;
-  for (int k = 0; k < n; ++k) y.segment<3>(3 * k) = rhs[w.tree.order[k]];
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> y(3 * n), part;
+  for (int k = 0; k < n; ++k)
+    y.template segment<3>(3 * k) = rhs[w.tree.order[k]].template cast<Real>();
   for (std::size_t f = 0; f < w.tree.fronts.size(); ++f) {
     const Front& front = w.tree.fronts[f];
     const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
-    double* pivot = y.data() + 3 * front.first;
-    cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, p, w.factor[f].get(), height,
-                pivot, 1);
+    const Real* factor = w.factor[f].get();
+    Real* pivot = y.data() + 3 * front.first;
+    dense::solve_lower(factor, p, height, pivot);
     if (r == 0) continue;
     part.resize(r);
-    cblas_dgemv(CblasColMajor, CblasNoTrans, r, p, 1.0, w.factor[f].get() + p, height, pivot, 1,
-                0.0, part.data(), 1);
+    dense::multiply(factor + p, r, p, height, pivot, part.data());
     for (std::size_t i = 0; i < front.rows.size(); ++i)
-      y.segment<3>(3 * front.rows[i]) -= part.segment<3>(3 * static_cast<long>(i));
+      y.template segment<3>(3 * front.rows[i]) -=
+          part.template segment<3>(3 * static_cast<long>(i));
   }
   for (std::size_t f = w.tree.fronts.size(); f-- > 0;) {
     const Front& front = w.tree.fronts[f];
     const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
-    double* pivot = y.data() + 3 * front.first;
+    const Real* factor = w.factor[f].get();
+    Real* pivot = y.data() + 3 * front.first;
     if (r > 0) {
       part.resize(r);
       for (std::size_t i = 0; i < front.rows.size(); ++i)
-        part.segment<3>(3 * static_cast<long>(i)) = y.segment<3>(3 * front.rows[i]);
-      cblas_dgemv(CblasColMajor, CblasTrans, r, p, -1.0, w.factor[f].get() + p, height, part.data(),
-                  1, 1.0, pivot, 1);
+        part.template segment<3>(3 * static_cast<long>(i)) =
+            y.template segment<3>(3 * front.rows[i]);
+      dense::subtract_transposed(factor + p, r, p, height, part.data(), pivot);
     }
-    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, p, w.factor[f].get(), height,
-                pivot, 1);
+    dense::solve_lower_transposed(factor, p, height, pivot);
   }
   x.resize(n);
-  for (int k = 0; k < n; ++k) x[w.tree.order[k]] = y.segment<3>(3 * k);
+  for (int k = 0; k < n; ++k)
+    x[w.tree.order[k]] = y.template segment<3>(3 * k).template cast<double>();
 }
+
+template class SparseCholesky<float>;
+template class SparseCholesky<double>;
 
 }  // namespace loosefit

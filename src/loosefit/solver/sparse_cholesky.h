@@ -11,6 +11,7 @@ namespace loosefit {
 /// kernels on the fronts, branches of the elimination tree side by side on all cores. Sums are
 /// taken in the order of the tree, so the bits do not depend on the number of threads. The
 /// fill-reducing order is found once on the block graph and reused while contacts come and go.
+template <class Real>
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -24,7 +25,7 @@ class SparseCholesky {
   bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held);
   /// Solves with the last successful factorisation. \pre factorise returned true
-  void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x);
+  void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const;
 
  private:
   struct Work;

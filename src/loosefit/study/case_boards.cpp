@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
@@ -38,16 +40,20 @@ void place_boards(CaseResult& result, Progress& progress) {
   const double edge = scenario.simulation.edge_length *
                       std::pow(2.0, hierarchy_refinements(scenario.simulation.edge_length));
   const Pattern& pattern = result.pattern.pattern;
-  const GarmentHierarchy bare =
-      build_hierarchy(pattern, edge, scenario.material.material, scenario.attachments);
-  check_sites(bare.finest(), result.body.body, sites);
+  CaseResult coarse;  // bare, over what is worn under it
+  coarse.scenario = scenario;
+  coarse.under = result.under;
+  mesh_under(coarse, edge);
+  coarse.garment = build_hierarchy(pattern, edge, scenario.material.material, scenario.attachments);
+  const Garment& bare = coarse.mesh();
+  check_sites(bare, result.body.body, sites);
   DrapeOptions options = drape_options(scenario.simulation);
   options.residual_tolerance = kCoarseResidual;
-  const Drape drape =
-      drape_garment(bare, scenario.material.material, result.body.path, options, progress);
-  const WornGarment worn = relate(bare.finest(), drape.positions, result.body.body);
+  take_drape(DrapeSession(cloth_layers(coarse), options, progress).put_on(result.body.path),
+             coarse);
+  const WornGarment worn = relate(bare, coarse.drape.positions, result.body.body);
   const std::vector<Site> found =
-      find_sites(bare.finest(), drape.positions, result.body.body, worn, {}, sites, false);
+      find_sites(bare, coarse.drape.positions, result.body.body, worn, {}, sites, false);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (!wants_place(sites[i])) continue;
     sites[i].panel = found[i].panel;

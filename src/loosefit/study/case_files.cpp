@@ -3,6 +3,7 @@
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/sites_csv.h"
 #include "loosefit/study/summary.h"
 #include "loosefit/study/wear_states.h"
@@ -11,14 +12,35 @@ namespace loosefit {
 
 namespace {
 
+std::vector<PerformanceMap> plain(const std::vector<CaseMap>& entries) {
+  std::vector<PerformanceMap> maps;
+  for (const CaseMap& entry : entries) maps.push_back(entry.map);
+  return maps;
+}
+
+/// Drapes of the garments under the studied one; with their patterns in the folder of the run.
+void write_under(const std::filesystem::path& folder, const CaseResult& result,
+                 const CaseState* state) {
+  for (int l = 0; l < static_cast<int>(result.under.size()); ++l) {
+    const CaseUnder& under = result.under[l];
+    const std::filesystem::path place = folder / under_folder(l);
+    std::filesystem::create_directories(place);
+    if (state) {
+      write_drape_vtp(place / "drape.vtp", under.mesh(), state->under[l]);
+    } else {
+      write_drape_vtp(place / "drape.vtp", under.mesh(), under.drape, plain(under.maps.maps));
+      write_garmentcode(place / "pattern.json", under.pattern.pattern);
+    }
+  }
+}
+
 void write_states(const std::filesystem::path& folder, const CaseResult& result) {
   for (const CaseState& state : result.wear.states) {
     if (state.drape.positions.empty()) continue;
     const std::filesystem::path place = folder / state_folder(state);
     std::filesystem::create_directories(place);
-    std::vector<PerformanceMap> maps;
-    for (const CaseMap& entry : state.maps) maps.push_back(entry.map);
-    write_drape_vtp(place / "drape.vtp", result.mesh(), state.drape, maps);
+    write_drape_vtp(place / "drape.vtp", result.mesh(), state.drape, plain(state.maps));
+    write_under(place, result, &state);
     if (state.donning == 0) write_body_vtp(place / "body.vtp", *result.wear.bodies[state.posture]);
   }
 }
@@ -26,9 +48,9 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
 }  // namespace
 
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result) {
-  std::vector<PerformanceMap> maps;
-  for (const CaseMap& entry : result.maps.maps) maps.push_back(entry.map);
+  const std::vector<PerformanceMap> maps = plain(result.maps.maps);
   write_drape_vtp(folder / "drape.vtp", result.mesh(), result.drape, maps);
+  write_under(folder, result, nullptr);
   write_body_vtp(folder / "body.vtp", result.body.body);
   write_states(folder, result);
   write_garmentcode(folder / "pattern.json", result.pattern.pattern);

@@ -5,9 +5,9 @@
 
 namespace loosefit {
 
-/// Writes drape.vtp, body.vtp, pattern.json, sites.csv (when there are maps), scenario.toml, and
-/// per posture and donning beyond the first drape.vtp in state_folder, body.vtp beside it where the
-/// posture is new.
+/// Writes drape.vtp, drape.vtp and pattern.json in under_folder for every garment under it,
+/// body.vtp, pattern.json, sites.csv (when there are maps), scenario.toml, and per posture and
+/// donning beyond the first drape.vtp in state_folder, body.vtp beside it where the posture is new.
 /// \throws IoError.
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result);
 

@@ -38,6 +38,22 @@ void compare_girths(CasePattern& result, const Body& body) {
   }
 }
 
+/// A short sleeve ends in a cuff on the arm, not at the wrist.
+void name_the_cuff(CasePattern& result, const Body& body, double sleeve_length) {
+  auto girth = result.girths.extract("wrist");
+  result.fit.erase("wrist");
+  if (girth.empty()) return;
+  girth.key() = "cuff";
+  const double cuff = girth.mapped();
+  result.girths.insert(std::move(girth));
+  if (body.measured.count("upper_arm") && body.measured.count("wrist")) {
+    ShirtMeasures arm;
+    arm.upper_arm = body.measured.at("upper_arm");
+    arm.wrist = body.measured.at("wrist");
+    result.fit["cuff"] = cuff / arm_girth_at(arm, sleeve_length) - 1;
+  }
+}
+
 }  // namespace
 
 ShirtMeasures shirt_measures(const Body& body) {
@@ -61,12 +77,25 @@ CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
     PatternFile file = read_garmentcode(wished.file);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
-  } else if (const auto size = garment_size(wished.size)) {
-    result.pattern = draft_shirt(size->body, size->fit);
-  } else {
-    result.pattern = draft_shirt(shirt_measures(body), wished.fit);
+    compare_girths(result, body);
+    return result;
   }
+  ShirtFit fit = wished.fit;
+  ShirtMeasures measures;
+  if (const auto size = garment_size(wished.size)) {
+    measures = size->body;
+    fit = size->fit;
+    if (wished.fit.sleeve_length < 1) {
+      fit.sleeve_length = wished.fit.sleeve_length;
+      fit.wrist = fit.sleeve;
+    }
+  } else {
+    measures = shirt_measures(body);
+  }
+  result.pattern = draft_shirt(measures, fit);
+  result.pattern.name = wished.pattern;
   compare_girths(result, body);
+  if (fit.sleeve_length < 1) name_the_cuff(result, body, fit.sleeve_length);
   return result;
 }
 

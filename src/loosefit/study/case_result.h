@@ -11,6 +11,7 @@
 #include "loosefit/maps/compute_maps.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/statistics.h"
+#include "loosefit/maps/wrinkle_direction.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
@@ -37,6 +38,16 @@ struct CaseMaps {
   std::vector<CaseMap> maps;
   CasePressure pressure;
   GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
+  std::map<Region, WrinkleDirection> wrinkles;
+};
+
+/// A garment worn under the one that is studied.
+struct CaseUnder {
+  CasePattern pattern;
+  GarmentHierarchy garment;
+  Drape drape;    ///< its certificate is that of all garments
+  CaseMaps maps;  ///< the same maps as of the studied garment
+  const Garment& mesh() const { return garment.finest(); }
 };
 
 /// Spread of one number over the repeats of a case.
@@ -57,12 +68,16 @@ struct CaseState {
   int posture = 0, donning = 0;  ///< indices into the case's postures and donnings
   std::string name;              ///< of the posture
   Drape drape;
-  double seconds = 0;         ///< to drape it
-  std::string left_out = {};  ///< why there is no drape to speak of; else empty
+  std::vector<Drape> under = {};  ///< of the garments under it, the innermost first
+  double seconds = 0;             ///< to drape it
+  std::string left_out = {};      ///< why there is no drape to speak of; else empty
   /// Stage "maps", of a settled drape.
   WornGarment worn = {};
   PressureField pressure = {};
-  std::vector<CaseMap> maps = {};  ///< slip against the reference posture of the same donning
+  /// In the reference posture the maps of the case; else slip against it in the same donning.
+  std::vector<CaseMap> maps = {};
+  std::map<Region, WrinkleDirection> wrinkles = {};
+  std::vector<Site> sites = {};  ///< the case's sites in this drape; reference posture only
   bool counts() const { return left_out.empty() && drape.certificate.settled(); }
 };
 
@@ -84,7 +99,8 @@ struct CaseResult {
   GarmentHierarchy garment;
   Drape drape;
   CaseMaps maps;
-  CaseWear wear;  ///< empty for one posture and one donning
+  std::vector<CaseUnder> under;  ///< the innermost first
+  CaseWear wear;                 ///< empty for one posture and one donning
   std::vector<Site> sites;
   /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
   std::map<std::string, Spread> repeats;

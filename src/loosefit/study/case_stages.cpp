@@ -16,23 +16,42 @@ IntegratorKind integrator_kind(const std::string& word) {
                      "semi-implicit-euler, implicit-euler or quasi-static");
 }
 
-std::vector<PerformanceMap> plain_maps(const CaseMaps& maps) {
+/// One garment of a case as its wearer has it on.
+struct Worn {
+  const Garment& garment;
+  const Drape& drape;
+  const Material& material;
+  const Body& body;
+};
+
+std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps) {
   std::vector<PerformanceMap> plain;
-  for (const CaseMap& entry : maps.maps) plain.push_back(entry.map);
+  for (const CaseMap& entry : maps) plain.push_back(entry.map);
   return plain;
 }
 
-CasePressure make_pressure(const CaseResult& result, const WornGarment& worn) {
+CasePressure make_pressure(const Worn& of, const WornGarment& worn, const Scenario& scenario) {
   CasePressure made;
-  if (result.drape.body_normal_force.empty()) return made;
+  if (of.drape.body_normal_force.empty()) return made;
   made.field =
-      contact_pressure(result.mesh(), result.drape, result.body.body,
-                       result.scenario.material.material, result.scenario.simulation.gravity);
+      contact_pressure(of.garment, of.drape, of.body, of.material, scenario.simulation.gravity);
   made.overall = compare_pressures(made.field, worn.regions);
   for (Region region : all_regions()) {
     const PressureAgreement here = compare_pressures(made.field, worn.regions, region);
     if (here.contact_area > 0) made.regional[region] = here;
   }
+  return made;
+}
+
+CaseMaps maps_of(const Worn& of, const Scenario& scenario, bool allow_unsettled) {
+  CaseMaps made;
+  made.worn = relate(of.garment, of.drape.positions, of.body);
+  made.pressure = make_pressure(of, made.worn, scenario);
+  for (PerformanceMap& map : compute_maps(of.garment, of.drape, made.worn, scenario.output.maps,
+                                          {allow_unsettled, &made.pressure.field, &of.material}))
+    made.maps.push_back(summed_up(std::move(map), made.worn));
+  made.wrinkles = regional_wrinkles(of.garment, made.worn);
+  made.chest = torso_girth(of.garment, of.drape.positions, made.worn, chest_height(of.body));
   return made;
 }
 
@@ -49,34 +68,43 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
           .start_perturbation = simulation.start_perturbation};
 }
 
+CaseMap summed_up(PerformanceMap map, const WornGarment& worn) {
+  CaseMap entry;
+  entry.overall = statistics(map.values, worn.areas);
+  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
+  entry.map = std::move(map);
+  return entry;
+}
+
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
-  const Garment& garment = result.mesh();
-  const std::vector<Vec3>& positions = result.drape.positions;
-  CaseMaps made;
-  made.worn = relate(garment, positions, result.body.body);
-  made.pressure = make_pressure(result, made.worn);
-  for (PerformanceMap& map :
-       compute_maps(garment, result.drape, made.worn, result.scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field, &result.scenario.material.material})) {
-    CaseMap entry;
-    entry.overall = statistics(map.values, made.worn.areas);
-    entry.regional = regional_statistics(map.values, made.worn.areas, made.worn.regions);
-    entry.map = std::move(map);
-    made.maps.push_back(std::move(entry));
-  }
-  made.chest = torso_girth(garment, positions, made.worn, chest_height(result.body.body));
-  return made;
+  return maps_of({result.mesh(), result.drape, result.scenario.material.material, result.body.body},
+                 result.scenario, allow_unsettled);
+}
+
+CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled) {
+  const CaseUnder& under = result.under[layer];
+  return maps_of(
+      {under.mesh(), under.drape, result.scenario.under[layer].material.material, result.body.body},
+      result.scenario, allow_unsettled);
 }
 
 std::vector<Site> make_sites(const CaseResult& result) {
   return find_sites(result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
-                    plain_maps(result.maps), result.scenario.sites,
+                    plain_maps(result.maps.maps), result.scenario.sites,
                     result.scenario.output.preset_sites);
+}
+
+void add_sites(CaseResult& result) {
+  result.sites = make_sites(result);
+  for (CaseState& s : result.wear.states)
+    if (s.posture == 0 && s.counts())
+      s.sites = revisit_sites(result.sites, result.mesh(), s.drape.positions, result.body.body,
+                              s.worn, plain_maps(s.maps));
 }
 
 std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites) {
   return revisit_sites(sites, result.mesh(), result.drape.positions, result.body.body,
-                       result.maps.worn, plain_maps(result.maps));
+                       result.maps.worn, plain_maps(result.maps.maps));
 }
 
 std::vector<std::string> collected_warnings(const CaseResult& result) {
@@ -87,6 +115,10 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
   add("body", result.body.warnings);
   add("pattern", result.pattern.warnings);
   add("material", result.scenario.material.notes);
+  for (std::size_t l = 0; l < result.under.size(); ++l) {
+    add(fmt::format("pattern of under {}", l + 1), result.under[l].pattern.warnings);
+    add(fmt::format("material of under {}", l + 1), result.scenario.under[l].material.notes);
+  }
   const Certificate& certificate = result.drape.certificate;
   if (!certificate.settled())
     all.push_back(

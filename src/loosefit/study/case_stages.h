@@ -13,14 +13,24 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat = 0)
 /// Stage "maps" for the drape of `result`. \throws Error if it is sealed and not allowed.
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled);
 
-/// The same into result.maps, and the maps of all its postures and donnings: slip of each, and the
-/// slip and calibrated orientation error over the postures of the first donning beside the other
-/// maps.
+/// The same of a garment under the studied one.
+CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled);
+
+/// One map with its statistics.
+CaseMap summed_up(PerformanceMap map, const WornGarment& worn);
+
+/// The same of all garments into `result`, and the maps of all its postures and donnings: in the
+/// reference posture the same maps, in the others slip, in all the wrinkles; and the slip and
+/// calibrated orientation error over the postures of the first donning beside the other maps.
 void add_maps(CaseResult& result, bool allow_unsettled);
 
 /// Stage "placement": preset sites and those of the scenario, with what the maps say there.
 /// \throws InvalidInput naming a site whose panel or landmark is unknown.
 std::vector<Site> make_sites(const CaseResult& result);
+
+/// The same into result.sites, and what these sensors, sewn where they are, meet in the other
+/// donnings.
+void add_sites(CaseResult& result);
 
 /// The sensors of an earlier drape of the same garment in the drape of `result`: they stay where
 /// they are sewn, also those that were found by a landmark.

@@ -6,6 +6,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp.h"
 #include "loosefit/study/case_boards.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -56,9 +57,9 @@ void recall(const Json& summary, CaseResult& result) {
 }
 
 /// The drape of a file, if it is of this garment.
-Drape read_drape(const std::filesystem::path& path, const CaseResult& result) {
+Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
   DrapeFile file = read_drape_vtp(path);
-  if (file.garment.triangles != result.mesh().triangles)
+  if (file.garment.triangles != garment.triangles)
     throw InvalidInput({path.string(), 0, ""}, "another garment",
                        "the mesh that scenario.toml of the run makes with this version",
                        "make the drape again: loosefit run scenario.toml -o DIR");
@@ -79,7 +80,10 @@ void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseR
       const std::filesystem::path file = folder / state_folder(state) / "drape.vtp";
       std::error_code error;
       if (std::filesystem::exists(file, error)) {
-        state.drape = read_drape(file, result);
+        state.drape = read_drape(file, result.mesh());
+        for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
+          state.under.push_back(read_drape(file.parent_path() / under_folder(l) / "drape.vtp",
+                                           result.under[l].mesh()));
         check_worn(result, state);
       } else {
         state.left_out = "the run has no drape of it";
@@ -97,13 +101,18 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   clock.stage("body");
   result.body = make_body(result.scenario.body);
   clock.stage("pattern");
+  result.under = make_under_patterns(result.scenario, result.body.body);
   result.pattern = make_pattern(result.scenario.garment, result.body.body);
   clock.stage("garment");
   result.garment =
       build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
                       result.scenario.material.material, all_attachments(result.scenario));
+  mesh_under(result, result.scenario.simulation.edge_length);
   clock.stop();
-  result.drape = read_drape(folder / "drape.vtp", result);
+  result.drape = read_drape(folder / "drape.vtp", result.mesh());
+  for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
+    result.under[l].drape =
+        read_drape(folder / under_folder(l) / "drape.vtp", result.under[l].mesh());
   result.seconds = clock.entries();
   const std::string text = read_text_file((folder / "summary.json").string(), 50000000);
   const Json summary = Json::parse(text, nullptr, false);

@@ -9,14 +9,6 @@
 namespace loosefit {
 namespace {
 
-CaseMap summed_up(PerformanceMap map, const WornGarment& worn) {
-  CaseMap entry;
-  entry.overall = statistics(map.values, worn.areas);
-  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
-  entry.map = std::move(map);
-  return entry;
-}
-
 /// Slip and orientation error over the postures of the first donning, per vertex.
 void add_posture_maps(CaseResult& result) {
   const DressedState reference{result.drape.positions, result.body.body, result.maps.worn};
@@ -53,6 +45,13 @@ void map_states(CaseResult& result) {
     if (!s.drape.body_normal_force.empty())
       s.pressure = contact_pressure(result.mesh(), s.drape, body_of(s), material,
                                     result.scenario.simulation.gravity);
+    s.wrinkles = regional_wrinkles(result.mesh(), s.worn);
+    if (s.posture > 0) continue;
+    s.maps.clear();
+    for (PerformanceMap& map :
+         compute_maps(result.mesh(), s.drape, s.worn, result.scenario.output.maps,
+                      {false, &s.pressure, &material}))
+      s.maps.push_back(summed_up(std::move(map), s.worn));
   }
   for (CaseState& s : result.wear.states) {
     if (!s.counts() || s.posture == 0) continue;
@@ -72,6 +71,8 @@ void map_states(CaseResult& result) {
 
 void add_maps(CaseResult& result, bool allow_unsettled) {
   result.maps = make_maps(result, allow_unsettled);
+  for (std::size_t l = 0; l < result.under.size(); ++l)
+    result.under[l].maps = make_under_maps(result, static_cast<int>(l), allow_unsettled);
   map_states(result);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
@@ -36,8 +38,9 @@ void repeat_drapes(CaseResult& result, Progress& progress) {
   if (result.drape.certificate.settled()) gather(result, samples);
   for (int repeat = 1; repeat < simulation.repeats; ++repeat) {
     CaseResult other = result;  // same body, pattern and garment
-    other.drape = drape_garment(result.garment, result.scenario.material.material, result.body.path,
-                                drape_options(simulation, repeat), progress);
+    take_drape(DrapeSession(cloth_layers(result), drape_options(simulation, repeat), progress)
+                   .put_on(result.body.path),
+               other);
     if (!other.drape.certificate.settled()) {
       result.warnings.push_back(fmt::format("settle: repeat {} did not settle ({}); left out",
                                             repeat + 1, other.drape.certificate.stop_reason));

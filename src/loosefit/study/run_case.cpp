@@ -2,6 +2,7 @@
 
 #include "loosefit/base/resources.h"
 #include "loosefit/study/case_boards.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/wear_states.h"
 
@@ -16,6 +17,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   result.body = make_body(scenario.body);
 
   clock.stage("pattern");
+  result.under = make_under_patterns(scenario, result.body.body);
   result.pattern = make_pattern(scenario.garment, result.body.body);
 
   clock.stage("garment");
@@ -23,13 +25,13 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   clock.stage("garment");
   result.garment = build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
                                    scenario.material.material, all_attachments(result.scenario));
+  mesh_under(result, scenario.simulation.edge_length);
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
   {
-    DrapeSession session(result.garment, scenario.material.material,
-                         drape_options(scenario.simulation), clock);
-    result.drape = session.put_on(result.body.path);  // dress, settle
-    wear_states(result, session, clock);              // postures, donnings
+    DrapeSession session(cloth_layers(result), drape_options(scenario.simulation), clock);
+    take_drape(session.put_on(result.body.path), result);  // dress, settle
+    wear_states(result, session, clock);                   // postures, donnings
   }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;
@@ -38,7 +40,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
     add_maps(result, options.allow_unsettled);
 
     clock.stage("placement");
-    result.sites = make_sites(result);
+    add_sites(result);
     warn_of_moved_boards(result);
 
     repeat_drapes(result, clock);

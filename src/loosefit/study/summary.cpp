@@ -27,6 +27,15 @@ Json maps_json(const std::vector<CaseMap>& maps) {
   return json;
 }
 
+Json wrinkles_json(const std::map<Region, WrinkleDirection>& wrinkles) {
+  Json json = Json::object();
+  for (const auto& [region, w] : wrinkles)
+    json[name(region)] = {{"angle_deg", degrees(w.angle)},
+                          {"coherence", w.coherence},
+                          {"slope_rms_deg", degrees(w.slope)}};
+  return json;
+}
+
 Json agreement_json(const PressureAgreement& a) {
   return {{"contact_area_m2", a.contact_area},
           {"mean_kPa", a.contact_mean / 1000},
@@ -54,17 +63,50 @@ Json body_json(const CaseBody& body) {
   return json;
 }
 
-Json fit_json(const CaseResult& result) {
+Json fit_json(const CasePattern& pattern, const CaseMaps& maps) {
   Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
-  for (const auto& [level, mobility] : result.pattern.fit) json["measured"][level] = mobility;
-  for (const auto& [level, girth] : result.pattern.girths) json["girths"][level] = girth;
-  if (!result.maps.maps.empty()) {
-    const GarmentGirth& chest = result.maps.chest;
+  for (const auto& [level, mobility] : pattern.fit) json["measured"][level] = mobility;
+  for (const auto& [level, girth] : pattern.girths) json["girths"][level] = girth;
+  if (!maps.maps.empty()) {
+    const GarmentGirth& chest = maps.chest;
     json["chest_cut"] = {{"level", chest.level},
                          {"draped", chest.draped},
                          {"flat", chest.flat},
                          {"hoop_strain", chest.hoop_strain()}};
   }
+  return json;
+}
+
+Json material_json(const Material& material) {
+  return {{"name", material.name},
+          {"source", material.source},
+          {"bending_length_m", bending_length(material)}};
+}
+
+Json garment_json(const CasePattern& pattern, const Garment& garment, const Material& material,
+                  const Drape& drape) {
+  double force = 0;
+  for (double f : drape.body_normal_force) force += f;
+  return {{"pattern", pattern.pattern.name},  {"material", material_json(material)},
+          {"vertices", garment.vertex_count}, {"triangles", garment.triangles.size()},
+          {"area_m2", garment.area},          {"mass_kg", garment.mass},
+          {"normal_force_on_body_N", force}};
+}
+
+/// What is worn, the innermost first; the studied garment last, its maps are those of the case.
+Json garments_json(const CaseResult& result) {
+  Json json = Json::array();
+  for (std::size_t l = 0; l < result.under.size(); ++l) {
+    const CaseUnder& under = result.under[l];
+    const ScenarioUnder& wished = result.scenario.under[l];
+    Json entry = garment_json(under.pattern, under.mesh(), wished.material.material, under.drape);
+    entry["fit"] = fit_json(under.pattern, under.maps);
+    entry["maps"] = maps_json(under.maps.maps);
+    if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
+    json.push_back(std::move(entry));
+  }
+  json.push_back(
+      garment_json(result.pattern, result.mesh(), result.scenario.material.material, result.drape));
   return json;
 }
 
@@ -135,6 +177,37 @@ Json settle_json(const SettleReport& report) {
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
 }
 
+Json unsettled_json(const Unsettled& u) {
+  Json json = {{"why", u.why},
+               {"hint", u.hint},
+               {"times_allowed", u.times_allowed},
+               {"vertices_of_90_percent", u.vertices_of_most},
+               {"lagging_friction_share", u.lagging_share},
+               {"worst", Json::array()},
+               {"cuts", Json::array()}};
+  const auto place = [](const auto& p, Json& entry) {
+    entry["panel"] = p.panel;
+    entry["u_m"] = p.at.x(), entry["v_m"] = p.at.y();
+    entry["position_m"] = {p.position.x(), p.position.y(), p.position.z()};
+  };
+  for (const UnbalancedVertex& v : u.worst) {
+    Json entry = {{"vertex", v.vertex}};
+    place(v, entry);
+    entry["near"] = v.near;
+    entry["net_N"] = v.net;
+    for (std::size_t k = 0; k < v.force.size(); ++k) entry["force_N"][kForceNames[k]] = v.force[k];
+    json["worst"].push_back(std::move(entry));
+  }
+  for (const CutTriangle& c : u.cuts) {
+    Json entry = {{"triangle", c.triangle}};
+    place(c, entry);
+    entry["cuts"] = c.body ? "body" : "cloth";
+    entry["with"] = c.with;
+    json["cuts"].push_back(std::move(entry));
+  }
+  return json;
+}
+
 /// Postures, donnings, and what became of each of their drapes.
 void add_wear(const CaseWear& wear, Json& json) {
   json["postures"] = wear.postures;
@@ -156,7 +229,10 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
         {"iterations", s.drape.report.total().iterations}};
-    for (const CaseMap& map : s.maps) entry["maps"][map.map.array] = statistics_json(map.overall);
+    if (s.drape.unsettled) entry["unsettled"] = unsettled_json(*s.drape.unsettled);
+    if (!s.maps.empty()) entry["maps"] = maps_json(s.maps);
+    if (!s.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.wrinkles);
+    for (const Site& site : s.sites) entry["sites"][site.name] = site_json(site);
     if (!s.drape.report.parts.empty()) entry["parts"] = parts_json(s.drape.report.parts);
     json["states"].push_back(std::move(entry));
   }
@@ -173,19 +249,21 @@ std::string summary_json(const CaseResult& result) {
   json["residual_max"] = certificate.residual_max;
   json["intersections"] = {{"body", certificate.intersections_body},
                            {"self", certificate.intersections_self}};
+  if (!result.under.empty()) json["intersections"]["layers"] = certificate.intersections_layers;
   json["stop_reason"] = certificate.stop_reason;
   json["vertices"] = result.mesh().vertex_count;
   json["triangles"] = result.mesh().triangles.size();
   json["seconds"] = seconds_json(result.seconds);
   json["peak_memory_mb"] = result.peak_memory_mb;
   json["settle"] = settle_json(result.drape.report);
+  if (result.drape.unsettled) json["settle"]["unsettled"] = unsettled_json(*result.drape.unsettled);
   json["body"] = body_json(result.body);
-  json["fit"] = fit_json(result);
+  json["fit"] = fit_json(result.pattern, result.maps);
   json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
-  json["material"] = {{"name", result.scenario.material.material.name},
-                      {"source", result.scenario.material.material.source},
-                      {"bending_length_m", bending_length(result.scenario.material.material)}};
+  json["material"] = material_json(result.scenario.material.material);
+  if (!result.under.empty()) json["garments"] = garments_json(result);
   json["maps"] = maps_json(result.maps.maps);
+  if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);
   if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();

@@ -9,6 +9,7 @@
 
 #include "loosefit/body/named_postures.h"
 #include "loosefit/drape/worn_limbs.h"
+#include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
@@ -48,11 +49,15 @@ CaseState state_of(const CaseWear& wear, int posture, int donning) {
 
 void check_worn(const CaseResult& result, CaseState& state) {
   if (!state.drape.certificate.settled()) return;
-  const auto numbers = [&](const std::vector<Vec3>& x, const Body& body) {
-    return limbs_through_openings(result.mesh().triangles, x, body);
+  const Body& body = *result.wear.bodies[state.posture];
+  const auto as_before = [&](const Garment& garment, const Drape& now, const Drape& first) {
+    return limbs_through_openings(garment.triangles, now.positions, body) ==
+           limbs_through_openings(garment.triangles, first.positions, result.body.body);
   };
-  if (numbers(state.drape.positions, *result.wear.bodies[state.posture]) !=
-      numbers(result.drape.positions, result.body.body))
+  bool worn = as_before(result.mesh(), state.drape, result.drape);
+  for (std::size_t l = 0; l < result.under.size(); ++l)
+    worn = worn && as_before(result.under[l].mesh(), state.under[l], result.under[l].drape);
+  if (!worn)
     state.left_out =
         "an arm or the trunk has left the opening it went through, or gone through the cloth";
 }
@@ -63,7 +68,7 @@ void follow_all(CaseResult& result, DrapeSession& session, int donning) {
   for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p) {
     CaseState state = state_of(result.wear, p, donning);
     const auto start = Clock::now();
-    state.drape = session.follow(way(result, p));
+    take_drape(session.follow(way(result, p)), result, state);
     state.seconds = seconds_since(start);
     check_worn(result, state);
     result.wear.states.push_back(std::move(state));
@@ -72,16 +77,13 @@ void follow_all(CaseResult& result, DrapeSession& session, int donning) {
 
 void put_on_again(CaseResult& result, int donning, Progress& progress) {
   const CaseDonning& how = result.wear.donnings[donning];
-  Material material = result.scenario.material.material;
-  material.friction_body *= how.friction;
-  material.friction_self *= how.friction;
   DrapeOptions options = drape_options(result.scenario.simulation);
   options.start_shift = how.shift;
   options.start_twist = how.twist;
   const auto start = Clock::now();
-  DrapeSession session(result.garment, material, options, progress);
+  DrapeSession session(cloth_layers(result, how.friction), options, progress);
   CaseState state = state_of(result.wear, 0, donning);
-  state.drape = session.put_on(result.body.path);
+  take_drape(session.put_on(result.body.path), result, state);
   state.seconds = seconds_since(start);
   check_worn(result, state);
   const bool counts = state.counts();

@@ -14,7 +14,7 @@ bool is_stable(Bench& bench) {
   pattern.compress();
   BlockMatrix hessian(pattern);
   for (const Energy* e : system.energies) e->add_hessian(bench.x, hessian, HessianKind::exact);
-  SparseCholesky cholesky;
+  SparseCholesky<double> cholesky;
   return cholesky.factorise(hessian, std::vector<double>(system.particles(), 0.0), system.held);
 }
 

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/dress/dress.h"
+#include "loosefit/dress/lay_shirt.h"
+#include "loosefit/geometry/exact_intersection.h"
+
+namespace loosefit {
+namespace {
+
+/// Tries for the innermost shirt [m]: between trunk and arm there is room for a few centimetres in
+/// all, too little for wide steps and, for coarse triangles, for narrow ones.
+constexpr double kInnermost[] = {0.012, 0.010, 0.014, 0.008, 0.020};
+constexpr double kMostClearance = 0.08;
+constexpr double kStep = 1.1, kFirstStep = 1.35;  ///< of the clearance, and beyond the layer below
+constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
+constexpr double kDepthShares[] = {1.0, 1.5};
+
+/// Everything that is on already.
+struct Dressed {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  double clearance = 0;
+
+  void add(const Garment& garment, const std::vector<Vec3>& x) {
+    const int shift = static_cast<int>(positions.size());
+    positions.insert(positions.end(), x.begin(), x.end());
+    for (const Triangle& t : garment.triangles)
+      triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  }
+};
+
+/// Nearest to the body where nothing cuts; what was wrong with the last try in `why`.
+std::optional<std::vector<Vec3>> lay_over(const Garment& shirt, const Body& body, int layer,
+                                          Dressed& under, std::string& why) {
+  const double most = layer == 0 ? kStep * under.clearance : kMostClearance;
+  for (double c = under.clearance; c < most; c *= kStep)
+    for (const double share : kDepthShares) try {
+        const auto x = lay_shirt(shirt, body, {c, (1 + layer) * kLeastDepth, share});
+        const auto own = self_intersections(x, shirt.triangles);
+        const auto cuts = mesh_intersections(x, shirt.triangles, under.positions, under.triangles);
+        if (own.empty() && cuts.empty()) {
+          under.clearance = kFirstStep * c;
+          return x;
+        }
+        why = fmt::format(
+            "{} pairs of its triangles cut each other at the start, {} what is under it",
+            own.size(), cuts.size());
+      } catch (const GeometryError& error) {
+        why = error.what();
+      }
+  return {};
+}
+
+std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
+                             const TriangleMesh& body) {
+  const Garment& garment = *layer.garment;
+  std::vector<Vec3> x = dress_as_placed(garment, *layer.pattern, body);
+  const auto cuts = mesh_intersections(x, garment.triangles, under.positions, under.triangles);
+  if (!cuts.empty())
+    throw GeometryError(
+        fmt::format("pattern: the placed panels cut through the garments under them, {} triangle "
+                    "pairs, the first in panel {}",
+                    cuts.size(), garment.panel_names[garment.triangle_panel[cuts.front().first]]),
+        "place the panels farther out (translation), so that they enclose what is under them");
+  return x;
+}
+
+}  // namespace
+
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body) {
+  if (layers.size() == 1 && is_shirt(*layers[0].garment))
+    return dress_shirt(*layers[0].garment, body);
+  std::string why;
+  for (const double innermost : kInnermost) {
+    Dressed dressed{.positions = {}, .triangles = {}, .clearance = innermost};
+    bool done = true;
+    for (int l = 0; done && l < static_cast<int>(layers.size()); ++l) {
+      const Garment& garment = *layers[l].garment;
+      const auto x = is_shirt(garment) ? lay_over(garment, body, l, dressed, why)
+                                       : place_over(layers[l], dressed, body.surface);
+      if ((done = x.has_value())) dressed.add(garment, *x);
+    }
+    if (done) return dressed.positions;
+  }
+  throw GeometryError("the shirts cannot be laid round this body over each other: " + why,
+                      "dress it with the arms wider apart (body.dress_posture = \"a-pose\")");
+}
+
+}  // namespace loosefit

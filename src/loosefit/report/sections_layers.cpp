@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/report/html.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+std::vector<std::string> row(const std::string& place, const CasePattern& pattern,
+                             const Garment& garment, const Material& material, const Drape& drape,
+                             const CaseMaps& maps) {
+  double force = 0, distance = std::nan("");
+  for (double f : drape.body_normal_force) force += f;
+  for (const CaseMap& map : maps.maps)
+    if (map.map.array == "distance_mm") distance = map.overall.median;
+  const auto chest = pattern.fit.find("chest");
+  return {place,
+          pattern.pattern.name,
+          material.name,
+          chest == pattern.fit.end() ? "–" : signed_number(chest->second, 2),
+          number(1000 * garment.mass),
+          fixed(distance, 1),
+          fixed(force, 2),
+          fixed(maps.pressure.overall.contact_mean / 1000, 3)};
+}
+
+}  // namespace
+
+std::string layer_section(const CaseResult& result) {
+  if (result.under.empty()) return {};
+  Table table({"Garment", "pattern", "cloth", "fit at the chest", "mass [g]",
+               "median distance from the skin [mm]", "normal force on the skin [N]",
+               "mean pressure where it touches the skin [kPa]"});
+  for (std::size_t l = 0; l < result.under.size(); ++l) {
+    const CaseUnder& under = result.under[l];
+    table.add(row(fmt::format("under {}", l + 1), under.pattern, under.mesh(),
+                  result.scenario.under[l].material.material, under.drape, under.maps));
+  }
+  table.add(row("studied, outermost", result.pattern, result.mesh(),
+                result.scenario.material.material, result.drape, result.maps));
+  return element("h2", "Worn over each other") + table.html() +
+         element("p",
+                 "From the skin outwards. All garments settled together, with friction between "
+                 "them, and the certificate is that of all: crossings with itself count those of "
+                 "one garment with another too. What an outer garment presses on an inner one the "
+                 "skin feels through the inner one, so it counts there. All other numbers and "
+                 "pictures of this page are those of the studied garment; distances are to the "
+                 "skin, whatever lies between.");
+}
+
+}  // namespace loosefit

@@ -1,0 +1,96 @@
+#include "loosefit/solver/newton_system.h"
+
+#include <cmath>
+
+namespace loosefit {
+namespace {
+
+constexpr int kMostIterations = 8;  ///< beyond which single precision will not do
+constexpr int kMostBreakdowns = 2;  ///< likewise
+
+double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
+}
+
+}  // namespace
+
+bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& shift,
+                             const std::vector<char>& held) {
+  a_ = &a;
+  shift_ = &shift;
+  held_ = &held;
+  used_double_ = in_double_;
+  if (!in_double_ && single_.factorise(a, shift, held)) return true;
+  // Cheap where the matrix is indefinite indeed: it breaks down early.
+  if (!double_.factorise(a, shift, held)) return false;
+  used_double_ = true;
+  if (!in_double_) in_double_ = ++broke_down_ == kMostBreakdowns;
+  return true;
+}
+
+void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
+  std::vector<Vec3> b(g.size());
+  for (std::size_t i = 0; i < g.size(); ++i) b[i] = -g[i];
+  drop_held(b);
+  if (!used_double_ && !conjugate_gradients(b, dx)) {
+    in_double_ = true;
+    used_double_ = double_.factorise(*a_, *shift_, *held_);
+  }
+  if (used_double_) double_.solve(b, dx);
+  drop_held(dx);
+}
+
+bool NewtonSystem::conjugate_gradients(const std::vector<Vec3>& b, std::vector<Vec3>& x) {
+  std::vector<Vec3> r = b, z, p, ap(b.size());
+  x.assign(b.size(), Vec3::Zero());
+  const double enough = kAccuracy * kAccuracy * dot(b, b);
+  single_.solve(r, z);
+  p = z;
+  double rz = dot(r, z);
+  for (int k = 0; k < kMostIterations; ++k) {
+    multiply(p, ap);
+    const double curvature = dot(p, ap);
+    if (!(curvature > 0)) {
+      // Indefinite by less than single precision sees: what there is goes down.
+      if (k == 0) x = z;
+      return true;
+    }
+    const double step = rz / curvature;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] += step * p[i];
+      r[i] -= step * ap[i];
+    }
+    if (dot(r, r) <= enough) return true;
+    single_.solve(r, z);
+    const double next = dot(r, z);
+    if (!(next > 0)) return false;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + next / rz * p[i];
+    rz = next;
+  }
+  return false;
+}
+
+void NewtonSystem::multiply(const std::vector<Vec3>& x, std::vector<Vec3>& y) const {
+  const auto& start = a_->column_start();
+  const auto& rows = a_->rows();
+  const auto& blocks = a_->blocks();
+  for (std::size_t i = 0; i < x.size(); ++i) y[i] = (*shift_)[i] * x[i];
+  for (int j = 0; j < a_->particles(); ++j) {
+    Vec3 sum = blocks[start[j]] * x[j];
+    for (int k = start[j] + 1; k < start[j + 1]; ++k) {
+      y[rows[k]] += blocks[k] * x[j];
+      sum += blocks[k].transpose() * x[rows[k]];
+    }
+    y[j] += sum;
+  }
+  drop_held(y);
+}
+
+void NewtonSystem::drop_held(std::vector<Vec3>& v) const {
+  for (std::size_t i = 0; i < held_->size(); ++i)
+    if ((*held_)[i]) v[i].setZero();
+}
+
+}  // namespace loosefit

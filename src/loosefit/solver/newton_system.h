@@ -1,0 +1,39 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/solver/sparse_cholesky.h"
+
+namespace loosefit {
+
+/// The linear system of a Newton step, (A + diag(shift)) dx = −g. Its factor is kept in single
+/// precision, at half the cost, and preconditions conjugate gradients on the system itself in
+/// double precision, which take away what the rounding left (as iterative refinement does, Higham
+/// and Mary 2022). Where single precision will not do, double precision takes over for good.
+class NewtonSystem {
+ public:
+  /// As SparseCholesky::factorise.
+  bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
+                 const std::vector<char>& held);
+  /// dx to a residual of kAccuracy ‖g‖; a direction of descent in any case. Held particles get
+  /// zero. \pre factorise returned true, and its arguments still live unchanged
+  void solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx);
+  bool in_double() const { return in_double_; }
+
+  static constexpr double kAccuracy = 1e-3;
+
+ private:
+  bool conjugate_gradients(const std::vector<Vec3>& b, std::vector<Vec3>& x);
+  void multiply(const std::vector<Vec3>& x, std::vector<Vec3>& y) const;
+  void drop_held(std::vector<Vec3>& v) const;
+
+  SparseCholesky<float> single_;
+  SparseCholesky<double> double_;
+  bool in_double_ = false;    ///< from now on
+  bool used_double_ = false;  ///< for the last factor
+  int broke_down_ = 0;        ///< factors in single precision of matrices that are definite
+  const BlockMatrix* a_ = nullptr;
+  const std::vector<double>* shift_ = nullptr;
+  const std::vector<char>* held_ = nullptr;
+};
+
+}  // namespace loosefit

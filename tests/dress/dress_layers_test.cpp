@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/dress/dress.h"
+#include "loosefit/garment/assemble.h"
+#include "loosefit/geometry/exact_intersection.h"
+#include "support/shirt_on_body.h"
+#include "support/simple_patterns.h"
+
+namespace loosefit {
+namespace {
+
+using support::shirt_for;
+
+struct LayerCase {
+  double arms, inner_fit, inner_sleeve, outer_fit, edge;
+};
+void PrintTo(const LayerCase& c, std::ostream* out) {
+  *out << "arms " << c.arms << ", " << c.inner_fit << " (sleeve " << c.inner_sleeve << ") under "
+       << c.outer_fit << ", edge " << c.edge;
+}
+class DressLayers : public ::testing::TestWithParam<LayerCase> {};
+
+/// How often a line from `p` along y passes through front panels before it and back panels behind.
+std::pair<int, int> sheets_round(const Vec3& p, const Garment& g, const std::vector<Vec3>& x) {
+  int before = 0, behind = 0;
+  for (const Triangle& t : g.triangles) {
+    const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
+    const auto cross = [&](const Vec3& q, const Vec3& r) {
+      return (q[0] - p[0]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[0] - p[0]);
+    };
+    const double u = cross(b, c), v = cross(c, a), w = cross(a, b), sum = u + v + w;
+    if (u * sum <= 0 || v * sum <= 0 || w * sum <= 0) continue;
+    const double y = (u * a[1] + v * b[1] + w * c[1]) / sum;
+    ++(y < p[1] ? before : behind);
+  }
+  return {before, behind};
+}
+
+TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
+  const LayerCase& c = GetParam();
+  const Body body = support::standing(support::adult_parameters(), c.arms);
+  const Garment inner = assemble(shirt_for(body, c.inner_fit, c.inner_sleeve), c.edge, Material{});
+  const Garment outer = assemble(shirt_for(body, c.outer_fit), c.edge, Material{});
+  const std::vector<Vec3> all = dress_layers({{&inner, nullptr}, {&outer, nullptr}}, body);
+  const std::vector<Vec3> x(all.begin(), all.begin() + inner.vertex_count);
+  const std::vector<Vec3> y(all.begin() + inner.vertex_count, all.end());
+  ASSERT_EQ(static_cast<int>(y.size()), outer.vertex_count);
+  EXPECT_TRUE(self_intersections(x, inner.triangles).empty());
+  EXPECT_TRUE(self_intersections(y, outer.triangles).empty());
+  EXPECT_TRUE(mesh_intersections(x, inner.triangles, y, outer.triangles).empty());
+  // Seen from every vertex of the inner shirt that the outer one covers, one sheet of that passes
+  // before it and one behind.
+  int covered = 0;
+  for (const Vec3& p : x) {
+    const auto [before, behind] = sheets_round(p, outer, y);
+    if (before + behind == 0) continue;  // above its neck or below its hem
+    ++covered;
+    EXPECT_EQ(before, 1);
+    EXPECT_EQ(behind, 1);
+  }
+  EXPECT_GT(covered, 0.9 * inner.vertex_count);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, DressLayers,
+    ::testing::Values(LayerCase{25, 0.05, 0.36, 0.20, 0.028}, LayerCase{40, 0.05, 0.36, 0.20, 0.02},
+                      LayerCase{25, 0.20, 0.36, 0.05, 0.028},  // outer tighter than inner
+                      LayerCase{40, 0.10, 1.0, 0.30, 0.035},   // two long-sleeved shirts
+                      LayerCase{25, 0.05, 0.5, 0.80, 0.05}));
+
+TEST(DressLayers, OneLayerIsDressedAsIfAlone) {
+  const Body body = support::standing(support::adult_parameters(), 25);
+  const Garment shirt = assemble(shirt_for(body, 0.1), 0.03, Material{});
+  EXPECT_EQ(dress_layers({{&shirt, nullptr}}, body), dress_shirt(shirt, body));
+}
+
+TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
+  const Body body = support::standing(support::adult_parameters(), 25);
+  const Garment shirt = assemble(shirt_for(body, 0.1), 0.03, Material{});
+  Pattern pattern;  // lies level at the waist
+  pattern.panels = {testing_support::rectangle_panel("plate", 0.4, 0.4)};
+  pattern.panels[0].translation = Vec3(-0.2, -0.2, 1.0);
+  const Garment square = assemble(pattern, 0.05, Material{});
+  try {
+    dress_layers({{&shirt, nullptr}, {&square, &pattern}}, body);
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("under them"), std::string::npos) << error.what();
+    EXPECT_FALSE(error.hint().empty());
+  }
+}
+
+}  // namespace
+}  // namespace loosefit

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include "loosefit/io/scenario.h"
+
+namespace loosefit {
+namespace {
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_scenario(text, "case.toml");
+  } catch (const InvalidInput& error) {
+    return std::string(error.what()) + " | " + error.hint();
+  }
+  return "no error";
+}
+
+void expect_error(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string error = error_of(text);
+  for (const std::string& part : parts)
+    EXPECT_NE(error.find(part), std::string::npos) << text << "\n" << error << "\nlacks " << part;
+}
+
+TEST(ScenarioUnder, WithoutTheSectionOneGarmentIsWorn) {
+  const Scenario s = default_scenario();
+  EXPECT_TRUE(s.under.empty());
+  EXPECT_EQ(scenario_toml(s).find("under"), std::string::npos);
+}
+
+TEST(ScenarioUnder, GarmentsAreReadFromTheSkinOutwardsEachWithItsCloth) {
+  const Scenario s = parse_scenario(
+      "[[under]]\npattern = \"t-shirt\"\nfit = { chest = 0.02 }\nfriction = 0.25\n"
+      "[under.material]\nname = \"cotton-jersey\"\nthickness = 0.001\n"
+      "[[under]]\nsize = \"women-38\"\n[under.material]\nname = \"wool-measured\"\n"
+      "[garment]\nfit = { chest = 0.3 }\n",
+      "case.toml");
+  ASSERT_EQ(s.under.size(), 2u);
+  EXPECT_EQ(s.under[0].garment.pattern, "t-shirt");
+  EXPECT_EQ(s.under[0].garment.fit.chest, 0.02);
+  EXPECT_EQ(s.under[0].garment.fit.sleeve_length, 0.36);
+  EXPECT_EQ(s.under[0].garment.fit.wrist, 0.12);
+  EXPECT_EQ(s.under[0].friction, 0.25);
+  EXPECT_EQ(s.under[0].material.key, "cotton-jersey");
+  EXPECT_EQ(s.under[0].material.material.thickness, 0.001);
+  EXPECT_EQ(s.under[1].garment.size, "women-38");
+  EXPECT_FALSE(s.under[1].friction.has_value());
+  EXPECT_FALSE(s.under[1].material.material.curve_warp.empty());
+  EXPECT_EQ(s.garment.fit.chest, 0.3) << "the studied garment";
+  EXPECT_EQ(s.garment.fit.sleeve_length, 1.0);
+
+  const Scenario again = parse_scenario(scenario_toml(s), "again.toml");
+  EXPECT_EQ(scenario_toml(again), scenario_toml(s));
+  ASSERT_EQ(again.under.size(), 2u);
+  EXPECT_EQ(again.under[0].friction, 0.25);
+  EXPECT_EQ(again.under[1].material.material.curve_warp.size(),
+            s.under[1].material.material.curve_warp.size());
+}
+
+TEST(ScenarioUnder, OddInputIsRefusedByName) {
+  expect_error("[under]\npattern = \"t-shirt\"", {"case.toml:1: under", "[[under]]"});
+  expect_error("[[under]]\npattern = \"tshirt\"", {"case.toml:2: under[0].pattern", "t-shirt"});
+  expect_error("[[under]]\nfriction = 4", {"case.toml:2: under[0].friction", "0 to 3"});
+  expect_error("[[under]]\n[[under]]\nfit = { chest = 9 }", {"under[1].fit.chest"});
+  expect_error("[[under]]\nmass = 2", {"under[0].mass"});
+  expect_error("[[under]]\n[under.material]\nname = \"coton\"", {"under[0].material.name"});
+  expect_error("[[under]]\nsize = \"women-38\"\nfit = { chest = 0.1 }", {"under[0].fit"});
+  expect_error("[[under]]\n[[under]]\n[[under]]\n[[under]]", {"under", "4 garments", "at most 3"});
+  expect_error("[garment]\nfit = { sleeve_length = 0.1 }",
+               {"case.toml:2: garment.fit.sleeve_length", "0.25"});
+}
+
+}  // namespace
+}  // namespace loosefit

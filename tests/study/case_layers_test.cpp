@@ -1,0 +1,107 @@
+#include "loosefit/study/case_layers.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/error.h"
+#include "loosefit/study/summary.h"
+
+namespace loosefit {
+namespace {
+
+Garment triangle(double area) {
+  Garment g;
+  g.vertex_count = 3;
+  g.triangles = {{0, 1, 2}};
+  g.area = area;
+  return g;
+}
+
+/// One triangle of cloth over another.
+CaseResult two_layers() {
+  CaseResult result;
+  result.scenario = parse_scenario(
+      "[material]\nname = \"wool\"\nfriction_body = 0.5\nfriction_self = 0.6\n"
+      "[[under]]\npattern = \"t-shirt\"\nfriction = 0.2\n[under.material]\nname = \"silk\"\n",
+      "case.toml");
+  result.under.resize(1);
+  result.under[0].garment.levels = {triangle(0.5)};
+  result.under[0].pattern.pattern.name = "t-shirt";
+  result.garment.levels = {triangle(0.8)};
+  Drape all;
+  for (int i = 0; i < 6; ++i) all.positions.emplace_back(i, 0, 0);
+  all.body_normal_force = {1, 2, 3, 0, 0, 0.5};
+  all.certificate = {1e-4, 1e-3, 0, 2, "converged", 1};
+  take_drape(all, result);
+  return result;
+}
+
+TEST(CaseLayers, EachGarmentGetsItsPartOfTheDrapeAndTheCertificateOfAll) {
+  const CaseResult result = two_layers();
+  ASSERT_EQ(result.under[0].drape.positions.size(), 3u);
+  ASSERT_EQ(result.drape.positions.size(), 3u);
+  EXPECT_EQ(result.under[0].drape.positions[2], Vec3(2, 0, 0));
+  EXPECT_EQ(result.drape.positions[0], Vec3(3, 0, 0));
+  EXPECT_EQ(result.drape.body_normal_force, (std::vector<double>{0, 0, 0.5}));
+  EXPECT_EQ(result.under[0].drape.certificate.intersections_self, 2);
+  const TriangleMesh under = under_surface(result);
+  EXPECT_EQ(under.vertices.size(), 3u);
+  EXPECT_EQ(under.triangles.size(), 1u);
+}
+
+TEST(CaseLayers, FrictionOfADonningHoldsForEveryContact) {
+  const CaseResult result = two_layers();
+  const std::vector<ClothLayer> layers = cloth_layers(result, 0.5);
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].garment, &result.under[0].garment) << "the innermost first";
+  EXPECT_NEAR(*layers[0].friction_over, 0.1, 1e-15);
+  EXPECT_NEAR(layers[1].material.friction_body, 0.25, 1e-15);
+  EXPECT_NEAR(layers[1].material.friction_self, 0.3, 1e-15);
+  EXPECT_NEAR(layer_friction(layers)(0, 1), 0.1, 1e-15);
+}
+
+TEST(CaseLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {
+  const auto json = nlohmann::json::parse(summary_json(two_layers()));
+  EXPECT_EQ(json["intersections"]["layers"], 1);
+  ASSERT_EQ(json["garments"].size(), 2u);
+  EXPECT_EQ(json["garments"][0]["pattern"], "t-shirt");
+  EXPECT_EQ(json["garments"][0]["material"]["name"], "silk");
+  EXPECT_EQ(json["garments"][0]["normal_force_on_body_N"], 6.0);
+  EXPECT_EQ(json["garments"][1]["area_m2"], 0.8);
+  EXPECT_EQ(json["garments"][1]["normal_force_on_body_N"], 0.5);
+  EXPECT_EQ(json["garment"]["area_m2"], 0.8) << "that of the studied garment";
+  CaseResult alone;
+  alone.scenario = default_scenario();
+  alone.garment.levels = {triangle(1)};
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(alone)).contains("garments"));
+}
+
+TEST(CaseLayers, WhatCannotBeDraftedIsToldWithItsSection) {
+  Body body;
+  body.measured = {{"chest", .880},
+                   {"waist", .720},
+                   {"hip", .960},
+                   {"neck", .360},
+                   {"upper_arm", .284},
+                   {"wrist", .160},
+                   {"shoulder_breadth", .385},
+                   {"shoulder_slope", radians(20)},
+                   {"scye_depth", .145},
+                   {"hps_to_waist", .425},
+                   {"hps_to_hip", .630},
+                   {"arm_length", .585}};
+  const Scenario scenario = parse_scenario(
+      "[[under]]\n[[under]]\npattern = \"t-shirt\"\nfit = { sleeve = 2 }\n", "case.toml");
+  try {
+    make_under_patterns(scenario, body);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "under[1].fit.sleeve");
+    const std::string told = in_scenario(error, scenario).what();
+    EXPECT_NE(told.find("case.toml:4: under[1].fit.sleeve"), std::string::npos) << told;
+  }
+}
+
+}  // namespace
+}  // namespace loosefit

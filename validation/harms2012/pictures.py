@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""The pictures of docs/validation/harms2012.md from the pictures and figures of the runs.
+
+    python3 validation/harms2012/pictures.py out/harms2012
+"""
+
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("agg")
+matplotlib.rcParams["svg.hashsalt"] = "loosefit"
+import matplotlib.patheffects
+import matplotlib.pyplot as plot
+import numpy
+from PIL import Image
+
+from cases import HERE, REPOSITORY, SITES
+from drape_file import DrapeFile
+
+IMAGES = REPOSITORY / "docs" / "images"
+LETTERS = {"scapula_L": "S", "scapula_R": "S", "upper_back": "U", "mid_back": "M",
+           "lower_back": "L"}
+NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back",
+         "lower_back": "lower back"}
+COLOURS = {"slim": "#1f5fa8", "heavy": "#c2570c"}
+MARGIN = 1.06            # of render/scene.cpp: frame over the garment's extent
+FOOT = 1 / 7             # share of a map's picture that is the legend
+
+
+def back_projection(drape, width, height):
+    """Pixel of a point in the back view (parallel, centred on the garment)."""
+    low, high = drape.points.min(axis=0), drape.points.max(axis=0)
+    centre, size = (low + high) / 2, high - low
+    scale = 0.5 * MARGIN * max(size[2], max(size[0], size[1]) * height / width)
+    per_metre = height / 2 / scale
+    return lambda p: (width / 2 - (p[0] - centre[0]) * per_metre,
+                      height / 2 - (p[2] - centre[2]) * per_metre)
+
+
+def save(figure, name):
+    """As small as a PNG goes without fewer colours, which would show in maps and legends."""
+    target = IMAGES / name
+    figure.savefig(target)
+    plot.close(figure)
+    Image.open(target).convert("RGB").save(target, optimize=True)
+
+
+def scene_and_legend(picture):
+    image = plot.imread(picture)
+    foot = round(image.shape[0] * FOOT)
+    return image[:-foot], image[-foot:]
+
+
+def frame(axis):
+    axis.set_xticks([])
+    axis.set_yticks([])
+    for side in axis.spines.values():
+        side.set_visible(False)
+
+
+def mark_sites(axis, folder, shape):
+    summary = json.loads((folder / "summary.json").read_text())
+    pixel = back_projection(DrapeFile(folder / "drape.vtp"), shape[1], shape[0])
+    for name, letter in LETTERS.items():
+        x, y = pixel(summary["sites"][name]["position_m"])
+        axis.plot(x, y, "o", markersize=8, markerfacecolor="none", markeredgecolor="black",
+                  markeredgewidth=3)
+        axis.plot(x, y, "o", markersize=8, markerfacecolor="none", markeredgecolor="white",
+                  markeredgewidth=1.4)
+        axis.annotate(letter, (x, y), (8, 4), textcoords="offset points", color="white",
+                      fontsize=12, fontweight="bold",
+                      path_effects=[matplotlib.patheffects.withStroke(linewidth=2.5,
+                                                                      foreground="black")])
+
+
+def title_of(folder, child):
+    fit = json.loads((folder / "summary.json").read_text())["fit"]["measured"]
+    return (f"{child} child: BGM chest {100 * fit['chest']:+.0f} %, waist "
+            f"{100 * fit['waist']:+.0f} %, hip {100 * fit['hip']:+.0f} %")
+
+
+def figure4(out, material):
+    """Both children from behind in one shirt: how it hangs, and its angular deviation."""
+    figure = plot.figure(figsize=(9, 9.2), dpi=92)
+    for column, child in enumerate(("slim", "heavy")):
+        folder = out / f"{child}-{material}"
+        if not (folder / "maps").exists():
+            continue
+        axis = figure.add_axes([0.5 * column, 0.53, 0.5, 0.44])
+        axis.imshow(plot.imread(folder / "maps" / "drape-back.png"))
+        axis.set_title(title_of(folder, child), fontsize=10.5)
+        frame(axis)
+        axis = figure.add_axes([0.5 * column, 0.085, 0.5, 0.44])
+        scene, legend = scene_and_legend(folder / "maps" / "angular-deviation-back.png")
+        axis.imshow(scene)
+        mark_sites(axis, folder, scene.shape)
+        frame(axis)
+    axis = figure.add_axes([0.28, 0.0, 0.44, 0.085])
+    axis.imshow(legend)
+    frame(axis)
+    save(figure, f"harms2012-back-{material}.png")
+
+
+def bent(out):
+    """The child tight at the hip, as put on and after a bend."""
+    fit = json.loads((out / "tight-hip-base" / "summary.json").read_text())["fit"]["measured"]
+    panels = [("tight-hip-base/maps", f"tight hip ({100 * fit['hip']:+.0f} %), as put on"),
+              ("tight-hip-bent/postures/standing", "the same child, after a bend of 30°")]
+    figure = plot.figure(figsize=(9, 4.7), dpi=92)
+    for column, (folder, title) in enumerate(panels):
+        axis = figure.add_axes([0.5 * column, 0, 0.5, 0.93])
+        axis.imshow(plot.imread(out / folder / "drape-back.png"))
+        axis.set_title(title, fontsize=10.5)
+        frame(axis)
+    save(figure, "harms2012-bent.png")
+
+
+def figure3(out):
+    """The paper's four panels of the reference garment."""
+    panels = [("drape", "(a) reference garment"), ("strain", "(b) vertical strain"),
+              ("distance", "(c) body-garment distance"),
+              ("angular-deviation", "(d) angular deviation")]
+    figure = plot.figure(figsize=(12, 4.1), dpi=110)
+    for column, (name, title) in enumerate(panels):
+        image = plot.imread(out / "reference" / "maps" / f"{name}-front.png")
+        axis = figure.add_axes([0.25 * column + 0.01, 0.0, 0.23, 0.93])
+        if name == "drape":  # no legend: keep the scale of the others
+            blank = numpy.ones((round(image.shape[0] * FOOT / (1 - FOOT)), *image.shape[1:]))
+            image = numpy.concatenate([image, blank.astype(image.dtype)])
+        axis.imshow(image)
+        axis.set_title(title, fontsize=11)
+        frame(axis)
+    save(figure, "harms2012-reference.png")
+
+
+def profile(axis, x, values, colour, label):
+    ok = [i for i, v in enumerate(values) if v]
+    x = numpy.array([x[i] for i in ok])
+    mean, spread = numpy.array([values[i] for i in ok]).T
+    axis.plot(x, mean, color=colour, linewidth=1.6, label=label)
+    axis.fill_between(x, mean - spread, mean + spread, color=colour, alpha=0.2, linewidth=0)
+
+
+def lines(places):
+    """Angular deviation across the back at the shoulder blades and down the spine."""
+    figure, (across, spine) = plot.subplots(1, 2, figsize=(11, 3.9), dpi=110)
+    for child in ("slim", "heavy"):
+        case = places.get(f"{child}-paper-cotton")
+        if not case:
+            continue
+        profile(across, [1000 * u for u in case["across"]["u_m"]],
+                case["across"]["angular_deviation_deg"], COLOURS[child], f"{child} child")
+        profile(spine, [-1000 * v for v in case["spine"]["v_m"]],
+                case["spine"]["angular_deviation_deg"], COLOURS[child], f"{child} child")
+        for u, _ in case["centres"]["scapula"]:
+            across.axvline(1000 * u, color=COLOURS[child], linestyle=":", linewidth=1.3)
+        for name in SITES[1:]:
+            spine.axvline(-1000 * case["centres"][name][0][1], color=COLOURS[child],
+                          linestyle=":", linewidth=1.3)
+    case = places["slim-paper-cotton"]
+    for name in SITES[1:]:
+        spine.annotate(NAMES[name], (-1000 * case["centres"][name][0][1], 58), (-3, 0),
+                       textcoords="offset points", rotation=90, fontsize=8.5, ha="right", va="top")
+    for u, _ in case["centres"]["scapula"]:
+        across.annotate("scapula", (1000 * u, 58), (-3, 0), textcoords="offset points",
+                        rotation=90, fontsize=8.5, ha="right", va="top")
+    across.set_xlabel("across the back panel at the shoulder blades [mm], 0 = spine")
+    spine.set_xlabel("down the spine on the back panel [mm]")
+    across.set_ylabel("angular deviation [°]")
+    for axis in (across, spine):
+        axis.set_ylim(0, 60)
+        axis.grid(alpha=0.3)
+    across.legend(frameon=False, fontsize=9, loc="upper center")
+    figure.tight_layout()
+    save(figure, "harms2012-lines.png")
+
+
+def main():
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    out = pathlib.Path(sys.argv[1])
+    IMAGES.mkdir(parents=True, exist_ok=True)
+    for material in ("paper-cotton", "cotton-jersey"):
+        figure4(out, material)
+    figure3(out)
+    bent(out)
+    lines(json.loads((HERE / "places.json").read_text()))
+
+
+if __name__ == "__main__":
+    main()
