@@ -160,7 +160,8 @@ def print_postures(runs):
         share = median([cost["changes"][i]["share_of_first_drape"] for cost in costs])
         counts = all(cost["changes"][i]["counts"] for cost in costs)
         print(f"  {change['posture']:20} {'counts' if counts else 'LEFT OUT':12} "
-              f"{100 * share:4.0f} % of the first drape" +
+              f"{100 * share:4.0f} % of the first drape, {change['fine_iterations']} iterations on "
+              f"the finest level for {costs[0]['first_drape_fine_iterations']}" +
               ("" if counts else f": {change['stop_reason']}"), flush=True)
     if costs:
         share = median([cost["maps_and_scores_share"] for cost in costs])
