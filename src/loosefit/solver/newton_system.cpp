@@ -1,11 +1,13 @@
 #include "loosefit/solver/newton_system.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loosefit {
 namespace {
 
 constexpr int kMostIterations = 8;  ///< beyond which single precision will not do
+constexpr int kMostPatience = 64;
 constexpr int kMostBreakdowns = 2;  ///< likewise
 
 double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -22,9 +24,20 @@ bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& sh
   shift_ = &shift;
   held_ = &held;
   used_double_ = in_double_;
-  if (!in_double_ && single_.factorise(a, shift, held)) return true;
-  // Cheap where the matrix is indefinite indeed: it breaks down early.
-  if (!double_.factorise(a, shift, held)) return false;
+  if (!in_double_ && single_.factorise(a, shift, held)) {
+    broke_down_ = 0;
+    return true;
+  }
+  // Indefinite, or a matter of precision? Each time that it was the former, ask less often.
+  if (!in_double_ && wait_ > 0) {
+    --wait_;
+    return false;
+  }
+  if (!double_.factorise(a, shift, held)) {
+    wait_ = patience_;
+    patience_ = std::min(kMostPatience, 2 * patience_);
+    return false;
+  }
   used_double_ = true;
   if (!in_double_) in_double_ = ++broke_down_ == kMostBreakdowns;
   return true;
