@@ -147,12 +147,8 @@ class Factored : public Method {
       free_only(z);
     };
     const auto multiply = [&](const VectorField& v, VectorField& hv) {
-      const Eigen::Index n = 3 * static_cast<Eigen::Index>(v.size());
-      const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(v[0].data(), n);
-      Eigen::VectorXd product(n);
-      matrix_.multiply(flat, product);
-      hv.resize(v.size());
-      Eigen::Map<Eigen::VectorXd>(hv[0].data(), n) = product;
+      hv.assign(v.size(), Vec3::Zero());
+      matrix_.add_product(v, hv);
       free_only(hv);
     };
     const auto inertial = [&](const VectorField& v) {

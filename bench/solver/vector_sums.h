@@ -2,14 +2,11 @@
 #include <cmath>
 
 #include "loosefit/particles/energy.h"
+#include "loosefit/particles/vector_sums.h"
 
 namespace loosefit::bakeoff {
 
-inline double dot(const VectorField& a, const VectorField& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
+using loosefit::dot;
 
 inline double norm(const VectorField& a) { return std::sqrt(dot(a, a)); }
 

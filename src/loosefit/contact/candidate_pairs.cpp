@@ -6,18 +6,14 @@
 
 #include <cmath>
 
+#include "loosefit/particles/vector_sums.h"
+
 namespace loosefit {
 namespace {
 
 /// Margin in mean edge lengths: wide enough to last for many calls, narrow enough to leave out the
 /// next but one neighbours in an unfolded sheet.
 constexpr double kMargin = 0.25;
-
-double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
 
 double longest(const std::vector<Vec3>& v) {
   double largest = 0;

@@ -35,14 +35,16 @@ bool BlockMatrix::same_pattern(const BlockPattern& pattern) const {
   return true;
 }
 
-void BlockMatrix::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  y.setZero(x.size());
-  for (int j = 0; j < particles(); ++j)
-    for (int k = column_start_[j]; k < column_start_[j + 1]; ++k) {
+void BlockMatrix::add_product(const std::vector<Vec3>& x, std::vector<Vec3>& y) const {
+  for (int j = 0; j < particles(); ++j) {
+    Vec3 sum = blocks_[column_start_[j]] * x[j];
+    for (int k = column_start_[j] + 1; k < column_start_[j + 1]; ++k) {
       const int i = rows_[k];
-      y.segment<3>(3 * i) += blocks_[k] * x.segment<3>(3 * j);
-      if (i != j) y.segment<3>(3 * j) += blocks_[k].transpose() * x.segment<3>(3 * i);
+      y[i] += blocks_[k] * x[j];
+      sum += blocks_[k].transpose() * x[i];
     }
+    y[j] += sum;
+  }
 }
 
 }  // namespace loosefit

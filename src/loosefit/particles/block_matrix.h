@@ -52,8 +52,8 @@ class BlockMatrix {
   void add_at(int slot, const Mat3& block) { blocks_[slot] += block; }
   /// Differs between matrices whose patterns were made separately; for callers that keep slots.
   std::uint64_t pattern_id() const { return pattern_id_; }
-  /// y = A x for flat vectors of 3 n numbers (both triangles).
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  /// y += A x (both triangles).
+  void add_product(const std::vector<Vec3>& x, std::vector<Vec3>& y) const;
 
   const std::vector<int>& column_start() const { return column_start_; }
   const std::vector<int>& rows() const { return rows_; }

@@ -2,21 +2,15 @@
 
 #include <cmath>
 
+#include "loosefit/particles/vector_sums.h"
 #include "loosefit/solver/stopwatch.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kStretch = 8;    ///< longest extension of a projected Newton step
-constexpr int kMostPatience = 8;  ///< iterations between two tries of a matrix that was indefinite
+constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
 /// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
 constexpr double kLeastHold = 1, kMostHold = 1e4;
-
-double dot(const VectorField& a, const VectorField& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
 
 }  // namespace
 
@@ -88,11 +82,11 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
     const Stopwatch watch(work_.factorise);
     return linear_.factorise(matrix_, shift_, system_.held);
   };
-  exact_ = wait_ == 0;
+  exact_ = try_exact_.ready();
   if (exact_) {
     assemble(x, HessianKind::exact);
     if (attempt(0)) {
-      patience_ = 1;
+      try_exact_.succeeded();
       return true;
     }
     exact_ = false;
@@ -105,23 +99,17 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       }
       hold_ = std::min(kMostHold, 10 * hold_);
     }
-    wait_ = patience_;  // each failure in a row doubles the wait before the next try
-    patience_ = std::min(kMostPatience, 2 * patience_);
-  } else {
-    --wait_;
+    try_exact_.failed();
   }
   // Compressed cloth is about as stiff against buckling as its compression is strong: without the
   // compression it would be far too stiff there, with half of it the matrix is mostly definite.
-  if (halved_wait_ == 0) {
+  if (try_halved_.ready()) {
     assemble(x, HessianKind::halved);
     if (attempt(0)) {
-      halved_patience_ = 1;
+      try_halved_.succeeded();
       return true;
     }
-    halved_wait_ = halved_patience_;
-    halved_patience_ = std::min(kMostPatience, 2 * halved_patience_);
-  } else {
-    --halved_wait_;
+    try_halved_.failed();
   }
   // The projected one; it may still be singular (cloth free to slide): add what it takes.
   assemble(x, HessianKind::definite);

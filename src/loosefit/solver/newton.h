@@ -3,6 +3,7 @@
 
 #include "loosefit/solver/newton_system.h"
 #include "loosefit/solver/particle_system.h"
+#include "loosefit/solver/patience.h"
 #include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
@@ -55,11 +56,9 @@ class Newton {
   std::vector<double> shift_;  ///< inertia and what makes the matrix definite [kg/s²]
   std::uint64_t pattern_version_ = 0;
   bool exact_ = false;
-  int wait_ = 0;  ///< iterations left for which the exact Hessian is not tried
-  int patience_ = 1;
-  int halved_wait_ = 0, halved_patience_ = 1;  ///< the same of the halved one
-  double hold_ = 100;                          ///< [1/s²], see factorise
-  bool evaluated_ = false;                     ///< energy_ and gradient_ are those of place_
+  Patience try_exact_{8}, try_halved_{8};  ///< these matrices
+  double hold_ = 100;                      ///< [1/s²], see factorise
+  bool evaluated_ = false;                 ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;
 };

@@ -1,20 +1,12 @@
 #include "loosefit/solver/newton_system.h"
 
-#include <algorithm>
-#include <cmath>
+#include "loosefit/particles/vector_sums.h"
 
 namespace loosefit {
 namespace {
 
-constexpr int kMostIterations = 8;  ///< beyond which single precision will not do
-constexpr int kMostPatience = 64;
-constexpr int kMostBreakdowns = 2;  ///< likewise
-
-double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
+/// Iterations and breakdowns in a row beyond which single precision will not do.
+constexpr int kMostIterations = 8, kMostBreakdowns = 2;
 
 }  // namespace
 
@@ -29,13 +21,9 @@ bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& sh
     return true;
   }
   // Indefinite, or a matter of precision? Each time that it was the former, ask less often.
-  if (!in_double_ && wait_ > 0) {
-    --wait_;
-    return false;
-  }
+  if (!in_double_ && !try_double_.ready()) return false;
   if (!double_.factorise(a, shift, held)) {
-    wait_ = patience_;
-    patience_ = std::min(kMostPatience, 2 * patience_);
+    try_double_.failed();
     return false;
   }
   used_double_ = true;
@@ -86,18 +74,8 @@ bool NewtonSystem::conjugate_gradients(const std::vector<Vec3>& b, std::vector<V
 }
 
 void NewtonSystem::multiply(const std::vector<Vec3>& x, std::vector<Vec3>& y) const {
-  const auto& start = a_->column_start();
-  const auto& rows = a_->rows();
-  const auto& blocks = a_->blocks();
   for (std::size_t i = 0; i < x.size(); ++i) y[i] = (*shift_)[i] * x[i];
-  for (int j = 0; j < a_->particles(); ++j) {
-    Vec3 sum = blocks[start[j]] * x[j];
-    for (int k = start[j] + 1; k < start[j + 1]; ++k) {
-      y[rows[k]] += blocks[k] * x[j];
-      sum += blocks[k].transpose() * x[rows[k]];
-    }
-    y[j] += sum;
-  }
+  a_->add_product(x, y);
   drop_held(y);
 }
 

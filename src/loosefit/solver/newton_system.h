@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/solver/patience.h"
 #include "loosefit/solver/sparse_cholesky.h"
 
 namespace loosefit {
@@ -28,10 +29,10 @@ class NewtonSystem {
 
   SparseCholesky<float> single_;
   SparseCholesky<double> double_;
-  bool in_double_ = false;       ///< from now on
-  bool used_double_ = false;     ///< for the last factor
-  int broke_down_ = 0;           ///< factors in single precision of definite matrices, in a row
-  int wait_ = 0, patience_ = 1;  ///< breakdowns until double precision is asked again
+  bool in_double_ = false;    ///< from now on
+  bool used_double_ = false;  ///< for the last factor
+  int broke_down_ = 0;        ///< factors in single precision of definite matrices, in a row
+  Patience try_double_{64};
   const BlockMatrix* a_ = nullptr;
   const std::vector<double>* shift_ = nullptr;
   const std::vector<char>* held_ = nullptr;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "loosefit/particles/vector_sums.h"
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {
@@ -41,20 +42,19 @@ double largest_frequency2(const ParticleSystem& system, const VectorField& x) {
   pattern.compress();
   BlockMatrix h(pattern);
   for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::definite);
-  const int n = 3 * system.particles();
-  Eigen::VectorXd u(n), hu(n);
-  for (int i = 0; i < n; ++i) u[i] = std::sin(1.0 + 7.3 * i);
-  double value = 0;
+  VectorField u(system.particles()), hu;
+  for (int i = 0; i < system.particles(); ++i)
+    for (int c = 0; c < 3; ++c) u[i][c] = std::sin(1.0 + 7.3 * (3 * i + c));
+  double value = std::sqrt(dot(u, u));
   for (int k = 0; k < 30; ++k) {
-    u.normalize();
-    h.multiply(u, hu);
-    for (int i = 0; i < system.particles(); ++i) {
-      if (system.is_held(i)) hu.segment<3>(3 * i).setZero();
-      hu.segment<3>(3 * i) /= system.mass[i];
-    }
-    value = hu.norm();
+    for (Vec3& v : u) v /= value;
+    hu.assign(u.size(), Vec3::Zero());
+    h.add_product(u, hu);
+    for (int i = 0; i < system.particles(); ++i)
+      hu[i] = system.is_held(i) ? Vec3::Zero() : Vec3(hu[i] / system.mass[i]);
+    value = std::sqrt(dot(hu, hu));
     if (!(value > 0)) break;
-    u = hu;
+    u.swap(hu);
   }
   return value;
 }

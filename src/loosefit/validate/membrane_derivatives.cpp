@@ -35,8 +35,6 @@ Errors derivative_errors(const Energy& energy, const VectorField& x) {
   for (const Mat3& b : h.blocks()) h_scale = std::max(h_scale, b.cwiseAbs().maxCoeff());
 
   Errors worst;
-  const Eigen::Index n = 3 * static_cast<Eigen::Index>(x.size());
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(n), column(n);
   for (std::size_t i = 0; i < x.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       VectorField ahead = x, behind = x;
@@ -46,14 +44,12 @@ Errors derivative_errors(const Energy& energy, const VectorField& x) {
       const double slope = (energy.value(ahead) - energy.value(behind)) / step;
       worst.gradient = std::max(worst.gradient, std::abs(slope - g[i][c]) / g_scale);
       const VectorField ga = gradient(energy, ahead), gb = gradient(energy, behind);
-      unit.setZero();
-      unit[3 * static_cast<Eigen::Index>(i) + c] = 1;
-      column.setZero();
-      h.multiply(unit, column);
+      VectorField unit(x.size(), Vec3::Zero()), column = unit;
+      unit[i][c] = 1;
+      h.add_product(unit, column);
       for (std::size_t j = 0; j < x.size(); ++j) {
         const Vec3 rate = (ga[j] - gb[j]) / step;
-        const Vec3 exact = column.segment<3>(3 * static_cast<Eigen::Index>(j));
-        worst.hessian = std::max(worst.hessian, (rate - exact).cwiseAbs().maxCoeff() / h_scale);
+        worst.hessian = std::max(worst.hessian, (rate - column[j]).cwiseAbs().maxCoeff() / h_scale);
       }
     }
   return worst;
