@@ -11,6 +11,7 @@ namespace loosefit {
 
 /// Proof that a drape is at rest, or why it is not (design.md section 5).
 struct Certificate {
+  static constexpr double kAllowedResidual = 1e-3;
   double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
   double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
   int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
@@ -18,7 +19,7 @@ struct Certificate {
   std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
   int intersections_layers = 0;  ///< of intersections_self, those between two garments
   bool settled() const {
-    return residual <= 1e-3 && intersections_body == 0 && intersections_self == 0;
+    return residual <= kAllowedResidual && intersections_body == 0 && intersections_self == 0;
   }
 };
 

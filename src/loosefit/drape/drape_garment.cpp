@@ -89,6 +89,7 @@ void ClothRun::settle_finest() {
     if (low) keep(here, last_.residual);
     const bool cuts = hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
     if (low && !cuts) clear_ = std::move(here);
+    report_.held_off_triangles = static_cast<int>(times_cut.size());
     return cuts;
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
@@ -106,7 +107,6 @@ void ClothRun::settle_finest() {
     if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
     if (over() || round == kCutRounds || !hold_off(false)) break;
   }
-  report_.held_off_triangles = static_cast<int>(times_cut.size());
 }
 
 }  // namespace loosefit

@@ -11,8 +11,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kAllowed = 1e-3;  ///< residual of a certificate
-constexpr double kMost = 0.9;      ///< share of ‖F‖² that counts as most of it
+constexpr double kMost = 0.9;  ///< share of ‖F‖² that counts as most of it
 constexpr std::size_t kWorst = 10, kCuts = 20;
 constexpr std::size_t kGroups = 3;  ///< of cuts that the one line names
 
@@ -144,7 +143,7 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
   }
   const double lag = std::pow(model.system().lag(), 2);
   u.lagging_share = sum + lag > 0 ? lag / (sum + lag) : 0;
-  u.times_allowed = certificate.residual / kAllowed;
+  u.times_allowed = certificate.residual / Certificate::kAllowedResidual;
   std::vector<int> order(x.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return square[a] > square[b]; });
@@ -164,7 +163,8 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
     u.worst.push_back(std::move(v));
   }
   u.cuts = all_cuts(wardrobe, x, body);
-  if (!(certificate.residual <= kAllowed) && !u.worst.empty()) u.why = balance_in_words(u);
+  if (!(certificate.residual <= Certificate::kAllowedResidual) && !u.worst.empty())
+    u.why = balance_in_words(u);
   for (bool of_body : {true, false}) {
     const std::string text = cuts_in_words(u.cuts, of_body);
     if (!text.empty()) u.why += (u.why.empty() ? "" : "; ") + text;
