@@ -6,22 +6,12 @@
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/exact_intersection.h"
-#include "support/shirt_on_body.h"
+#include "support/worn_shirt.h"
 
 namespace loosefit {
 namespace {
 
-Material knit() {
-  Material m;
-  m.areal_density = 0.16;
-  m.thickness = 7e-4;
-  m.stiffness_warp = 200;
-  m.stiffness_weft = 120;
-  m.poisson = 0.3;
-  m.stiffness_shear = 50;
-  m.bending_warp = m.bending_weft = 3e-6;
-  return m;
-}
+using support::knit;
 
 /// An adult with a shirt over a tighter one with short sleeves, coarse meshes of one level.
 struct Wearer {
@@ -37,11 +27,7 @@ struct Wearer {
   }
   Wearer(const Wearer&) = delete;
 
-  BodyPath arms(double from, double to) const {
-    return [this, from, to](double share) {
-      return support::standing(parameters, from + share * (to - from));
-    };
-  }
+  BodyPath arms(double from, double to) const { return support::arms_path(parameters, from, to); }
 };
 
 TEST(ClothLayer, FrictionBetweenLayersIsWhatTheLowerOneSaysOrTheMean) {

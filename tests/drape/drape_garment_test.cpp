@@ -7,25 +7,13 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/exact_intersection.h"
-#include "support/shirt_on_body.h"
+#include "support/worn_shirt.h"
 
 namespace loosefit {
 namespace {
 
+using support::knit;
 using support::shirt_for;
-
-Material knit() {
-  Material m;
-  m.name = "test knit";
-  m.areal_density = 0.16;
-  m.thickness = 7e-4;
-  m.stiffness_warp = 200;
-  m.stiffness_weft = 120;
-  m.poisson = 0.3;
-  m.stiffness_shear = 50;
-  m.bending_warp = m.bending_weft = 3e-6;
-  return m;
-}
 
 /// An adult with a moderately loose shirt on a coarse mesh of one level.
 struct Wearer {
@@ -38,11 +26,7 @@ struct Wearer {
             build_hierarchy(shirt_for(support::standing(parameters, 25), 0.10), 0.03, material)) {}
 
   /// From one arm angle to another [degrees].
-  BodyPath path(double from, double to) const {
-    return [this, from, to](double share) {
-      return support::standing(parameters, from + share * (to - from));
-    };
-  }
+  BodyPath path(double from, double to) const { return support::arms_path(parameters, from, to); }
   int cuts_body(const std::vector<Vec3>& x, double arms) const {
     const Body body = support::standing(parameters, arms);
     return static_cast<int>(mesh_intersections(x, garment.finest().triangles, body.surface.vertices,

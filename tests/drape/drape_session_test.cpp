@@ -4,22 +4,12 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/named_postures.h"
-#include "support/shirt_on_body.h"
+#include "support/worn_shirt.h"
 
 namespace loosefit {
 namespace {
 
-Material knit() {
-  Material m;
-  m.areal_density = 0.16;
-  m.thickness = 7e-4;
-  m.stiffness_warp = 200;
-  m.stiffness_weft = 120;
-  m.poisson = 0.3;
-  m.stiffness_shear = 50;
-  m.bending_warp = m.bending_weft = 3e-6;
-  return m;
-}
+using support::knit;
 
 struct Wearer {
   BodyParameters parameters = support::adult_parameters();
@@ -27,9 +17,7 @@ struct Wearer {
   GarmentHierarchy garment =
       build_hierarchy(support::shirt_for(support::standing(parameters, 25), 0.10), 0.05, material);
 
-  BodyPath still() const {
-    return [this](double) { return support::standing(parameters, 25); };
-  }
+  BodyPath still() const { return support::arms_path(parameters, 25, 25); }
 };
 
 /// The body turned about a vertical axis by `angle` times the share: gravity and everything that

@@ -5,21 +5,14 @@
 #include <sstream>
 
 #include "loosefit/base/error.h"
+#include "support/refused_scenario.h"
 
 namespace loosefit {
 namespace {
 
 Scenario parsed(const std::string& text) { return parse_scenario(text, "case.toml"); }
 
-/// What the user reads when `text` is refused: message and hint in one line.
-std::string refusal(const std::string& text) {
-  try {
-    parsed(text);
-  } catch (const Error& e) {
-    return std::string(e.what()) + " | " + e.hint();
-  }
-  return "accepted";
-}
+using support::refusal;
 
 const char* const kFull = R"(
 [body]

@@ -1,24 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "loosefit/io/scenario.h"
+#include "support/refused_scenario.h"
 
 namespace loosefit {
 namespace {
 
-std::string error_of(const std::string& text) {
-  try {
-    parse_scenario(text, "case.toml");
-  } catch (const InvalidInput& error) {
-    return std::string(error.what()) + " | " + error.hint();
-  }
-  return "no error";
-}
-
-void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string error = error_of(text);
-  for (const std::string& part : parts)
-    EXPECT_NE(error.find(part), std::string::npos) << text << "\n" << error << "\nlacks " << part;
-}
+using support::expect_refused;
 
 TEST(ScenarioUnder, WithoutTheSectionOneGarmentIsWorn) {
   const Scenario s = default_scenario();
@@ -56,16 +43,17 @@ TEST(ScenarioUnder, GarmentsAreReadFromTheSkinOutwardsEachWithItsCloth) {
 }
 
 TEST(ScenarioUnder, OddInputIsRefusedByName) {
-  expect_error("[under]\npattern = \"t-shirt\"", {"case.toml:1: under", "[[under]]"});
-  expect_error("[[under]]\npattern = \"tshirt\"", {"case.toml:2: under[0].pattern", "t-shirt"});
-  expect_error("[[under]]\nfriction = 4", {"case.toml:2: under[0].friction", "0 to 3"});
-  expect_error("[[under]]\n[[under]]\nfit = { chest = 9 }", {"under[1].fit.chest"});
-  expect_error("[[under]]\nmass = 2", {"under[0].mass"});
-  expect_error("[[under]]\n[under.material]\nname = \"coton\"", {"under[0].material.name"});
-  expect_error("[[under]]\nsize = \"women-38\"\nfit = { chest = 0.1 }", {"under[0].fit"});
-  expect_error("[[under]]\n[[under]]\n[[under]]\n[[under]]", {"under", "4 garments", "at most 3"});
-  expect_error("[garment]\nfit = { sleeve_length = 0.1 }",
-               {"case.toml:2: garment.fit.sleeve_length", "0.25"});
+  expect_refused("[under]\npattern = \"t-shirt\"", {"case.toml:1: under", "[[under]]"});
+  expect_refused("[[under]]\npattern = \"tshirt\"", {"case.toml:2: under[0].pattern", "t-shirt"});
+  expect_refused("[[under]]\nfriction = 4", {"case.toml:2: under[0].friction", "0 to 3"});
+  expect_refused("[[under]]\n[[under]]\nfit = { chest = 9 }", {"under[1].fit.chest"});
+  expect_refused("[[under]]\nmass = 2", {"under[0].mass"});
+  expect_refused("[[under]]\n[under.material]\nname = \"coton\"", {"under[0].material.name"});
+  expect_refused("[[under]]\nsize = \"women-38\"\nfit = { chest = 0.1 }", {"under[0].fit"});
+  expect_refused("[[under]]\n[[under]]\n[[under]]\n[[under]]",
+                 {"under", "4 garments", "at most 3"});
+  expect_refused("[garment]\nfit = { sleeve_length = 0.1 }",
+                 {"case.toml:2: garment.fit.sleeve_length", "0.25"});
 }
 
 }  // namespace

@@ -1,25 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/body/named_postures.h"
-#include "loosefit/io/scenario.h"
+#include "support/refused_scenario.h"
 
 namespace loosefit {
 namespace {
 
-std::string error_of(const std::string& text) {
-  try {
-    parse_scenario(text, "case.toml");
-  } catch (const InvalidInput& error) {
-    return std::string(error.what()) + " | " + error.hint();
-  }
-  return "no error";
-}
-
-void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string error = error_of(text);
-  for (const std::string& part : parts)
-    EXPECT_NE(error.find(part), std::string::npos) << text << "\n" << error << "\nlacks " << part;
-}
+using support::expect_refused;
 
 TEST(ScenarioWear, WithoutTheSectionsThereIsOnePostureAndOneDonning) {
   const Scenario s = parse_scenario("", "case.toml");
@@ -52,23 +39,24 @@ TEST(ScenarioWear, EveryNamedPostureReadsBackFromTheResolvedText) {
 }
 
 TEST(ScenarioWear, OddInputIsRefusedByName) {
-  expect_error("[postures]\nlist = [\"standing\", \"siting\"]", {"postures.list", "sitting"});
-  expect_error("[postures]\nlist = [\"standing\", \"standing\"]", {"postures.list", "twice"});
-  expect_error("[postures]\nlist = []", {"postures.list", "at least one"});
-  expect_error("[postures]\nreference = \"standing\"", {"postures.reference"});
-  expect_error("[postures]\nlist = [\"standing\"]\nreference = \"slouch\"", {"postures.reference"});
-  expect_error("[postures]\nlist = \"standing\"", {"postures.list", "array"});
-  expect_error("[postures]\nlst = [\"standing\"]", {"postures.lst", "list"});
-  expect_error("[body]\nposture = \"sitting\"\n[postures]\nlist = [\"standing\"]",
-               {"body.posture", "standing"});
-  expect_error("[donning]\nrepeats = 0", {"donning.repeats"});
-  expect_error("[donning]\nshift = -0.01", {"donning.shift"});
-  expect_error("[donning]\nshift = 10", {"donning.shift", "metres"});
-  expect_error("[donning]\ntwist_deg = -1", {"donning.twist_deg"});
-  expect_error("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
-  expect_error("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
-               {"donning.repeats", "simulation.repeats"});
-  expect_error("donning = 4", {"donning"});
+  expect_refused("[postures]\nlist = [\"standing\", \"siting\"]", {"postures.list", "sitting"});
+  expect_refused("[postures]\nlist = [\"standing\", \"standing\"]", {"postures.list", "twice"});
+  expect_refused("[postures]\nlist = []", {"postures.list", "at least one"});
+  expect_refused("[postures]\nreference = \"standing\"", {"postures.reference"});
+  expect_refused("[postures]\nlist = [\"standing\"]\nreference = \"slouch\"",
+                 {"postures.reference"});
+  expect_refused("[postures]\nlist = \"standing\"", {"postures.list", "array"});
+  expect_refused("[postures]\nlst = [\"standing\"]", {"postures.lst", "list"});
+  expect_refused("[body]\nposture = \"sitting\"\n[postures]\nlist = [\"standing\"]",
+                 {"body.posture", "standing"});
+  expect_refused("[donning]\nrepeats = 0", {"donning.repeats"});
+  expect_refused("[donning]\nshift = -0.01", {"donning.shift"});
+  expect_refused("[donning]\nshift = 10", {"donning.shift", "metres"});
+  expect_refused("[donning]\ntwist_deg = -1", {"donning.twist_deg"});
+  expect_refused("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
+  expect_refused("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
+                 {"donning.repeats", "simulation.repeats"});
+  expect_refused("donning = 4", {"donning"});
 }
 
 }  // namespace

@@ -23,16 +23,9 @@ Garment square_sheet() {
   const auto id = [&](int i, int j) { return j * (n + 1) + i; };
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) g.vertex_uv.push_back(uv(i, j));
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      g.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)});
-      g.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)});
-    }
+  testing::add_grid(g, n, n, id, uv);
   g.vertex_count = static_cast<int>(g.vertex_uv.size());
   g.vertex_panel.assign(g.vertex_count, 0);
-  g.triangle_panel.assign(g.triangles.size(), 0);
   return g;
 }
 

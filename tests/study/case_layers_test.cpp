@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/study/summary.h"
+#include "support/measured_woman.h"
 
 namespace loosefit {
 namespace {
@@ -78,19 +79,7 @@ TEST(CaseLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {
 }
 
 TEST(CaseLayers, WhatCannotBeDraftedIsToldWithItsSection) {
-  Body body;
-  body.measured = {{"chest", .880},
-                   {"waist", .720},
-                   {"hip", .960},
-                   {"neck", .360},
-                   {"upper_arm", .284},
-                   {"wrist", .160},
-                   {"shoulder_breadth", .385},
-                   {"shoulder_slope", radians(20)},
-                   {"scye_depth", .145},
-                   {"hps_to_waist", .425},
-                   {"hps_to_hip", .630},
-                   {"arm_length", .585}};
+  const Body body = support::measured_woman();
   const Scenario scenario = parse_scenario(
       "[[under]]\n[[under]]\npattern = \"t-shirt\"\nfit = { sleeve = 2 }\n", "case.toml");
   try {

@@ -5,27 +5,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/study/case_stages.h"
+#include "support/measured_woman.h"
 
 namespace loosefit {
 namespace {
 
-/// The measures of the adult woman of the pattern reference (patterns.md 6.1).
-Body measured_woman() {
-  Body body;
-  body.measured = {{"chest", .880},
-                   {"waist", .720},
-                   {"hip", .960},
-                   {"neck", .360},
-                   {"upper_arm", .284},
-                   {"wrist", .160},
-                   {"shoulder_breadth", .385},
-                   {"shoulder_slope", radians(20)},
-                   {"scye_depth", .145},
-                   {"hps_to_waist", .425},
-                   {"hps_to_hip", .630},
-                   {"arm_length", .585}};
-  return body;
-}
+using support::measured_woman;
 
 TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
   ScenarioGarment wished;

@@ -8,6 +8,19 @@
 
 namespace loosefit::testing {
 
+/// Fills the one panel of `g` with squares cut in two; id(i, j) and uv(i, j) of their corners.
+template <class Id, class Uv>
+void add_grid(Garment& g, int columns, int rows, const Id& id, const Uv& uv) {
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      g.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)});
+      g.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)});
+    }
+  g.triangle_panel.assign(g.triangles.size(), 0);
+}
+
 /// Flat strip of `width` × `height` [m] closed to a tube along one seam: one panel "tube", u around
 /// (counter-clockwise seen from above), v up. `place(u, v)` gives the 3-D position.
 inline Garment tube_garment(double width, double height, int around, int along) {
@@ -20,14 +33,7 @@ inline Garment tube_garment(double width, double height, int around, int along) 
   g.vertex_panel.assign(g.vertex_count, 0);
   const auto uv = [&](int i, int j) { return Vec2(width * i / around, height * j / along); };
   const auto id = [&](int i, int j) { return j * around + i % around; };
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) {
-      g.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)});
-      g.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-      g.triangle_uv.push_back({uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)});
-    }
-  g.triangle_panel.assign(g.triangles.size(), 0);
+  add_grid(g, around, along, id, uv);
   g.area = width * height;
   return g;
 }
