@@ -13,8 +13,9 @@
 namespace loosefit {
 namespace {
 
-constexpr double kClearance = 0.02;  ///< first try, between body and sheets [m]
-constexpr double kMostClearance = 0.06;
+/// Tries, between body and sheets [m]: wide ones help coarse triangles, narrow ones thick arms.
+constexpr double kClearances[] = {0.02, 0.026, 0.034, 0.044, 0.057, 0.014, 0.010};
+constexpr char kWider[] = "dress it with the arms wider apart (body.dress_posture = \"a-pose\")";
 
 /// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
 void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,
@@ -94,7 +95,8 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
       panel.lay("armhole_R", "side_R", r.armhole);
       panel.lay("shoulder_L", "armhole_L", {l.shoulder, l.neck});
       panel.lay("shoulder_R", "armhole_R", {r.shoulder, r.neck});
-      panel.lay("neck", "shoulder_L", {l.neck, r.neck});
+      panel.lay("neck", "shoulder_L",
+                is_back ? std::vector<Vec2>{l.neck, r.neck} : frame.front_neck);
     } else {
       const auto& half = name.find("_L_") != std::string::npos ? frame.left : frame.right;
       panel.lay("cap", "under", half.armhole);
@@ -105,7 +107,8 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
     const auto layout = lay_flat(g, p, panel.outline);
     // Seen from the front the outside of a front panel faces us: counter-clockwise in (x, z).
     if (count_turned_over(g, p, layout, is_back ? -1 : 1) > 0)
-      throw GeometryError("panel " + name + " cannot be laid over the body without folding over");
+      throw GeometryError("panel " + name + " cannot be laid over the body without folding over",
+                          kWider);
     for (const auto& [v, q] : layout) {
       place[v] = q;
       sheets[v] |= is_back ? 2 : 1;
@@ -127,21 +130,19 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
 }
 
 std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
-  std::string why;
-  for (double clearance = kClearance; clearance < kMostClearance; clearance *= 1.3) {
-    std::vector<Vec3> x;
-    try {
-      x = lay_shirt(shirt, body, {clearance});
+  GeometryError last("");
+  for (const double clearance : kClearances) try {
+      std::vector<Vec3> x = lay_shirt(shirt, body, {clearance});
+      const auto hits = self_intersections(x, shirt.triangles);
+      if (hits.empty()) return x;
+      last = GeometryError("the shirt cannot be laid round this body: " +
+                               std::to_string(hits.size()) +
+                               " pairs of its triangles cut each other at the start",
+                           kWider);
     } catch (const GeometryError& error) {
-      why = error.what();
-      if (clearance * 1.3 >= kMostClearance) throw;
-      continue;
+      last = error;
     }
-    const auto hits = self_intersections(x, shirt.triangles);
-    if (hits.empty()) return x;
-    why = std::to_string(hits.size()) + " pairs of its triangles cut each other at the start";
-  }
-  throw GeometryError("the shirt cannot be laid round this body: " + why);
+  throw last;
 }
 
 }  // namespace loosefit

@@ -8,8 +8,10 @@
 namespace loosefit {
 namespace {
 
-constexpr double kArmpitCorner = 0.14;  ///< the corner is this much below 180° [rad]
-constexpr int kArmholePoints = 12;
+/// The corner of a panel at the armpit is this much below 180° [rad], or half of the angle that
+/// trunk and arm leave for those of both panels, down to the least.
+constexpr double kArmpitCorner = 0.14, kLeastCorner = 0.01;
+constexpr int kArmholePoints = 12, kNeckPoints = 12;
 constexpr double kLeastArmAngle = 0.2617993877991494;  ///< 15°: less leaves no room for the seam
 
 Vec2 seen(const Vec3& p) { return {p[0], p[2]}; }
@@ -52,17 +54,33 @@ double flat_height(const Garment& g) {
 }
 
 /// Arc from the armpit to the shoulder that bends inwards just as far as the corner between side
-/// and armhole needs to be convex: the triangle in a reflex corner would be turned over.
-std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& shoulder) {
+/// and armhole needs to be convex, and not so far that the one between sleeve and armhole is not:
+/// the triangle in a reflex corner would be turned over. `under`: where the sleeve's seam goes.
+std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& under,
+                               const Vec2& shoulder) {
   const Vec2 side = armpit - hem, chord = shoulder - armpit;
   const auto angle = [](const Vec2& d) { return std::atan2(d[1], d[0]); };
-  const double bend = std::clamp(angle(side) + kArmpitCorner - angle(chord), 0.0, 1.2);
+  const double room = angle(armpit - under) - angle(side);
+  const double corner = std::clamp(0.5 * room, kLeastCorner, kArmpitCorner);
+  const double bend = std::clamp(angle(side) + corner - angle(chord), 0.0, 1.2);
   std::vector<Vec2> line;
   const Vec2 inwards(-chord[1], chord[0]);
   for (int k = 0; k <= kArmholePoints; ++k) {
     const double s = double(k) / kArmholePoints;
     // Parabola with slope tan(bend) at both ends.
     line.push_back(armpit + s * chord + s * (1 - s) * std::tan(bend) * inwards);
+  }
+  return line;
+}
+
+/// Parabola between two places, hanging as low as its length asks for.
+std::vector<Vec2> hanging_line(const Vec2& from, const Vec2& to, double length) {
+  const double width = (to - from).norm();
+  const double sag = width * std::sqrt(0.375 * std::max(0.0, length / width - 1));
+  std::vector<Vec2> line;
+  for (int k = 0; k <= kNeckPoints; ++k) {
+    const double s = double(k) / kNeckPoints;
+    line.push_back(from + s * (to - from) - Vec2(0, 4 * s * (1 - s) * sag));
   }
   return line;
 }
@@ -140,7 +158,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   }
   half.hem = {hem_x, hem_z};
 
-  half.armhole = armhole_line(half.hem, half.armpit, half.shoulder);
+  half.armhole = armhole_line(half.hem, half.armpit, half.sleeve_under[1], half.shoulder);
 
   const auto mirror = [&](Vec2& p) { p[0] *= side; };
   mirror(half.neck);
@@ -157,8 +175,13 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
 
 ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline& outline,
                        double clearance) {
-  return {half_frame(shirt, body, outline, clearance, +1),
-          half_frame(shirt, body, outline, clearance, -1)};
+  ShirtFrame frame{half_frame(shirt, body, outline, clearance, +1),
+                   half_frame(shirt, body, outline, clearance, -1),
+                   {}};
+  const auto* neck = shirt.find_chain("front", "neck");
+  frame.front_neck =
+      hanging_line(frame.left.neck, frame.right.neck, neck ? flat_length(shirt, *neck) : 0);
+  return frame;
 }
 
 }  // namespace loosefit
