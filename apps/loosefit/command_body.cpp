@@ -13,6 +13,7 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/body/scan_body.h"
+#include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/body_file.h"
 #include "loosefit/io/mesh_file.h"
 #include "loosefit/io/run_folder.h"
@@ -113,7 +114,7 @@ void run(Wish wish) {
     }
     const BodyModel model = BodyModel::load();
     fit = model.fit(wish.spec);
-    body = model.build(fit.parameters, posture_of(wish));
+    body = SoftBody(model, fit.parameters).in(posture_of(wish));
   }
   print_table(fit.table);
   for (const char* name : {"height", "chest", "waist", "hip"}) {

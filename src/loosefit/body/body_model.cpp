@@ -9,7 +9,6 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/skeleton_pose.h"
-#include "loosefit/body/skin_overlap.h"
 #include "loosefit/body/tape_paths.h"
 
 namespace loosefit {
@@ -160,9 +159,6 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
     const auto index = std::size_t(bone - data_->bones.begin());
     body.joints[name] = bones[index] * rest.joints[std::size_t(joint)] - drop;
   }
-  if (part_overlapping_skin(body, rest.surface.vertices) > 0)
-    for (const auto& [name, v] : body.landmark_vertex)
-      body.landmarks[name] = body.surface.vertices[std::size_t(v)];
   return body;
 }
 

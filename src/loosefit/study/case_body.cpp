@@ -1,6 +1,7 @@
 #include "loosefit/study/case_body.h"
 
 #include "loosefit/body/scan_body.h"
+#include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
 
 namespace loosefit {
@@ -42,9 +43,8 @@ CaseBody make_body(const ScenarioBody& wished) {
   const BodyModel& model = shared_model();
   const BodyFit fit = model.fit(spec_of(wished));
   CaseBody result;
-  result.pose = [&model, parameters = fit.parameters](const Posture& posture) {
-    return model.build(parameters, posture);
-  };
+  result.pose = [person = std::make_shared<SoftBody>(model, fit.parameters)](
+                    const Posture& posture) { return person->in(posture); };
   result.path = [pose = result.pose, from = wished.dress_posture,
                  to = wished.posture](double share) { return pose(blend(from, to, share)); };
   result.body = result.path(1);

@@ -1,0 +1,39 @@
+#pragma once
+#include "loosefit/body/body_model.h"
+
+namespace loosefit {
+
+/// One person in any posture, with flesh that gives way where BodyModel::build pushes skin through
+/// skin: armpits of arms that hang close, groins and bellies of people who sit. There the skin is
+/// led from a posture in which nothing overlaps as an elastic surface on an elastic foundation
+/// whose folds repel each other (SoftSkin), so it folds without passing through itself and leaves
+/// some kSkinGap between folds, room for cloth.
+class SoftBody {
+ public:
+  /// The model has to outlive this.
+  SoftBody(const BodyModel& model, BodyParameters parameters)
+      : model_(model), parameters_(std::move(parameters)) {}
+
+  /// As BodyModel::build; the displacement joins body.pose_from_rest, so that both still tell the
+  /// same place. Skin without overlaps is left as it is, bit for bit. The way there starts from
+  /// the rest posture or the nearest one that was asked for before, which shows in the last
+  /// micrometres. \throws as BodyModel::build.
+  Body in(const Posture& posture);
+
+ private:
+  /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
+  struct Known {
+    Posture posture;
+    std::vector<int> vertex;
+    std::vector<Vec3> moved;  ///< of these vertices [m]
+  };
+  const Known& nearest(const Posture& posture);
+  std::vector<Vec3> built(const Posture& posture) const;
+
+  const BodyModel& model_;
+  BodyParameters parameters_;
+  std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
+  std::vector<Known> known_;
+};
+
+}  // namespace loosefit

@@ -1,0 +1,77 @@
+#include "loosefit/flesh/soft_skin.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "loosefit/solver/integrator.h"
+
+namespace loosefit {
+namespace {
+
+/// 20 mm of flesh of 20 kPa: relaxed limbs have moduli of 10 to 90 kPa (Zheng and Mak 1996).
+constexpr double kFoundation = 1e6;    // [Pa/m]
+constexpr double kReach = 0.02;        ///< over which a displacement dies out [m]
+constexpr double kRim = 1e3;           ///< times as stiff where the skin goes on
+constexpr double kFoldPressure = 3e4;  ///< of skin against skin, well inside the gap [Pa]
+constexpr double kThickest = 0.8;      ///< a fold repels within this share of a triangle's height
+constexpr double kPressure = 50;       ///< left over when it is settled [Pa]
+constexpr int kMostIterations = 60;
+constexpr double kStatic = 1e4;  ///< first pseudo-step: no inertia [s]
+
+}  // namespace
+
+SoftSkin::SoftSkin(const SkinPatch& patch, const VectorField& rest, VectorField x,
+                   VectorField target)
+    : x_(std::move(x)),
+      springs_(patch.triangles, stiffness(patch, rest), kFoundation * kReach * kReach),
+      contact_(patch.triangles, area_, static_cast<int>(rest.size()), folds(patch, rest)) {
+  springs_.set_target(std::move(target));
+  system_.energies = {&springs_, &contact_};
+  system_.mass = weight_;
+  system_.gravity = 1;
+}
+
+std::vector<double> SoftSkin::stiffness(const SkinPatch& patch, const VectorField& rest) {
+  std::vector<double> k(rest.size());
+  weight_.assign(rest.size(), 0);
+  for (const auto& [a, b, c] : patch.triangles) {
+    area_.push_back(0.5 * (rest[b] - rest[a]).cross(rest[c] - rest[a]).norm());
+    for (int v : {a, b, c}) {
+      k[v] += kFoundation * area_.back() / 3;
+      weight_[v] += kPressure * area_.back() / 3;
+    }
+  }
+  for (std::size_t i = 0; i < k.size(); ++i)
+    if (patch.on_rim[i]) k[i] *= kRim;
+  return k;
+}
+
+SelfContact::Options SoftSkin::folds(const SkinPatch& patch, const VectorField& rest) const {
+  SelfContact::Options options;
+  options.thickness = kSkinGap;
+  options.pressure = kFoldPressure;
+  options.friction = 0;
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    const auto& [a, b, c] = patch.triangles[t];
+    const double longest = std::max(
+        {(rest[a] - rest[b]).norm(), (rest[b] - rest[c]).norm(), (rest[c] - rest[a]).norm()});
+    options.triangle_thickness.push_back(std::min(kSkinGap, kThickest * 2 * area_[t] / longest));
+  }
+  return options;
+}
+
+void SoftSkin::follow(VectorField target) {
+  VectorField way(x_.size());
+  for (std::size_t i = 0; i < x_.size(); ++i) way[i] = target[i] - springs_.target()[i];
+  system_.begin_step(x_, std::numeric_limits<double>::infinity());
+  const double share = contact_.begin_search(x_, way);
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += share * way[i];
+  springs_.set_target(std::move(target));
+  SettleOptions options;
+  options.tolerance = 1;
+  options.max_iterations = kMostIterations;
+  options.first_dt = kStatic;
+  make_quasi_static(system_)->settle(x_, options);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,37 @@
+#pragma once
+#include "loosefit/contact/self_contact.h"
+#include "loosefit/flesh/skin_patch.h"
+#include "loosefit/flesh/skin_springs.h"
+#include "loosefit/solver/particle_system.h"
+
+namespace loosefit {
+
+inline constexpr double kSkinGap = 0.006;  ///< distance at which folds begin to repel [m]
+
+/// A patch of skin that is drawn to its targets and folds without passing through itself.
+class SoftSkin {
+ public:
+  /// rest: positions of all vertices of the patch from which areas are taken; x, target: positions
+  /// now, and where their springs pull them [m].
+  SoftSkin(const SkinPatch& patch, const VectorField& rest, VectorField x, VectorField target);
+  SoftSkin(const SoftSkin&) = delete;
+  SoftSkin& operator=(const SoftSkin&) = delete;
+
+  /// Moves the targets, takes the skin along as far as it meets nothing, and lets it settle.
+  void follow(VectorField target);
+  const VectorField& positions() const { return x_; }
+  const VectorField& target() const { return springs_.target(); }
+
+ private:
+  std::vector<double> stiffness(const SkinPatch& patch, const VectorField& rest);
+  SelfContact::Options folds(const SkinPatch& patch, const VectorField& rest) const;
+
+  VectorField x_;
+  std::vector<double> area_;    ///< of the triangles [m²]
+  std::vector<double> weight_;  ///< against which forces on the vertices are measured [N]
+  SkinSprings springs_;
+  SelfContact contact_;
+  ParticleSystem system_;
+};
+
+}  // namespace loosefit
