@@ -38,7 +38,7 @@ std::optional<std::vector<Vec3>> lay_over(const Garment& shirt, const Body& body
   const double most = layer == 0 ? kStep * under.clearance : kMostClearance;
   for (double c = under.clearance; c < most; c *= kStep)
     for (const double share : kDepthShares) try {
-        const auto x = lay_shirt(shirt, body, {c, (1 + layer) * kLeastDepth, share});
+        const auto x = lay_shirt(shirt, body, {c, (1 + layer) * kLeastDepth, share, true});
         const auto own = self_intersections(x, shirt.triangles);
         const auto cuts = mesh_intersections(x, shirt.triangles, under.positions, under.triangles);
         if (own.empty() && cuts.empty()) {

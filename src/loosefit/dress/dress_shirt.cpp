@@ -95,8 +95,9 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
       panel.lay("armhole_R", "side_R", r.armhole);
       panel.lay("shoulder_L", "armhole_L", {l.shoulder, l.neck});
       panel.lay("shoulder_R", "armhole_R", {r.shoulder, r.neck});
-      panel.lay("neck", "shoulder_L",
-                is_back ? std::vector<Vec2>{l.neck, r.neck} : frame.front_neck);
+      panel.lay(
+          "neck", "shoulder_L",
+          is_back || room.straight_neck ? std::vector<Vec2>{l.neck, r.neck} : frame.front_neck);
     } else {
       const auto& half = name.find("_L_") != std::string::npos ? frame.left : frame.right;
       panel.lay("cap", "under", half.armhole);
@@ -135,10 +136,10 @@ std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
       std::vector<Vec3> x = lay_shirt(shirt, body, {clearance});
       const auto hits = self_intersections(x, shirt.triangles);
       if (hits.empty()) return x;
-      last = GeometryError("the shirt cannot be laid round this body: " +
-                               std::to_string(hits.size()) +
-                               " pairs of its triangles cut each other at the start",
-                           kWider);
+      last =
+          GeometryError("the shirt cannot be laid round this body: " + std::to_string(hits.size()) +
+                            " pairs of its triangles cut each other at the start",
+                        kWider);
     } catch (const GeometryError& error) {
       last = error;
     }
