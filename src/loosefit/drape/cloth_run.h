@@ -14,6 +14,10 @@ namespace loosefit {
 
 /// Residual at which a level is handed to the finer one.
 inline constexpr double kCoarseTolerance = 1.0;
+/// Thickness of the soft layer between body and cloth until it stands in its posture [m]: contacts
+/// then come one after another over millimetres of way and not all within the last tenth of one, so
+/// Newton's steps stay whole, and nothing is pulled through the skin.
+inline constexpr double kPad = 0.005;
 /// First pseudo-step near rest [s].
 inline constexpr double kStaticDt = 10;
 
@@ -54,10 +58,9 @@ class ClothRun {
   void perturb();
   /// Shifts and twists the garment on the trunk as the options ask.
   void displace();
-  /// Takes the cloth along with the body from where it stands to body_at(1), in steps of at most
-  /// that turn of any skin [rad], each settled to a loose tolerance. Steps are halved where the
-  /// cloth would come to lie deep in the skin.
-  void walk(const BodyPath& body_at, double step, double tolerance, int iterations);
+  /// Takes the cloth along with the body from where it stands to body_at(1), in steps that are each
+  /// settled to a loose tolerance, and halved where the cloth would come to lie deep in the skin.
+  void walk(const BodyPath& body_at);
   void settle_levels();
   /// From anywhere near to the last digits, with rounds that free cuts into the skin.
   void settle_finest();

@@ -16,13 +16,6 @@ namespace {
 constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
 constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr double kPoseTolerance = 0.5;  ///< residual between two steps of a posture path
-constexpr int kPoseIterations = 40;
-constexpr double kPoseStep = 0.07;  ///< largest joint angle of one step of the path [rad]
-/// Thickness of the soft layer between body and cloth until it stands in its posture [m]: contacts
-/// then come one after another over millimetres of way and not all within the last tenth of one, so
-/// Newton's steps stay whole, and nothing is pulled through the skin.
-constexpr double kPad = 0.005;
 constexpr int kCutRounds = 8;  ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
@@ -37,7 +30,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   dress(body_at(0.0));
   progress_.stage("settle");
   part_ = "posture";
-  walk(body_at, kPoseStep, kPoseTolerance, kPoseIterations);
+  walk(body_at);
   part_ = "settle";
   model_->pad_body(0);
   settle_levels();

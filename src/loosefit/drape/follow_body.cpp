@@ -13,9 +13,15 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStep = 0.4;       ///< largest turn of any skin in one step of the way [rad]
-constexpr double kTolerance = 100;  ///< residual between two steps: no more than a way through
-constexpr int kIterations = 25;     ///< between two steps
+/// How a way is gone: the largest turn of any skin in one step [rad], the residual between two
+/// steps (no more than a way through), and the iterations for it.
+struct Gait {
+  double step, tolerance;
+  int iterations;
+};
+constexpr Gait kGait{0.4, 100, 25};
+/// Of several layers: what the body pushes out has to push the next one.
+constexpr Gait kLayeredGait{0.04, 5, 100};
 constexpr double kTooFar = 5;       ///< times the tolerance, beyond which a step is worked on
 constexpr int kPatience = 8;        ///< times as long
 constexpr double kWhole = 0.999;    ///< share of its way that the cloth has to go along a step
@@ -27,11 +33,8 @@ constexpr double kCaught = 0.005;   ///< in the skin near rest: lost [m]
 constexpr int kFarMore = 3, kManyIterations = 500;
 constexpr double kRoughField = 0.010;  ///< spacing of the distance field on the way [m]
 constexpr int kDisplaceSteps = 4;      ///< in which the start is shifted and twisted
-/// The same of several layers: what the body pushes out has to push the next one.
-constexpr double kLayeredStep = 0.04, kLayeredTolerance = 5;
-constexpr int kLayeredIterations = 100;
-constexpr double kWholeWay = 0.9;  ///< share of the way of layers that must be free
-constexpr double kStray = 0.002;   ///< that impact zones may lead them off it [m]
+constexpr double kWholeWay = 0.9;      ///< share of the way of layers that must be free
+constexpr double kStray = 0.002;       ///< that impact zones may lead them off it [m]
 constexpr double kDisplaceTolerance = 5.0;
 constexpr double kNoTurn = 1e-6;  // [rad]
 
@@ -87,20 +90,21 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   make_model();
   model_->recall(worn_[level_].memory);
   part_ = "posture";
-  if (layers() == 1)
-    walk(body_at, kStep, kTolerance, kIterations);
-  else
-    walk(body_at, kLayeredStep, kLayeredTolerance, kLayeredIterations);
+  // On the finest level a pad would undo what holds triangles off the skin.
+  const bool padded = layers() == 1 && !is_finest();
+  if (padded) model_->pad_body(kPad);
+  walk(body_at);
+  if (padded) model_->pad_body(0);
   double caught = 0;
   while (!is_finest()) {
-    settle(kCoarseTolerance, kPatience * kIterations, 0.02);
+    settle(kCoarseTolerance, kPatience * kGait.iterations, 0.02);
     caught = std::max(caught, depth(x_, *body_));
     refine_as_worn();
   }
   part_ = "settle";
   // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
   if (caught < kCaught) {
-    settle(kTolerance, kPatience * kIterations, 0.1, true);
+    settle(kGait.tolerance, kPatience * kGait.iterations, 0.1, true);
     caught = depth(x_, *body_);
   }
   if (caught > kCaught) return finish(caught_text(caught));
@@ -128,7 +132,8 @@ void ClothRun::refine_as_worn() {
   for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
 }
 
-void ClothRun::walk(const BodyPath& body_at, double step, double tolerance, int iterations) {
+void ClothRun::walk(const BodyPath& body_at) {
+  const auto& [step, tolerance, iterations] = layers() == 1 ? kGait : kLayeredGait;
   const double turn = largest_turn(body_->body, body_at(1.0));
   if (turn < kNoTurn) return;
   const double usual = 1 / std::ceil(turn / step), least = usual / kShortest;
@@ -195,7 +200,7 @@ void ClothRun::displace() {
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
     const double allowed = model_->self().begin_search(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];
-    settle(kDisplaceTolerance, kIterations, 0.01, true);
+    settle(kDisplaceTolerance, kGait.iterations, 0.01, true);
   }
 }
 
