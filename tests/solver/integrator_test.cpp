@@ -115,5 +115,34 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryIntegrator,
                          ::testing::Values(&make_quasi_static, &make_implicit_euler,
                                            &make_semi_implicit_euler));
 
+/// A spring whose anchor is lagged and jumps to the other side: static iterates mirror x for ever.
+class MirroredSpring : public Energy {
+ public:
+  void begin_step(const VectorField& x, double) override { anchor_ = -x[0]; }
+  double value(const VectorField& x) const override { return 0.5 * (x[0] - anchor_).squaredNorm(); }
+  void add_gradient(const VectorField& x, VectorField& g) const override { g[0] += x[0] - anchor_; }
+  void add_pattern(const VectorField&, BlockPattern&) const override {}
+  void add_hessian(const VectorField&, BlockMatrix& h, HessianKind) const override {
+    h.add(0, 0, Mat3::Identity());
+  }
+
+ private:
+  Vec3 anchor_ = Vec3::Zero();
+};
+
+TEST(QuasiStatic, DampsWhatStaticStepsOnlySendToAndFro) {
+  MirroredSpring spring;
+  ParticleSystem system;
+  system.energies = {&spring};
+  system.mass = {1.0};
+  VectorField x = {Vec3(0.01, 0, 0)};
+  SettleOptions options;
+  options.tolerance = 1e-6;
+  options.first_dt = 1e4;
+  const SettleOutcome outcome = make_quasi_static(system)->settle(x, options);
+  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged);
+  EXPECT_LT(x[0].norm(), 1e-5);
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -10,7 +10,12 @@ namespace {
 
 constexpr int kNewtonPerStep = 3;       ///< at most, before friction and contacts are refreshed
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
-constexpr int kSlowSteps = 30;     ///< in a row with the near tangent, before the full one is taken
+constexpr int kSlowSteps = 30;  ///< in a row with the near tangent, before the full one is taken
+constexpr double kGrowth = 4;   ///< of pseudo-steps that are taken whole
+/// Without such a fall of the residual in so many static iterations the cloth snaps to and fro
+/// between two shapes: then damped steps of that length [s], which grow more slowly each time.
+constexpr double kProgress = 0.7, kDampedDt = 0.1;
+constexpr int kCycle = 60;
 constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
 
 class QuasiStatic : public Integrator {
@@ -23,6 +28,8 @@ class QuasiStatic : public Integrator {
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0, slow = 0;
+    double best = infinity, growth = kGrowth;
+    int best_at = 0;
     system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
     newton_.begin_step(x, dt);
@@ -34,6 +41,14 @@ class QuasiStatic : public Integrator {
       if (outcome.work.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
+      }
+      if (outcome.residual < kProgress * best) {
+        best = outcome.residual;
+        best_at = outcome.work.iterations;
+      } else if (outcome.work.iterations - best_at > kCycle && dt > kStaticDt) {
+        best_at = outcome.work.iterations;
+        dt = kDampedDt;
+        growth = std::sqrt(growth);
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
@@ -60,7 +75,7 @@ class QuasiStatic : public Integrator {
       if (slow == kSlowSteps || stalls == 4) system_.set_tangent(TangentReach::full);
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
       if (last_share > 0.9)
-        dt *= 4;
+        dt *= growth;
       else if (last_share > 0.4)
         dt *= 1.5;
       else if (last_share < 0.1)
