@@ -133,5 +133,24 @@ TEST(DistanceField, ReachDecidesWhatIsTouched) {
     }
 }
 
+// Two balls that touch, the second only as a cover: the field is that of both together.
+TEST(DistanceField, CoversHideTheBodyInThem) {
+  const TriangleMesh ball = support::sphere(0.04, 60, 120);
+  TriangleMesh cover = ball;
+  for (Vec3& p : cover.vertices) p[0] += 0.06;
+  const ClosestPointTree tree(ball);
+  const DistanceField field(tree, Box3(Vec3::Constant(-0.06), Vec3(0.12, 0.06, 0.06)), 0.005,
+                            {cover, TriangleMesh{}});
+  const auto at = [&](const Vec3& p) {
+    DistanceField::Sample s;
+    field.sample(p, 0.02, false, s);
+    return s.distance;
+  };
+  EXPECT_NEAR(at({-0.042, 0, 0}), 0.002, 1e-4);
+  EXPECT_NEAR(at({0.103, 0, 0}), 0.003, 1e-4);
+  EXPECT_NEAR(at({0.06, 0, 0.041}), 0.001, 1e-4);
+  EXPECT_LT(at({0.03, 0, 0}), -0.009);
+}
+
 }  // namespace
 }  // namespace loosefit

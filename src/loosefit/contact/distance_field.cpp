@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <deque>
 #include <limits>
 
 #include "loosefit/particles/tile.h"
@@ -34,7 +35,8 @@ struct Weights {
 
 }  // namespace
 
-DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing)
+DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing,
+                             const std::vector<TriangleMesh>& covers)
     : tree_(tree), spacing_(spacing) {
   constexpr double kMaxNodes = 2e7;  // 100 MB
   const Vec3 margin = Vec3::Constant(4 * spacing_);
@@ -47,23 +49,13 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   zone_.assign(count, Zone::inside);
 
   // Mark the nodes near each triangle, then measure the marked ones exactly.
-  const double band = kBandCells * spacing_;
   std::vector<char> marked(count, 0);
-  const TriangleMesh& mesh = tree.mesh();
-  for (const Triangle& t : mesh.triangles) {
-    Box3 box;
-    for (int v : t) box.extend(mesh.vertices[v]);
-    int lower[3], upper[3];
-    for (int k = 0; k < 3; ++k) {
-      lower[k] =
-          std::max(0, static_cast<int>(std::ceil((box.min()[k] - band - origin_[k]) / spacing_)));
-      upper[k] =
-          std::min(size_[k] - 1,
-                   static_cast<int>(std::floor((box.max()[k] + band - origin_[k]) / spacing_)));
-    }
-    for (int z = lower[2]; z <= upper[2]; ++z)
-      for (int y = lower[1]; y <= upper[1]; ++y)
-        for (int x = lower[0]; x <= upper[0]; ++x) marked[index(x, y, z)] = 1;
+  mark_near(tree.mesh(), marked);
+  std::deque<ClosestPointTree> cover_trees;
+  for (const TriangleMesh& cover : covers) {
+    if (cover.triangles.empty()) continue;
+    mark_near(cover, marked);
+    cover_trees.emplace_back(cover);
   }
   tbb::parallel_for(0, size_[2], [&](int z) {
     for (int y = 0; y < size_[1]; ++y)
@@ -73,7 +65,10 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
           const bool known = x > 0 && marked[index(x - 1, y, z)];  // distance is 1-Lipschitz
           const double bound = known ? std::abs(value_[index(x - 1, y, z)]) + 1.001 * spacing_
                                      : std::numeric_limits<double>::infinity();
-          value_[index(x, y, z)] = static_cast<float>(tree_.signed_distance(p, nullptr, bound));
+          double distance = tree_.signed_distance(p, nullptr, bound);
+          for (const ClosestPointTree& cover : cover_trees)
+            distance = std::min(distance, cover.signed_distance(p));
+          value_[index(x, y, z)] = static_cast<float>(distance);
           zone_[index(x, y, z)] = Zone::band;
         }
   });
@@ -120,6 +115,25 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
           seed(x, y, z);
           drain();
         }
+}
+
+void DistanceField::mark_near(const TriangleMesh& mesh, std::vector<char>& marked) const {
+  const double band = kBandCells * spacing_;
+  for (const Triangle& t : mesh.triangles) {
+    Box3 box;
+    for (int v : t) box.extend(mesh.vertices[v]);
+    int lower[3], upper[3];
+    for (int k = 0; k < 3; ++k) {
+      lower[k] =
+          std::max(0, static_cast<int>(std::ceil((box.min()[k] - band - origin_[k]) / spacing_)));
+      upper[k] =
+          std::min(size_[k] - 1,
+                   static_cast<int>(std::floor((box.max()[k] + band - origin_[k]) / spacing_)));
+    }
+    for (int z = lower[2]; z <= upper[2]; ++z)
+      for (int y = lower[1]; y <= upper[1]; ++y)
+        for (int x = lower[0]; x <= upper[0]; ++x) marked[index(x, y, z)] = 1;
+  }
 }
 
 bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {

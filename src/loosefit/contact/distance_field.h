@@ -16,9 +16,11 @@ inline constexpr double kFieldSpacing = 0.005;  ///< of the grid in every drape 
 /// Newton. Not used for the distance map, which asks the surface itself.
 class DistanceField {
  public:
-  /// region: where distances are wanted; spacing of the grid [m].
-  /// \pre surface is closed and oriented outwards; the tree outlives the field.
-  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing);
+  /// region: where distances are wanted; spacing of the grid [m]; covers: further closed surfaces
+  /// that hide the body in them (mittens over hands), the field is that of all together.
+  /// \pre surfaces are closed and oriented outwards; the tree outlives the field.
+  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing,
+                const std::vector<TriangleMesh>& covers = {});
 
   struct Sample {
     double distance = 0;  ///< [m], negative inside
@@ -32,6 +34,8 @@ class DistanceField {
 
  private:
   enum class Zone : std::uint8_t { band, outside, inside };
+  /// Marks the nodes within the band of the triangles.
+  void mark_near(const TriangleMesh& mesh, std::vector<char>& marked) const;
   int index(int x, int y, int z) const { return (z * size_[1] + y) * size_[0] + x; }
   const ClosestPointTree& tree_;
   Vec3 origin_;

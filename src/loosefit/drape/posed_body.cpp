@@ -5,11 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/geometry/convex_hull.h"
+
 namespace loosefit {
 namespace {
 constexpr double kMargin = 0.06;     ///< of the field round the cloth [m]
 constexpr double kSmoothing = 0.04;  ///< reach of smoothing the carried displacements [m]
 constexpr int kMostPasses = 50;
+
+/// The hull of each hand: cloth does not go between fingers, and a sleeve that is drawn over a hand
+/// is not caught on the thumb.
+std::vector<TriangleMesh> mittens(const Body& body) {
+  std::vector<Vec3> hand[2];
+  for (std::size_t v = 0; v < body.segment.size(); ++v)
+    if (body.segment[v] == Segment::hand && v < body.side.size() && body.side[v] != 0)
+      hand[body.side[v] > 0].push_back(body.surface.vertices[v]);
+  return {convex_hull(hand[0]), convex_hull(hand[1])};
+}
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
   Eigen::Affine3d a;
@@ -35,7 +47,7 @@ std::unique_ptr<PosedBody> pose_for_queries(Body body) {
 void add_field(PosedBody& posed, const Box3& cloth, double spacing) {
   const Vec3 margin = Vec3::Constant(kMargin);
   posed.field = std::make_shared<DistanceField>(
-      *posed.tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing);
+      *posed.tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing, mittens(posed.body));
 }
 
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {

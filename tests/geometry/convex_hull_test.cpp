@@ -1,0 +1,41 @@
+#include "loosefit/geometry/convex_hull.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "loosefit/geometry/closest_point.h"
+#include "support/shapes.h"
+
+namespace loosefit {
+namespace {
+
+TEST(ConvexHull, OfABoxWithThingsInItIsTheBoxOrientedOutwards) {
+  std::vector<Vec3> points;
+  for (double x : {-1.0, 0.2, 1.0})
+    for (double y : {-2.0, 0.1, 2.0})
+      for (double z : {-3.0, 0.0, 3.0}) points.emplace_back(x, y, z);
+  const TriangleMesh hull = convex_hull(points);
+  double volume = 0;
+  for (const auto& [a, b, c] : hull.triangles)
+    volume += hull.vertices[a].dot(hull.vertices[b].cross(hull.vertices[c])) / 6;
+  EXPECT_NEAR(volume, 2 * 4 * 6, 1e-12);
+  const ClosestPointTree tree(hull);
+  EXPECT_NEAR(tree.signed_distance(Vec3(0.5, 0, 0)), -0.5, 1e-12);
+  EXPECT_NEAR(tree.signed_distance(Vec3(0, 0, 4)), 1, 1e-12);
+}
+
+TEST(ConvexHull, OfASphereIsTheSphere) {
+  const TriangleMesh ball = support::sphere(0.1, 12, 24);
+  EXPECT_EQ(convex_hull(ball.vertices).vertices.size(), ball.vertices.size());
+}
+
+TEST(ConvexHull, OfFewOrFlatPointsIsEmpty) {
+  EXPECT_TRUE(convex_hull({}).triangles.empty());
+  EXPECT_TRUE(convex_hull({Vec3(1, 2, 3)}).triangles.empty());
+  EXPECT_TRUE(
+      convex_hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}).triangles.empty());
+}
+
+}  // namespace
+}  // namespace loosefit
