@@ -16,6 +16,7 @@ import datetime
 import json
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 
@@ -31,6 +32,7 @@ def run(case, options, folder):
     """One row as in run_bench.py, with the reason when it did not settle."""
     scenario = folder.with_suffix(".toml")
     scenario.write_text(robustness_draw.scenario(case, options.budget))
+    shutil.rmtree(folder, ignore_errors=True)  # what an earlier run left there is no answer
     drapes = 2 if "shift" in case["start"] else 1
     code, wall, cpu, peak, message = run_process(
         [options.binary, "drape", str(scenario), "-o", str(folder), "--quiet"], None,

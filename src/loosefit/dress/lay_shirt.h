@@ -9,7 +9,7 @@ struct ShirtRoom {
   double least_depth = 0.008;  ///< of a sheet from the surface in the middle, off the seams [m]
   double depth_share = 1;      ///< of a sheet from that surface, against the body and its clearance
   /// Front neckline straight across, so that shirts of several sizes can be laid over each other;
-  /// otherwise it hangs as low as it is long, below the chin.
+  /// otherwise it goes below the chin.
   bool straight_neck = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "loosefit/base/error.h"
 
@@ -12,6 +13,7 @@ namespace {
 /// trunk and arm leave for those of both panels, down to the least.
 constexpr double kArmpitCorner = 0.14, kLeastCorner = 0.01;
 constexpr int kArmholePoints = 12, kNeckPoints = 12;
+constexpr double kBelowChin = 0.02;                    ///< room between chin and neckline [m]
 constexpr double kLeastArmAngle = 0.2617993877991494;  ///< 15°: less leaves no room for the seam
 
 Vec2 seen(const Vec3& p) { return {p[0], p[2]}; }
@@ -73,10 +75,34 @@ std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& 
   return line;
 }
 
-/// Parabola between two places, hanging as low as its length asks for.
-std::vector<Vec2> hanging_line(const Vec2& from, const Vec2& to, double length) {
+/// Height of the chin: the lowest of the head in front of the neck, near the middle [m]; +∞ without
+/// a head.
+double chin_height(const Body& body) {
+  constexpr double kNearMiddle = 0.02;
+  double neck = 0, chin = std::numeric_limits<double>::infinity();
+  int count = 0;
+  const auto each = [&](Segment segment, const auto& take) {
+    for (std::size_t v = 0; v < body.segment.size(); ++v) {
+      const Vec3& p = body.surface.vertices[v];
+      if (body.segment[v] == segment && std::abs(p[0]) < kNearMiddle) take(p);
+    }
+  };
+  each(Segment::neck, [&](const Vec3& p) { neck += p[1], ++count; });
+  if (count == 0) return chin;
+  neck /= count;
+  each(Segment::head, [&](const Vec3& p) {
+    if (p[1] < neck) chin = std::min(chin, p[2]);
+  });
+  return chin;
+}
+
+/// Front neckline: straight across or, where that would lie before the chin or above it, a parabola
+/// that hangs below it, but not lower than its length allows.
+std::vector<Vec2> front_neckline(const Vec2& from, const Vec2& to, double length, double chin) {
   const double width = (to - from).norm();
-  const double sag = width * std::sqrt(0.375 * std::max(0.0, length / width - 1));
+  const double most = width * std::sqrt(0.375 * std::max(0.0, length / width - 1));
+  const double sag = std::clamp(0.5 * (from[1] + to[1]) - (chin - kBelowChin), 0.0, most);
+  if (sag == 0) return {from, to};
   std::vector<Vec2> line;
   for (int k = 0; k <= kNeckPoints; ++k) {
     const double s = double(k) / kNeckPoints;
@@ -179,8 +205,8 @@ ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline
                    half_frame(shirt, body, outline, clearance, -1),
                    {}};
   const auto* neck = shirt.find_chain("front", "neck");
-  frame.front_neck =
-      hanging_line(frame.left.neck, frame.right.neck, neck ? flat_length(shirt, *neck) : 0);
+  frame.front_neck = front_neckline(frame.left.neck, frame.right.neck,
+                                    neck ? flat_length(shirt, *neck) : 0, chin_height(body));
   return frame;
 }
 

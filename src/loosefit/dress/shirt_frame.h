@@ -17,7 +17,7 @@ struct ShirtFrame {
     std::vector<Vec2> sleeve_under;  ///< armpit → cuff, inner side of the arm
   };
   Half left, right;
-  std::vector<Vec2> front_neck;  ///< left → right, an arc as long as the neckline: below the chin
+  std::vector<Vec2> front_neck;  ///< left → right, below the chin
 };
 
 /// Frame round a body that stands with the arms away from the trunk.
