@@ -62,7 +62,7 @@ std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& 
                                const Vec2& shoulder) {
   const Vec2 side = armpit - hem, chord = shoulder - armpit;
   const auto angle = [](const Vec2& d) { return std::atan2(d[1], d[0]); };
-  const double room = angle(armpit - under) - angle(side);
+  const double room = std::remainder(angle(armpit - under) - angle(side), 2 * kPi);
   const double corner = std::clamp(0.5 * room, kLeastCorner, kArmpitCorner);
   const double bend = std::clamp(angle(side) + corner - angle(chord), 0.0, 1.2);
   std::vector<Vec2> line;

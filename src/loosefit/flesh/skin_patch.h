@@ -16,7 +16,7 @@ struct SkinPatch {
   std::vector<Vec3> of(const std::vector<Vec3>& surface) const;
 };
 
-/// The skin within some `margin` [m] (up to twice as far) of triangles that overlap.
+/// The skin within `margin` [m] of triangles that overlap, in places up to 2√3 times as far.
 SkinPatch patch_round(const TriangleMesh& skin, const std::vector<std::pair<int, int>>& overlaps,
                       double margin);
 

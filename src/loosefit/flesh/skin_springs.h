@@ -11,7 +11,8 @@ namespace loosefit {
 ///
 ///   Π = Σ ½ k_i |d_i|² + Σ ½ t |d_i − d_j|²,   d = x − target                              [J]
 ///
-/// with the second sum over the edges of the triangles. Displacements die out over √(t/k).
+/// with the second sum over the edges of the triangles. Displacements die out over some √(t/k)
+/// edges.
 class SkinSprings : public Energy {
  public:
   /// stiffness: k of each vertex [N/m]; tension: t [N/m].

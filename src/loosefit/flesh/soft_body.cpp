@@ -38,6 +38,18 @@ std::vector<std::pair<int, int>> overlaps_of(const Body& body) {
 
 }  // namespace
 
+Body SoftBody::displaced(Body body, const Known& known) {
+  for (std::size_t i = 0; i < known.vertex.size(); ++i) {
+    const int v = known.vertex[i];
+    body.surface.vertices[v] += known.moved[i];
+    body.pose_from_rest[v].col(3) += known.moved[i];
+  }
+  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  for (const auto& [name, v] : body.landmark_vertex)
+    body.landmarks[name] = body.surface.vertices[static_cast<std::size_t>(v)];
+  return body;
+}
+
 std::vector<Vec3> SoftBody::built(const Posture& posture) const {
   return model_.build(parameters_, posture).surface.vertices;
 }
@@ -52,42 +64,36 @@ const SoftBody::Known& SoftBody::nearest(const Posture& posture) {
                            [&](const Known& a, const Known& b) { return turn(a) < turn(b); });
 }
 
-Body SoftBody::in(const Posture& posture) {
-  Body body = model_.build(parameters_, posture);
-  const auto overlaps = overlaps_of(body);
-  if (overlaps.empty()) return body;
-
-  const Known start = nearest(posture);
-  const SkinPatch patch = patch_round(body.surface, overlaps, kMargin);
+SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, const Body& body,
+                                   const SkinPatch& patch) const {
   std::vector<Vec3> surface = built(start.posture);
   const std::vector<Vec3> target = patch.of(surface);
   for (std::size_t i = 0; i < start.vertex.size(); ++i) surface[start.vertex[i]] += start.moved[i];
   SoftSkin skin(patch, patch.of(rest_), patch.of(surface), target);
-  const double turn = turn_between(start.posture, posture);
-  const int steps = static_cast<int>(std::ceil(turn / kStep));
-  std::vector<Vec3> moved(patch.vertex.size());
-  const auto go = [&](const Posture& to, const std::vector<Vec3>& to_surface) {
-    skin.follow(patch.of(to_surface));
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      moved[i] = skin.positions()[i] - skin.target()[i];
-    known_.push_back({to, patch.vertex, moved});
-  };
-  for (int k = 1; k < steps; ++k) {
-    const Posture between = blend(start.posture, posture, double(k) / steps);
-    go(between, built(between));
+  const int steps = static_cast<int>(std::ceil(turn_between(start.posture, posture) / kStep));
+  for (int k = 1; k < steps; ++k)
+    skin.follow(patch.of(built(blend(start.posture, posture, double(k) / steps))));
+  skin.follow(patch.of(body.surface.vertices));
+  Known there{posture, patch.vertex, skin.positions()};
+  for (std::size_t i = 0; i < there.moved.size(); ++i) there.moved[i] -= skin.target()[i];
+  return there;
+}
+
+Body SoftBody::in(const Posture& posture) {
+  const Body stiff = model_.build(parameters_, posture);
+  const auto overlaps = overlaps_of(stiff);
+  if (overlaps.empty()) return stiff;
+  const Known start = nearest(posture);
+  if (turn_between(start.posture, posture) == 0) return displaced(stiff, start);
+  Known there = led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin));
+  Body body = displaced(stiff, there);
+  if (!overlaps_of(body).empty()) {
+    // What gave way met skin beyond the patch: all the way again, with more of it.
+    const Known rest = known_.front();
+    there = led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin));
+    body = displaced(stiff, there);
   }
-  if (steps > 0)
-    go(posture, body.surface.vertices);
-  else
-    moved = start.moved;
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    const int v = patch.vertex[i];
-    body.surface.vertices[v] += moved[i];
-    body.pose_from_rest[v].col(3) += moved[i];
-  }
-  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
-  for (const auto& [name, v] : body.landmark_vertex)
-    body.landmarks[name] = body.surface.vertices[static_cast<std::size_t>(v)];
+  if (overlaps_of(body).empty()) known_.push_back(std::move(there));
   return body;
 }
 

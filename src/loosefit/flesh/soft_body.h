@@ -1,5 +1,6 @@
 #pragma once
 #include "loosefit/body/body_model.h"
+#include "loosefit/flesh/skin_patch.h"
 
 namespace loosefit {
 
@@ -7,7 +8,8 @@ namespace loosefit {
 /// skin: armpits of arms that hang close, groins and bellies of people who sit. There the skin is
 /// led from a posture in which nothing overlaps as an elastic surface on an elastic foundation
 /// whose folds repel each other (SoftSkin), so it folds without passing through itself and leaves
-/// some kSkinGap between folds, room for cloth.
+/// room for cloth, up to kSkinGap. It holds for trunk, arms and thighs; hands, shanks and the head
+/// stay as built. One caller at a time.
 class SoftBody {
  public:
   /// The model has to outlive this.
@@ -16,8 +18,8 @@ class SoftBody {
 
   /// As BodyModel::build; the displacement joins body.pose_from_rest, so that both still tell the
   /// same place. Skin without overlaps is left as it is, bit for bit. The way there starts from
-  /// the rest posture or the nearest one that was asked for before, which shows in the last
-  /// micrometres. \throws as BodyModel::build.
+  /// the rest posture or the nearest one that was asked for before, so the shape depends a little
+  /// on the order of questions; asked again, it is the same. \throws as BodyModel::build.
   Body in(const Posture& posture);
 
  private:
@@ -28,12 +30,15 @@ class SoftBody {
     std::vector<Vec3> moved;  ///< of these vertices [m]
   };
   const Known& nearest(const Posture& posture);
+  Known led_from(const Known& start, const Posture& posture, const Body& body,
+                 const SkinPatch& patch) const;
+  static Body displaced(Body body, const Known& known);
   std::vector<Vec3> built(const Posture& posture) const;
 
   const BodyModel& model_;
   BodyParameters parameters_;
-  std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
-  std::vector<Known> known_;
+  std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
+  std::vector<Known> known_;  ///< without overlaps; the first is the rest posture
 };
 
 }  // namespace loosefit

@@ -2,6 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/convex_hull_3.h>
 
 namespace loosefit {
@@ -13,7 +14,7 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   CGAL::Surface_mesh<Kernel::Point_3> hull;
   CGAL::convex_hull_3(all.begin(), all.end(), hull);
   TriangleMesh mesh;
-  if (hull.number_of_faces() < 4) return mesh;
+  if (hull.is_empty() || !CGAL::is_closed(hull)) return mesh;
   for (const auto v : hull.vertices()) {
     const auto& p = hull.point(v);
     mesh.vertices.emplace_back(p.x(), p.y(), p.z());

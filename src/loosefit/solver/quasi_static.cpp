@@ -14,7 +14,7 @@ constexpr int kSlowSteps = 30;  ///< in a row with the near tangent, before the 
 constexpr double kGrowth = 4;   ///< of pseudo-steps that are taken whole
 /// Without such a fall of the residual in so many static iterations the cloth snaps to and fro
 /// between two shapes: then damped steps of that length [s], which grow more slowly each time.
-constexpr double kProgress = 0.7, kDampedDt = 0.1;
+constexpr double kProgress = 0.7, kDampedDt = 0.1, kLeastGrowth = 1.2;
 constexpr int kCycle = 60;
 constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
 
@@ -42,13 +42,12 @@ class QuasiStatic : public Integrator {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
-      if (outcome.residual < kProgress * best) {
-        best = outcome.residual;
+      if (outcome.residual < kProgress * best || dt <= kStaticDt) {
+        best = std::min(best, outcome.residual);
         best_at = outcome.work.iterations;
-      } else if (outcome.work.iterations - best_at > kCycle && dt > kStaticDt) {
-        best_at = outcome.work.iterations;
+      } else if (outcome.work.iterations - best_at > kCycle) {
         dt = kDampedDt;
-        growth = std::sqrt(growth);
+        growth = std::max(kLeastGrowth, std::sqrt(growth));
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
@@ -77,7 +76,7 @@ class QuasiStatic : public Integrator {
       if (last_share > 0.9)
         dt *= growth;
       else if (last_share > 0.4)
-        dt *= 1.5;
+        dt *= std::min(1.5, growth);
       else if (last_share < 0.1)
         dt *= 0.4;
       dt = std::clamp(dt, 1e-4, 10 * kStaticDt);
