@@ -87,13 +87,15 @@ Body SoftBody::in(const Posture& posture) {
   if (turn_between(start.posture, posture) == 0) return displaced(stiff, start);
   Known there = led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin));
   Body body = displaced(stiff, there);
-  if (!overlaps_of(body).empty()) {
+  bool free = overlaps_of(body).empty();
+  if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const Known rest = known_.front();
     there = led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin));
     body = displaced(stiff, there);
+    free = overlaps_of(body).empty();
   }
-  if (overlaps_of(body).empty()) known_.push_back(std::move(there));
+  if (free) known_.push_back(std::move(there));
   return body;
 }
 
