@@ -12,7 +12,8 @@
 namespace loosefit {
 namespace {
 constexpr const char* kHint =
-    "start it with: xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" loosefit …   (package xvfb), or skip "
+    "start it with: xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" loosefit …   (package "
+    "xvfb), or skip "
     "pictures";
 
 /// An X server listens on a file socket or on its abstract twin.
