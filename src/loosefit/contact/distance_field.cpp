@@ -1,9 +1,6 @@
 #include "loosefit/contact/distance_field.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
-#include <deque>
 #include <limits>
 
 #include "loosefit/particles/tile.h"
@@ -35,6 +32,10 @@ struct Weights {
 
 }  // namespace
 
+DistanceField::Cover::Cover(const TriangleMesh& surface) : mesh(surface), tree(mesh) {
+  for (const Vec3& p : mesh.vertices) box.extend(p);
+}
+
 DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing,
                              const std::vector<TriangleMesh>& covers)
     : tree_(tree), spacing_(spacing) {
@@ -45,34 +46,52 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   while (extent.prod() / (spacing_ * spacing_ * spacing_) > kMaxNodes) spacing_ *= 1.25;
   for (int k = 0; k < 3; ++k) size_[k] = 4 + static_cast<int>(extent[k] / spacing_);
   const int count = size_[0] * size_[1] * size_[2];
-  value_.assign(count, std::numeric_limits<float>::quiet_NaN());
+  value_ = std::vector<std::atomic<float>>(count);
+  for (auto& v : value_)
+    v.store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
   zone_.assign(count, Zone::inside);
-
-  // Mark the nodes near each triangle, then measure the marked ones exactly.
-  std::vector<char> marked(count, 0);
-  mark_near(tree.mesh(), marked);
-  std::deque<ClosestPointTree> cover_trees;
+  mark_near(tree.mesh());
   for (const TriangleMesh& cover : covers) {
     if (cover.triangles.empty()) continue;
-    mark_near(cover, marked);
-    cover_trees.emplace_back(cover);
+    mark_near(cover);
+    covers_.emplace_back(cover);
   }
-  tbb::parallel_for(0, size_[2], [&](int z) {
-    for (int y = 0; y < size_[1]; ++y)
-      for (int x = 0; x < size_[0]; ++x)
-        if (marked[index(x, y, z)]) {
-          const Vec3 p = origin_ + spacing_ * Vec3(x, y, z);
-          const bool known = x > 0 && marked[index(x - 1, y, z)];  // distance is 1-Lipschitz
-          const double bound = known ? std::abs(value_[index(x - 1, y, z)]) + 1.001 * spacing_
-                                     : std::numeric_limits<double>::infinity();
-          double distance = tree_.signed_distance(p, nullptr, bound);
-          for (const ClosestPointTree& cover : cover_trees)
-            distance = std::min(distance, cover.signed_distance(p));
-          value_[index(x, y, z)] = static_cast<float>(distance);
-          zone_[index(x, y, z)] = Zone::band;
-        }
-  });
+  flood_outside();
+}
 
+float DistanceField::measure(int x, int y, int z) const {
+  // Distance is 1-Lipschitz: a measured neighbour bounds it.
+  double bound = std::numeric_limits<double>::infinity();
+  const auto bound_by = [&](int i) {
+    const float v = value_[i].load(std::memory_order_relaxed);
+    if (!std::isnan(v)) bound = std::min(bound, std::abs(v) + 1.001 * spacing_);
+  };
+  if (x > 0) bound_by(index(x - 1, y, z));
+  if (x + 1 < size_[0]) bound_by(index(x + 1, y, z));
+  if (y > 0) bound_by(index(x, y - 1, z));
+  if (y + 1 < size_[1]) bound_by(index(x, y + 1, z));
+  if (z > 0) bound_by(index(x, y, z - 1));
+  if (z + 1 < size_[2]) bound_by(index(x, y, z + 1));
+  const Vec3 p = place(x, y, z);
+  // Covered skin may lie beyond the bound, and is then beyond the cover too.
+  double distance = tree_.signed_distance(p, nullptr, bound);
+  for (const Cover& cover : covers_)
+    if (cover.box.exteriorDistance(p) <= std::max(0.0, distance))
+      distance = std::min(distance, cover.tree.signed_distance(p));
+  return static_cast<float>(distance);
+}
+
+float DistanceField::value(int x, int y, int z) const {
+  const int i = index(x, y, z);
+  float v = value_[i].load(std::memory_order_relaxed);
+  if (std::isnan(v) && zone_[i] == Zone::band) {
+    v = measure(x, y, z);
+    value_[i].store(v, std::memory_order_relaxed);
+  }
+  return v;
+}
+
+void DistanceField::flood_outside() {
   // What can be reached from the rim of the grid without crossing the band is outside.
   std::vector<int> stack;
   const auto visit = [&](int x, int y, int z) {
@@ -84,8 +103,7 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   };
   // The rim may cut through the body (legs, head): only rim nodes that are outside seed the flood.
   const auto seed = [&](int x, int y, int z) {
-    if (zone_[index(x, y, z)] == Zone::inside &&
-        tree_.signed_distance(origin_ + spacing_ * Vec3(x, y, z)) > 0)
+    if (zone_[index(x, y, z)] == Zone::inside && tree_.signed_distance(place(x, y, z)) > 0)
       visit(x, y, z);
   };
   const auto drain = [&] {
@@ -117,7 +135,7 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
         }
 }
 
-void DistanceField::mark_near(const TriangleMesh& mesh, std::vector<char>& marked) const {
+void DistanceField::mark_near(const TriangleMesh& mesh) {
   const double band = kBandCells * spacing_;
   for (const Triangle& t : mesh.triangles) {
     Box3 box;
@@ -132,7 +150,7 @@ void DistanceField::mark_near(const TriangleMesh& mesh, std::vector<char>& marke
     }
     for (int z = lower[2]; z <= upper[2]; ++z)
       for (int y = lower[1]; y <= upper[1]; ++y)
-        for (int x = lower[0]; x <= upper[0]; ++x) marked[index(x, y, z)] = 1;
+        for (int x = lower[0]; x <= upper[0]; ++x) zone_[index(x, y, z)] = Zone::band;
   }
 }
 
@@ -145,13 +163,16 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     on_grid &= cell[k] >= 1 && cell[k] + 2 < size_[k];
   }
   if (on_grid) {
-    const int nearest =
-        index(static_cast<int>(std::lround(q[0])), static_cast<int>(std::lround(q[1])),
-              static_cast<int>(std::lround(q[2])));
+    const int nearest[3] = {static_cast<int>(std::lround(q[0])),
+                            static_cast<int>(std::lround(q[1])),
+                            static_cast<int>(std::lround(q[2]))};
+    const Zone zone = zone_[index(nearest[0], nearest[1], nearest[2])];
     // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
-    if (zone_[nearest] != Zone::inside) {
-      const bool far = zone_[nearest] == Zone::outside;
-      const double least = (far ? kBandCells * spacing_ : value_[nearest]) - 0.9 * spacing_;
+    if (zone != Zone::inside) {
+      const bool far = zone == Zone::outside;
+      const double least =
+          (far ? kBandCells * spacing_ : value(nearest[0], nearest[1], nearest[2])) -
+          0.9 * spacing_;
       if (far || least > reach) {
         out.distance = std::max(least, reach);
         return false;
@@ -162,8 +183,9 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
     for (int c = 0; c < 4; ++c)
       for (int b = 0; b < 4; ++b) {
-        const float* node = &value_[index(cell[0] - 1, cell[1] - 1 + b, cell[2] - 1 + c)];
-        const Quad row = {node[0], node[1], node[2], node[3]};
+        const int x = cell[0] - 1, y = cell[1] - 1 + b, z = cell[2] - 1 + c;
+        const Quad row = {value(x, y, z), value(x + 1, y, z), value(x + 2, y, z),
+                          value(x + 3, y, z)};
         in_y[c][0] += wy.w[b] * row;
         in_y[c][1] += wy.d[b] * row;
         if (with_hessian) in_y[c][2] += wy.dd[b] * row;

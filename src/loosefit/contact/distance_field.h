@@ -1,5 +1,7 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -14,6 +16,9 @@ inline constexpr double kFieldSpacing = 0.005;  ///< of the grid in every drape 
 /// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
 /// values, error O(spacing³)), so that closest-point kinks of the triangulation do not stall
 /// Newton. Not used for the distance map, which asks the surface itself.
+///
+/// A node is measured when it is first asked for: cloth comes near to a small part of the band. Any
+/// number of threads may sample at once; whoever measures a node finds the same bits.
 class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m]; covers: further closed surfaces
@@ -34,14 +39,28 @@ class DistanceField {
 
  private:
   enum class Zone : std::uint8_t { band, outside, inside };
-  /// Marks the nodes within the band of the triangles.
-  void mark_near(const TriangleMesh& mesh, std::vector<char>& marked) const;
+  /// A closed surface that hides the body in it.
+  struct Cover {
+    explicit Cover(const TriangleMesh& surface);
+    TriangleMesh mesh;
+    Box3 box;
+    ClosestPointTree tree;
+  };
+  /// Makes the nodes within the band of the triangles part of it.
+  void mark_near(const TriangleMesh& mesh);
+  /// Tells what is outside from what is inside, off the band.
+  void flood_outside();
   int index(int x, int y, int z) const { return (z * size_[1] + y) * size_[0] + x; }
+  Vec3 place(int x, int y, int z) const { return origin_ + spacing_ * Vec3(x, y, z); }
+  /// Value of a node, NaN off the band.
+  float value(int x, int y, int z) const;
+  float measure(int x, int y, int z) const;
   const ClosestPointTree& tree_;
+  std::deque<Cover> covers_;
   Vec3 origin_;
   double spacing_;
   std::array<int, 3> size_;
-  std::vector<float> value_;  ///< NaN off the band
+  mutable std::vector<std::atomic<float>> value_;  ///< NaN off the band, and where not yet measured
   std::vector<Zone> zone_;
 };
 
