@@ -49,13 +49,19 @@ inline Posture blend(const Posture& from, const Posture& to, double share) {
           mix(&Posture::arm_flexion),   mix(&Posture::elbow_extension), mix(&Posture::slouch)};
 }
 
+/// Upright with room for a garment under the arms: the named posture "a-pose".
+inline constexpr Posture kArmsApart{radians(40.0), 0, 0};
+
+/// The arms farther apart: for garments that find no room in a-pose.
+inline constexpr Posture kArmsWide{radians(55.0), 0, 0};
+
 /// Where a garment is put on when nothing is said: in the wanted posture itself if the arms stand
-/// off the trunk and the person is upright, otherwise upright with the arms at 40°.
+/// off the trunk and the person is upright, otherwise with the arms apart.
 inline Posture default_dress_posture(const Posture& wanted) {
   const bool open = wanted.arm_abduction >= radians(20.0) && wanted.arm_abduction <= radians(60.0);
   const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
                        wanted.slouch == 0;
-  return open && upright ? wanted : Posture{radians(40.0), 0, 0};
+  return open && upright ? wanted : kArmsApart;
 }
 
 }  // namespace loosefit

@@ -33,7 +33,7 @@ Posture slouch() {
 const std::vector<std::pair<std::string, Posture>>& named_postures() {
   static const std::vector<std::pair<std::string, Posture>> kTable = {
       {"standing", {}},
-      {"a-pose", {radians(40.0), 0, 0}},
+      {"a-pose", kArmsApart},
       {"arms-forward", arms(10, 90)},
       {"arms-overhead", arms(20, 160)},
       {"forward-bend", {radians(25.0), radians(30.0), 0}},

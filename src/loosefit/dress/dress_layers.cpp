@@ -85,8 +85,9 @@ std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Bo
     }
     if (done) return dressed.positions;
   }
-  throw GeometryError("the shirts cannot be laid round this body over each other: " + why,
-                      "dress it with the arms wider apart (body.dress_posture = \"a-pose\")");
+  throw GeometryError(
+      "the shirts cannot be laid round this body over each other: " + why,
+      "dress it with the arms wider apart (body.dress_posture = { arm_abduction_deg = 55 })");
 }
 
 }  // namespace loosefit

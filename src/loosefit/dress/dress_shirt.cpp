@@ -15,7 +15,8 @@ namespace {
 
 /// Tries, between body and sheets [m]: wide ones help coarse triangles, narrow ones thick arms.
 constexpr double kClearances[] = {0.02, 0.026, 0.034, 0.044, 0.057, 0.014, 0.010};
-constexpr char kWider[] = "dress it with the arms wider apart (body.dress_posture = \"a-pose\")";
+constexpr char kWider[] =
+    "dress it with the arms wider apart (body.dress_posture = { arm_abduction_deg = 55 })";
 
 /// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
 void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,

@@ -49,8 +49,8 @@ void place_boards(CaseResult& result, Progress& progress) {
   check_sites(bare, result.body.body, sites);
   DrapeOptions options = drape_options(scenario.simulation);
   options.residual_tolerance = kCoarseResidual;
-  take_drape(DrapeSession(cloth_layers(coarse), options, progress).put_on(result.body.path),
-             coarse);
+  DrapeSession session(cloth_layers(coarse), options, progress);
+  take_drape(put_on(session, result.body), coarse);
   const WornGarment worn = relate(bare, coarse.drape.positions, result.body.body);
   const std::vector<Site> found =
       find_sites(bare, coarse.drape.positions, result.body.body, worn, {}, sites, false);

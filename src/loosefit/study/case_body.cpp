@@ -1,5 +1,8 @@
 #include "loosefit/study/case_body.h"
 
+#include <utility>
+
+#include "loosefit/base/error.h"
 #include "loosefit/body/scan_body.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
@@ -45,12 +48,28 @@ CaseBody make_body(const ScenarioBody& wished) {
   CaseBody result;
   result.pose = [person = std::make_shared<SoftBody>(model, fit.parameters)](
                     const Posture& posture) { return person->in(posture); };
-  result.path = [pose = result.pose, from = wished.dress_posture,
-                 to = wished.posture](double share) { return pose(blend(from, to, share)); };
+  const auto way_from = [&](const Posture& from) -> BodyPath {
+    return [pose = result.pose, from, to = wished.posture](double share) {
+      return pose(blend(from, to, share));
+    };
+  };
+  result.path = way_from(wished.dress_posture);
+  if (wished.dress_posture == default_dress_posture(wished.posture))
+    result.wide_path = way_from(kArmsWide);
   result.body = result.path(1);
   result.asked = fit.table;
   result.warnings = fit.warnings;
   return result;
+}
+
+Drape put_on(DrapeSession& session, CaseBody& body) try {
+  return session.put_on(body.path);
+} catch (const GeometryError& error) {
+  if (!body.wide_path) throw;
+  body.path = std::exchange(body.wide_path, {});
+  body.warnings.push_back(
+      std::string("put on with the arms wide apart, since in the usual posture ") + error.what());
+  return session.put_on(body.path);
 }
 
 }  // namespace loosefit

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "loosefit/body/body_model.h"
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/io/scenario.h"
 
 namespace loosefit {
@@ -14,6 +14,9 @@ namespace loosefit {
 struct CaseBody {
   Body body;      ///< in the wanted posture
   BodyPath path;  ///< share 0 dressing posture … 1 `body`
+  /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
+  /// empty when another one was chosen, and for a scan.
+  BodyPath wide_path;
   /// The same wearer in any posture; empty for a scan.
   std::function<Body(const Posture&)> pose;
   std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
@@ -24,5 +27,10 @@ struct CaseBody {
 /// The baked body data are loaded once per process.
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
 CaseBody make_body(const ScenarioBody& wished);
+
+/// Puts the garment on along the body's path or, where it cannot be laid in a dressing posture that
+/// nobody chose, along its wide one, which then is its path, with a warning.
+/// \throws GeometryError when it cannot be laid at all.
+Drape put_on(DrapeSession& session, CaseBody& body);
 
 }  // namespace loosefit

@@ -38,9 +38,8 @@ void repeat_drapes(CaseResult& result, Progress& progress) {
   if (result.drape.certificate.settled()) gather(result, samples);
   for (int repeat = 1; repeat < simulation.repeats; ++repeat) {
     CaseResult other = result;  // same body, pattern and garment
-    take_drape(DrapeSession(cloth_layers(result), drape_options(simulation, repeat), progress)
-                   .put_on(result.body.path),
-               other);
+    DrapeSession session(cloth_layers(result), drape_options(simulation, repeat), progress);
+    take_drape(put_on(session, other.body), other);
     if (!other.drape.certificate.settled()) {
       result.warnings.push_back(fmt::format("settle: repeat {} did not settle ({}); left out",
                                             repeat + 1, other.drape.certificate.stop_reason));

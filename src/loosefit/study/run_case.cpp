@@ -30,8 +30,8 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
 
   {
     DrapeSession session(cloth_layers(result), drape_options(scenario.simulation), clock);
-    take_drape(session.put_on(result.body.path), result);  // dress, settle
-    wear_states(result, session, clock);                   // postures, donnings
+    take_drape(put_on(session, result.body), result);  // dress, settle
+    wear_states(result, session, clock);               // postures, donnings
   }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;

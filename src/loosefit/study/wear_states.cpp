@@ -83,7 +83,7 @@ void put_on_again(CaseResult& result, int donning, Progress& progress) {
   const auto start = Clock::now();
   DrapeSession session(cloth_layers(result, how.friction), options, progress);
   CaseState state = state_of(result.wear, 0, donning);
-  take_drape(session.put_on(result.body.path), result, state);
+  take_drape(put_on(session, result.body), result, state);
   state.seconds = seconds_since(start);
   check_worn(result, state);
   const bool counts = state.counts();
