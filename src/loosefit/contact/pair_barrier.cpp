@@ -1,11 +1,16 @@
 #include "loosefit/contact/pair_barrier.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 namespace loosefit {
 namespace {
+
+/// Share of the reach below which the turning of the normal counts in a definite matrix: left out,
+/// Newton slides features along each other so far that they meet on the bend.
+constexpr double kPressed = 0.5;
 
 /// e(c) = r (2 − r), r = c/threshold, with its derivatives; 1 from the threshold on.
 struct Mollifier {
@@ -95,13 +100,11 @@ PairPoints barrier_gradient(const BarrierPair& pair, const PairPoints& x, const 
   return g;
 }
 
-PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
-                           HessianKind kind) {
-  PairPoints gap;  // ∂d/∂x
-  for (int k = 0; k < 4; ++k) gap[k] = b.d.weight[k] * b.d.normal;
-  const Column g = stacked(gap);
-  PairMatrix h = b.curvature * g * g.transpose();
-  if (kind != HessianKind::exact || !(b.d.distance > 0)) return h;
+namespace {
+
+PairMatrix exact_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
+                         const Column& gap) {
+  PairMatrix h = b.curvature * gap * gap.transpose();
   h += b.slope * distance_hessian(pair.kind, x, b.d);
   const Mollifier m = mollify(pair, x);
   if (m.curvature == 0) return h;
@@ -109,9 +112,28 @@ PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const B
   const double energy = bare_energy(pair, b.d.distance);
   const double slope = pair.scale * (s - 1) * (-2 * std::log(s) - (s - 1) / s);
   const Column c = stacked(parallel_gradient(x));
-  h += m.slope * slope * (g * c.transpose() + c * g.transpose());
+  h += m.slope * slope * (gap * c.transpose() + c * gap.transpose());
   h += energy * (m.curvature * c * c.transpose() + m.slope * parallel_hessian(x));
   return h;
+}
+
+PairMatrix without_negative_part(const PairMatrix& h) {
+  const Eigen::SelfAdjointEigenSolver<PairMatrix> modes(h);
+  const PairMatrix& v = modes.eigenvectors();
+  return v * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * v.transpose();
+}
+
+}  // namespace
+
+PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
+                           HessianKind kind) {
+  Column gap;  // ∂d/∂x
+  for (int k = 0; k < 4; ++k) gap.segment<3>(3 * k) = b.d.weight[k] * b.d.normal;
+  const bool exact = kind == HessianKind::exact;
+  const bool pressed = b.d.distance < kPressed * pair.reach;
+  if (!(b.d.distance > 0) || (!exact && !pressed)) return b.curvature * gap * gap.transpose();
+  const PairMatrix h = exact_hessian(pair, x, b, gap);
+  return exact ? h : without_negative_part(h);
 }
 
 }  // namespace loosefit

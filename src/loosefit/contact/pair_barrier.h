@@ -29,8 +29,9 @@ Barrier evaluate_barrier(const BarrierPair& pair, const PairPoints& x);
 /// ∂Π/∂x of the four points [N]. \pre b = evaluate_barrier(pair, x), b.active
 PairPoints barrier_gradient(const BarrierPair& pair, const PairPoints& x, const Barrier& b);
 
-/// ∂²Π/∂x² [N/m]; `definite` keeps the part along the normal at fixed nearest points and fixed
-/// mollifier. \pre b = evaluate_barrier(pair, x), b.active
+/// ∂²Π/∂x² [N/m]; unless exact, the part along the normal at fixed nearest points and fixed
+/// mollifier or, of features pressed hard onto each other, all but its negative eigenvalues. \pre b
+/// = evaluate_barrier(pair, x), b.active
 PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
                            HessianKind kind);
 

@@ -132,26 +132,37 @@ double motion_bound(PairKind kind, const PairPoints& dx) {
   return std::min(bound(Vec3::Zero()), bound(0.25 * (dx[0] + dx[1] + dx[2] + dx[3])));
 }
 
+namespace {
+
+/// How fast the gap between the projections on a fixed axis, from the second feature to the first,
+/// closes at most.
+double closing_speed(PairKind kind, const PairPoints& way, const Vec3& axis) {
+  double a[4];
+  for (int k = 0; k < 4; ++k) a[k] = axis.dot(way[k]);
+  return kind == PairKind::point_triangle ? std::max({a[1], a[2], a[3]}) - a[0]
+                                          : std::max(a[2], a[3]) - std::min(a[0], a[1]);
+}
+
+}  // namespace
+
 double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx, double upper) {
   constexpr double kKeep = 0.1;      // share of the distance that is kept
   constexpr int kMaxAdvances = 200;  // a conservative stop; the bound stays valid
-  const double reach = motion_bound(kind, dx);
-  if (reach <= 0) return upper;
+  if (motion_bound(kind, dx) <= 0) return upper;
   PairPoints x = x0, way = dx;
   const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
   for (Vec3& v : way) v -= mean;
-  const auto distance = [&] { return pair_distance(kind, x).distance; };
-  double d = distance();
-  const double keep = kKeep * d;
+  PairDistance d = pair_distance(kind, x);
+  const double keep = kKeep * d.distance;
   double t = 0;
-  for (int i = 0; i < kMaxAdvances; ++i) {
-    const double advance = 0.9 * (d - keep) / reach;
-    if (t + advance >= upper) return upper;
-    if (i > 0 && advance * reach < 1e-3 * keep) return t;
-    t += advance;
+  for (int i = 0; i < kMaxAdvances && d.distance > keep; ++i) {
+    // Nearest points of convex features: along their normal the projections are as far apart.
+    const double speed = closing_speed(kind, way, d.normal), room = d.distance - keep;
+    if (!(speed * (upper - t) >= room)) return upper;
+    if (i > 0 && room < 1e-3 * keep) return t;
+    t += room / speed;
     for (int k = 0; k < 4; ++k) x[k] = x0[k] + t * way[k];
-    d = distance();
-    if (d <= keep) return t;
+    d = pair_distance(kind, x);
   }
   return t;
 }

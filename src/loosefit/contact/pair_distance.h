@@ -36,7 +36,10 @@ double motion_bound(PairKind kind, const PairPoints& dx);
 
 /// First contact of two features moving linearly from x to x + dx, as a share of dx in [0, 1];
 /// 1 when they stay apart. Conservative: the features keep at least a tenth of their distance.
-/// Additive continuous collision detection, Li, Kaufman and Jiang 2021 (C-IPC), alg. 1.
+/// Additive continuous collision detection, Li, Kaufman and Jiang 2021 (C-IPC), alg. 1, which
+/// advances by the distance over the closing speed along its direction (conservative advancement
+/// with directed motion bounds, Mirtich 1996): features that slide along each other are not taken
+/// for ones that meet.
 double time_of_impact(PairKind kind, const PairPoints& x, const PairPoints& dx, double upper = 1.0);
 
 }  // namespace loosefit
