@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,7 +9,10 @@ namespace loosefit {
 
 namespace {
 
-constexpr int kNewtonPerStep = 3;       ///< at most, before friction and contacts are refreshed
+/// Iterations, at most, before friction and contacts are refreshed: few while they are far from
+/// what they will be, twice as many after each kNoProgress without a fall of the residual, for then
+/// friction is what the cloth chases.
+constexpr int kNewtonPerStep = 3, kMostPerStep = 12, kNoProgress = 20;
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
 constexpr int kSlowSteps = 30;  ///< in a row with the near tangent, before the full one is taken
 constexpr double kGrowth = 4;   ///< of pseudo-steps that are taken whole
@@ -30,6 +34,8 @@ class QuasiStatic : public Integrator {
     int stalls = 0, slow = 0;
     double best = infinity, growth = kGrowth;
     int best_at = 0;
+    double lowest = infinity;
+    int lowest_at = 0, newton_per_step = kNewtonPerStep;
     system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
     newton_.begin_step(x, dt);
@@ -49,10 +55,17 @@ class QuasiStatic : public Integrator {
         dt = kDampedDt;
         growth = std::max(kLeastGrowth, std::sqrt(growth));
       }
+      if (outcome.residual < kProgress * lowest) {
+        lowest = outcome.residual;
+        lowest_at = outcome.work.iterations;
+      } else if (outcome.work.iterations - lowest_at > kNoProgress) {
+        newton_per_step = std::min(2 * newton_per_step, kMostPerStep);
+        lowest_at = outcome.work.iterations;
+      }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
       bool moved = false, reduced = false;
-      for (int k = 0; k < kNewtonPerStep; ++k) {
+      for (int k = 0; k < newton_per_step; ++k) {
         if (options.watch && options.watch(newton_.work().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
           return outcome;
