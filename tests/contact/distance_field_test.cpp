@@ -1,6 +1,7 @@
 #include "loosefit/contact/distance_field.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include "support/shapes.h"
 
@@ -150,6 +151,33 @@ TEST(DistanceField, CoversHideTheBodyInThem) {
   EXPECT_NEAR(at({0.103, 0, 0}), 0.003, 1e-4);
   EXPECT_NEAR(at({0.06, 0, 0.041}), 0.001, 1e-4);
   EXPECT_LT(at({0.03, 0, 0}), -0.009);
+}
+
+// Nodes are measured when they are asked for: by whom, and in which order, must not show.
+TEST(DistanceField, OrderAndThreadsDoNotChangeABit) {
+  const TriangleMesh ball = support::sphere(0.04, 40, 80);
+  const ClosestPointTree tree(ball);
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> depth(-0.01, 0.012);
+  std::vector<Vec3> places(4000);
+  for (Vec3& p : places) p = (0.04 + depth(rng)) * random_direction(rng);
+  const auto distances = [&](bool backwards, bool parallel) {
+    const DistanceField field(tree, box(0.06), 0.005);
+    std::vector<double> d(places.size());
+    const auto ask = [&](std::size_t i) {
+      DistanceField::Sample s;
+      field.sample(places[i], 0.02, false, s);
+      d[i] = s.distance;
+    };
+    if (parallel)
+      tbb::parallel_for(std::size_t{0}, places.size(), ask);
+    else
+      for (std::size_t i = 0; i < places.size(); ++i) ask(backwards ? places.size() - 1 - i : i);
+    return d;
+  };
+  const std::vector<double> once = distances(false, false);
+  EXPECT_EQ(distances(true, false), once);
+  EXPECT_EQ(distances(false, true), once);
 }
 
 }  // namespace

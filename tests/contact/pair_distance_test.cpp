@@ -177,6 +177,17 @@ TEST(TimeOfImpact, StopsAThinSheetShotAtWithHugeSpeed) {
   EXPECT_LT(t * 100, 0.95e-3);
 }
 
+// A bound from the lengths of the motions alone would let them go a few hundred nanometres a call.
+TEST(TimeOfImpact, SlidingAlongEachOtherIsFreeHoweverNear) {
+  const double gap = 1e-9;
+  Points x = {Vec3(-1, 0, gap), Vec3(1, 0, gap), Vec3(0, -1, 0), Vec3(0, 1, 0)};
+  Points dx = {Vec3(0.5, 0.3, 0), Vec3(0.4, -0.2, 0), Vec3(-0.1, 0.6, 0), Vec3(0.2, 0.5, 0)};
+  EXPECT_EQ(time_of_impact(PairKind::edge_edge, x, dx), 1);
+  x = {Vec3(0.2, 0.2, gap), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  dx = {Vec3(0.1, 0.3, 0), Vec3(0, 0.2, 0), Vec3(0.2, 0, 0), Vec3(0, 0, -0.1)};
+  EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 1);
+}
+
 TEST(PairDistance, HessianIsTheDerivativeOfTheGradient) {
   std::mt19937 rng(6);
   const double h = 1e-6;
