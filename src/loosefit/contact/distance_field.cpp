@@ -8,6 +8,7 @@
 namespace loosefit {
 namespace {
 
+constexpr auto kRelaxed = std::memory_order_relaxed;
 constexpr double kBandCells = 3.2;  ///< half width of the sampled band in cells
 
 /// Catmull-Rom weights of the four nodes around t ∈ [0, 1], with first and second derivatives.
@@ -47,8 +48,7 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   for (int k = 0; k < 3; ++k) size_[k] = 4 + static_cast<int>(extent[k] / spacing_);
   const int count = size_[0] * size_[1] * size_[2];
   value_ = std::vector<std::atomic<float>>(count);
-  for (auto& v : value_)
-    v.store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
+  for (auto& v : value_) v.store(std::numeric_limits<float>::quiet_NaN(), kRelaxed);
   zone_.assign(count, Zone::inside);
   mark_near(tree.mesh());
   for (const TriangleMesh& cover : covers) {
@@ -63,7 +63,7 @@ float DistanceField::measure(int x, int y, int z) const {
   // Distance is 1-Lipschitz: a measured neighbour bounds it.
   double bound = std::numeric_limits<double>::infinity();
   const auto bound_by = [&](int i) {
-    const float v = value_[i].load(std::memory_order_relaxed);
+    const float v = value_[i].load(kRelaxed);
     if (!std::isnan(v)) bound = std::min(bound, std::abs(v) + 1.001 * spacing_);
   };
   if (x > 0) bound_by(index(x - 1, y, z));
@@ -83,10 +83,10 @@ float DistanceField::measure(int x, int y, int z) const {
 
 float DistanceField::value(int x, int y, int z) const {
   const int i = index(x, y, z);
-  float v = value_[i].load(std::memory_order_relaxed);
+  float v = value_[i].load(kRelaxed);
   if (std::isnan(v) && zone_[i] == Zone::band) {
     v = measure(x, y, z);
-    value_[i].store(v, std::memory_order_relaxed);
+    value_[i].store(v, kRelaxed);
   }
   return v;
 }
@@ -154,9 +154,57 @@ void DistanceField::mark_near(const TriangleMesh& mesh) {
   }
 }
 
+bool DistanceField::measure_round(const std::array<int, 3>& cell) const {
+  bool all = true;
+  for (int z = cell[2] - 1; z <= cell[2] + 2; ++z)
+    for (int y = cell[1] - 1; y <= cell[1] + 2; ++y)
+      for (int x = cell[0] - 1; x <= cell[0] + 2; ++x) all &= !std::isnan(value(x, y, z));
+  return all;
+}
+
+bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, bool with_hessian,
+                                Sample& out) const {
+  const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
+  // Contracted over y and z first, four nodes of a row at a time.
+  Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
+  for (int c = 0; c < 4; ++c)
+    for (int b = 0; b < 4; ++b) {
+      const int x = cell[0] - 1, y = cell[1] - 1 + b, z = cell[2] - 1 + c;
+      const std::atomic<float>* node = &value_[index(x, y, z)];
+      const Quad row = {node[0].load(kRelaxed), node[1].load(kRelaxed), node[2].load(kRelaxed),
+                        node[3].load(kRelaxed)};
+      in_y[c][0] += wy.w[b] * row;
+      in_y[c][1] += wy.d[b] * row;
+      if (with_hessian) in_y[c][2] += wy.dd[b] * row;
+    }
+  Quad r{}, ry{}, rz{}, ryy{}, rzz{}, ryz{};
+  for (int c = 0; c < 4; ++c) {
+    r += wz.w[c] * in_y[c][0];
+    ry += wz.w[c] * in_y[c][1];
+    rz += wz.d[c] * in_y[c][0];
+    if (!with_hessian) continue;
+    ryy += wz.w[c] * in_y[c][2];
+    rzz += wz.dd[c] * in_y[c][0];
+    ryz += wz.d[c] * in_y[c][1];
+  }
+  const auto in_x = [](const double* w, const Quad& n) {
+    return (w[0] * n[0] + w[1] * n[1]) + (w[2] * n[2] + w[3] * n[3]);
+  };
+  const double f = in_x(wx.w, r);
+  if (!std::isfinite(f)) return false;
+  out.distance = f;
+  out.gradient = Vec3(in_x(wx.d, r), in_x(wx.w, ry), in_x(wx.w, rz)) / spacing_;
+  if (!with_hessian) return true;
+  const double fxx = in_x(wx.dd, r), fxy = in_x(wx.d, ry), fxz = in_x(wx.d, rz);
+  const double fyy = in_x(wx.w, ryy), fzz = in_x(wx.w, rzz), fyz = in_x(wx.w, ryz);
+  out.hessian << fxx, fxy, fxz, fxy, fyy, fyz, fxz, fyz, fzz;
+  out.hessian /= spacing_ * spacing_;
+  return true;
+}
+
 bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
   const Vec3 q = (p - origin_) / spacing_;
-  int cell[3];
+  std::array<int, 3> cell;
   bool on_grid = true;
   for (int k = 0; k < 3; ++k) {
     cell[k] = static_cast<int>(std::floor(q[k]));
@@ -178,43 +226,9 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
         return false;
       }
     }
-    const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
-    // Contracted over y and z first, four nodes of a row at a time.
-    Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
-    for (int c = 0; c < 4; ++c)
-      for (int b = 0; b < 4; ++b) {
-        const int x = cell[0] - 1, y = cell[1] - 1 + b, z = cell[2] - 1 + c;
-        const Quad row = {value(x, y, z), value(x + 1, y, z), value(x + 2, y, z),
-                          value(x + 3, y, z)};
-        in_y[c][0] += wy.w[b] * row;
-        in_y[c][1] += wy.d[b] * row;
-        if (with_hessian) in_y[c][2] += wy.dd[b] * row;
-      }
-    Quad r{}, ry{}, rz{}, ryy{}, rzz{}, ryz{};
-    for (int c = 0; c < 4; ++c) {
-      r += wz.w[c] * in_y[c][0];
-      ry += wz.w[c] * in_y[c][1];
-      rz += wz.d[c] * in_y[c][0];
-      if (!with_hessian) continue;
-      ryy += wz.w[c] * in_y[c][2];
-      rzz += wz.dd[c] * in_y[c][0];
-      ryz += wz.d[c] * in_y[c][1];
-    }
-    const auto in_x = [](const double* w, const Quad& n) {
-      return (w[0] * n[0] + w[1] * n[1]) + (w[2] * n[2] + w[3] * n[3]);
-    };
-    const double f = in_x(wx.w, r);
-    if (std::isfinite(f)) {
-      out.distance = f;
-      out.gradient = Vec3(in_x(wx.d, r), in_x(wx.w, ry), in_x(wx.w, rz)) / spacing_;
-      if (with_hessian) {
-        const double fxx = in_x(wx.dd, r), fxy = in_x(wx.d, ry), fxz = in_x(wx.d, rz);
-        const double fyy = in_x(wx.w, ryy), fzz = in_x(wx.w, rzz), fyz = in_x(wx.w, ryz);
-        out.hessian << fxx, fxy, fxz, fxy, fyy, fyz, fxz, fyz, fzz;
-        out.hessian /= spacing_ * spacing_;
-      }
+    if (interpolate(cell, q, with_hessian, out) ||
+        (measure_round(cell) && interpolate(cell, q, with_hessian, out)))
       return out.distance < reach;
-    }
   }
   // Off the band: deep inside the body, at the rim of the band, or off the grid. Ask the surface.
   ClosestPoint hit;

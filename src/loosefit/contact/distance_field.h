@@ -55,6 +55,12 @@ class DistanceField {
   /// Value of a node, NaN off the band.
   float value(int x, int y, int z) const;
   float measure(int x, int y, int z) const;
+  /// Measures the nodes that a place in the cell is interpolated from; false when some are off the
+  /// band.
+  bool measure_round(const std::array<int, 3>& cell) const;
+  /// At q [cells]; false when a node has not been measured or is off the band.
+  bool interpolate(const std::array<int, 3>& cell, const Vec3& q, bool with_hessian,
+                   Sample& out) const;
   const ClosestPointTree& tree_;
   std::deque<Cover> covers_;
   Vec3 origin_;
