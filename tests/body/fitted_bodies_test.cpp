@@ -194,6 +194,24 @@ TEST(BodyFit, HeavyBodiesExtrapolateAndSaySo) {
   EXPECT_NE(fit.warnings[0].find("extrapolated"), std::string::npos);
 }
 
+// High on their arms trunk and arm are one: the tape goes round the arm below that.
+TEST(BodyFit, TheTapeGoesRoundTheArmOfStoutPeople) {
+  for (const BodySpec& spec :
+       {BodySpec{.sex = 1,
+       .age = 71,
+       .height = 1.81,
+       .measurements = {{"chest", 1.14}, {"waist", 1.131}, {"hip", 1.196}}},
+        BodySpec{.sex = 0,
+        .age = 73.5,
+        .height = 1.663,
+        .measurements = {{"chest", 1.093}, {"waist", 1.036}, {"hip", 1.203}}}}) {
+    const BodyFit fit = body_model().fit(spec);
+    const Body body = body_model().build(fit.parameters, {});
+    EXPECT_GT(body.measured.at("upper_arm"), 0.28);
+    EXPECT_LT(body.measured.at("upper_arm"), 0.52);
+  }
+}
+
 TEST(BodyFit, WishesThatNoBodyMeetsTogetherAreRefusedWithTheNearest) {
   BodySpec spec;
   spec.height = 1.68;

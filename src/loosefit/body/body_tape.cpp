@@ -20,7 +20,10 @@ constexpr int kHpsLeft = 7539, kHpsRight = 828, kNeckPit = 1522, kAcromionLeft =
               kAcromionRight = 1602;
 constexpr int kElbowEnd = 10037, kForearmStart = 10040, kWristOuter = 10548;
 constexpr double kUpperArmShare = 0.3, kForearmShare = 0.25;  // where these are usually fullest
-constexpr double kDensity = 985;                              // kg/m³, whole body
+/// Just above the elbow, and how many times as thick an upper arm is at most: a tape that reads
+/// more goes round the trunk too, as it does high on the arms of stout people.
+constexpr double kAboveElbow = 0.8, kMostTaper = 1.8;
+constexpr double kDensity = 985;  // kg/m³, whole body
 
 Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
   const Vec3 centre = ruler_centre(vertices, name);
@@ -61,6 +64,14 @@ double BodyTape::ring_girth(const std::string& ruler_name) const {
 double BodyTape::limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const {
   const Vec3 a = joint(bone_a), b = joint(bone_b);
   return girth_round(rest_.surface, a + t * (b - a), b - a);
+}
+
+double BodyTape::upper_arm_girth() const {
+  const auto girth = [&](double t) { return limb_girth("upperarm01.L", "lowerarm01.L", t); };
+  const double most = kMostTaper * girth(kAboveElbow);
+  double t = kUpperArmShare;
+  while (t < kAboveElbow && girth(t) > most) t += 0.05;
+  return girth(t);
 }
 
 // The lowest height at which the arm still belongs to the trunk section, from below the shoulder.
@@ -106,7 +117,7 @@ double BodyTape::measure(const std::string& name) const {
     return neck_base_girth(vertex(kHpsLeft), vertex(kHpsRight), vertex(kC7), vertex(kNeckPit));
   }
   if (name == "mid_neck") return ring_girth("neck_circ");
-  if (name == "upper_arm") return limb_girth("upperarm01.L", "lowerarm01.L", kUpperArmShare);
+  if (name == "upper_arm") return upper_arm_girth();
   if (name == "forearm") return limb_girth("lowerarm01.L", "wrist.L", kForearmShare);
   if (name == "wrist") return ring_girth("wrist_circ");
   if (name == "thigh") return ring_girth("thigh_circ");

@@ -25,6 +25,8 @@ class BodyTape {
 
   /// Girth of the limb round `bone_a`.head → `bone_b`.head at share t.
   double limb_girth(const std::string& bone_a, const std::string& bone_b, double t) const;
+  /// Where the arm is usually fullest or, where trunk and arm are one there, below.
+  double upper_arm_girth() const;
 
  private:
   double ring_girth(const std::string& ruler_name) const;
