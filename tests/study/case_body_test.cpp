@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
-#include "loosefit/study/run_case.h"
+#include "loosefit/study/case_pattern.h"
+#include "loosefit/study/case_stages.h"
 
 namespace loosefit {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 double arm_angle(const Body& body) {
   const Vec3 arm = body.joints.at("elbow_L") - body.joints.at("shoulder_L");
   return degrees(std::acos(-arm.normalized().z()));
-}
-
-Progress& silent() {
-  static Progress progress;
-  return progress;
 }
 
 TEST(MakeBody, MeetsTheWishesAndListsThem) {
@@ -43,26 +39,55 @@ TEST(MakeBody, MissingScanIsAnError) {
   EXPECT_THROW(make_body(wished), Error);
 }
 
-CaseResult small_shirt_on_a_stout_man(const std::string& body) {
-  return run_case(
-      parse_scenario("[body]\nsex = 1\nage = 59.4\nheight = 1.682\n" + body +
-                         "measurements = { chest = 1.115, waist = 1.089, hip = 1.118 }\n"
-                         "[garment]\nsize = \"women-40\"\n"
-                         "[simulation]\nedge_length = 0.02\ntime_budget = 0.1\n",
-                     "case.toml"),
-      silent(), {.only_drape = true});
+/// As a scenario that says nothing of postures.
+ScenarioBody usual() {
+  ScenarioBody wished;
+  wished.dress_posture = default_dress_posture(wished.posture);
+  return wished;
 }
 
-TEST(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
-  const CaseResult result = small_shirt_on_a_stout_man("");
-  ASSERT_FALSE(result.body.warnings.empty());
-  EXPECT_NE(result.body.warnings.back().find("arms wide apart"), std::string::npos);
-  EXPECT_NEAR(arm_angle(result.body.path(0)), 55, 2);
+TEST(MakeBody, OffersArmsWideApartUnlessADressingPostureWasChosen) {
+  EXPECT_NEAR(arm_angle(make_body(usual()).wide_path(0)), 55, 2);
+  ScenarioBody chosen;
+  chosen.dress_posture.arm_abduction = radians(30);
+  EXPECT_FALSE(make_body(chosen).wide_path);
 }
 
-TEST(PutOn, KeepsToThePostureThatWasAskedFor) {
-  EXPECT_THROW(small_shirt_on_a_stout_man("dress_posture = { arm_abduction_deg = 24 }\n"),
-               InvalidInput);
+/// A wearer whose usual dressing posture leaves a shirt no room: arms hanging straight down.
+CaseBody pinched() {
+  CaseBody body = make_body(usual());
+  body.path = [body = body.body](double) {
+    Body tight = body;
+    for (const char* side : {"_L", "_R"})
+      tight.joints[std::string("elbow") + side] =
+          tight.joints[std::string("shoulder") + side] - Vec3(0, 0, 0.28);
+    return tight;
+  };
+  return body;
+}
+
+class PutOn : public ::testing::Test {
+ protected:
+  Scenario scenario_ = parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n", "");
+  CaseBody body_ = pinched();
+  GarmentHierarchy garment_ =
+      build_hierarchy(make_pattern(scenario_.garment, body_.body).pattern,
+                      scenario_.simulation.edge_length, scenario_.material.material, {});
+  DrapeOptions options_ = drape_options(scenario_.simulation);
+  Progress silent_;
+  DrapeSession session_{garment_, scenario_.material.material, options_, silent_};
+};
+
+TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
+  EXPECT_FALSE(put_on(session_, body_).positions.empty());
+  ASSERT_FALSE(body_.warnings.empty());
+  EXPECT_NE(body_.warnings.back().find("arms wide apart"), std::string::npos);
+  EXPECT_NEAR(arm_angle(body_.path(0)), 55, 2) << "the next donning goes there at once";
+}
+
+TEST_F(PutOn, KeepsToThePostureThatWasAskedFor) {
+  body_.wide_path = {};
+  EXPECT_THROW(put_on(session_, body_), GeometryError);
 }
 
 }  // namespace
