@@ -16,7 +16,7 @@ namespace {
 constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
 constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
 constexpr int kContractIterations = 60;
-constexpr int kCutRounds = 8;  ///< attempts to free the last cuts into the body
+constexpr int kCutRounds = 30;  ///< attempts to free the last cuts into the body
 /// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
 constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
 constexpr int kCutIterations = 15;     ///< at most, before each of these looks
