@@ -41,8 +41,8 @@ def run(case, options, folder):
            "peak_memory_mb": round(peak, 1), "settled": False}
     file = folder / "summary.json"
     if not file.exists():
-        return row | {"error": message.replace(str(folder.parent) + "/", "")
-                      or f"ended by signal {-code}" if code < 0 else message}
+        error = message.replace(str(folder.parent) + "/", "")
+        return row | {"error": error or f"ended by signal {-code}"}
     summary = json.loads(file.read_text())
     # The worst of the drapes of the case: the first, and the donning askew.
     worst = summary
