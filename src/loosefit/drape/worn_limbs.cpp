@@ -6,6 +6,8 @@
 namespace loosefit {
 namespace {
 
+constexpr double kChest = 0.6;                 ///< of the way from hip to neck, where arms begin:
+                                               ///< a neckline may slip past the neck's own joint
 constexpr double kHand = 0.5;                  ///< of the forearm's length, beyond the wrist
 constexpr double kBelow = 0.5, kAbove = 0.25;  ///< of the trunk's line beyond hip and neck [m]
 
@@ -24,8 +26,8 @@ std::vector<Line> limbs(const Body& body) {
   std::vector<Line> lines = {{hip - kBelow * up, hip, neck, neck + kAbove * up}};
   for (const std::string side : {"_L", "_R"}) {
     const Vec3 elbow = at.at("elbow" + side), wrist = at.at("wrist" + side);
-    lines.push_back(
-        {neck, at.at("shoulder" + side), elbow, wrist, wrist + kHand * (wrist - elbow)});
+    lines.push_back({hip + kChest * (neck - hip), at.at("shoulder" + side), elbow, wrist,
+                     wrist + kHand * (wrist - elbow)});
   }
   return lines;
 }
