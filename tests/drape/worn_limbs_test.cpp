@@ -48,6 +48,22 @@ TEST(WornLimbs, ChangeWhenTheArmHasLeftTheSleeve) {
   EXPECT_EQ(sleeve(Vec3(0.5, 0, 0)), std::vector<int>(6, 0)) << "slid off the hand";
 }
 
+/// A collar round the neck, 2 cm high, from height z.
+std::vector<int> collar(double z) {
+  const Garment tube = testing::tube_garment(0.4, 0.02, 12, 1);
+  std::vector<Vec3> x;
+  for (const Vec2& p : tube.vertex_uv) {
+    const double a = 2 * kPi * p.x() / 0.4;
+    x.emplace_back(0.064 * std::cos(a), 0.064 * std::sin(a), z + p.y());
+  }
+  return limbs_through_openings(tube.triangles, x, stick_figure());
+}
+
+TEST(WornLimbs, DoNotChangeWhenANecklineSlipsPastTheJointOfTheNeck) {
+  EXPECT_EQ(collar(1.36), collar(1.41));
+  EXPECT_EQ(std::abs(collar(1.36)[0]), 1) << "the trunk goes through it";
+}
+
 TEST(WornLimbs, AreNotKnownWithoutJoints) {
   EXPECT_TRUE(limbs_through_openings({}, {}, Body{}).empty());
 }
