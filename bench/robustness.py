@@ -42,7 +42,7 @@ def run(case, options, folder):
     file = folder / "summary.json"
     if not file.exists():
         error = message.replace(str(folder.parent) + "/", "")
-        return row | {"error": error or f"ended by signal {-code}"}
+        return row | {"error": error or f"exit {code} without a message"}
     summary = json.loads(file.read_text())
     # The worst of the drapes of the case: the first, and the donning askew.
     worst = summary

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace loosefit {
@@ -186,6 +188,43 @@ TEST(TimeOfImpact, SlidingAlongEachOtherIsFreeHoweverNear) {
   x = {Vec3(0.2, 0.2, gap), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   dx = {Vec3(0.1, 0.3, 0), Vec3(0, 0.2, 0), Vec3(0.2, 0, 0), Vec3(0, 0, -0.1)};
   EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 1);
+}
+
+// Far from the origin, tilted, and so near that round-off tilts the normal: still no way through.
+TEST(TimeOfImpact, KeepsFeaturesApartAtNanometres) {
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int stopped = 0;
+  for (int i = 0; i < 400; ++i) {
+    const PairKind kind = i % 2 ? PairKind::edge_edge : PairKind::point_triangle;
+    const double gap = std::pow(10.0, -4.0 - 5.0 * (i % 50) / 49.0), size = 0.01;
+    Points x =
+        kind == PairKind::edge_edge
+            ? Points{Vec3(-size, 0, gap), Vec3(size, 0, gap), Vec3(0, -size, 0), Vec3(0, size, 0)}
+            : Points{Vec3(0, 0, gap), Vec3(-size, -size, 0), Vec3(2 * size, -size, 0),
+                     Vec3(-size, 2 * size, 0)};
+    const Eigen::Quaterniond turn(Eigen::Vector4d(u(rng), u(rng), u(rng), u(rng)).normalized());
+    for (Vec3& p : x) p = turn * p + Vec3(0.3, -0.2, 1.3);
+    const double start = distance(kind, x);
+    Points dx;
+    for (Vec3& d : dx) d = 0.005 * Vec3(u(rng), u(rng), u(rng));
+    const double t = time_of_impact(kind, x, dx);
+    stopped += t < 1;
+    for (int j = 0; j <= 100; ++j) {
+      Points y = x;
+      for (int k = 0; k < 4; ++k) y[k] += t * j / 100.0 * dx[k];
+      ASSERT_GE(distance(kind, y), 0.05 * start - 1e-15) << i << " gap " << gap;
+    }
+  }
+  EXPECT_GT(stopped, 100);
+}
+
+TEST(TimeOfImpact, MotionThatIsNotANumberIsNotFree) {
+  const Points x = {Vec3(0, 0, 1e-3), Vec3(-1, -1, 0), Vec3(2, -1, 0), Vec3(-1, 2, 0)};
+  Points dx;
+  dx.fill(Vec3::Zero());
+  dx[0].z() = std::nan("");
+  EXPECT_EQ(time_of_impact(PairKind::point_triangle, x, dx), 0);
 }
 
 TEST(PairDistance, HessianIsTheDerivativeOfTheGradient) {

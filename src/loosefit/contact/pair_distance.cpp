@@ -134,13 +134,12 @@ double motion_bound(PairKind kind, const PairPoints& dx) {
 
 namespace {
 
-/// How fast the gap between the projections on a fixed axis, from the second feature to the first,
-/// closes at most.
-double closing_speed(PairKind kind, const PairPoints& way, const Vec3& axis) {
+/// Gap of the projections on an axis from the second feature to the first.
+double projected_gap(PairKind kind, const PairPoints& x, const Vec3& axis) {
   double a[4];
-  for (int k = 0; k < 4; ++k) a[k] = axis.dot(way[k]);
-  return kind == PairKind::point_triangle ? std::max({a[1], a[2], a[3]}) - a[0]
-                                          : std::max(a[2], a[3]) - std::min(a[0], a[1]);
+  for (int k = 0; k < 4; ++k) a[k] = axis.dot(x[k]);
+  return kind == PairKind::point_triangle ? a[0] - std::max({a[1], a[2], a[3]})
+                                          : std::min(a[0], a[1]) - std::max(a[2], a[3]);
 }
 
 }  // namespace
@@ -148,20 +147,30 @@ double closing_speed(PairKind kind, const PairPoints& way, const Vec3& axis) {
 double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx, double upper) {
   constexpr double kKeep = 0.1;      // share of the distance that is kept
   constexpr int kMaxAdvances = 200;  // a conservative stop; the bound stays valid
-  if (motion_bound(kind, dx) <= 0) return upper;
-  PairPoints x = x0, way = dx;
+  const double reach = motion_bound(kind, dx);
+  if (reach <= 0) return upper;
+  // From the first point, so that a gap of nanometres is not lost in the place of the pair.
+  PairPoints from = x0, way = dx;
   const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
-  for (Vec3& v : way) v -= mean;
+  for (int k = 0; k < 4; ++k) from[k] -= x0[0], way[k] -= mean;
+  PairPoints x = from;
   PairDistance d = pair_distance(kind, x);
   const double keep = kKeep * d.distance;
   double t = 0;
   for (int i = 0; i < kMaxAdvances && d.distance > keep; ++i) {
-    // Nearest points of convex features: along their normal the projections are as far apart.
-    const double speed = closing_speed(kind, way, d.normal), room = d.distance - keep;
-    if (!(speed * (upper - t) >= room)) return upper;
+    // Nearest points of convex features: along their normal the projections are as far apart, and
+    // near as fast as this speed at most. Where round-off has tilted the normal, any motion counts.
+    double room = projected_gap(kind, x, d.normal) - keep;
+    double speed = -projected_gap(kind, way, d.normal);
+    if (!(room > 0)) {
+      room = d.distance - keep;
+      speed = reach;
+    }
+    if (!std::isfinite(speed)) return t;
+    if (speed * (upper - t) < room) return upper;
     if (i > 0 && room < 1e-3 * keep) return t;
     t += room / speed;
-    for (int k = 0; k < 4; ++k) x[k] = x0[k] + t * way[k];
+    for (int k = 0; k < 4; ++k) x[k] = from[k] + t * way[k];
     d = pair_distance(kind, x);
   }
   return t;

@@ -10,8 +10,8 @@ namespace loosefit {
 namespace {
 
 /// Iterations, at most, before friction and contacts are refreshed: few while they are far from
-/// what they will be, twice as many after each kNoProgress without a fall of the residual, for then
-/// friction is what the cloth chases.
+/// what they will be, twice as many after each kNoProgress without kProgress of the residual, for
+/// then friction is what the cloth chases.
 constexpr int kNewtonPerStep = 3, kMostPerStep = 12, kNoProgress = 20;
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
 constexpr int kSlowSteps = 30;  ///< in a row with the near tangent, before the full one is taken

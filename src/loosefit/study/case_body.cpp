@@ -54,7 +54,8 @@ CaseBody make_body(const ScenarioBody& wished) {
     };
   };
   result.path = way_from(wished.dress_posture);
-  if (wished.dress_posture == default_dress_posture(wished.posture))
+  if (wished.dress_posture == default_dress_posture(wished.posture) &&
+      wished.dress_posture.arm_abduction < kArmsWide.arm_abduction)
     result.wide_path = way_from(kArmsWide);
   result.body = result.path(1);
   result.asked = fit.table;

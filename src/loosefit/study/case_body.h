@@ -15,7 +15,7 @@ struct CaseBody {
   Body body;      ///< in the wanted posture
   BodyPath path;  ///< share 0 dressing posture … 1 `body`
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
-  /// empty when another one was chosen, and for a scan.
+  /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   BodyPath wide_path;
   /// The same wearer in any posture; empty for a scan.
   std::function<Body(const Posture&)> pose;
