@@ -212,6 +212,19 @@ TEST(BodyFit, TheTapeGoesRoundTheArmOfStoutPeople) {
   }
 }
 
+// In the plane of their shoulder joint arm, trunk and leg are one: the fold is looked for farther
+// out.
+TEST(BodyFit, TheScyeOfStoutMenEndsUnderTheArm) {
+  const BodyFit fit =
+      body_model().fit({.sex = 1,
+                        .age = 38.5,
+                        .height = 1.777,
+                        .measurements = {{"chest", 1.203}, {"waist", 1.137}, {"hip", 1.155}}});
+  const Body body = body_model().build(fit.parameters, {});
+  EXPECT_GT(body.measured.at("scye_depth"), 0.12);
+  EXPECT_LT(body.measured.at("scye_depth"), 0.35);
+}
+
 TEST(BodyFit, WishesThatNoBodyMeetsTogetherAreRefusedWithTheNearest) {
   BodySpec spec;
   spec.height = 1.68;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "loosefit/base/error.h"
@@ -85,13 +86,28 @@ Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling) {
   return top;
 }
 
-Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint) {
-  for (const auto& loop : plane_section(mesh, shoulder_joint, Vec3::UnitX())) {
-    if (!loop_contains(loop, Vec3::UnitX(), shoulder_joint)) continue;
+namespace {
+
+std::optional<Armscye> armscye_in(const TriangleMesh& mesh, const Vec3& joint) {
+  for (const auto& loop : plane_section(mesh, joint, Vec3::UnitX())) {
+    if (!loop_contains(loop, Vec3::UnitX(), joint)) continue;
     const auto low = std::min_element(loop.points.begin(), loop.points.end(),
                                       [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
-    return {hull_perimeter(loop.points, Vec3::UnitX()), low->z()};
+    return Armscye{hull_perimeter(loop.points, Vec3::UnitX()), low->z()};
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint) {
+  constexpr double kDeepest = 0.30, kStep = 0.005, kFarthest = 0.06;  // [m]
+  const Vec3 outwards(shoulder_joint.x() < 0 ? -1 : 1, 0, 0);
+  for (double off = 0; off <= kFarthest; off += kStep) {
+    const auto found = armscye_in(mesh, shoulder_joint + off * outwards);
+    if (found && found->fold > shoulder_joint.z() - kDeepest) return *found;
+  }
+  if (const auto found = armscye_in(mesh, shoulder_joint)) return *found;
   throw GeometryError("body: found no closed section round the shoulder joint");
 }
 

@@ -28,6 +28,7 @@ struct Armscye {
   double girth = 0;
   double fold = 0;  ///< height z of its lowest point, the underarm
 };
+/// Where arm and trunk are one in the joint's own plane, as in stout people, a plane farther out.
 /// \throws GeometryError when no closed section contains the joint.
 Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint);
 
