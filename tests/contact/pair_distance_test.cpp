@@ -106,13 +106,16 @@ TEST(PairDistance, ZeroWhereTheyTouch) {
   EXPECT_LT(edge_edge_distance({-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}).distance, 1e-15);
 }
 
+Points moved(Points x, const Points& dx, double share) {
+  for (int k = 0; k < 4; ++k) x[k] += share * dx[k];
+  return x;
+}
+
 /// First time at which dense sampling in time finds the features nearer than `touch`; 2 if never.
 double sampled_contact(PairKind kind, const Points& x, const Points& dx, double touch) {
   const int n = 2000;
   for (int i = 0; i <= n; ++i) {
-    Points y = x;
-    for (int k = 0; k < 4; ++k) y[k] += double(i) / n * dx[k];
-    if (distance(kind, y) < touch) return double(i) / n;
+    if (distance(kind, moved(x, dx, double(i) / n)) < touch) return double(i) / n;
   }
   return 2;
 }
@@ -142,15 +145,11 @@ TEST(TimeOfImpact, NeverPassesContactAndDoesNotStopWithoutReason) {
     ASSERT_LE(t, 1);
     // On the whole way up to t they stay apart by a tenth of their distance.
     for (int j = 0; j <= 200; ++j) {
-      Points y = x;
-      for (int k = 0; k < 4; ++k) y[k] += t * j / 200.0 * dx[k];
-      ASSERT_GE(distance(kind, y), 0.0999 * start) << i;
+      ASSERT_GE(distance(kind, moved(x, dx, t * j / 200.0)), 0.0999 * start) << i;
     }
     if (t < 1) {
       ++hits;
-      Points y = x;  // it stops only where they are near indeed
-      for (int k = 0; k < 4; ++k) y[k] += t * dx[k];
-      EXPECT_LT(distance(kind, y), 0.15 * start) << i;
+      EXPECT_LT(distance(kind, moved(x, dx, t)), 0.15 * start) << i << ": stopped without reason";
     } else {
       EXPECT_EQ(sampled_contact(kind, x, dx, 0.05 * start), 2) << i;
     }
@@ -211,9 +210,8 @@ TEST(TimeOfImpact, KeepsFeaturesApartAtNanometres) {
     const double t = time_of_impact(kind, x, dx);
     stopped += t < 1;
     for (int j = 0; j <= 100; ++j) {
-      Points y = x;
-      for (int k = 0; k < 4; ++k) y[k] += t * j / 100.0 * dx[k];
-      ASSERT_GE(distance(kind, y), 0.05 * start - 1e-15) << i << " gap " << gap;
+      ASSERT_GE(distance(kind, moved(x, dx, t * j / 100.0)), 0.05 * start - 1e-15)
+          << i << " gap " << gap;
     }
   }
   EXPECT_GT(stopped, 100);

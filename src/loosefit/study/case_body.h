@@ -28,8 +28,8 @@ struct CaseBody {
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
 CaseBody make_body(const ScenarioBody& wished);
 
-/// Puts the garment on along the body's path or, where it cannot be laid in a dressing posture that
-/// nobody chose, along its wide one, which then is its path, with a warning.
+/// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
+/// posture, along its wide one, which then is its path, with a warning.
 /// \throws GeometryError when it cannot be laid at all.
 Drape put_on(DrapeSession& session, CaseBody& body);
 
