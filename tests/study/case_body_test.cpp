@@ -85,6 +85,27 @@ TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
   EXPECT_NEAR(arm_angle(body_.path(0)), 55, 2) << "the next donning goes there at once";
 }
 
+TEST_F(PutOn, DoesNotAdviseWiderArmsWhereTheyDidNotHelp) {
+  body_.wide_path = body_.path;
+  try {
+    put_on(session_, body_);
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("even with the arms wide apart"), std::string::npos);
+    EXPECT_EQ(error.hint(), "");
+  }
+}
+
+TEST_F(PutOn, TriesNoOtherPostureForABodyThatLacksWhatAShirtHangsOn) {
+  body_.path = [body = body_.body](double) {
+    Body bare = body;
+    bare.landmarks.clear();
+    return bare;
+  };
+  EXPECT_THROW(put_on(session_, body_), GeometryError);
+  EXPECT_TRUE(body_.warnings.empty());
+}
+
 TEST_F(PutOn, KeepsToThePostureThatWasAskedFor) {
   body_.wide_path = {};
   EXPECT_THROW(put_on(session_, body_), GeometryError);

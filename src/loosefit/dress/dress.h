@@ -14,7 +14,8 @@ bool is_shirt(const Garment& garment);
 /// over the limb that it will cover, front panels pass before the body and back panels behind it,
 /// seams closed at the silhouette. The result encloses the body and has no intersections with
 /// itself; it is strained, and settling lets it contract.
-/// \throws GeometryError when the body cannot be dressed in this posture.
+/// \throws NoRoom when the body cannot be dressed in this posture, GeometryError for a pattern or a
+/// body that is not fit for it.
 std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body);
 
 /// First positions of any other garment [m]: the placement that its pattern file gives to the
@@ -34,7 +35,7 @@ struct LayerToDress {
 /// First positions of garments worn over each other, the innermost first: vertices of all in turn.
 /// Each as if alone (dress_shirt, dress_as_placed), but every shirt with more room than the layer
 /// under it, so that its sheets pass before and behind those, and its seams beside them. Nothing
-/// cuts anything. \throws GeometryError as the above, and when layers cut each other.
+/// cuts anything. \throws as the above, and NoRoom when shirts cut each other.
 std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body);
 
 }  // namespace loosefit

@@ -5,6 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/dress/lay_shirt.h"
+#include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {
@@ -48,7 +49,7 @@ std::optional<std::vector<Vec3>> lay_over(const Garment& shirt, const Body& body
         why = fmt::format(
             "{} pairs of its triangles cut each other at the start, {} what is under it",
             own.size(), cuts.size());
-      } catch (const GeometryError& error) {
+      } catch (const NoRoom& error) {
         why = error.what();
       }
   return {};
@@ -85,9 +86,7 @@ std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Bo
     }
     if (done) return dressed.positions;
   }
-  throw GeometryError(
-      "the shirts cannot be laid round this body over each other: " + why,
-      "dress it with the arms wider apart (body.dress_posture = { arm_abduction_deg = 55 })");
+  throw NoRoom("the shirts cannot be laid round this body over each other: " + why);
 }
 
 }  // namespace loosefit

@@ -7,6 +7,7 @@
 #include "loosefit/dress/dress.h"
 #include "loosefit/dress/flat_layout.h"
 #include "loosefit/dress/lay_shirt.h"
+#include "loosefit/dress/no_room.h"
 #include "loosefit/dress/shirt_frame.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// Tries, between body and sheets [m]: wide ones help coarse triangles, narrow ones thick arms.
 constexpr double kClearances[] = {0.02, 0.026, 0.034, 0.044, 0.057, 0.014, 0.010};
-constexpr char kWider[] =
-    "dress it with the arms wider apart (body.dress_posture = { arm_abduction_deg = 55 })";
 
 /// Puts the vertices of a chain evenly along a polyline that starts at `from`'s end of the chain.
 void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,
@@ -109,8 +108,7 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
     const auto layout = lay_flat(g, p, panel.outline);
     // Seen from the front the outside of a front panel faces us: counter-clockwise in (x, z).
     if (count_turned_over(g, p, layout, is_back ? -1 : 1) > 0)
-      throw GeometryError("panel " + name + " cannot be laid over the body without folding over",
-                          kWider);
+      throw NoRoom("panel " + name + " cannot be laid over the body without folding over");
     for (const auto& [v, q] : layout) {
       place[v] = q;
       sheets[v] |= is_back ? 2 : 1;
@@ -132,16 +130,14 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
 }
 
 std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
-  GeometryError last("");
+  NoRoom last("");
   for (const double clearance : kClearances) try {
       std::vector<Vec3> x = lay_shirt(shirt, body, {clearance});
       const auto hits = self_intersections(x, shirt.triangles);
       if (hits.empty()) return x;
-      last =
-          GeometryError("the shirt cannot be laid round this body: " + std::to_string(hits.size()) +
-                            " pairs of its triangles cut each other at the start",
-                        kWider);
-    } catch (const GeometryError& error) {
+      last = NoRoom("the shirt cannot be laid round this body: " + std::to_string(hits.size()) +
+                    " pairs of its triangles cut each other at the start");
+    } catch (const NoRoom& error) {
       last = error;
     }
   throw last;

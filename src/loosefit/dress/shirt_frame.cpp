@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "loosefit/base/error.h"
+#include "loosefit/dress/no_room.h"
 
 namespace loosefit {
 namespace {
@@ -125,10 +125,9 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const Vec2 arm = (elbow - seen(shoulder3)).normalized();
   const double angle = std::atan2(arm[0], -arm[1]);
   if (angle < kLeastArmAngle)
-    throw GeometryError("body: found the upper arm " +
-                            std::to_string(static_cast<int>(std::lround(degrees(angle)))) +
-                            " degrees from the vertical, expected at least 15 to put on a shirt",
-                        "dress it in a posture with raised arms (dress_posture)");
+    throw NoRoom("body: found the upper arm " +
+                 std::to_string(static_cast<int>(std::lround(degrees(angle)))) +
+                 " degrees from the vertical, expected at least 15 to put on a shirt");
 
   ShirtFrame::Half half;
   half.neck = hps + Vec2(clearance, 1.2 * clearance);

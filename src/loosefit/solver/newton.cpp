@@ -8,14 +8,15 @@
 namespace loosefit {
 namespace {
 
-constexpr double kStretch = 8;  ///< longest extension of a projected Newton step
+/// How far along a projected Newton step to look: at first, and at most after it paid.
+constexpr double kStretch = 2, kMostStretch = 8;
 /// Bounds of the shift that makes an exact Hessian definite, times mass [1/s²].
 constexpr double kLeastHold = 1, kMostHold = 1e4;
 
 }  // namespace
 
 Newton::Newton(const ParticleSystem& system, const Options& options)
-    : system_(system), options_(options) {}
+    : system_(system), options_(options), stretch_(kStretch) {}
 
 void Newton::restart(const Options& options) {
   options_ = options;
@@ -144,7 +145,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
   for (const Vec3& d : dx) largest = std::max(largest, d.squaredNorm());
   largest = std::sqrt(largest);
   // The projected Hessian is too stiff along buckling directions: look farther along its step.
-  const double stretch = std::min(exact_ ? 1.0 : kStretch, options_.max_move / largest);
+  const double stretch = std::min(exact_ ? 1.0 : stretch_, options_.max_move / largest);
   for (Vec3& d : dx) d *= stretch;
   slope *= stretch;
   double limit = 1;
@@ -177,6 +178,11 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
     double e_best = e_trial;
     if (k == 0 && !drowned)
       while (2 * t <= limit) {
+        // A parabola through both slopes tells whether twice as far lies lower: asked where it
+        // does.
+        VectorField force = g_trial;
+        add_inertia(trial, target, per_dt2, force);
+        if (dot(force, dx) > slope / 3) break;
         const double farther = at(2 * t);
         if (!(farther < after)) break;
         after = farther;
@@ -192,6 +198,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
     evaluated_ = true;
     outcome.moved = true;
     outcome.share = t * stretch;
+    stretch_ = outcome.share > 0.9 * stretch_ ? std::min(kMostStretch, 2 * stretch_) : kStretch;
     return outcome;
   }
   return outcome;

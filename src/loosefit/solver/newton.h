@@ -58,6 +58,7 @@ class Newton {
   bool exact_ = false;
   Patience try_exact_{8}, try_halved_{8};  ///< these matrices
   double hold_ = 100;                      ///< [1/s²], see factorise
+  double stretch_;                         ///< how far to look along a projected step
   bool evaluated_ = false;                 ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/scan_body.h"
+#include "loosefit/dress/no_room.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
 
@@ -65,12 +66,16 @@ CaseBody make_body(const ScenarioBody& wished) {
 
 Drape put_on(DrapeSession& session, CaseBody& body) try {
   return session.put_on(body.path);
-} catch (const GeometryError& error) {
+} catch (const NoRoom& error) {
   if (!body.wide_path) throw;
   body.path = std::exchange(body.wide_path, {});
   body.warnings.push_back(
       std::string("put on with the arms wide apart, since in the usual posture ") + error.what());
-  return session.put_on(body.path);
+  try {
+    return session.put_on(body.path);
+  } catch (const NoRoom& even_so) {
+    throw GeometryError(std::string(even_so.what()) + ", even with the arms wide apart");
+  }
 }
 
 }  // namespace loosefit

@@ -1,0 +1,16 @@
+#pragma once
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+
+/// A garment finds no room round the body in the posture that it is to be put on in; it may in
+/// another one.
+class NoRoom : public GeometryError {
+ public:
+  explicit NoRoom(const std::string& complaint)
+      : GeometryError(complaint,
+                      "dress it with the arms wider apart "
+                      "(body.dress_posture = { arm_abduction_deg = 55 })") {}
+};
+
+}  // namespace loosefit
