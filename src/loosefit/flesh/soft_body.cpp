@@ -28,11 +28,15 @@ bool is_dressed(Segment s) {
 
 std::vector<std::pair<int, int>> overlaps_of(const Body& body) {
   const auto& triangles = body.surface.triangles;
-  auto overlaps = self_intersections(body.surface.vertices, triangles);
-  std::erase_if(overlaps, [&](const auto& pair) {
-    return !is_dressed(body.segment[triangles[pair.first][0]]) ||
-           !is_dressed(body.segment[triangles[pair.second][0]]);
-  });
+  std::vector<int> number;  // of the dressed triangles: most of a body's are hands, feet and face
+  std::vector<Triangle> dressed;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (is_dressed(body.segment[triangles[t][0]])) {
+      number.push_back(static_cast<int>(t));
+      dressed.push_back(triangles[t]);
+    }
+  auto overlaps = self_intersections(body.surface.vertices, dressed);
+  for (auto& [a, b] : overlaps) a = number[a], b = number[b];
   return overlaps;
 }
 

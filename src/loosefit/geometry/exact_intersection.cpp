@@ -2,6 +2,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -59,41 +61,56 @@ Segment far_side(const std::vector<Vec3>& x, const Triangle& t, int vertex) {
   return {point(x[t[(k + 1) % 3]]), point(x[t[(k + 2) % 3]])};
 }
 
+/// Whether two triangles of one surface intersect, as self_intersections counts them.
+bool cut_each_other(const std::vector<Vec3>& x, const Triangle& a, const Triangle& b) {
+  int shared = 0, vertex = -1;
+  for (int v : a)
+    if (std::find(b.begin(), b.end(), v) != b.end()) {
+      ++shared;
+      vertex = v;
+    }
+  if (shared >= 2) return false;
+  if (shared == 1)
+    return intersect(far_side(x, a, vertex), triangle(x, b)) ||
+           intersect(far_side(x, b, vertex), triangle(x, a));
+  return intersect(triangle(x, a), triangle(x, b));
+}
+
+/// The pairs that are wanted, asked in parallel, in their order.
+template <class Wanted>
+std::vector<std::pair<int, int>> selected(const std::vector<std::pair<int, int>>& pairs,
+                                          const Wanted& wanted) {
+  std::vector<char> hit(pairs.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, pairs.size(), 256), [&](const Range& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k)
+      hit[k] = wanted(pairs[k].first, pairs[k].second);
+  });
+  std::vector<std::pair<int, int>> hits;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (hit[k]) hits.push_back(pairs[k]);
+  return hits;
+}
+
 }  // namespace
 
 std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& vertices,
                                                     const std::vector<Triangle>& triangles) {
-  std::vector<std::pair<int, int>> hits;
-  for (const auto& [i, j] : overlapping_boxes(boxes_of(vertices, triangles))) {
-    const Triangle &a = triangles[i], &b = triangles[j];
-    int shared = 0, vertex = -1;
-    for (int v : a)
-      if (std::find(b.begin(), b.end(), v) != b.end()) {
-        ++shared;
-        vertex = v;
-      }
-    if (shared >= 2) continue;
-    bool hit;
-    if (shared == 1)
-      hit = intersect(far_side(vertices, a, vertex), triangle(vertices, b)) ||
-            intersect(far_side(vertices, b, vertex), triangle(vertices, a));
-    else
-      hit = intersect(triangle(vertices, a), triangle(vertices, b));
-    if (hit) hits.emplace_back(i, j);
-  }
-  return hits;
+  return selected(overlapping_boxes(boxes_of(vertices, triangles)), [&](int i, int j) {
+    return cut_each_other(vertices, triangles[i], triangles[j]);
+  });
 }
 
 std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_vertices,
                                                     const std::vector<Triangle>& a_triangles,
                                                     const std::vector<Vec3>& b_vertices,
                                                     const std::vector<Triangle>& b_triangles) {
-  std::vector<std::pair<int, int>> hits;
-  for (const auto& [i, j] :
-       overlapping_boxes(boxes_of(a_vertices, a_triangles), boxes_of(b_vertices, b_triangles)))
-    if (intersect(triangle(a_vertices, a_triangles[i]), triangle(b_vertices, b_triangles[j])))
-      hits.emplace_back(i, j);
-  return hits;
+  return selected(
+      overlapping_boxes(boxes_of(a_vertices, a_triangles), boxes_of(b_vertices, b_triangles)),
+      [&](int i, int j) {
+        return intersect(triangle(a_vertices, a_triangles[i]),
+                         triangle(b_vertices, b_triangles[j]));
+      });
 }
 
 }  // namespace loosefit
