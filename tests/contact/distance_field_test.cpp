@@ -135,6 +135,40 @@ TEST(DistanceField, ReachDecidesWhatIsTouched) {
 }
 
 // Two balls that touch, the second only as a cover: the field is that of both together.
+/// Many small spheres near each other: creases of the distance in every cell.
+TriangleMesh pebbles() {
+  TriangleMesh all;
+  for (int i = 0; i < 125; ++i) {
+    TriangleMesh one = support::sphere(0.004, 8, 12);
+    const Vec3 centre = 0.011 * Vec3(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2) +
+                        0.001 * Vec3(std::sin(7 * i), std::sin(11 * i), std::sin(13 * i));
+    const int first = static_cast<int>(all.vertices.size());
+    for (const Vec3& p : one.vertices) all.vertices.push_back(p + centre);
+    for (Triangle t : one.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return all;
+}
+
+TEST(DistanceField, WhatItCallsFarIsFarByItsInterpolantToo) {
+  const TriangleMesh mesh = pebbles();
+  const ClosestPointTree tree(mesh);
+  const DistanceField field(tree, box(0.04));
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> at(-0.032, 0.032);
+  int asked = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec3 p(at(rng), at(rng), at(rng));
+    DistanceField::Sample here;
+    if (!field.sample(p, 0.1, false, here)) continue;
+    const double reach = here.distance + 1e-6;  // just touched, if nobody is hasty
+    DistanceField::Sample again;
+    ASSERT_TRUE(field.sample(p, reach, false, again)) << p.transpose();
+    ++asked;
+  }
+  EXPECT_GT(asked, 100000);
+}
+
 TEST(DistanceField, CoversHideTheBodyInThem) {
   const TriangleMesh ball = support::sphere(0.04, 60, 120);
   TriangleMesh cover = ball;

@@ -90,14 +90,15 @@ double BodyContact::field_distance(const ContactPoint& point, const VectorField&
 }
 
 BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool with_hessian) const {
-  constexpr double kLipschitz = 1.3;  // of the interpolated distance: it overshoots at creases
   Touch touch;
   if (!field_) return touch;
   const Vec3 p = points_[i].position(x);
   Clear& clear = clear_[i];
   if (clear.slack > 0 && (p - clear.place).squaredNorm() < clear.slack * clear.slack) return touch;
   touch.active = field_->sample(p, points_[i].offset, with_hessian, touch.sample);
-  clear = {p, touch.active ? -1 : (touch.sample.distance - points_[i].offset) / kLipschitz};
+  clear = {p, touch.active
+                  ? -1
+                  : (touch.sample.distance - points_[i].offset) / DistanceField::kSteepest};
   return touch;
 }
 

@@ -9,7 +9,9 @@ namespace loosefit {
 namespace {
 
 constexpr auto kRelaxed = std::memory_order_relaxed;
-constexpr double kBandCells = 3.2;  ///< half width of the sampled band in cells
+/// Half width of the sampled band in cells: two of them are the rim, where the interpolant may lack
+/// nodes and gives way to the surface itself.
+constexpr double kBandCells = 4.2;
 
 /// Catmull-Rom weights of the four nodes around t ∈ [0, 1], with first and second derivatives.
 struct Weights {
@@ -215,12 +217,12 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
                             static_cast<int>(std::lround(q[1])),
                             static_cast<int>(std::lround(q[2]))};
     const Zone zone = zone_[index(nearest[0], nearest[1], nearest[2])];
-    // The nearest node is at most √3/2 cells away and distance is 1-Lipschitz.
+    // The nearest node is at most √3/2 cells away, and its value is the interpolant's.
     if (zone != Zone::inside) {
       const bool far = zone == Zone::outside;
       const double least =
           (far ? kBandCells * spacing_ : value(nearest[0], nearest[1], nearest[2])) -
-          0.9 * spacing_;
+          0.87 * kSteepest * spacing_;
       if (far || least > reach) {
         out.distance = std::max(least, reach);
         return false;

@@ -27,6 +27,10 @@ class DistanceField {
   DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing,
                 const std::vector<TriangleMesh>& covers = {});
 
+  /// Bound of the interpolant's slope: where the skin's distance has creases within two cells it
+  /// overshoots (slopes −1, 1, −1 of the nodes give 1.5 in the middle).
+  static constexpr double kSteepest = 1.5;
+
   struct Sample {
     double distance = 0;  ///< [m], negative inside
     Vec3 gradient = Vec3::Zero();

@@ -11,12 +11,13 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLeastLattice = 4;      ///< intervals along an edge of a cut triangle
-constexpr double kLattice = 0.0035;   ///< largest of them [m]
-constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cut [m]
-constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
-constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
-constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
+constexpr int kLeastLattice = 4;       ///< intervals along an edge of a cut triangle
+constexpr double kLattice = 0.0035;    ///< largest of them [m]
+constexpr double kClear = 1.2e-4;      ///< clearance asked of a triangle that cut [m]
+constexpr double kEachTime = 3e-5;     ///< more for each time that it cut [m]
+constexpr double kAboutToCut = 8e-5;   ///< clearance below which a triangle counts as cut [m]
+constexpr double kMostOffset = 0.010;  ///< beyond it the field is not smooth [m]
+constexpr double kFarField = 0.002;    ///< largest correction at one time [m]
 
 int lattice(const Triangle& t, const std::vector<Vec3>& x) {
   double longest = 0;
@@ -95,8 +96,8 @@ bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<V
       if (most < 0) continue;
       const double seen = contact.field_distance(p, x, kFarField);
       const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
-      p.offset =
-          std::max(p.offset, half_thickness[layer] + std::clamp(error, 0.0, kFarField)) + most;
+      const double needed = half_thickness[layer] + std::clamp(error, 0.0, kFarField);
+      p.offset = std::min(kMostOffset, std::max(p.offset, needed) + most);
     }
   }
   return any;

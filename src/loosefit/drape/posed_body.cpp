@@ -10,6 +10,7 @@
 namespace loosefit {
 namespace {
 constexpr double kMargin = 0.06;     ///< of the field round the cloth [m]
+constexpr double kSag = 0.10;        ///< more of it below: hems sink while cloth settles [m]
 constexpr double kSmoothing = 0.04;  ///< reach of smoothing the carried displacements [m]
 constexpr int kMostPasses = 50;
 
@@ -47,7 +48,8 @@ std::unique_ptr<PosedBody> pose_for_queries(Body body) {
 void add_field(PosedBody& posed, const Box3& cloth, double spacing) {
   const Vec3 margin = Vec3::Constant(kMargin);
   posed.field = std::make_shared<DistanceField>(
-      *posed.tree, Box3(cloth.min() - margin, cloth.max() + margin), spacing, mittens(posed.body));
+      *posed.tree, Box3(cloth.min() - margin - kSag * Vec3::UnitZ(), cloth.max() + margin), spacing,
+      mittens(posed.body));
 }
 
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {

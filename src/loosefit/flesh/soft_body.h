@@ -1,4 +1,7 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "loosefit/body/body_model.h"
 #include "loosefit/flesh/skin_patch.h"
 
@@ -23,6 +26,7 @@ class SoftBody {
   Body in(const Posture& posture);
 
  private:
+  Body made(const Posture& posture, bool& free);
   /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
   struct Known {
     Posture posture;
@@ -39,6 +43,9 @@ class SoftBody {
   BodyParameters parameters_;
   std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
   std::vector<Known> known_;  ///< without overlaps; the first is the rest posture
+  /// The last answers without overlaps: donnings follow each other through the same postures.
+  std::vector<std::pair<Posture, Body>> last_;
+  std::size_t next_ = 0;  ///< of them to be replaced
 };
 
 }  // namespace loosefit

@@ -1,5 +1,10 @@
 #include "loosefit/geometry/closest_point.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <compare>
@@ -8,6 +13,7 @@
 namespace loosefit {
 namespace {
 constexpr int kLeafSize = 4;
+constexpr int kTask = 4096;  ///< triangles of a subtree from which on a task of its own pays
 
 double distance_squared_to_box(const Vec3& p, const Vec3& lower, const Vec3& upper) {
   return (lower - p).cwiseMax(p - upper).cwiseMax(0.0).squaredNorm();
@@ -86,30 +92,46 @@ Vec3 closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 
 ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
   const int n = static_cast<int>(mesh.triangles.size());
+  std::vector<Vec3> centroids(n);
+  for (int i = 0; i < n; ++i) {
+    const Triangle& t = mesh.triangles[i];
+    centroids[i] = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+  }
+  find_pseudonormals();
   order_.resize(n);
   std::iota(order_.begin(), order_.end(), 0);
-  std::vector<Vec3> centroids(n);
+  if (n == 0) return;
+  nodes_.resize(nodes_of(n));
+  build({0, 1, 0, n}, centroids);
+}
+
+void ClosestPointTree::find_pseudonormals() {
+  const TriangleMesh& mesh = *mesh_;
+  const std::size_t n = mesh.triangles.size();
   vertex_pseudonormals_.assign(mesh.vertices.size(), Vec3::Zero());
   edge_pseudonormals_.resize(n);
   // Half edges with their triangle's normal, brought together by sorting; an edge's normals are
   // added in the order of its triangles.
-  std::vector<HalfEdge> half_edges;
-  half_edges.reserve(3 * static_cast<std::size_t>(n));
+  std::vector<HalfEdge> half_edges(3 * n);
   std::vector<Vec3> normals(n);
-  for (int i = 0; i < n; ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const Vec3 p[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-    centroids[i] = (p[0] + p[1] + p[2]) / 3.0;
-    const Vec3& normal = normals[i] = triangle_normal(p[0], p[1], p[2]);
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 e1 = p[(k + 1) % 3] - p[k], e2 = p[(k + 2) % 3] - p[k];
-      const double angle = std::atan2(e1.cross(e2).norm(), e1.dot(e2));
-      vertex_pseudonormals_[t[k]] += angle * normal;
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      half_edges.push_back({low, high, i, k});
+  std::vector<std::array<double, 3>> angles(n);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1024), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      const Vec3 p[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+      normals[i] = triangle_normal(p[0], p[1], p[2]);
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 e1 = p[(k + 1) % 3] - p[k], e2 = p[(k + 2) % 3] - p[k];
+        angles[i][k] = std::atan2(e1.cross(e2).norm(), e1.dot(e2));
+        const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+        half_edges[3 * i + k] = {low, high, static_cast<int>(i), k};
+      }
     }
-  }
-  std::sort(half_edges.begin(), half_edges.end());
+  });
+  for (std::size_t i = 0; i < n; ++i)
+    for (int k = 0; k < 3; ++k)
+      vertex_pseudonormals_[mesh.triangles[i][k]] += angles[i][k] * normals[i];
+  tbb::parallel_sort(half_edges.begin(), half_edges.end());
   for (std::size_t first = 0, last = 0; first < half_edges.size(); first = last) {
     Vec3 sum = Vec3::Zero();
     for (; last < half_edges.size() && half_edges[last].same_edge(half_edges[first]); ++last)
@@ -117,49 +139,49 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
     for (std::size_t e = first; e < last; ++e)
       edge_pseudonormals_[half_edges[e].triangle][half_edges[e].corner] = sum;
   }
-  nodes_.reserve(n);
-  if (n > 0) {
-    nodes_.emplace_back();
-    // Depth-first build with an explicit stack: node, first, last.
-    struct Range {
-      int node, first, last;
-    };
-    std::vector<Range> stack{{0, 0, n}};
-    while (!stack.empty()) {
-      const Range r = stack.back();
-      stack.pop_back();
-      Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-      Vec3 centre_lower = lower, centre_upper = upper;
-      for (int i = r.first; i < r.last; ++i) {
-        for (int v : mesh.triangles[order_[i]]) {
-          lower = lower.cwiseMin(mesh.vertices[v]);
-          upper = upper.cwiseMax(mesh.vertices[v]);
-        }
-        centre_lower = centre_lower.cwiseMin(centroids[order_[i]]);
-        centre_upper = centre_upper.cwiseMax(centroids[order_[i]]);
-      }
-      nodes_[r.node].lower = lower;
-      nodes_[r.node].upper = upper;
-      if (r.last - r.first <= kLeafSize) {
-        nodes_[r.node].first = r.first;
-        nodes_[r.node].count = r.last - r.first;
-        continue;
-      }
-      int axis = 0;
-      (centre_upper - centre_lower).maxCoeff(&axis);
-      const int middle = (r.first + r.last) / 2;
-      std::nth_element(order_.begin() + r.first, order_.begin() + middle, order_.begin() + r.last,
-                       [&](int i, int j) {
-                         return std::pair(centroids[i][axis], i) < std::pair(centroids[j][axis], j);
-                       });
-      const int left = static_cast<int>(nodes_.size());
-      nodes_[r.node].first = left;
-      nodes_.emplace_back();
-      nodes_.emplace_back();
-      stack.push_back({left, r.first, middle});
-      stack.push_back({left + 1, middle, r.last});
+}
+
+/// Of a tree over n triangles.
+std::size_t ClosestPointTree::nodes_of(int n) {
+  return n <= kLeafSize ? 1 : 1 + nodes_of(n / 2) + nodes_of(n - n / 2);
+}
+
+void ClosestPointTree::build(const Range& r, const std::vector<Vec3>& centroids) {
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  Vec3 centre_lower = lower, centre_upper = upper;
+  for (int i = r.first; i < r.last; ++i) {
+    for (int v : mesh_->triangles[order_[i]]) {
+      lower = lower.cwiseMin(mesh_->vertices[v]);
+      upper = upper.cwiseMax(mesh_->vertices[v]);
     }
+    centre_lower = centre_lower.cwiseMin(centroids[order_[i]]);
+    centre_upper = centre_upper.cwiseMax(centroids[order_[i]]);
   }
+  Node& node = nodes_[r.node];
+  node.lower = lower;
+  node.upper = upper;
+  const int n = r.last - r.first;
+  if (n <= kLeafSize) {
+    node.first = r.first;
+    node.count = n;
+    return;
+  }
+  int axis = 0;
+  (centre_upper - centre_lower).maxCoeff(&axis);
+  const int middle = r.first + n / 2;
+  std::nth_element(order_.begin() + r.first, order_.begin() + middle, order_.begin() + r.last,
+                   [&](int i, int j) {
+                     return std::pair(centroids[i][axis], i) < std::pair(centroids[j][axis], j);
+                   });
+  node.first = r.free;
+  const int below_left = r.free + 2;
+  const int below_right = below_left + static_cast<int>(nodes_of(middle - r.first)) - 1;
+  const Range left{r.free, below_left, r.first, middle};
+  const Range right{r.free + 1, below_right, middle, r.last};
+  if (n > kTask)
+    tbb::parallel_invoke([&] { build(left, centroids); }, [&] { build(right, centroids); });
+  else
+    build(left, centroids), build(right, centroids);
 }
 
 ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance) const {

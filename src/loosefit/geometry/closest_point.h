@@ -43,6 +43,14 @@ class ClosestPointTree {
     int first = 0;  ///< leaf: first entry in order_; inner: left child
     int count = 0;  ///< leaf: number of triangles; inner: 0
   };
+  /// Triangles [first, last) of order_, to go below `node`, with nodes from `free` on.
+  struct Range {
+    int node, free, first, last;
+  };
+  void find_pseudonormals();
+  static std::size_t nodes_of(int n);
+  void build(const Range& range, const std::vector<Vec3>& centroids);
+
   const TriangleMesh* mesh_;
   std::vector<Node> nodes_;
   std::vector<int> order_;

@@ -1,3 +1,5 @@
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <limits>
 
@@ -39,24 +41,27 @@ void map_states(CaseResult& result) {
   const auto body_of = [&](const CaseState& s) -> const Body& {
     return s.posture == 0 ? result.body.body : *result.wear.bodies[s.posture];
   };
-  for (CaseState& s : result.wear.states) {
-    if (!s.counts()) continue;
+  auto& states = result.wear.states;
+  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
+    CaseState& s = states[i];
+    if (!s.counts()) return;
     s.worn = relate(result.mesh(), s.drape.positions, body_of(s));
     if (!s.drape.body_normal_force.empty())
       s.pressure = contact_pressure(result.mesh(), s.drape, body_of(s), material,
                                     result.scenario.simulation.gravity);
     s.wrinkles = regional_wrinkles(result.mesh(), s.worn);
-    if (s.posture > 0) continue;
+    if (s.posture > 0) return;
     s.maps.clear();
     for (PerformanceMap& map :
          compute_maps(result.mesh(), s.drape, s.worn, result.scenario.output.maps,
                       {false, &s.pressure, &material}))
       s.maps.push_back(summed_up(std::move(map), s.worn));
-  }
-  for (CaseState& s : result.wear.states) {
-    if (!s.counts() || s.posture == 0) continue;
+  });
+  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
+    CaseState& s = states[i];
+    if (!s.counts() || s.posture == 0) return;
     const CaseState* own = nullptr;  // reference of a further donning
-    for (const CaseState& other : result.wear.states)
+    for (const CaseState& other : states)
       if (other.donning == s.donning && other.posture == 0 && other.counts()) own = &other;
     const DressedState reference =
         s.donning == 0 ? DressedState{result.drape.positions, result.body.body, result.maps.worn}
@@ -65,7 +70,7 @@ void map_states(CaseResult& result) {
     for (PerformanceMap& map :
          slip_maps(result.mesh(), reference, {s.drape.positions, body_of(s), s.worn}))
       s.maps.push_back(summed_up(std::move(map), s.worn));
-  }
+  });
   add_posture_maps(result);
 }
 
