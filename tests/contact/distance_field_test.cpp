@@ -134,7 +134,6 @@ TEST(DistanceField, ReachDecidesWhatIsTouched) {
     }
 }
 
-// Two balls that touch, the second only as a cover: the field is that of both together.
 /// Many small spheres near each other: creases of the distance in every cell.
 TriangleMesh pebbles() {
   TriangleMesh all;
@@ -169,6 +168,38 @@ TEST(DistanceField, WhatItCallsFarIsFarByItsInterpolantToo) {
   EXPECT_GT(asked, 100000);
 }
 
+// Contact would stop where its energy jumps: up to the smooth reach nothing does.
+TEST(DistanceField, HasNoJumpsUpToItsSmoothReach) {
+  TriangleMesh wedge = support::sphere(0.05, 40, 80);
+  for (Vec3& p : wedge.vertices) p[2] *= 0.3;  // a lens with a sharp rim
+  const ClosestPointTree tree(wedge);
+  const DistanceField field(tree, box(0.08));
+  const double reach = field.smooth_reach();
+  EXPECT_GT(reach, 0.010);
+  std::mt19937 rng(11);
+  double worst = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 way = random_direction(rng);
+    double before = -1;
+    for (int k = 0; k <= 20000; ++k) {
+      DistanceField::Sample s;
+      const double d = field.sample((0.01 + 3e-6 * k) * way, reach, false, s) ? s.distance : reach;
+      if (k > 0) worst = std::max(worst, std::abs(d - before));
+      before = d;
+    }
+  }
+  EXPECT_LT(worst, 3e-6 * DistanceField::kSteepest);
+}
+
+TEST(DistanceField, KnowsWhatItCovers) {
+  const TriangleMesh ball = support::sphere(0.04, 20, 40);
+  const ClosestPointTree tree(ball);
+  const DistanceField field(tree, box(0.06));
+  EXPECT_TRUE(field.covers(box(0.06)));
+  EXPECT_FALSE(field.covers(box(0.09)));
+}
+
+// Two balls that touch, the second only as a cover: the field is that of both together.
 TEST(DistanceField, CoversHideTheBodyInThem) {
   const TriangleMesh ball = support::sphere(0.04, 60, 120);
   TriangleMesh cover = ball;

@@ -64,6 +64,15 @@ TEST(SoftBody, SittingFoldsTheGroinWithoutPassingThroughIt) {
   EXPECT_EQ(person.in(sitting).surface.vertices, first.surface.vertices);
 }
 
+TEST(SoftBody, WhatItRemembersIsWhatItWouldMakeAnew) {
+  SoftBody often(body_model(), woman()), once(body_model(), woman());
+  std::vector<Posture> postures;
+  for (int k = 0; k < 20; ++k) postures.push_back({radians(30 + k), 0, 0});
+  for (const Posture& p : postures) often.in(p);
+  for (const Posture& p : {postures.front(), postures.back()})
+    EXPECT_EQ(often.in(p).surface.vertices, once.in(p).surface.vertices);
+}
+
 TEST(SoftBody, PosturesBetweenThoseOfBeforeAreReachedFromThere) {
   const Posture from{radians(14), 0, 0}, to{radians(6), 0, 0};
   SoftBody person(body_model(), woman());

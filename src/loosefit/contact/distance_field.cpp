@@ -9,9 +9,12 @@ namespace loosefit {
 namespace {
 
 constexpr auto kRelaxed = std::memory_order_relaxed;
-/// Half width of the sampled band in cells: two of them are the rim, where the interpolant may lack
-/// nodes and gives way to the surface itself.
-constexpr double kBandCells = 4.2;
+/// Half width of the sampled band in cells, and of its rim, where the interpolant may lack nodes
+/// and gives way to the surface itself.
+constexpr double kBandCells = 4.2, kRimCells = 2;
+/// How much less than at the nearest node the interpolant can be, in cells: half a cell's diagonal
+/// off, from node values that fall off as steeply as distances can.
+constexpr double kFall = 1.6;
 
 /// Catmull-Rom weights of the four nodes around t ∈ [0, 1], with first and second derivatives.
 struct Weights {
@@ -204,6 +207,14 @@ bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, b
   return true;
 }
 
+bool DistanceField::covers(const Box3& box) const {
+  const Vec3 rim = Vec3::Constant(kRimCells * spacing_);
+  const Vec3 end = origin_ + spacing_ * Vec3(size_[0] - 1, size_[1] - 1, size_[2] - 1);
+  return Box3(origin_ + rim, end - rim).contains(box);
+}
+
+double DistanceField::smooth_reach() const { return (kBandCells - kRimCells) * spacing_; }
+
 bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
   const Vec3 q = (p - origin_) / spacing_;
   std::array<int, 3> cell;
@@ -222,7 +233,7 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
       const bool far = zone == Zone::outside;
       const double least =
           (far ? kBandCells * spacing_ : value(nearest[0], nearest[1], nearest[2])) -
-          0.87 * kSteepest * spacing_;
+          kFall * spacing_;
       if (far || least > reach) {
         out.distance = std::max(least, reach);
         return false;

@@ -27,9 +27,16 @@ class DistanceField {
   DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing,
                 const std::vector<TriangleMesh>& covers = {});
 
-  /// Bound of the interpolant's slope: where the skin's distance has creases within two cells it
-  /// overshoots (slopes −1, 1, −1 of the nodes give 1.5 in the middle).
-  static constexpr double kSteepest = 1.5;
+  /// Bound of the interpolant's slope: where the skin's distance has creases in every cell it
+  /// overshoots. Along one axis slopes −1, 1, −1 of the nodes give 1.5 in the middle; the weights
+  /// across the other two add up to 1.25 each.
+  static constexpr double kSteepest = 1.5 * 1.25 * 1.25;
+
+  /// Whether places in the box can be interpolated, as far as the grid goes.
+  bool covers(const Box3& box) const;
+  double spacing() const { return spacing_; }  ///< [m]
+  /// Distance up to which every place on the grid is interpolated [m].
+  double smooth_reach() const;
 
   struct Sample {
     double distance = 0;  ///< [m], negative inside

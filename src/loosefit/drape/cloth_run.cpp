@@ -62,6 +62,12 @@ void ClothRun::make_model(double stiffness_share, bool with_friction) {
   model_->set_field(body_->field);
 }
 
+void ClothRun::keep_cloth_in_field() {
+  if (body_->field->covers(bounds(x_))) return;
+  body_ = with_field_round(*body_, bounds(x_));
+  model_->set_field(body_->field);
+}
+
 bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool preparing) {
   // The dynamic integrators are asked for by name for the final level; before it, quasi-static
   // steps bring the cloth near.
@@ -84,6 +90,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
       keep(lowest_, residual);
     return over(iteration);
   };
+  keep_cloth_in_field();
   const long searches_before = model_->self().searches();
   if (!integrator_ || integrator_kind_ != kind) {
     integrator_ = make_integrator(kind, model_->system());

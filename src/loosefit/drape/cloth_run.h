@@ -51,6 +51,8 @@ class ClothRun {
   std::vector<std::array<int, 2>> parents_of_next() const;
 
   void make_model(double stiffness_share = 1, bool with_friction = true);
+  /// Off the grid of the field the energy of contact jumps: a wider one where cloth has come near.
+  void keep_cloth_in_field();
   /// Settles the current level; true when the tolerance was met.
   bool settle(double tolerance, int iterations, double first_dt, bool preparing = false);
   void dress(Body body);

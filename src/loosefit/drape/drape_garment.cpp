@@ -80,10 +80,11 @@ void ClothRun::settle_finest() {
     const bool low = !clear_ || last_.residual < clear_->residual;
     std::optional<Kept> here;
     if (low) keep(here, last_.residual);
-    const bool cuts = hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
-    if (low && !cuts) clear_ = std::move(here);
+    const CutRound round =
+        hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
+    if (low && !round.cuts) clear_ = std::move(here);
     report_.held_off_triangles = static_cast<int>(times_cut.size());
-    return cuts;
+    return round.cuts && round.held;
   };
   for (const auto& [tolerance, first_dt] : kCutTolerances) {
     settle(std::max(tolerance, options_.residual_tolerance),

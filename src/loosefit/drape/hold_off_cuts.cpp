@@ -11,13 +11,12 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLeastLattice = 4;       ///< intervals along an edge of a cut triangle
-constexpr double kLattice = 0.0035;    ///< largest of them [m]
-constexpr double kClear = 1.2e-4;      ///< clearance asked of a triangle that cut [m]
-constexpr double kEachTime = 3e-5;     ///< more for each time that it cut [m]
-constexpr double kAboutToCut = 8e-5;   ///< clearance below which a triangle counts as cut [m]
-constexpr double kMostOffset = 0.010;  ///< beyond it the field is not smooth [m]
-constexpr double kFarField = 0.002;    ///< largest correction at one time [m]
+constexpr int kLeastLattice = 4;      ///< intervals along an edge of a cut triangle
+constexpr double kLattice = 0.0035;   ///< largest of them [m]
+constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cut [m]
+constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
+constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
+constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
 
 int lattice(const Triangle& t, const std::vector<Vec3>& x) {
   double longest = 0;
@@ -60,9 +59,9 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
 
 }  // namespace
 
-bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
-                   const std::vector<double>& half_thickness, bool look_ahead,
-                   std::map<int, int>& times_cut) {
+CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
+                       const std::vector<double>& half_thickness, bool look_ahead,
+                       std::map<int, int>& times_cut) {
   const auto& skin = body.body.surface;
   const ClothMesh& cloth = model.mesh();
   const auto& triangles = cloth.triangles;
@@ -70,7 +69,7 @@ bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<V
   for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
     cut.insert(t);
   const bool any = !cut.empty();
-  if (!any && !look_ahead) return false;
+  if (!any && !look_ahead) return {};
   // Those that are about to cut are treated alike, or each round would find their neighbours.
   const std::vector<double> least = least_distances(*body.tree, triangles, x, cut);
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -85,6 +84,8 @@ bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<V
     for (int v : triangles[t]) cuts_at[v].push_back(t);
     raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
   }
+  const double farthest = body.field->smooth_reach();
+  bool held = false;
   for (int layer = 0; layer < cloth.layers(); ++layer) {
     BodyContact& contact = model.body(layer);
     for (ContactPoint& p : contact.change_points()) {
@@ -97,10 +98,12 @@ bool hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<V
       const double seen = contact.field_distance(p, x, kFarField);
       const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
       const double needed = half_thickness[layer] + std::clamp(error, 0.0, kFarField);
-      p.offset = std::min(kMostOffset, std::max(p.offset, needed) + most);
+      const double offset = std::min(farthest, std::max(p.offset, needed) + most);
+      held = held || offset > p.offset;
+      p.offset = std::max(p.offset, offset);
     }
   }
-  return any;
+  return {any, held};
 }
 
 }  // namespace loosefit

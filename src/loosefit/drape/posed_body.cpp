@@ -52,6 +52,10 @@ void add_field(PosedBody& posed, const Box3& cloth, double spacing) {
       mittens(posed.body));
 }
 
+std::unique_ptr<PosedBody> with_field_round(const PosedBody& posed, const Box3& cloth) {
+  return pose_for_contact(posed.body, cloth, posed.field->spacing());
+}
+
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {
   auto posed = pose_for_queries(std::move(body));
   add_field(*posed, cloth, spacing);

@@ -15,8 +15,10 @@ struct PosedBody {
 
 /// A posed body without its field.
 std::unique_ptr<PosedBody> pose_for_queries(Body body);
-/// cloth: box round the cloth; the field covers it with a margin for motion.
+/// cloth: box round the cloth; the field covers it with a margin for motion, the larger one below.
 void add_field(PosedBody& posed, const Box3& cloth, double spacing);
+/// The same body with a field round where the cloth is now.
+std::unique_ptr<PosedBody> with_field_round(const PosedBody& posed, const Box3& cloth);
 std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing);
 
 /// A rigid or nearly rigid motion: x → M x.

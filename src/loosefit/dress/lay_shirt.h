@@ -14,7 +14,7 @@ struct ShirtRoom {
 };
 
 /// One try of dress_shirt; the sheets may cut themselves.
-/// \throws GeometryError when a panel would fold over, and as dress_shirt.
+/// \throws NoRoom when a panel would fold over, and as dress_shirt.
 std::vector<Vec3> lay_shirt(const Garment& shirt, const Body& body, const ShirtRoom& room);
 
 }  // namespace loosefit

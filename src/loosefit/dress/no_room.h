@@ -7,10 +7,7 @@ namespace loosefit {
 /// another one.
 class NoRoom : public GeometryError {
  public:
-  explicit NoRoom(const std::string& complaint)
-      : GeometryError(complaint,
-                      "dress it with the arms wider apart "
-                      "(body.dress_posture = { arm_abduction_deg = 55 })") {}
+  explicit NoRoom(const std::string& complaint) : GeometryError(complaint) {}
 };
 
 }  // namespace loosefit

@@ -175,7 +175,8 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const double hem_z = hps[1] - flat_height(g);
   double hem_x = outline.trunk_half_width(hem_z, side) + clearance;
   const double fall = half.armpit[1] - hem_z;
-  if (fall < 0.02) throw GeometryError("pattern: the body of the shirt ends above the armpits");
+  if (fall < 0.02)
+    throw NoRoom("the body of the shirt ends above the armpits as it has to be laid");
   for (double z = hem_z; z < half.armpit[1] - 0.1 * fall; z += 0.005) {
     const double share = (half.armpit[1] - z) / fall;  // 1 at the hem
     const double need = outline.trunk_half_width(z, side) + 0.5 * clearance;

@@ -10,7 +10,7 @@ namespace loosefit {
 namespace {
 
 constexpr double kStep = 0.2;            ///< largest joint angle of one step on the way [rad]
-constexpr std::size_t kRemembered = 24;  ///< bodies; 4 MB each
+constexpr std::size_t kRemembered = 16;  ///< bodies; 9 MB each
 constexpr double kMargin = 0.05;         ///< of skin round what overlaps that may give way [m]
 
 /// Largest angle by which a joint turns from one posture to the other [rad].
@@ -85,30 +85,22 @@ SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, c
 }
 
 Body SoftBody::in(const Posture& posture) {
-  for (const auto& [asked, body] : last_)
+  for (const auto& [asked, body] : remembered_)
     if (asked == posture) return body;
-  bool free = true;
-  Body body = made(posture, free);
-  if (!free) return body;
-  if (last_.size() < kRemembered)
-    last_.emplace_back(posture, body);
-  else
-    last_[next_++ % kRemembered] = {posture, body};
+  Body body = made(posture);
+  if (remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
   return body;
 }
 
-/// free: whether nothing overlaps.
-Body SoftBody::made(const Posture& posture, bool& free) {
+Body SoftBody::made(const Posture& posture) {
   Body stiff = model_.build(parameters_, posture);
   const auto overlaps = overlaps_of(stiff);
-  free = overlaps.empty();
-  if (free) return stiff;
+  if (overlaps.empty()) return stiff;
   const Known start = nearest(posture);
-  free = turn_between(start.posture, posture) == 0;
-  if (free) return displaced(std::move(stiff), start);
+  if (turn_between(start.posture, posture) == 0) return displaced(std::move(stiff), start);
   Known there = led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin));
   Body body = displaced(stiff, there);
-  free = overlaps_of(body).empty();
+  bool free = overlaps_of(body).empty();
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const Known rest = known_.front();

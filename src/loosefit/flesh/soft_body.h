@@ -26,7 +26,7 @@ class SoftBody {
   Body in(const Posture& posture);
 
  private:
-  Body made(const Posture& posture, bool& free);
+  Body made(const Posture& posture);
   /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
   struct Known {
     Posture posture;
@@ -42,10 +42,9 @@ class SoftBody {
   const BodyModel& model_;
   BodyParameters parameters_;
   std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
-  std::vector<Known> known_;  ///< without overlaps; the first is the rest posture
-  /// The last answers without overlaps: donnings follow each other through the same postures.
-  std::vector<std::pair<Posture, Body>> last_;
-  std::size_t next_ = 0;  ///< of them to be replaced
+  std::vector<Known> known_;  ///< without overlaps but for the first, the rest posture
+  /// The first answers: donnings follow each other through the same postures.
+  std::vector<std::pair<Posture, Body>> remembered_;
 };
 
 }  // namespace loosefit

@@ -22,6 +22,17 @@ constexpr double kProgress = 0.7, kDampedDt = 0.1, kLeastGrowth = 1.2;
 constexpr int kCycle = 60;
 constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
 
+/// The lowest residual so far and the iteration that it was found at.
+struct Lowest {
+  double residual = std::numeric_limits<double>::infinity();
+  int at = 0;
+  bool is_beaten_by(double other) const { return other < kProgress * residual; }
+  void take(double other, int iteration) {
+    residual = std::min(residual, other);
+    at = iteration;
+  }
+};
+
 class QuasiStatic : public Integrator {
  public:
   explicit QuasiStatic(const ParticleSystem& system) : system_(system), newton_(system) {}
@@ -32,10 +43,9 @@ class QuasiStatic : public Integrator {
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
     int stalls = 0, slow = 0;
-    double best = infinity, growth = kGrowth;
-    int best_at = 0;
-    double lowest = infinity;
-    int lowest_at = 0, newton_per_step = kNewtonPerStep;
+    double growth = kGrowth;
+    int newton_per_step = kNewtonPerStep;
+    Lowest at_rest, lately;  // of the static iterations; since friction's rounds were made longer
     system_.set_tangent(options.tangent);
     // One step of the load history; what follows iterates on its balance.
     newton_.begin_step(x, dt);
@@ -48,19 +58,18 @@ class QuasiStatic : public Integrator {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
-      if (outcome.residual < kProgress * best || dt <= kStaticDt) {
-        best = std::min(best, outcome.residual);
-        best_at = outcome.work.iterations;
-      } else if (outcome.work.iterations - best_at > kCycle) {
+      const int done = outcome.work.iterations;
+      if (at_rest.is_beaten_by(outcome.residual) || dt <= kStaticDt) {
+        at_rest.take(outcome.residual, done);
+      } else if (done - at_rest.at > kCycle) {
         dt = kDampedDt;
         growth = std::max(kLeastGrowth, std::sqrt(growth));
       }
-      if (outcome.residual < kProgress * lowest) {
-        lowest = outcome.residual;
-        lowest_at = outcome.work.iterations;
-      } else if (outcome.work.iterations - lowest_at > kNoProgress) {
+      if (lately.is_beaten_by(outcome.residual)) {
+        lately.take(outcome.residual, done);
+      } else if (done - lately.at > kNoProgress) {
         newton_per_step = std::min(2 * newton_per_step, kMostPerStep);
-        lowest_at = outcome.work.iterations;
+        lately.at = done;
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;

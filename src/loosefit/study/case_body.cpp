@@ -11,6 +11,11 @@
 namespace loosefit {
 namespace {
 
+constexpr char kOtherPosture[] =
+    "another body.dress_posture may do: most room is where the arms are 55 degrees apart from the "
+    "trunk (arm_abduction_deg = 55)";
+constexpr char kOtherScan[] = "scan the person with the arms farther from the trunk";
+
 const BodyModel& shared_model() {
   static const BodyModel kModel = BodyModel::load();
   return kModel;
@@ -67,7 +72,7 @@ CaseBody make_body(const ScenarioBody& wished) {
 Drape put_on(DrapeSession& session, CaseBody& body) try {
   return session.put_on(body.path);
 } catch (const NoRoom& error) {
-  if (!body.wide_path) throw;
+  if (!body.wide_path) throw GeometryError(error.what(), body.pose ? kOtherPosture : kOtherScan);
   body.path = std::exchange(body.wide_path, {});
   body.warnings.push_back(
       std::string("put on with the arms wide apart, since in the usual posture ") + error.what());

@@ -1,4 +1,5 @@
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <limits>
@@ -10,6 +11,14 @@
 
 namespace loosefit {
 namespace {
+
+/// Side by side. Isolated: what a state does in parallel must not begin another one in between.
+template <class Visit>
+void for_each_state(std::vector<CaseState>& states, const Visit& visit) {
+  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
+    tbb::this_task_arena::isolate([&] { visit(states[i]); });
+  });
+}
 
 /// Slip and orientation error over the postures of the first donning, per vertex.
 void add_posture_maps(CaseResult& result) {
@@ -42,8 +51,7 @@ void map_states(CaseResult& result) {
     return s.posture == 0 ? result.body.body : *result.wear.bodies[s.posture];
   };
   auto& states = result.wear.states;
-  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
-    CaseState& s = states[i];
+  for_each_state(states, [&](CaseState& s) {
     if (!s.counts()) return;
     s.worn = relate(result.mesh(), s.drape.positions, body_of(s));
     if (!s.drape.body_normal_force.empty())
@@ -57,8 +65,7 @@ void map_states(CaseResult& result) {
                       {false, &s.pressure, &material}))
       s.maps.push_back(summed_up(std::move(map), s.worn));
   });
-  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
-    CaseState& s = states[i];
+  for_each_state(states, [&](CaseState& s) {
     if (!s.counts() || s.posture == 0) return;
     const CaseState* own = nullptr;  // reference of a further donning
     for (const CaseState& other : states)

@@ -1,5 +1,9 @@
 #include "loosefit/study/run_case.h"
 
+#include <tbb/global_control.h>
+
+#include <optional>
+
 #include "loosefit/base/resources.h"
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
@@ -10,6 +14,9 @@ namespace loosefit {
 
 CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) try {
   StageClock clock(progress);
+  std::optional<tbb::global_control> threads;
+  if (scenario.simulation.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, scenario.simulation.threads);
   CaseResult result;
   result.scenario = scenario;
 
