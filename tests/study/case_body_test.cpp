@@ -106,9 +106,19 @@ TEST_F(PutOn, TriesNoOtherPostureForABodyThatLacksWhatAShirtHangsOn) {
   EXPECT_TRUE(body_.warnings.empty());
 }
 
-TEST_F(PutOn, KeepsToThePostureThatWasAskedFor) {
+TEST_F(PutOn, KeepsToThePostureThatWasAskedForAndSaysWhichOneMayDo) {
   body_.wide_path = {};
-  EXPECT_THROW(put_on(session_, body_), GeometryError);
+  const auto hint = [&] {
+    try {
+      put_on(session_, body_);
+    } catch (const GeometryError& error) {
+      return error.hint();
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(hint().find("body.dress_posture"), std::string::npos);
+  body_.pose = {};  // as a scan, which has the posture that it has
+  EXPECT_NE(hint().find("scan"), std::string::npos);
 }
 
 }  // namespace
