@@ -81,8 +81,8 @@ TEST_F(SleeveOnArm, MovingTheArmWithItsSleeveIsNoSlipAndNoError) {
   const Mat3 turn = turn_about(Vec3(1, 1, -0.3), 1.9);
   const Vec3 move(0.3, -0.1, 0.4);
   const State now = state(testing::moved(sleeve(), turn, move), testing::moved(arm_, turn, move));
-  for (double slip : slip_maps(tube_, reference.view(), now.view())[0].values)
-    EXPECT_NEAR(slip, 0, 1e-9);
+  const std::vector<PerformanceMap> slips = slip_maps(tube_, reference.view(), now.view());
+  for (double slip : slips[0].values) EXPECT_NEAR(slip, 0, 1e-9);
   for (const PerformanceMap& map :
        orientation_error_maps(tube_, reference.view(), {now.view(), now.view()}))
     for (double error : map.values) EXPECT_NEAR(error, 0, 1e-6);

@@ -46,6 +46,11 @@ StateMeter::StateMeter(const Garment& garment, const Material& material, const W
 }
 
 std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) const {
+  if (!patch.sample_directions.empty() &&
+      patch.sample_directions.size() != patch.footprint.samples.size())
+    throw InvalidInput("a sensor's patch: found " + std::to_string(patch.sample_directions.size()) +
+                       " directions, expected " + std::to_string(patch.footprint.samples.size()) +
+                       ", one for each sample");
   const bool each = !patch.sample_directions.empty();
   std::vector<Sample> samples;
   samples.reserve(patch.footprint.samples.size());
@@ -205,11 +210,6 @@ void StateMeter::add_change(const SkinPatch& reference, const std::vector<Sample
 }
 
 SiteState StateMeter::measure(const SensorPatch& patch, const SkinPatch* reference) const {
-  if (!patch.sample_directions.empty() &&
-      patch.sample_directions.size() != patch.footprint.samples.size())
-    throw InvalidInput("a sensor's patch: found " + std::to_string(patch.sample_directions.size()) +
-                       " directions, expected " + std::to_string(patch.footprint.samples.size()) +
-                       ", one for each sample");
   const std::vector<Sample> samples = sampled(patch);
   SiteState site;
   site.posture = state_.posture;
