@@ -86,7 +86,7 @@ class StateMeter {
                   SiteState& site) const;
 
   const Garment& garment_;
-  const Material& material_;
+  Material material_;
   WornState state_;
   std::shared_ptr<const PartnerFinder> finder_;
   std::vector<Vec3> axes_;  ///< segment_axes of the body
