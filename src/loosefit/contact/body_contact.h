@@ -58,6 +58,20 @@ class BodyContact : public Energy {
     field_ = std::move(field);
     forget_touches();
   }
+  /// What a state of this cloth needs to be taken up again: all but what only saves work.
+  struct Memory {
+    std::vector<ContactPoint> points;
+    std::shared_ptr<const DistanceField> field;
+    double stiffness;
+    Friction friction;
+  };
+  Memory memory() const { return {points_, field_, stiffness_, friction_}; }
+  void recall(const Memory& memory) {
+    change_points() = memory.points;
+    field_ = memory.field;
+    stiffness_ = memory.stiffness;
+    friction_ = memory.friction;
+  }
   void forget_anchors() { friction_.forget(); }
   /// The skin under each particle has moved so far [m]: the anchors of friction move with it.
   void carry_anchors(const VectorField& motion) { friction_.carry(motion); }

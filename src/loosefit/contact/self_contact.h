@@ -45,6 +45,20 @@ class SelfContact : public Energy {
   std::uint64_t pattern_version(const VectorField& x) const override;
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
+  /// What a state of this cloth needs to be taken up again: all but lists that are made anew.
+  struct Memory {
+    std::vector<BarrierPair> pairs;
+    Friction friction;
+    RememberedBlocks blocks;
+  };
+  Memory memory() const { return {pairs_, friction_, blocks_}; }
+  /// \pre memory is of a contact of the same mesh
+  void recall(const Memory& memory) {
+    pairs_ = memory.pairs;
+    friction_ = memory.friction;
+    blocks_ = memory.blocks;
+  }
+
   /// The part of add_gradient that is friction.
   void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
 

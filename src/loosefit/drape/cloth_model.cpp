@@ -125,18 +125,18 @@ void ClothModel::set_field(const std::shared_ptr<const DistanceField>& field) {
 }
 
 ClothMemory ClothModel::memory() const {
-  ClothMemory memory{{}, *self_, {}};
-  for (const auto& contact : body_) memory.body.push_back(*contact);
+  ClothMemory memory{{}, self_->memory(), {}};
+  for (const auto& contact : body_) memory.body.push_back(contact->memory());
   for (const auto& bending : bending_) memory.bending.push_back(bending->memory());
   return memory;
 }
 
 void ClothModel::recall(const ClothMemory& memory) {
   for (std::size_t l = 0; l < body_.size(); ++l) {
-    *body_[l] = memory.body[l];
+    body_[l]->recall(memory.body[l]);
     bending_[l]->recall(memory.bending[l]);
   }
-  *self_ = memory.self;
+  self_->recall(memory.self);
 }
 
 }  // namespace loosefit

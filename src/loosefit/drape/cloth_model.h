@@ -18,8 +18,8 @@ inline constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb s
 
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
-  std::vector<BodyContact> body;  ///< per layer
-  SelfContact self;
+  std::vector<BodyContact::Memory> body;  ///< per layer
+  SelfContact::Memory self;
   std::vector<std::vector<PlaneRows>> bending;
 };
 

@@ -18,16 +18,21 @@ bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& sh
   used_double_ = in_double_;
   if (!in_double_ && single_.factorise(a, shift, held)) {
     broke_down_ = 0;
+    double_.release();
     return true;
   }
   // Indefinite, or a matter of precision? Each time that it was the former, ask less often.
   if (!in_double_ && !try_double_.ready()) return false;
   if (!double_.factorise(a, shift, held)) {
-    try_double_.failed();
+    if (!in_double_) {
+      try_double_.failed();
+      double_.release();
+    }
     return false;
   }
   used_double_ = true;
   if (!in_double_) in_double_ = ++broke_down_ == kMostBreakdowns;
+  single_.release();
   return true;
 }
 
@@ -37,6 +42,7 @@ void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
   drop_held(b);
   if (!used_double_ && !conjugate_gradients(b, dx)) {
     in_double_ = true;
+    single_.release();
     used_double_ = double_.factorise(*a_, *shift_, *held_);
   }
   if (used_double_) double_.solve(b, dx);

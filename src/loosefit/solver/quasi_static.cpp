@@ -14,7 +14,7 @@ namespace {
 /// then friction is what the cloth chases.
 constexpr int kNewtonPerStep = 3, kMostPerStep = 12, kNoProgress = 20;
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
-constexpr int kSlowSteps = 30;  ///< in a row with the near tangent, before the full one is taken
+constexpr int kSlowSteps = 3000;  ///< in a row with the near tangent, before the full one is taken
 constexpr double kGrowth = 4;   ///< of pseudo-steps that are taken whole
 /// Without such a fall of the residual in so many static iterations the cloth snaps to and fro
 /// between two shapes: then damped steps of that length [s], which grow more slowly each time.

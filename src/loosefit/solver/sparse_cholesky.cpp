@@ -89,11 +89,6 @@ void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   factor.resize(fronts);
   border.clear();
   border.resize(fronts);
-  for (std::size_t f = 0; f < fronts; ++f) {
-    const Front& front = tree.fronts[f];
-    factor[f] =
-        std::make_unique_for_overwrite<Real[]>(9 * std::size_t(front.size()) * front.columns);
-  }
 }
 
 template <class Real>
@@ -150,6 +145,8 @@ template <class Real>
 void SparseCholesky<Real>::Work::eliminate(int index) {
   const Front& front = tree.fronts[index];
   const int p = 3 * front.columns, r = 3 * static_cast<int>(front.rows.size()), height = p + r;
+  if (!factor[index])
+    factor[index] = std::make_unique_for_overwrite<Real[]>(std::size_t(height) * p);
   Real* f = factor[index].get();
   std::fill_n(f, std::size_t(height) * p, Real(0));
   if (r > 0) border[index] = std::make_unique<Real[]>(std::size_t(r) * r);
@@ -201,6 +198,11 @@ bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<dou
   return w.definite;
 } catch (const std::bad_alloc&) {
   throw SolverFailure("out of memory in the sparse factorisation");
+}
+
+template <class Real>
+void SparseCholesky<Real>::release() {
+  for (auto& front : work_->factor) front.reset();
 }
 
 template <class Real>

@@ -26,6 +26,8 @@ class SparseCholesky {
                  const std::vector<char>& held);
   /// Solves with the last successful factorisation. \pre factorise returned true
   void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const;
+  /// Gives the memory of the factor back; what is known of the pattern stays.
+  void release();
 
  private:
   struct Work;
