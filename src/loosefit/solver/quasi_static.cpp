@@ -14,8 +14,7 @@ namespace {
 /// then friction is what the cloth chases.
 constexpr int kNewtonPerStep = 3, kMostPerStep = 12, kNoProgress = 20;
 constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
-constexpr int kSlowSteps = 3000;  ///< in a row with the near tangent, before the full one is taken
-constexpr double kGrowth = 4;   ///< of pseudo-steps that are taken whole
+constexpr double kGrowth = 4;           ///< of pseudo-steps that are taken whole
 /// Without such a fall of the residual in so many static iterations the cloth snaps to and fro
 /// between two shapes: then damped steps of that length [s], which grow more slowly each time.
 constexpr double kProgress = 0.7, kDampedDt = 0.1, kLeastGrowth = 1.2;
@@ -42,7 +41,7 @@ class QuasiStatic : public Integrator {
     SettleOutcome outcome;
     const double infinity = std::numeric_limits<double>::infinity();
     double dt = options.first_dt;
-    int stalls = 0, slow = 0;
+    int stalls = 0;
     double growth = kGrowth;
     int newton_per_step = kNewtonPerStep;
     Lowest at_rest, lately;  // of the static iterations; since friction's rounds were made longer
@@ -73,7 +72,7 @@ class QuasiStatic : public Integrator {
       }
       const VectorField start = x;
       double first_force = -1, last_share = 1;
-      bool moved = false, reduced = false;
+      bool moved = false;
       for (int k = 0; k < newton_per_step; ++k) {
         if (options.watch && options.watch(newton_.work().iterations, outcome.residual)) {
           outcome.reason = SettleOutcome::Reason::stopped;
@@ -87,13 +86,12 @@ class QuasiStatic : public Integrator {
         }
         moved = true;
         last_share = step.share;
-        reduced = k > 0 && step.force < kStepReduction * first_force;
+        const bool reduced = k > 0 && step.force < kStepReduction * first_force;
         // Newton proper gets there at once: what is left then is friction and contacts.
         if (reduced || (step.exact && last_share > 0.9)) break;
       }
-      // Whole steps that bring little: the near tangent is too far from the truth here.
-      slow = !reduced && last_share > 0.9 ? slow + 1 : 0;
-      if (slow == kSlowSteps || stalls == 4) system_.set_tangent(TangentReach::full);
+      // No way down with the near tangent: it may be too far from the truth here.
+      if (stalls == 4) system_.set_tangent(TangentReach::full);
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
       if (last_share > 0.9)
         dt *= growth;
