@@ -140,6 +140,27 @@ TEST(BodyContact, FrictionForceNeverExceedsTheConeAndReachesIt) {
   }
 }
 
+TEST(BodyContact, TakesUpAStateAgainWithItsPointsAndFriction) {
+  const Scene scene;
+  BodyContact contact = scene.contact(0.4);
+  contact.change_points()[0].offset *= 1.5;
+  contact.begin_step(scene.x, 0.1);
+  VectorField slid = scene.x;
+  for (Vec3& p : slid) p += 0.5 * kReach * p.normalized().unitOrthogonal();
+  const auto force = [&](const BodyContact& c) {
+    VectorField g(slid.size(), Vec3::Zero());
+    c.add_gradient(slid, g);
+    return g;
+  };
+  const VectorField before = force(contact);
+  const auto kept = contact.memory();
+  contact.set_layer(0.5 * kOffset, 2 * kStiffness);
+  contact.begin_step(slid, 0.1);
+  EXPECT_NE(force(contact), before) << "another state";
+  contact.recall(kept);
+  EXPECT_EQ(force(contact), before);
+}
+
 TEST(Friction, KeepsItsAnchorAcrossStepsAndSlidesOnlyBeyondIt) {
   Friction friction(0.5, kReach);
   FrictionContact c;

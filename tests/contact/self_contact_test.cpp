@@ -288,5 +288,31 @@ TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
   EXPECT_EQ(std::memcmp(result[0].data(), result[1].data(), result[0].size() * sizeof(double)), 0);
 }
 
+TEST(SelfContact, TakesUpAStateAgainWithItsFriction) {
+  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  SelfContact contact = two_triangles(0.5);
+  contact.begin_step(start, 0.1);
+  VectorField slid = start;
+  for (int i = 3; i < 6; ++i) slid[i] += Vec3(5e-5, 0, 0);
+  const auto kept = contact.memory();
+  const auto force = [&](const SelfContact& c) {
+    VectorField g(slid.size(), Vec3::Zero());
+    c.add_gradient(slid, g);
+    return g;
+  };
+  const VectorField before = force(contact);
+  ASSERT_GT(before[3].head<2>().norm(), 0) << "friction";
+
+  VectorField apart = start;
+  for (int i = 3; i < 6; ++i) apart[i] += Vec3(0, 0, 0.05);
+  contact.begin_step(apart, 0.1);
+  EXPECT_EQ(contact.active(slid), 0) << "forgotten";
+  contact.recall(kept);
+  EXPECT_EQ(force(contact), before);
+  SelfContact other = two_triangles(0.5);
+  other.recall(kept);
+  EXPECT_EQ(force(other), before);
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -66,6 +66,13 @@ TEST(NewtonSystem, TakesDoublePrecisionWhereSingleBreaksDown) {
   EXPECT_TRUE(system.in_double());
 }
 
+TEST(NewtonSystem, GoesBackToSinglePrecisionAfterOneBreakdown) {
+  NewtonSystem system;
+  expect_solved(system, chain(60, 1e6, 1e-3));
+  for (int k = 0; k < 3; ++k) expect_solved(system, chain(60, 100, 1));
+  EXPECT_FALSE(system.in_double());
+}
+
 TEST(NewtonSystem, RefusesIndefiniteMatricesAndLeavesHeldParticlesAlone) {
   const std::vector<double> shift(20, 0.0);
   std::vector<char> held(20, 0);

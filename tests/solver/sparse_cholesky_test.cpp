@@ -78,5 +78,21 @@ TEST(SparseCholesky, SaysWhenTheMatrixIsIndefiniteAndRecovers) {
   EXPECT_TRUE(cholesky.factorise(m, std::vector<double>(n, 100.0), {}));
 }
 
+TEST(SparseCholesky, FactorisesAgainToTheSameBitsAfterItsMemoryWasGivenBack) {
+  const int n = 30;
+  const BlockMatrix m = random_matrix(n, 14, 5);
+  const std::vector<Vec3> rhs = random_field(n);
+  SparseCholesky<float> cholesky;
+  std::vector<Vec3> before, after;
+  ASSERT_TRUE(cholesky.factorise(m, std::vector<double>(n, 0.1), {}));
+  cholesky.solve(rhs, before);
+  cholesky.release();
+  ASSERT_TRUE(cholesky.factorise(m, std::vector<double>(n, 0.1), {}));
+  cholesky.solve(rhs, after);
+  EXPECT_EQ(before, after);
+  SparseCholesky<float> unused;
+  unused.release();
+}
+
 }  // namespace
 }  // namespace loosefit
