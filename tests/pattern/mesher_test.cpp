@@ -54,6 +54,30 @@ TEST(Mesher, AddsNoPointOnTheOutline) {
   }
 }
 
+TEST(Mesher, NeighboursInThePanelAreNeighboursInTheList) {
+  const Panel front = draft_shirt({}).panels[0];
+  const std::vector<int> divisions(front.edges.size(), 20);
+  const PanelMesh mesh = mesh_panel(front, divisions, .012);
+  ASSERT_GT(mesh.triangles.size(), 1000u);
+  // What a run of 64 fills of the square round it: a quarter in the mean (0.02 in a random order).
+  double filled = 0;
+  int runs = 0;
+  for (std::size_t from = 0; from + 64 <= mesh.triangles.size(); from += 64, ++runs) {
+    Vec2 low(1e9, 1e9), high = -low;
+    double area = 0;
+    for (std::size_t t = from; t < from + 64; ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      area += signed_area({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+      for (int v : mesh.triangles[t]) {
+        low = low.cwiseMin(mesh.vertices[v]);
+        high = high.cwiseMax(mesh.vertices[v]);
+      }
+    }
+    filled += area / std::pow((high - low).maxCoeff(), 2);
+  }
+  EXPECT_GT(filled / runs, 0.25);
+}
+
 TEST(Mesher, IsIrregular) {
   const Panel square = rectangle_panel("square", .4, .4);
   const PanelMesh mesh = mesh_panel(square, {20, 20, 20, 20}, .02);

@@ -26,7 +26,7 @@ Mat3 BendingEnergy::friction_tangent(const PlaneRows& curvature, int t, int i) c
 
 void BendingEnergy::find_friction_stiffness() const {
   friction_stiffness_.resize(3 * kTile * patch_tiles_.size() + 1);
-  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+  for_tiles(bending_, [&](int t) {
     PlaneRows curvature;
     patch_curvature(patch_tiles_[t], angle_.data(), curvature);
     for (int i = 0; i < kTile && t * kTile + i < static_cast<int>(mesh_.patches.size()); ++i) {
@@ -48,7 +48,7 @@ TileRow BendingEnergy::hinge_stiffness(const HingeTile& tile) const {
 }
 
 void BendingEnergy::add_patches(BlockMatrix& h) const {
-  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+  for_tiles(bent_, [&](int t) {
     TileRow one;
     one.fill(1);
     std::array<TileRow, 12> row;
@@ -56,7 +56,7 @@ void BendingEnergy::add_patches(BlockMatrix& h) const {
     spread(row, force_[4 * kTile * t].data());
   });
   PatchTangent& tangent = patch_tangent();
-  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+  for_tiles(bending_, [&](int t) {
     const PatchTile& tile = patch_tiles_[t];
     PlaneRows curvature;
     if (friction_.active()) patch_curvature(tile, angle_.data(), curvature);
@@ -83,7 +83,7 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
   if (!patches && friction_.active()) find_friction_stiffness();
 
   block_.resize(10 * kTile * hinge_tiles_.size());
-  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+  for_tiles(turning_, [&](int t) {
     const HingeTile& tile = hinge_tiles_[t];
     HingePoints point;
     gather_points(x, tile.corner, point);
@@ -99,7 +99,7 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
     }
     spread(row, block_[10 * kTile * t].data());
   });
-  to_blocks_.add(block_, h);
+  to_blocks_.add(block_, h, focus_);
   if (patches) add_patches(h);
 }
 

@@ -171,8 +171,8 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
       outer[t][k] = unfold(flat[t], k, along, height[t][k]);
     }
   }
-  for (const auto& [key, sides] : edges) {
-    if (sides.size() != 2) continue;
+  // In the order of the triangles, so that a hinge is near them in memory, too.
+  const auto add_hinge = [&](const std::vector<Side>& sides) {
     const int hinge = static_cast<int>(result.hinges.size());
     for (int i = 0; i < 2; ++i) {
       const Side &here = sides[i], &there = sides[1 - i];
@@ -197,7 +197,13 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
     result.hinges.push_back(
         {triangles[a.triangle][a.corner], triangles[a.triangle][(a.corner + 1) % 3],
          triangles[a.triangle][(a.corner + 2) % 3], triangles[b.triangle][(b.corner + 2) % 3]});
-  }
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto& sides = edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])];
+      if (sides.size() == 2 && sides[0].triangle == static_cast<int>(t) && sides[0].corner == k)
+        add_hinge(sides);
+    }
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (!is_built_in(static_cast<int>(t)))
       result.patches[t].fit = release_borders(quadratic_fit(flat[t], outer[t], height[t]),

@@ -2,14 +2,18 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "loosefit/base/error.h"
@@ -195,6 +199,25 @@ void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, i
   }
 }
 
+/// Neighbours in the panel become neighbours in the list: by their centroids along a Hilbert curve.
+void sort_along_curve(std::vector<Triangle>& triangles, const std::vector<Vec2>& points) {
+  using Points = std::vector<Kernel::Point_2>;
+  using Traits =
+      CGAL::Spatial_sort_traits_adapter_2<Kernel,
+                                          CGAL::Pointer_property_map<Points::value_type>::type>;
+  Points centroids;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
+    centroids.emplace_back(centroid.x(), centroid.y());
+  }
+  std::vector<std::size_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  CGAL::hilbert_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(centroids)));
+  std::vector<Triangle> sorted;
+  for (const std::size_t t : order) sorted.push_back(triangles[t]);
+  triangles.swap(sorted);
+}
+
 }  // namespace
 
 PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length) {
@@ -218,6 +241,8 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
   }
   for (int round = 0; round < 8 && break_chords(points, triangles, n); ++round)
     triangles = Triangulation(points, n).triangles;
+
+  sort_along_curve(triangles, points);
 
   PanelMesh mesh{points, triangles, {}};
   int first = 0;

@@ -9,7 +9,7 @@ namespace loosefit {
 /// Flat triangle mesh of one panel.
 struct PanelMesh {
   std::vector<Vec2> vertices;       ///< [m]; the outline comes first, in order
-  std::vector<Triangle> triangles;  ///< counter-clockwise
+  std::vector<Triangle> triangles;  ///< counter-clockwise; neighbours mostly near in the list
   /// Per panel edge: vertices along it, ends included, even in arc length.
   std::vector<std::vector<int>> edge_vertices;
 };
