@@ -90,14 +90,14 @@ Vec3 closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   return {va / denominator, vb / denominator, vc / denominator};
 }
 
-ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, Sides sides) : mesh_(&mesh) {
   const int n = static_cast<int>(mesh.triangles.size());
   std::vector<Vec3> centroids(n);
   for (int i = 0; i < n; ++i) {
     const Triangle& t = mesh.triangles[i];
     centroids[i] = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
   }
-  find_pseudonormals();
+  if (sides == Sides::told) find_pseudonormals();
   order_.resize(n);
   std::iota(order_.begin(), order_.end(), 0);
   if (n == 0) return;

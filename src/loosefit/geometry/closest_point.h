@@ -23,7 +23,9 @@ struct ClosestPoint {
 /// Keeps a reference to the mesh: the mesh must outlive the tree and must not move.
 class ClosestPointTree {
  public:
-  explicit ClosestPointTree(const TriangleMesh& mesh);
+  /// Half of the work of making it is what tells inside from outside.
+  enum class Sides { told, untold };
+  explicit ClosestPointTree(const TriangleMesh& mesh, Sides sides = Sides::told);
   /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
   ClosestPoint query(const Vec3& p,
                      double max_distance = std::numeric_limits<double>::infinity()) const;
@@ -32,7 +34,7 @@ class ClosestPointTree {
                      const std::function<bool(int)>& accept) const;
   /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
   /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh. A bound on the distance
-  /// that is known to hold makes it faster; +∞ beyond it.
+  /// that is known to hold makes it faster; +∞ beyond it. \pre Sides::told
   double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
                          double bound = std::numeric_limits<double>::infinity()) const;
   const TriangleMesh& mesh() const { return *mesh_; }

@@ -31,10 +31,10 @@ BodyPart part_of_vertex(const Body& body, int vertex) {
 
 PartnerFinder::PartnerFinder(const Body& body)
     : body_(body),
-      tree_(body.surface),
+      tree_(body.surface, ClosestPointTree::Sides::untold),
       faces_of_vertex_(body.surface.vertices.size()),
       vertices_as_mesh_(point_mesh(body.surface.vertices)),
-      particle_tree_(vertices_as_mesh_) {
+      particle_tree_(vertices_as_mesh_, ClosestPointTree::Sides::untold) {
   if (body.segment.size() != body.surface.vertices.size() ||
       body.side.size() != body.segment.size() || body.normals.size() != body.segment.size())
     throw InvalidInput("maps need a body with a segment, a side and a normal for every vertex");

@@ -63,7 +63,7 @@ Mat3 across(const Mat3& tensor, const Vec3& normal) {
 
 }  // namespace
 
-std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface) {
+std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface, const std::vector<char>& wanted) {
   const auto count = static_cast<int>(surface.vertices.size());
   const std::vector<Vec3> normals = sphere_exact_normals(surface);
   std::vector<std::vector<int>> ring(count);
@@ -73,6 +73,7 @@ std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface) {
   for (auto& r : ring) keep_once(r);
   std::vector<Mat3> curvatures(count, Mat3::Zero());
   tbb::parallel_for(0, count, [&](int v) {
+    if (!wanted.empty() && !wanted[v]) return;
     std::vector<int> near = ring[v];
     for (int other : ring[v]) near.insert(near.end(), ring[other].begin(), ring[other].end());
     keep_once(near);

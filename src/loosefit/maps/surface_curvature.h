@@ -12,8 +12,10 @@ namespace loosefit {
 /// (Cazals and Pouget 2005, degree 2). The vertices lie on the surface exactly, whatever the
 /// triangles between them look like; normals do not, and differences of normals (Rusinkiewicz
 /// 2004) or second differences of a sampled distance magnify their errors. Zero where fewer than
-/// five neighbours face the same way.
-std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface);
+/// five neighbours face the same way, and where `wanted`, one entry a vertex, is 0; empty: all are
+/// wanted.
+std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface,
+                                    const std::vector<char>& wanted = {});
 
 /// Curvature at a point of the surface, linear over its triangle, in the plane across `normal`.
 Mat3 curvature_at(const TriangleMesh& surface, const std::vector<Mat3>& vertex_curvatures,

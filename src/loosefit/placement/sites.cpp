@@ -22,7 +22,7 @@ struct Finder {
   mutable std::optional<ClosestPointTree> skin_tree = {};  ///< made for the first wish
 
   ClosestPoint skin(const SiteSpec& spec) const {
-    if (!skin_tree) skin_tree.emplace(body.surface);
+    if (!skin_tree) skin_tree.emplace(body.surface, ClosestPointTree::Sides::untold);
     return spec.landmark.empty() && spec.anatomy ? points.addresses().skin(*spec.anatomy)
                                                  : skin_tree->query(points.at(spec.landmark));
   }
