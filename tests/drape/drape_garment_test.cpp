@@ -166,6 +166,36 @@ TEST(DrapeGarment, AfterTheTimeBudgetTheLowestResidualIsKept) {
   EXPECT_TRUE(d.unsettled.has_value());
 }
 
+TEST(DrapeGarment, TriesAgainFromThePadWhereIterationsDidNotSuffice) {
+  Progress silent;
+  bool tried = false, settled = false;
+  for (int most = 20; most < 40 && !(tried && settled); most += 5) {
+    DrapeOptions options;
+    options.max_iterations = most;
+    const Drape d =
+        drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
+    tried = d.report.parts.back().part == "retry";
+    settled = d.certificate.settled();
+    if (!tried) {
+      EXPECT_TRUE(settled) << most;
+    }
+    EXPECT_EQ(d.certificate.intersections_body, wearer().cuts_body(d.positions, 25));
+    EXPECT_EQ(d.unsettled.has_value(), !settled);
+  }
+  EXPECT_TRUE(tried && settled);
+}
+
+TEST(DrapeGarment, DoesNotTryAgainWhatIsAtRestByItsOwnLooserTolerance) {
+  Progress silent;
+  DrapeOptions options;
+  options.residual_tolerance = 0.05;
+  const Drape d =
+      drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
+  ASSERT_EQ(d.certificate.intersections_body, 0);
+  EXPECT_GT(d.certificate.residual, Certificate::kAllowedResidual);
+  EXPECT_EQ(d.report.parts.back().part, "settle");
+}
+
 /// Asks to stop at the n-th update.
 class Impatient : public Progress {
  public:

@@ -64,6 +64,7 @@ void ClothRun::make_model(double stiffness_share, bool with_friction) {
 
 void ClothRun::keep_cloth_in_field() {
   if (body_->field->covers(bounds(x_))) return;
+  outgrown_.push_back(body_);
   body_ = with_field_round(*body_, bounds(x_));
   model_->set_field(body_->field);
 }
@@ -171,7 +172,7 @@ Drape ClothRun::finish(const std::string& given_up) {
   if (!drape.certificate.settled()) {
     const Kept now{x_, model_->memory(), drape.certificate.residual};
     const Kept* best = &now;
-    for (const auto* other : {&lowest_, &clear_}) {
+    for (const auto* other : {&lowest_, &clear_, &first_try_}) {
       if (!other->has_value()) continue;
       const Certificate c = take(**other);
       if (!better(c, drape.certificate)) continue;
@@ -184,6 +185,8 @@ Drape ClothRun::finish(const std::string& given_up) {
     drape.unsettled = explain_unsettled(*model_, garments, x_, *body_, drape.certificate);
   }
   report_.contacts_self = model_->self().active(x_);
+  report_.contacts_body = 0;
+  report_.largest_contact_offset = 0;
   drape.body_contact_force.assign(x_.size(), Vec3::Zero());
   drape.body_normal_force.assign(x_.size(), 0.0);
   for (int l = 0; l < layers(); ++l) {

@@ -64,6 +64,11 @@ class ClothRun {
   /// settled to a loose tolerance, and halved where the cloth would come to lie deep in the skin.
   void walk(const BodyPath& body_at);
   void settle_levels();
+  /// Whether this failed, and there is time and a way for settle_from_pad.
+  bool may_try_again(const Certificate& certificate) const;
+  /// Another way to rest where the first one failed: the cloth is lifted off the skin by the pad,
+  /// its contacts and friction are forgotten, and it settles anew.
+  void settle_from_pad();
   /// From anywhere near to the last digits, with rounds that free cuts into the skin.
   void settle_finest();
   /// Carries positions to the next finer level. Midpoints on the coarse edges give the same
@@ -87,6 +92,8 @@ class ClothRun {
   std::string part_ = "dress";                             ///< of the run, for the report
   std::vector<Vec3> x_;
   std::shared_ptr<const PosedBody> body_;
+  /// Those whose field the cloth has left: states that are kept may still ask it.
+  std::vector<std::shared_ptr<const PosedBody>> outgrown_;
   std::unique_ptr<ClothModel> model_;
   std::unique_ptr<Integrator> integrator_;  ///< of model_
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
@@ -100,8 +107,9 @@ class ClothRun {
     double residual;
   };
   void keep(std::optional<Kept>& kept, double residual);
-  std::optional<Kept> lowest_;  ///< that of the lowest residual, cuts or not
-  std::optional<Kept> clear_;   ///< that of the lowest residual among those found free of cuts
+  std::optional<Kept> lowest_;     ///< that of the lowest residual, cuts or not
+  std::optional<Kept> clear_;      ///< that of the lowest residual among those found free of cuts
+  std::optional<Kept> first_try_;  ///< the best that was there before settle_from_pad
 
   /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
   struct Worn {

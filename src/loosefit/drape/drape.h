@@ -33,7 +33,7 @@ struct SettleSample {
 
 /// What one part of a run took on one level.
 struct PartWork {
-  std::string part;  ///< "dress", "posture", "settle"
+  std::string part;  ///< "dress", "posture", "settle", "retry"
   int level = 0, vertices = 0;
   SolverWork work;
 };

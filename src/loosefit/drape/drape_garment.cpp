@@ -35,9 +35,17 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   model_->pad_body(0);
   settle_levels();
   Drape drape = finish();
+  if (may_try_again(drape.certificate)) {
+    settle_from_pad();
+    drape = finish();
+    first_try_.reset();
+  }
   worn_.push_back({x_, model_->memory()});
   worn_body_ = body_;
-  worn_iterations_ = report_.parts.back().work.iterations;
+  worn_iterations_ = 0;
+  for (const PartWork& p : report_.parts)
+    if (p.level == level_ && (p.part == "settle" || p.part == "retry"))
+      worn_iterations_ += p.work.iterations;
   return drape;
 }
 
@@ -68,6 +76,24 @@ void ClothRun::settle_levels() {
     refine();
   }
   settle_finest();
+}
+
+bool ClothRun::may_try_again(const Certificate& c) const {
+  const double allowed = std::max(options_.residual_tolerance, Certificate::kAllowedResidual);
+  const bool failed = c.intersections_body > 0 || c.residual > allowed;
+  // The pad frees cloth from the skin, not from other cloth.
+  return failed && c.intersections_self == 0 && layers() == 1 && !over() &&
+         options_.integrator == IntegratorKind::quasi_static;
+}
+
+void ClothRun::settle_from_pad() {
+  keep(first_try_, last_.residual);
+  part_ = "retry";
+  make_model();
+  model_->pad_body(kPad);
+  settle(kDressTolerance, options_.max_iterations, 0.01, true);
+  model_->pad_body(0);
+  if (!over()) settle_finest();
 }
 
 void ClothRun::settle_finest() {
