@@ -161,6 +161,36 @@ TEST(BodyContact, TakesUpAStateAgainWithItsPointsAndFriction) {
   EXPECT_EQ(force(contact), before);
 }
 
+TEST(BodyContact, PointsThatAreAddedPushAndThoseOfAKeptStateComeBackAfterAFocus) {
+  const Scene scene;
+  BodyContact contact = scene.contact(0);
+  const auto force = [&] {
+    VectorField g(scene.x.size(), Vec3::Zero());
+    contact.add_gradient(scene.x, g);
+    return g;
+  };
+  const VectorField before = force();
+  const auto kept = contact.memory();
+  // A second set of the same points: everything pushes twice as hard.
+  const std::vector<ContactPoint> points = contact.points();
+  for (const ContactPoint& p : points) contact.change_points().push_back(p);
+  const VectorField twice = force();
+  double largest = 0;
+  for (std::size_t i = 0; i < twice.size(); ++i) {
+    EXPECT_LT((twice[i] - 2 * before[i]).norm(), 1e-12 * before[i].norm());
+    largest = std::max(largest, before[i].norm());
+  }
+  EXPECT_GT(largest, 0);
+  Focus focus{{0, 1}, std::vector<char>(scene.x.size(), 0)};
+  focus.inside[0] = focus.inside[1] = 1;
+  contact.set_focus(&focus);
+  force();
+  contact.set_focus(nullptr);
+  EXPECT_EQ(force(), twice);
+  contact.recall(kept);
+  EXPECT_EQ(force(), before);
+}
+
 TEST(Friction, KeepsItsAnchorAcrossStepsAndSlidesOnlyBeyondIt) {
   Friction friction(0.5, kReach);
   FrictionContact c;

@@ -61,6 +61,15 @@ BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, dou
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
 
+void BodyContact::set_focus(const Focus* focus) {
+  place_.clear();
+  friction_.set_focus(focus);
+  focused_ = focus != nullptr;
+  if (!focus) return;
+  in_focus_ = Chosen(points_.size(),
+                     [&](int i) { return focus->touches(points_[i].particle, points_[i].count); });
+}
+
 Vec3 ContactPoint::position(const VectorField& x) const {
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < count; ++k) sum += weight[k] * x[particle[k]];
@@ -107,8 +116,8 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x
   if (place_ == x && (with_hessian_ || !with_hessian)) return touch_;
   touch_.resize(points_.size());
   clear_.resize(points_.size());
-  for_ranges(static_cast<int>(points_.size()), 256, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) touch_[i] = ask(i, x, with_hessian);
+  for_ranges(live(), 256, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) touch_[number(k)] = ask(number(k), x, with_hessian);
   });
   place_ = x;
   with_hessian_ = with_hessian;
@@ -146,8 +155,8 @@ void BodyContact::begin_step(const VectorField& x, double dt) {
 double BodyContact::value(const VectorField& x) const {
   double energy = 0;
   const auto& touch = touches(x, false);
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (touch[i].active) {
+  for (int n = 0; n < live(); ++n)
+    if (const int i = number(n); touch[i].active) {
       const double depth = points_[i].offset - touch[i].sample.distance;
       energy += points_[i].area * compress_layer(stiffness_, points_[i].offset, depth).energy;
     }
@@ -157,8 +166,8 @@ double BodyContact::value(const VectorField& x) const {
 double BodyContact::value_and_gradient(const VectorField& x, VectorField& g) const {
   const auto& touch = touches(x, false);
   double energy = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (touch[i].active) {
+  for (int n = 0; n < live(); ++n)
+    if (const int i = number(n); touch[i].active) {
       const ContactPoint& p = points_[i];
       const LayerResponse layer =
           compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance);
@@ -182,7 +191,8 @@ void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
 void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
   const auto& touch = touches(x, exact);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (int n = 0; n < live(); ++n) {
+    const int i = number(n);
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
     const auto& s = touch[i].sample;

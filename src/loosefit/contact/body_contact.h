@@ -89,6 +89,7 @@ class BodyContact : public Energy {
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 
+  void set_focus(const Focus* focus) override;
   void begin_step(const VectorField& x, double dt) override;
   double lag() const override { return friction_.lag(); }
   double value(const VectorField& x) const override;
@@ -106,6 +107,9 @@ class BodyContact : public Energy {
   void add_normal_force(const VectorField& x, std::vector<double>& f) const;
 
  private:
+  /// How many points count, and which is the k-th of them.
+  int live() const { return focused_ ? in_focus_.size() : static_cast<int>(points_.size()); }
+  int number(int k) const { return focused_ ? in_focus_[k] : k; }
   struct Touch {
     bool active = false;
     DistanceField::Sample sample;
@@ -126,6 +130,8 @@ class BodyContact : public Energy {
   std::shared_ptr<const DistanceField> field_;
   double stiffness_;
   Friction friction_;
+  bool focused_ = false;
+  Chosen in_focus_;                   ///< points, while focused
   mutable std::vector<Touch> touch_;  ///< at place_
   mutable VectorField place_;
   mutable std::vector<Clear> clear_;

@@ -73,21 +73,22 @@ double motion_of_triangles(const std::array<Vec3, 6>& d) {
 
 }  // namespace
 
-bool CandidatePairs::covers(const std::vector<Vec3>& x, Move dx) const {
-  if (start_.size() != x.size() || margin_ < 0) return false;
+bool CandidatePairs::covers(const List& list, const std::vector<Vec3>& x, Move dx) {
+  if (list.start.size() != x.size() || list.margin < 0) return false;
   // A list for a long way is long itself: when the moves have become short, make a shorter one.
-  if (dx && longest_way_ > 2 * margin_ && longest(*dx) < 0.25 * longest_way_) return false;
+  if (dx && list.longest_way > 2 * list.margin && longest(*dx) < 0.25 * list.longest_way)
+    return false;
   // The share of the way that has been gone, and that dx is about to go.
   double gone = 0, next = 0;
-  if (const double length2 = dot(way_, way_); length2 > 0) {
-    for (std::size_t i = 0; i < x.size(); ++i) gone += (x[i] - start_[i]).dot(way_[i]);
+  if (const double length2 = dot(list.way, list.way); length2 > 0) {
+    for (std::size_t i = 0; i < x.size(); ++i) gone += (x[i] - list.start[i]).dot(list.way[i]);
     gone = std::clamp(gone / length2, 0.0, 1.0);
-    if (dx) next = std::clamp(dot(*dx, way_) / length2, 0.0, 1 - gone);
+    if (dx) next = std::clamp(dot(*dx, list.way) / length2, 0.0, 1 - gone);
   }
-  const double margin = (1 - 1e-9) * margin_;
+  const double margin = (1 - 1e-9) * list.margin;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    double off = (x[i] - start_[i] - gone * way_[i]).norm();
-    if (dx) off += ((*dx)[i] - next * way_[i]).norm();
+    double off = (x[i] - list.start[i] - gone * list.way[i]).norm();
+    if (dx) off += ((*dx)[i] - next * list.way[i]).norm();
     if (!(off <= margin)) return false;
   }
   return true;
@@ -96,7 +97,7 @@ bool CandidatePairs::covers(const std::vector<Vec3>& x, Move dx) const {
 /// Whether the pair is to be returned, were its reach longer by `extra`. motion: an upper bound of
 /// motion_bound, to save work.
 bool CandidatePairs::is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx,
-                             double motion, double extra, double* distance) const {
+                             double motion, double extra, double* distance) {
   const PairPoints p = pair.points(x);
   const double reach = pair.reach + extra, gap = separation(pair.kind, p);
   if (gap >= reach + motion) return false;
@@ -110,16 +111,16 @@ bool CandidatePairs::is_near(const FeaturePair& pair, const std::vector<Vec3>& x
   return *distance < limit;
 }
 
-void CandidatePairs::add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx,
+void CandidatePairs::add_pairs(int a, int b, double margin, const std::vector<Vec3>& x, Move dx,
                                std::vector<Candidate>& found) const {
   const ContactFeatures& f = features_;
   const Triangle &ta = f.triangles[a], &tb = f.triangles[b];
   bool neighbours = false;  // these are never apart
   for (int v : ta) neighbours |= v == tb[0] || v == tb[1] || v == tb[2];
   const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
-  const double limit = f.max_thickness + 2 * margin_, motion = travel_[a] + travel_[b];
+  const double limit = f.max_thickness + 2 * margin, motion = travel_[a] + travel_[b];
   if (!neighbours && far_apart(corners, limit + motion)) return;
-  if (!neighbours && motion > margin_) {
+  if (!neighbours && motion > margin) {
     const auto& d = *dx;
     if (far_apart(corners, limit + motion_of_triangles({d[ta[0]], d[ta[1]], d[ta[2]], d[tb[0]],
                                                         d[tb[1]], d[tb[2]]})))
@@ -127,7 +128,7 @@ void CandidatePairs::add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx
   }
   const auto add = [&](const FeaturePair& pair) {
     Candidate candidate{pair};
-    if (is_near(pair, x, dx, motion, 2 * margin_, &candidate.spare)) {
+    if (is_near(pair, x, dx, motion, 2 * margin, &candidate.spare)) {
       candidate.spare -= pair.reach;
       found.push_back(candidate);
     }
@@ -157,22 +158,54 @@ void CandidatePairs::add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx
     }
 }
 
+/// Fills found_ with the pairs of all boxes that meet. Parts of a fixed size, so that no result
+/// depends on threads.
+void CandidatePairs::find_all(const std::vector<Vec3>& x, Move dx) {
+  constexpr std::size_t kPart = 16;  // of cells
+  const std::size_t cells = grid_.busy_cells();
+  found_.resize((cells + kPart - 1) / kPart);
+  tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
+    found_[part].clear();
+    grid_.visit_pairs(part * kPart, std::min(cells, (part + 1) * kPart),
+                      [&](int a, int b) { add_pairs(a, b, whole_.margin, x, dx, found_[part]); });
+  });
+}
+
+/// The same of boxes one of which is of a triangle in the focus.
+void CandidatePairs::find_in_focus(const std::vector<Vec3>& x, Move dx) {
+  constexpr std::size_t kPart = 64;  // of triangles
+  const std::size_t triangles = focused_triangles_.size();
+  found_.resize((triangles + kPart - 1) / kPart);
+  tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
+    found_[part].clear();
+    for (std::size_t k = part * kPart; k < std::min(triangles, (part + 1) * kPart); ++k) {
+      const int a = focused_triangles_[k];
+      grid_.query(boxes_[a], [&](int b) {
+        if (b > a || (b < a && !is_focused_[b]))
+          add_pairs(std::min(a, b), std::max(a, b), focused_.margin, x, dx, found_[part]);
+      });
+    }
+  });
+}
+
 void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   ++builds_;
+  List& to = list();
   double sum = 0;
   for (const auto& e : features_.edges) sum += (x[e[1]] - x[e[0]]).norm();
-  start_ = x;
+  to.start = x;
   if (dx)
-    way_ = *dx;
+    to.way = *dx;
   else
-    way_.assign(x.size(), Vec3::Zero());
-  longest_way_ = longest(way_);
-  margin_ = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
-  // After a long way the next one will not be like it, whatever the margin.
-  if (longest_way_ > 2 * margin_) margin_ *= 0.1;
+    to.way.assign(x.size(), Vec3::Zero());
+  to.longest_way = longest(to.way);
+  to.margin = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
+  // After a long way the next one will not be like it, whatever the margin. In a focus the list is
+  // short anyway.
+  if (to.longest_way > 2 * to.margin && !focus_) to.margin *= 0.1;
 
   const std::size_t triangles = features_.triangles.size();
-  const Vec3 around = Vec3::Constant(0.5 * features_.max_thickness + margin_);
+  const Vec3 around = Vec3::Constant(0.5 * features_.max_thickness + to.margin);
   boxes_.resize(triangles);
   travel_.assign(triangles, 0.0);
   tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t t) {
@@ -187,26 +220,34 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   });
   grid_.build(boxes_);
 
-  constexpr std::size_t kBlock = 16;  // of cells; fixed, so that no result depends on threads
-  const std::size_t cells = grid_.busy_cells();
-  found_.resize((cells + kBlock - 1) / kBlock);
-  tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t block) {
-    auto& found = found_[block];
-    found.clear();
-    grid_.visit_pairs(block * kBlock, std::min(cells, (block + 1) * kBlock),
-                      [&](int a, int b) { add_pairs(a, b, x, dx, found); });
-  });
+  if (focus_)
+    find_in_focus(x, dx);
+  else
+    find_all(x, dx);
   unsorted_.clear();
   for (const auto& found : found_) unsorted_.insert(unsorted_.end(), found.begin(), found.end());
   order_.resize(unsorted_.size());
   for (std::size_t i = 0; i < unsorted_.size(); ++i)
     order_[i] = {unsorted_[i].key(), static_cast<int>(i)};
   tbb::parallel_sort(order_.begin(), order_.end());
-  candidates_.resize(unsorted_.size());
-  for (std::size_t i = 0; i < order_.size(); ++i) candidates_[i] = unsorted_[order_[i].second];
-  spare_.resize(candidates_.size());
-  for (std::size_t i = 0; i < candidates_.size(); ++i)
-    spare_[i] = std::nextafter(static_cast<float>(candidates_[i].spare), -1e30f);
+  to.candidates.clear();
+  for (const auto& [key, i] : order_)
+    if (!focus_ || focus_->touches(unsorted_[i].particle, 4)) to.candidates.push_back(unsorted_[i]);
+  to.spare.resize(to.candidates.size());
+  for (std::size_t i = 0; i < to.candidates.size(); ++i)
+    to.spare[i] = std::nextafter(static_cast<float>(to.candidates[i].spare), -1e30f);
+}
+
+void CandidatePairs::set_focus(const Focus* focus) {
+  focus_ = focus;
+  focused_.margin = -1;
+  if (!focus) return;
+  is_focused_.assign(features_.triangles.size(), 0);
+  focused_triangles_.clear();
+  for (std::size_t t = 0; t < is_focused_.size(); ++t) {
+    for (int v : features_.triangles[t]) is_focused_[t] |= focus->inside[v];
+    if (is_focused_[t]) focused_triangles_.push_back(static_cast<int>(t));
+  }
 }
 
 /// Fills motion_ and returns its largest number.
@@ -214,35 +255,36 @@ double CandidatePairs::measure_motion(const std::vector<Vec3>& x, Move dx) {
   motion_.resize(x.size());
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    motion_[i] = (x[i] - start_[i]).norm() + (dx ? (*dx)[i].norm() : 0.0);
+    motion_[i] = (x[i] - list().start[i]).norm() + (dx ? (*dx)[i].norm() : 0.0);
     largest = std::max(largest, motion_[i]);
   }
   return largest;
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
-  if (!covers(x, dx)) build(x, dx);
+  if (!covers(list(), x, dx)) build(x, dx);
+  const auto& [candidates, spare, start, way, margin, longest_way] = list();
   const double largest = measure_motion(x, dx);
-  chosen_.resize(candidates_.size());
+  chosen_.resize(candidates.size());
   using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, candidates_.size(), 512), [&](const Range& range) {
+  tbb::parallel_for(Range(0, candidates.size(), 512), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       chosen_[i] = 0;
       // What has moved too little since the list was made needs no new distance.
-      if (spare_[i] >= 2 * largest) continue;
-      const FeaturePair& pair = candidates_[i];
+      if (spare[i] >= 2 * largest) continue;
+      const FeaturePair& pair = candidates[i];
       const auto& p = pair.particle;
       const bool point = pair.kind == PairKind::point_triangle;
       const double m0 = motion_[p[0]], m1 = motion_[p[1]], m2 = motion_[p[2]], m3 = motion_[p[3]];
-      if (spare_[i] >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
+      if (spare[i] >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
         continue;
       double distance = 0;
       chosen_[i] = is_near(pair, x, dx, 2 * largest, 0, &distance);
     }
   });
   near_.clear();
-  for (std::size_t i = 0; i < candidates_.size(); ++i)
-    if (chosen_[i]) near_.push_back(candidates_[i]);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (chosen_[i]) near_.push_back(candidates[i]);
   return near_;
 }
 

@@ -3,6 +3,7 @@
 
 #include "loosefit/contact/contact_features.h"
 #include "loosefit/geometry/box_grid.h"
+#include "loosefit/particles/focus.h"
 
 namespace loosefit {
 
@@ -13,7 +14,8 @@ namespace loosefit {
 ///   d(r) − (bound of its loss of distance on s) < reach + 2 m
 ///
 /// so it stays complete while all particles remain within m of the common way r + λ s. Which pairs
-/// a call returns, and in which order, does not depend on when the list was made.
+/// a call returns, and in which order, does not depend on when the list was made. While a focus is
+/// set, a second, shorter list serves the calls.
 class CandidatePairs {
  public:
   explicit CandidatePairs(ContactFeatures features) : features_(std::move(features)) {}
@@ -26,7 +28,10 @@ class CandidatePairs {
   /// projections on one of a few fixed axes at both ends of the way.
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
-  std::size_t candidates() const { return candidates_.size(); }
+  /// From now on only pairs with a particle in the focus are returned, from a list of their own;
+  /// null: all again.
+  void set_focus(const Focus* focus);
+  std::size_t candidates() const { return whole_.candidates.size(); }
   long builds() const { return builds_; }  ///< how often the list has been made
 
  private:
@@ -34,22 +39,31 @@ class CandidatePairs {
   struct Candidate : FeaturePair {
     double spare = 0;  ///< distance at r less the reach [m]
   };
-  bool covers(const std::vector<Vec3>& x, Move dx) const;
+  struct List {
+    std::vector<Candidate> candidates;
+    std::vector<float> spare;      ///< of the candidates, rounded down
+    std::vector<Vec3> start, way;  ///< r and s
+    double margin = -1;            ///< m [m]
+    double longest_way = 0;        ///< max |s| [m]
+  };
+  List& list() { return focus_ ? focused_ : whole_; }
+  static bool covers(const List& list, const std::vector<Vec3>& x, Move dx);
   double measure_motion(const std::vector<Vec3>& x, Move dx);
-  bool is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx, double motion,
-               double extra, double* distance) const;
+  static bool is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx, double motion,
+                      double extra, double* distance);
   void build(const std::vector<Vec3>& x, Move dx);
-  void add_pairs(int a, int b, const std::vector<Vec3>& x, Move dx,
+  void find_all(const std::vector<Vec3>& x, Move dx);
+  void find_in_focus(const std::vector<Vec3>& x, Move dx);
+  void add_pairs(int a, int b, double margin, const std::vector<Vec3>& x, Move dx,
                  std::vector<Candidate>& found) const;
   const std::vector<FeaturePair>& select(const std::vector<Vec3>& x, Move dx);
 
   ContactFeatures features_;
-  std::vector<Candidate> candidates_;
-  std::vector<float> spare_;  ///< of the candidates, rounded down
+  List whole_, focused_;  ///< of all pairs, of those in the focus
+  const Focus* focus_ = nullptr;
+  std::vector<int> focused_triangles_;  ///< with a corner in the focus
+  std::vector<char> is_focused_;        ///< of every triangle: whether it is one of them
   std::vector<FeaturePair> near_;
-  std::vector<Vec3> start_, way_;  ///< r and s of the list
-  double margin_ = -1;             ///< m [m]
-  double longest_way_ = 0;         ///< max |s| [m]
   long builds_ = 0;
   // Working memory, kept so that calls do not allocate.
   std::vector<Box3> boxes_;

@@ -57,7 +57,12 @@ class Friction {
   /// along, so that only motion relative to it counts as sliding.
   void carry(const VectorField& motion);
   /// Drops all contacts with their anchors.
-  void forget() { contacts_.clear(); }
+  void forget() {
+    contacts_.clear();
+    set_focus(nullptr);
+  }
+  /// As Energy::set_focus. Ends when the contacts change.
+  void set_focus(const Focus* focus);
 
   /// Norm of the friction that the shares of `iterate` left out [N].
   double lag() const { return lag_; }
@@ -81,6 +86,7 @@ class Friction {
   double coefficient_, reach_, lag_ = 0;
   int patience_;
   std::vector<FrictionContact> contacts_;
+  Chosen chosen_;  ///< contacts
   VectorField start_;
 };
 

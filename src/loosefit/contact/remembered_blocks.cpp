@@ -19,8 +19,8 @@ void RememberedBlocks::use_block(int i, int j) {
   grown_ = true;
 }
 
-void RememberedBlocks::end() {
-  const bool trim = size_ > 2 * used_ + kSpare;
+void RememberedBlocks::end(bool complete) {
+  const bool trim = complete && size_ > 2 * used_ + kSpare;
   if (trim) {
     for (auto& rows : rows_of_column_)
       rows.erase(std::remove_if(rows.begin(), rows.end(),

@@ -15,14 +15,15 @@ class RememberedBlocks {
   static constexpr std::size_t kSpare = 2000;
   explicit RememberedBlocks(int particles) : rows_of_column_(particles) {}
 
-  /// A new set of contacts follows: `use` each of them, then `end`.
+  /// A new set of contacts follows: `use` each of them, then `end`; `complete`: there are no
+  /// others, so that what has not been used may be forgotten.
   void begin() { ++now_, used_ = 0; }
   template <class Stencil>
   void use(const Stencil& particles, int count) {
     for (int a = 0; a < count; ++a)
       for (int b = 0; b < a; ++b) use_block(particles[a], particles[b]);
   }
-  void end();
+  void end(bool complete = true);
 
   /// Changes with the set of blocks.
   std::uint64_t version() const { return version_; }

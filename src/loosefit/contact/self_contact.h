@@ -35,6 +35,7 @@ class SelfContact : public Energy {
               int particles, const Options& options);
 
   void forget_anchors() { friction_.forget(); }
+  void set_focus(const Focus* focus) override;
   void begin_step(const VectorField& x, double dt) override;
   double begin_search(const VectorField& x, const VectorField& dx) override;
   double lag() const override { return friction_.lag(); }
@@ -76,6 +77,8 @@ class SelfContact : public Energy {
   Options options_;
   CandidatePairs candidates_;
   std::vector<BarrierPair> pairs_;
+  std::vector<BarrierPair> resting_;  ///< those outside the focus
+  bool focused_ = false;
   Friction friction_;
   long searches_ = 0;
   mutable RememberedBlocks blocks_;

@@ -82,6 +82,7 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
       about.stiffness[place] += p.fit.col(k).dot(d * p.fit.col(k));
     }
   }
+  set_focus(nullptr);
   curvature_start_.assign(patch_tiles_.size(), kZeroRows);
   anchor_.assign(patch_tiles_.size(), kZeroRows);
   angle_.assign(no_angle + 1, 0.0);
@@ -102,8 +103,34 @@ Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
   return sum;
 }
 
+void BendingEnergy::set_focus(const Focus* focus) {
+  focus_ = focus;
+  turning_ = bent_ = tiles_in(focus, hinge_tiles_);
+  bending_ = Chosen(patch_tiles_.size());
+  if (!focus) return;
+  const auto of_tile = [&](int tile, const auto& visit) {
+    const auto end = std::min<std::size_t>(mesh_.patches.size(), kTile * (tile + 1));
+    for (std::size_t t = kTile * tile; t < end; ++t) visit(mesh_.patches[t]);
+  };
+  std::vector<char> wanted(hinge_tiles_.size(), 0);
+  bending_ = Chosen(patch_tiles_.size(), [&](int tile) {
+    bool touched = false;
+    of_tile(tile, [&](const CurvaturePatch& p) {
+      touched = touched || focus->touches(p.particle, p.count);
+    });
+    if (touched)
+      of_tile(tile, [&](const CurvaturePatch& p) {
+        for (int k = 0; k < p.hinges; ++k)
+          if (p.hinge[k] >= 0) wanted[p.hinge[k] / kTile] = 1;
+      });
+    return touched;
+  });
+  for (int k = 0; k < turning_.size(); ++k) wanted[turning_[k]] = 1;
+  bent_ = Chosen(hinge_tiles_.size(), [&](int tile) { return wanted[tile] != 0; });
+}
+
 void BendingEnergy::find_angles(const VectorField& x, bool with_gradient) const {
-  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+  for_tiles(bent_, [&](int t) {
     HingePoints point;
     gather_points(x, hinge_tiles_[t].corner, point);
     TileRow angle;
@@ -126,7 +153,7 @@ void BendingEnergy::patch_response(int t, PlaneRows& curvature, PlaneResponse& r
 }
 
 double BendingEnergy::bend(bool with_moments) const {
-  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+  for_tiles(bending_, [&](int t) {
     PlaneRows curvature;
     PlaneResponse response;
     patch_response(t, curvature, response);
@@ -138,7 +165,7 @@ double BendingEnergy::bend(bool with_moments) const {
       std::copy(moment[k].begin(), moment[k].end(), moment_.begin() + (9 * t + k) * kTile);
   });
   double sum = 0;
-  for (double e : energy_) sum += e;
+  for (int k = 0; k < bending_.size(); ++k) sum += energy_[bending_[k]];
   return sum;
 }
 
@@ -180,12 +207,12 @@ void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
 double BendingEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
   find_angles(x, true);
   const double energy = bend(true);
-  for_tiles(static_cast<int>(hinge_tiles_.size()), [&](int t) {
+  for_tiles(turning_, [&](int t) {
     std::array<TileRow, 12> row;
     hinge_forces(gradient_[t], moments_about(hinge_tiles_[t]), row);
     spread(row, force_[4 * kTile * t].data());
   });
-  to_particles_.add(force_, g);
+  to_particles_.add(force_, g, focus_);
   return energy;
 }
 

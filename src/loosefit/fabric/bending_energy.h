@@ -49,6 +49,7 @@ class BendingEnergy : public Energy {
   void recall(const std::vector<PlaneRows>& memory) { anchor_ = memory; }
 
   void set_tangent(TangentReach reach) override { tangent_ = reach; }
+  void set_focus(const Focus* focus) override;
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
@@ -90,6 +91,10 @@ class BendingEnergy : public Energy {
   double damping_ = 0;             ///< τ [s]
   double viscous_ratio_ = 0;       ///< τ/dt of the current step
   std::vector<PlaneRows> curvature_start_;
+
+  const Focus* focus_ = nullptr;
+  /// Tiles of hinges that bear forces, tiles of patches that bend, and those of their hinges.
+  Chosen turning_, bending_, bent_;
 
   ParticleGather to_particles_;
   BlockGather to_blocks_;

@@ -74,6 +74,7 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   }
   to_particles_ = ParticleGather(particle);
   to_blocks_ = BlockGather(pairs);
+  chosen_ = Chosen(tiles_.size());
   strain_start_.assign(tiles_.size(), kZeroRows);
   if (!plain_) tangent_start_.assign(tiles_.size(), PlaneTangent{});
   energy_.resize(tiles_.size());
@@ -127,8 +128,13 @@ void MembraneEnergy::begin_step(const VectorField& x, double dt) {
   });
 }
 
+void MembraneEnergy::set_focus(const Focus* focus) {
+  focus_ = focus;
+  chosen_ = tiles_in(focus, tiles_);
+}
+
 double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
-  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+  for_tiles(chosen_, [&](int t) {
     TileState state;
     tile_state(t, x, false, state);
     TileRow& energy = state.response.energy;
@@ -140,7 +146,7 @@ double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
     spread(row, force_[3 * kTile * t].data());
   });
   double sum = 0;
-  for (double e : energy_) sum += e;
+  for (int k = 0; k < chosen_.size(); ++k) sum += energy_[chosen_[k]];
   return sum;
 }
 
@@ -152,7 +158,7 @@ void MembraneEnergy::add_gradient(const VectorField& x, VectorField& g) const {
 
 double MembraneEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
   const double energy = evaluate(x, true);
-  to_particles_.add(force_, g);
+  to_particles_.add(force_, g, focus_);
   return energy;
 }
 
@@ -164,7 +170,7 @@ void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKi
   const bool exact = kind == HessianKind::exact;
   const double compression = exact ? 1 : kind == HessianKind::halved ? 0.5 : 0;
   block_.resize(6 * kTile * tiles_.size());
-  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+  for_tiles(chosen_, [&](int t) {
     TileState state;
     tile_state(t, x, true, state);
     PlaneTangent& c = state.tangent;
@@ -179,7 +185,7 @@ void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKi
     membrane_blocks(tiles_[t], state.s, state.response.stress, c, compression, row);
     spread(row, block_[6 * kTile * t].data());
   });
-  to_blocks_.add(block_, h);
+  to_blocks_.add(block_, h, focus_);
 }
 
 MembraneEnergy::State MembraneEnergy::state(int triangle, const VectorField& x) const {

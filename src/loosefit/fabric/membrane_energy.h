@@ -43,6 +43,7 @@ class MembraneEnergy : public Energy {
                  const std::vector<double>& factor, const Material& material, bool viscous = false);
 
   void begin_step(const VectorField& x, double dt) override;
+  void set_focus(const Focus* focus) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
@@ -79,6 +80,9 @@ class MembraneEnergy : public Energy {
   double viscous_ratio_ = 0;           ///< τ/dt of the current step
   std::vector<PlaneRows> strain_start_;
   std::vector<PlaneTangent> tangent_start_;  ///< only for laws that are not plain
+
+  const Focus* focus_ = nullptr;
+  Chosen chosen_;  ///< tiles
 
   ParticleGather to_particles_;
   BlockGather to_blocks_;

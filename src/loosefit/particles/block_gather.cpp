@@ -82,22 +82,37 @@ void BlockGather::find_slots(const BlockMatrix& h) const {
   pattern_id_ = h.pattern_id();
 }
 
+void BlockGather::add_places(int begin, int end, const std::vector<Mat3>& blocks,
+                             BlockMatrix& h) const {
+  for (int p = begin; p < end; ++p) {
+    Nine sum, turned;
+    const auto take = [&](int k, Nine& to) {
+      __builtin_prefetch(blocks[source_[k + kAhead]].data());
+      __builtin_prefetch(blocks[source_[k + kAhead]].data() + 8);
+      to.add(blocks[source_[k]].data());
+    };
+    for (int k = first_[p]; k < flipped_[p]; ++k) take(k, sum);
+    for (int k = flipped_[p]; k < first_[p + 1]; ++k) take(k, turned);
+    double* to = h.block(slot_[p]).data();
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r) to[3 * c + r] += sum[3 * c + r] + turned[3 * r + c];
+  }
+}
+
 void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h) const {
   find_slots(h);
-  for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      Nine sum, turned;
-      const auto take = [&](int k, Nine& to) {
-        __builtin_prefetch(blocks[source_[k + kAhead]].data());
-        __builtin_prefetch(blocks[source_[k + kAhead]].data() + 8);
-        to.add(blocks[source_[k]].data());
-      };
-      for (int k = first_[p]; k < flipped_[p]; ++k) take(k, sum);
-      for (int k = flipped_[p]; k < first_[p + 1]; ++k) take(k, turned);
-      double* to = h.block(slot_[p]).data();
-      for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) to[3 * c + r] += sum[3 * c + r] + turned[3 * r + c];
-    }
+  for_ranges(static_cast<int>(row_.size()), 512,
+             [&](int begin, int end) { add_places(begin, end, blocks, h); });
+}
+
+void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h, const Focus* focus) const {
+  if (!focus) return add(blocks, h);
+  find_slots(h);
+  const int columns = static_cast<int>(column_start_.size()) - 1;
+  for_ranges(static_cast<int>(focus->particles.size()), 64, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k)
+      if (const int column = focus->particles[k]; column < columns)
+        add_places(column_start_[column], column_start_[column + 1], blocks, h);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loosefit/particles/block_matrix.h"
+#include "loosefit/particles/focus.h"
 
 namespace loosefit {
 
@@ -22,6 +23,8 @@ class BlockGather {
   /// Block (i, j) of `h` += blocks[k] for all k with pairs[k] = (i, j), or its transpose for (j,
   /// i).
   void add(const std::vector<Mat3>& blocks, BlockMatrix& h) const;
+  /// The same in the columns of the focus alone; in all if that is null.
+  void add(const std::vector<Mat3>& blocks, BlockMatrix& h, const Focus* focus) const;
 
  protected:
   /// So many contributions ahead the memory is asked for what comes; `source_` is longer by that.
@@ -30,6 +33,8 @@ class BlockGather {
   /// Contributions of the pair at place p of the matrix: [first(p), flipped(p)) as they are,
   /// [flipped(p), first(p + 1)) transposed.
   void find_slots(const BlockMatrix& h) const;
+  /// The pairs at places [begin, end).
+  void add_places(int begin, int end, const std::vector<Mat3>& blocks, BlockMatrix& h) const;
 
   std::vector<int> column_start_{0};  ///< of the pairs, as in BlockMatrix
   std::vector<int> row_;

@@ -11,9 +11,22 @@ void BlockPattern::compress() {
   }
 }
 
-BlockMatrix::BlockMatrix(const BlockPattern& pattern) {
+namespace {
+
+std::uint64_t new_pattern_id() {
   static std::atomic<std::uint64_t> made{0};
-  pattern_id_ = ++made;
+  return ++made;
+}
+
+}  // namespace
+
+BlockMatrix::BlockMatrix(std::vector<int> column_start, std::vector<int> rows)
+    : pattern_id_(new_pattern_id()),
+      column_start_(std::move(column_start)),
+      rows_(std::move(rows)),
+      blocks_(rows_.size(), Mat3::Zero()) {}
+
+BlockMatrix::BlockMatrix(const BlockPattern& pattern) : pattern_id_(new_pattern_id()) {
   const auto& columns = pattern.rows_of_column();
   column_start_.reserve(columns.size() + 1);
   for (const auto& rows : columns) {

@@ -34,8 +34,16 @@ class BlockMatrix {
   BlockMatrix() = default;
   /// \pre pattern is compressed
   explicit BlockMatrix(const BlockPattern& pattern);
+  /// The same from columns: rows rising, the diagonal first; column j at [column_start[j],
+  /// column_start[j + 1]).
+  BlockMatrix(std::vector<int> column_start, std::vector<int> rows);
   bool same_pattern(const BlockPattern& pattern) const;
   void set_zero() { std::fill(blocks_.begin(), blocks_.end(), Mat3::Zero()); }
+  /// The blocks of one column.
+  void set_zero(int column) {
+    std::fill(blocks_.begin() + column_start_[column], blocks_.begin() + column_start_[column + 1],
+              Mat3::Zero());
+  }
   int particles() const { return static_cast<int>(column_start_.size()) - 1; }
 
   /// Adds `block` at (i, j), and by symmetry its transpose at (j, i). For i ≠ j call it once per

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/types.h"
 #include "loosefit/particles/block_matrix.h"
+#include "loosefit/particles/focus.h"
 
 namespace loosefit {
 
@@ -27,8 +28,8 @@ enum class TangentReach {
 /// A contribution to the total potential Π(x) [J] of the particles. Force = −∂Π/∂x.
 ///
 /// Lagged state (contact sets, friction anchors, strains at the start of a time step) changes only
-/// in `begin_step` and `begin_search`, so between two such calls every energy is a plain smooth
-/// function of x and may be line-searched.
+/// in `begin_step` and `begin_search`, and `set_focus` leaves parts out, so between two such calls
+/// every energy is a plain smooth function of x and may be line-searched.
 class Energy {
  public:
   virtual ~Energy() = default;
@@ -43,6 +44,13 @@ class Energy {
   virtual double lag() const { return 0; }
   /// Applies to add_pattern and add_hessian from now on; energies start with `full`.
   virtual void set_tangent(TangentReach /*reach*/) {}
+  /// From now on only the particles of the focus differ between the places that are asked for, and
+  /// those that `begin_search` is about. What touches none of them may be left out of the energy,
+  /// which then is right but for a constant; forces on other particles are void, and so is the
+  /// matrix but for blocks of which both particles are in the focus. No `begin_step` in between.
+  /// The focus lives until it is replaced; null: everything counts again, and what the last
+  /// searches found holds for all particles together.
+  virtual void set_focus(const Focus* /*focus*/) {}
   /// Π [J]; +∞ where x is not admissible.
   virtual double value(const VectorField& x) const = 0;
   /// g += ∂Π/∂x [N].

@@ -19,17 +19,26 @@ ParticleGather::ParticleGather(const std::vector<int>& particle) {
     if (particle[c] >= 0) corner_[next[particle[c]]++] = static_cast<int>(c);
 }
 
+void ParticleGather::add_to(int p, const std::vector<Vec3>& force, VectorField& g) const {
+  double sum[3] = {0, 0, 0};
+  for (int k = start_[p]; k < start_[p + 1]; ++k) {
+    const double* f = force[corner_[k]].data();
+    for (int c = 0; c < 3; ++c) sum[c] += f[c];
+  }
+  for (int c = 0; c < 3; ++c) g[p][c] += sum[c];
+}
+
 void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g) const {
   for_ranges(static_cast<int>(start_.size()) - 1, 512, [&](int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      double sum[3] = {0, 0, 0};
-      for (int k = start_[p]; k < start_[p + 1]; ++k) {
-        const double* f = force[corner_[k]].data();
-        for (int c = 0; c < 3; ++c) sum[c] += f[c];
-      }
-      for (int c = 0; c < 3; ++c) g[p][c] += sum[c];
-    }
+    for (int p = begin; p < end; ++p) add_to(p, force, g);
   });
+}
+
+void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g, const Focus* focus) const {
+  if (!focus) return add(force, g);
+  const int particles = static_cast<int>(start_.size()) - 1;
+  for (int p : focus->particles)
+    if (p < particles) add_to(p, force, g);
 }
 
 }  // namespace loosefit

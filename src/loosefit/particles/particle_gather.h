@@ -13,8 +13,11 @@ class ParticleGather {
   explicit ParticleGather(const std::vector<int>& particle = {});
   /// g[particle[c]] += force[c].
   void add(const std::vector<Vec3>& force, VectorField& g) const;
+  /// The same for the particles of the focus alone; for all if that is null.
+  void add(const std::vector<Vec3>& force, VectorField& g, const Focus* focus) const;
 
  private:
+  void add_to(int particle, const std::vector<Vec3>& force, VectorField& g) const;
   std::vector<int> start_{0};  ///< per particle
   std::vector<int> corner_;
 };

@@ -39,6 +39,26 @@ void for_tiles(int tiles, const F& f) {
   });
 }
 
+/// f(tile) for those that are chosen.
+template <class F>
+void for_tiles(const Chosen& tiles, const F& f) {
+  for_ranges(tiles.size(), 512 / kTile, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) f(tiles[k]);
+  });
+}
+
+/// Those of `tiles` with an element that has a corner in the focus; all of them if that is null.
+template <class Tile>
+Chosen tiles_in(const Focus* focus, const std::vector<Tile>& tiles) {
+  if (!focus) return Chosen(tiles.size());
+  return Chosen(tiles.size(), [&](int t) {
+    for (const TileIndex& corner : tiles[t].corner)
+      for (int particle : corner)
+        if (focus->inside[particle]) return true;
+    return false;
+  });
+}
+
 /// Corners of the elements of a tile, as rows: point[corner][coordinate][element].
 template <std::size_t Corners>
 void gather_points(const VectorField& x, const std::array<TileIndex, Corners>& corner,

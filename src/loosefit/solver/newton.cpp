@@ -16,7 +16,7 @@ constexpr double kLeastHold = 1, kMostHold = 1e4;
 }  // namespace
 
 Newton::Newton(const ParticleSystem& system, const Options& options)
-    : system_(system), options_(options), stretch_(kStretch) {}
+    : system_(system), options_(options), tangent_(system), region_(system), stretch_(kStretch) {}
 
 void Newton::restart(const Options& options) {
   options_ = options;
@@ -44,34 +44,9 @@ const VectorField& Newton::gradient(const VectorField& x) {
   return gradient_;
 }
 
-void Newton::add_inertia(const VectorField& x, const VectorField& target, double per_dt2,
-                         VectorField& g) const {
-  if (per_dt2 > 0)
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (!system_.is_held(static_cast<int>(i)))
-        g[i] += system_.mass[i] * per_dt2 * (x[i] - target[i]);
-}
-
-double Newton::inertia(const VectorField& x, const VectorField& target, double per_dt2) const {
-  double sum = 0;
-  if (per_dt2 > 0)
-    for (std::size_t i = 0; i < x.size(); ++i)
-      sum += 0.5 * system_.mass[i] * per_dt2 * (x[i] - target[i]).squaredNorm();
-  return sum;
-}
-
 void Newton::assemble(const VectorField& x, HessianKind kind) {
   const Stopwatch watch(work_.assemble);
-  const std::uint64_t version = system_.pattern_version(x);
-  if (matrix_.particles() != system_.particles() || version != pattern_version_) {
-    BlockPattern pattern(system_.particles());
-    for (const Energy* e : system_.energies) e->add_pattern(x, pattern);
-    pattern.compress();
-    if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
-    pattern_version_ = version;
-  }
-  matrix_.set_zero();
-  for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
+  tangent_.assemble(x, kind);
 }
 
 bool Newton::factorise(const VectorField& x, double per_dt2) {
@@ -81,7 +56,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
       shift_[i] = (per_dt2 + regularisation) * system_.mass[i];
     ++work_.factorisations;
     const Stopwatch watch(work_.factorise);
-    return linear_.factorise(matrix_, shift_, system_.held);
+    return linear_.factorise(tangent_.matrix(), shift_, system_.held);
   };
   exact_ = try_exact_.ready();
   if (exact_) {
@@ -127,14 +102,25 @@ void Newton::direction(const VectorField& g, VectorField& dx) {
   linear_.solve(g, dx);
 }
 
+void Newton::relax_region(VectorField& x, const InertiaTerm& inertia) {
+  if (system_.particles() < options_.relax_from) return;
+  const Stopwatch watch(work_.region);
+  VectorField force = gradient_;
+  inertia.add_gradient(x, force);
+  const auto steps = region_.relax(x, force, inertia, options_.max_move, linear_.order(), tangent_);
+  if (!steps) return;
+  work_.regional += *steps;
+  evaluated_ = false;  // a search also changes which pairs are in contact
+}
+
 Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, double dt) {
-  const double per_dt2 = std::isfinite(dt) ? 1 / (dt * dt) : 0;
+  const InertiaTerm inertia(system_, target, dt);
   Outcome outcome;
   VectorField g = gradient(x);
-  add_inertia(x, target, per_dt2, g);
+  inertia.add_gradient(x, g);
   outcome.force = std::sqrt(dot(g, g));
   ++work_.iterations;
-  if (!(outcome.force > 0) || !factorise(x, per_dt2)) return outcome;
+  if (!(outcome.force > 0) || !factorise(x, inertia.per_dt2())) return outcome;
   outcome.exact = exact_;
   VectorField dx;
   direction(g, dx);
@@ -154,13 +140,13 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
     limit = system_.begin_search(x, dx);
   }
   const double whole = std::min(1.0, 1.0 / stretch);  // the Newton step itself
-  const double before = energy_ + inertia(x, target, per_dt2);
+  const double before = energy_ + inertia.energy(x);
   double e_trial = 0;
   VectorField trial(x.size()), g_trial;
   const auto at = [&](double t) {
     for (std::size_t i = 0; i < x.size(); ++i) trial[i] = x[i] + t * dx[i];
     evaluate(trial, e_trial, g_trial);
-    return e_trial + inertia(trial, target, per_dt2);
+    return e_trial + inertia.energy(trial);
   };
   double t = std::min(limit, whole);
   for (int k = 0; k < options_.max_backtracks; ++k, t *= 0.5) {
@@ -170,7 +156,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
     bool accept = after <= before + 1e-4 * t * slope;
     if (!accept && drowned && std::isfinite(after)) {
       VectorField force = g_trial;
-      add_inertia(trial, target, per_dt2, force);
+      inertia.add_gradient(trial, force);
       accept = dot(force, force) < outcome.force * outcome.force;
     }
     if (!accept) continue;
@@ -181,7 +167,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
         // A parabola through both slopes tells whether twice as far lies lower: asked where it
         // does.
         VectorField force = g_trial;
-        add_inertia(trial, target, per_dt2, force);
+        inertia.add_gradient(trial, force);
         if (dot(force, dx) > slope / 3) break;
         const double farther = at(2 * t);
         if (!(farther < after)) break;
@@ -198,6 +184,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
     evaluated_ = true;
     outcome.moved = true;
     outcome.share = t * stretch;
+    if (!drowned) relax_region(x, inertia);
     stretch_ = outcome.share > 0.9 * stretch_ ? std::min(kMostStretch, 2 * stretch_) : kStretch;
     return outcome;
   }

@@ -1,22 +1,25 @@
 #pragma once
-#include <cstdint>
-
+#include "loosefit/solver/inertia_term.h"
 #include "loosefit/solver/newton_system.h"
-#include "loosefit/solver/particle_system.h"
 #include "loosefit/solver/patience.h"
+#include "loosefit/solver/region_relaxation.h"
 #include "loosefit/solver/solver_work.h"
+#include "loosefit/solver/tangent_matrix.h"
 
 namespace loosefit {
 
 /// Newton's method for one step  min_x Π(x) + Σ m_i/(2 dt²) |x_i − x̂_i|²  with line search, step
 /// limit by collision detection, and the exact Hessian while it is definite, a projected one
-/// otherwise (docs/decisions/0008 compares it with others). Keeps the pattern of the matrix, and
-/// the energy and the gradient at the last place, between calls.
+/// otherwise (docs/decisions/0008 compares it with others). After each step the few particles that
+/// bear the force that is left are moved on by themselves (RegionRelaxation). Keeps the pattern of
+/// the matrix, and the energy and the gradient at the last place, between calls.
 class Newton {
  public:
   struct Options {
-    double max_move = 0.02;  ///< largest particle move in one iteration [m]
+    double max_move = 0.02;  ///< largest particle move in one step, of all or of a region [m]
     int max_backtracks = 25;
+    /// Particles from which on a region of them is relaxed; below, a step of all costs little more.
+    int relax_from = 10000;
   };
   struct Outcome {
     bool moved = false;  ///< false: no descent possible
@@ -41,20 +44,18 @@ class Newton {
 
  private:
   void evaluate(const VectorField& x, double& energy, VectorField& g);
-  double inertia(const VectorField& x, const VectorField& target, double per_dt2) const;
-  void add_inertia(const VectorField& x, const VectorField& target, double per_dt2,
-                   VectorField& g) const;
   void assemble(const VectorField& x, HessianKind kind);
   bool factorise(const VectorField& x, double per_dt2);
   void direction(const VectorField& g, VectorField& dx);
+  void relax_region(VectorField& x, const InertiaTerm& inertia);
 
   const ParticleSystem& system_;
   Options options_;
   SolverWork work_;
   NewtonSystem linear_;
-  BlockMatrix matrix_;
+  TangentMatrix tangent_;
+  RegionRelaxation region_;
   std::vector<double> shift_;  ///< inertia and what makes the matrix definite [kg/s²]
-  std::uint64_t pattern_version_ = 0;
   bool exact_ = false;
   Patience try_exact_{8}, try_halved_{8};  ///< these matrices
   double hold_ = 100;                      ///< [1/s²], see factorise

@@ -19,6 +19,14 @@ class NewtonSystem {
   /// zero. \pre factorise returned true, and its arguments still live unchanged
   void solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx);
   bool in_double() const { return in_double_; }
+  /// As SparseCholesky::order and set_order; a new order also starts in single precision again.
+  const std::vector<int>& order() const { return used_double_ ? double_.order() : single_.order(); }
+  void set_order(const std::vector<int>& order) {
+    in_double_ = false;
+    broke_down_ = 0;
+    single_.set_order(order);
+    double_.set_order(order);
+  }
 
   static constexpr double kAccuracy = 1e-3;
 

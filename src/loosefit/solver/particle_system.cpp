@@ -9,6 +9,10 @@ void ParticleSystem::set_tangent(TangentReach reach) const {
   for (Energy* e : energies) e->set_tangent(reach);
 }
 
+void ParticleSystem::set_focus(const Focus* focus) const {
+  for (Energy* e : energies) e->set_focus(focus);
+}
+
 void ParticleSystem::begin_step(const VectorField& x, double dt) const {
   for (Energy* e : energies) e->begin_step(x, dt);
 }

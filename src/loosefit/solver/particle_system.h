@@ -17,6 +17,7 @@ struct ParticleSystem {
   bool is_held(int i) const { return !held.empty() && held[i]; }
 
   void set_tangent(TangentReach reach) const;
+  void set_focus(const Focus* focus) const;
   void begin_step(const VectorField& x, double dt) const;
   double begin_search(const VectorField& x, const VectorField& dx) const;
   double potential(const VectorField& x) const;

@@ -25,6 +25,7 @@ struct SparseCholesky<Real>::Work {
   using Buffer = std::unique_ptr<Real[]>;
 
   FrontTree tree;
+  std::vector<int> given_order;         ///< empty: to be found
   double flops_of_order = 0;            ///< when the order was chosen
   std::vector<int> column_start, rows;  ///< block pattern that the tree was made for
   std::vector<double> subtree_flops;
@@ -55,9 +56,11 @@ void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   column_start = matrix.column_start();
   rows = matrix.rows();
   // A few blocks more or less leave the old order good, most of the time.
-  const bool keep = static_cast<int>(tree.order.size()) == matrix.particles();
-  if (keep) tree = build_front_tree(column_start, rows, std::vector<int>(tree.order));
-  if (!keep || tree.flops > kMoreWork * flops_of_order) {
+  const auto n = static_cast<std::size_t>(matrix.particles());
+  const bool given = given_order.size() == n, keep = given || tree.order.size() == n;
+  if (keep)
+    tree = build_front_tree(column_start, rows, std::vector<int>(given ? given_order : tree.order));
+  if (!keep || (!given && tree.flops > kMoreWork * flops_of_order)) {
     tree = build_front_tree(column_start, rows, fill_reducing_order(column_start, rows));
     flops_of_order = tree.flops;
   }
@@ -203,6 +206,17 @@ bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<dou
 template <class Real>
 void SparseCholesky<Real>::release() {
   for (auto& front : work_->factor) front.reset();
+}
+
+template <class Real>
+const std::vector<int>& SparseCholesky<Real>::order() const {
+  return work_->tree.order;
+}
+
+template <class Real>
+void SparseCholesky<Real>::set_order(std::vector<int> order) {
+  work_->given_order = std::move(order);
+  work_->column_start.clear();
 }
 
 template <class Real>

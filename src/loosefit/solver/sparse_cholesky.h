@@ -28,6 +28,10 @@ class SparseCholesky {
   void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const;
   /// Gives the memory of the factor back; what is known of the pattern stays.
   void release();
+  /// The elimination order in use: the k-th particle. Empty before the first `factorise`.
+  const std::vector<int>& order() const;
+  /// Takes this order for the matrices of as many particles that follow; others find their own.
+  void set_order(std::vector<int> order);
 
  private:
   struct Work;

@@ -145,13 +145,15 @@ Json seconds_json(const std::vector<StageClock::Entry>& entries) {
 Json work_json(const SolverWork& work) {
   return {{"iterations", work.iterations},
           {"factorisations", work.factorisations},
+          {"regional_iterations", work.regional},
           {"seconds",
            {{"assemble", work.assemble},
             {"factorise", work.factorise},
             {"solve", work.solve},
             {"collide", work.collide},
             {"evaluate", work.evaluate},
-            {"refresh", work.refresh}}}};
+            {"refresh", work.refresh},
+            {"region", work.region}}}};
 }
 
 Json parts_json(const std::vector<PartWork>& parts) {

@@ -1,0 +1,27 @@
+#include "loosefit/solver/tangent_matrix.h"
+
+namespace loosefit {
+
+void TangentMatrix::follow_pattern(const VectorField& x) {
+  const std::uint64_t version = system_.pattern_version(x);
+  if (matrix_.particles() == system_.particles() && version == pattern_version_) return;
+  BlockPattern pattern(system_.particles());
+  for (const Energy* e : system_.energies) e->add_pattern(x, pattern);
+  pattern.compress();
+  if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
+  pattern_version_ = version;
+}
+
+void TangentMatrix::assemble(const VectorField& x, HessianKind kind) {
+  follow_pattern(x);
+  matrix_.set_zero();
+  for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
+}
+
+void TangentMatrix::assemble(const VectorField& x, HessianKind kind, const Focus& focus) {
+  follow_pattern(x);
+  for (int i : focus.particles) matrix_.set_zero(i);
+  for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+
+#include "loosefit/solver/particle_system.h"
+
+namespace loosefit {
+
+/// The Hessian of a system's potential. Its pattern is made anew only when that of an energy has
+/// changed.
+class TangentMatrix {
+ public:
+  explicit TangentMatrix(const ParticleSystem& system) : system_(system) {}
+  void assemble(const VectorField& x, HessianKind kind);
+  /// The same while `focus` is set (Energy::set_focus): only columns of its particles, blocks with
+  /// both particles inside, are right afterwards.
+  void assemble(const VectorField& x, HessianKind kind, const Focus& focus);
+  const BlockMatrix& matrix() const { return matrix_; }
+
+ private:
+  void follow_pattern(const VectorField& x);
+
+  const ParticleSystem& system_;
+  BlockMatrix matrix_;
+  std::uint64_t pattern_version_ = 0;
+};
+
+}  // namespace loosefit

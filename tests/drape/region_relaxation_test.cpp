@@ -1,0 +1,119 @@
+#include "loosefit/solver/region_relaxation.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <limits>
+
+#include "loosefit/contact/self_contact.h"
+#include "loosefit/solver/newton.h"
+#include "support/cloth_scene.h"
+#include "support/shapes.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kStatic = std::numeric_limits<double>::infinity();
+
+/// A sheet that hangs from its upper edge, with contact with itself; at rest but for a dent in one
+/// place.
+struct DentedSheet {
+  TriangleMesh mesh = support::sheet(0.3, 0.3, 0.012, 0.2);
+  support::ClothScene scene{mesh,       {}, hanging(mesh), support::box_mesh(Vec3::Constant(0.01)),
+                            Material{}, {}};
+  SelfContact self{scene.triangles, scene.area, static_cast<int>(scene.x.size()), {}};
+  int dent = 0;
+
+  static VectorField hanging(const TriangleMesh& mesh) {
+    VectorField x;
+    for (const Vec3& p : mesh.vertices) x.emplace_back(p[0], 0.1, p[1]);
+    return x;
+  }
+  DentedSheet() {
+    scene.system.energies.push_back(&self);
+    for (std::size_t i = 0; i < scene.x.size(); ++i)
+      scene.system.held[i] = mesh.vertices[i][1] > 0.3 - 1e-9;
+    SettleOptions options;
+    options.tolerance = 1e-6;
+    const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
+    EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged) << outcome.text();
+    for (std::size_t i = 0; i < scene.x.size(); ++i)
+      if ((mesh.vertices[i] - Vec3(0.15, 0.15, 0)).norm() <
+          (mesh.vertices[dent] - Vec3(0.15, 0.15, 0)).norm())
+        dent = static_cast<int>(i);
+    scene.x[dent] += Vec3(0, 2e-3, 0);
+    scene.system.begin_step(scene.x, kStatic);
+  }
+};
+
+TEST(RegionRelaxation, TakesTheForceAwayAndMovesNothingElse) {
+  DentedSheet sheet;
+  const ParticleSystem& system = sheet.scene.system;
+  VectorField x = sheet.scene.x;
+  TangentMatrix tangent(system);
+  tangent.assemble(x, HessianKind::definite);
+  const VectorField force = system.gradient(x);
+  const ResidualRegion region = residual_region(tangent.matrix(), force, {});
+  ASSERT_FALSE(region.empty());
+  ASSERT_GE(region.place[sheet.dent], 0);
+  ASSERT_LT(region.particles.size(), x.size() / 6);
+  std::vector<int> order(x.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+
+  RegionRelaxation relaxation(system);
+  const double before = system.potential(x);
+  const InertiaTerm none(system, x, kStatic);
+  EXPECT_GT(relaxation.relax(x, force, none, 0.02, order, tangent), 0);
+  EXPECT_LT(system.potential(x), before);
+  const VectorField left = system.gradient(x);
+  double inside = 0, inside_before = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (region.place[i] >= 0) {
+      inside += left[i].squaredNorm();
+      inside_before += force[i].squaredNorm();
+    } else {
+      EXPECT_EQ(x[i], sheet.scene.x[i]);
+    }
+  EXPECT_LT(inside, 0.01 * inside_before);
+}
+
+struct Way {
+  VectorField x;
+  int iterations = 0, regional = 0;
+};
+
+/// Newton until the force is below a millionth of the weight.
+Way way_down(int relax_from) {
+  DentedSheet sheet;
+  Newton::Options options;
+  options.relax_from = relax_from;
+  Newton newton(sheet.scene.system, options);
+  Way way{sheet.scene.x};
+  for (; way.iterations < 100; ++way.iterations) {
+    if (residual_of(sheet.scene.system, newton.gradient(way.x)).norm < 1e-6) break;
+    if (!newton.iterate(way.x, way.x, kStatic).moved) break;
+  }
+  way.regional = newton.work().regional;
+  EXPECT_LT(residual_of(sheet.scene.system, newton.gradient(way.x)).norm, 1e-6);
+  return way;
+}
+
+TEST(Newton, FindsTheSameRestWithAndWithoutRegionsInNoMoreIterations) {
+  const Way plain = way_down(std::numeric_limits<int>::max()), regional = way_down(0);
+  EXPECT_EQ(plain.regional, 0);
+  EXPECT_GT(regional.regional, 0);
+  EXPECT_LE(regional.iterations, plain.iterations);
+  for (std::size_t i = 0; i < plain.x.size(); ++i)
+    EXPECT_LT((plain.x[i] - regional.x[i]).norm(), 1e-5);
+}
+
+TEST(Newton, WithRegionsGivesTheSameBitsWithOneThread) {
+  const Way many = way_down(0);
+  const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+  const Way one = way_down(0);
+  EXPECT_EQ(many.x, one.x);
+  EXPECT_EQ(many.iterations, one.iterations);
+}
+
+}  // namespace
+}  // namespace loosefit

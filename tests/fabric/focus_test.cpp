@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include "loosefit/fabric/bending_energy.h"
+#include "loosefit/fabric/membrane_energy.h"
+#include "support/flat_garment.h"
+#include "support/focus_checker.h"
+
+namespace loosefit {
+namespace {
+
+constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::halved, HessianKind::definite};
+
+/// A folded sheet of several tiles, mid-way in a time step.
+struct Sheet {
+  TriangleMesh mesh = support::sheet(0.2, 0.2, 0.01, 0.2);
+  std::vector<std::array<Vec2, 3>> uv = support::flat_uv(mesh);
+  VectorField x = mesh.vertices;
+  Focus focus = support::two_groups(static_cast<int>(x.size()));
+  Sheet() {
+    for (Vec3& p : x) p[2] += 0.01 * std::sin(90 * p[0]) * std::cos(70 * p[1]);
+  }
+};
+
+TEST(MembraneEnergy, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+  const Sheet sheet;
+  Material plain, soft;
+  soft.compression_factor = 0.3;
+  for (const Material& m : {plain, soft}) {
+    MembraneEnergy membrane(sheet.mesh.triangles, sheet.uv, {}, m, true);
+    membrane.begin_step(sheet.mesh.vertices, 0.01);
+    for (HessianKind kind : kKinds)
+      EXPECT_GT(support::expect_same_in_focus(membrane, sheet.x, sheet.focus, 1e-3, kind), 0);
+  }
+}
+
+TEST(BendingEnergy, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+  const Sheet sheet;
+  Material m;
+  m.bending_hysteresis_warp = m.bending_hysteresis_weft = 1e-4;
+  BendingEnergy bending(sheet.mesh.triangles, sheet.uv, {}, m, true);
+  bending.begin_step(sheet.mesh.vertices, 0.01);
+  for (TangentReach reach : {TangentReach::near, TangentReach::full}) {
+    bending.set_tangent(reach);
+    for (HessianKind kind : kKinds)
+      EXPECT_GT(support::expect_same_in_focus(bending, sheet.x, sheet.focus, 1e-3, kind), 0);
+  }
+}
+
+TEST(CurvaturePatches, HingesFollowTheOrderOfTheirTriangles) {
+  const Sheet sheet;
+  const std::vector<Mat3> rigidity(sheet.mesh.triangles.size(), Mat3::Identity());
+  const CurvaturePatches patches = curvature_patches(sheet.mesh.triangles, sheet.uv, rigidity, {});
+  int known = 0;
+  for (const CurvaturePatch& p : patches.patches) {
+    int most = known;
+    for (int k = 0; k < 3; ++k) most = std::max(most, p.hinge[k] + 1);
+    EXPECT_LE(most, known + 3);
+    known = most;
+  }
+  EXPECT_EQ(known, static_cast<int>(patches.hinges.size()));
+}
+
+}  // namespace
+}  // namespace loosefit
