@@ -19,5 +19,6 @@ foreach(name cli fuzz)
   target_link_libraries(test_${name} PRIVATE loosefit_study loosefit_warnings GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
-  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900)
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900
+    ENVIRONMENT OPENBLAS_NUM_THREADS=1)
 endforeach()

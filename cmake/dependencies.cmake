@@ -7,9 +7,6 @@ find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 
-# Bit-identical results on every machine of one kind: no contraction that depends on the optimiser's mood.
-add_compile_options(-ffp-contract=off)
-
 add_library(loosefit_cgal INTERFACE)
 find_path(CGAL_INCLUDE_DIR CGAL/version.h REQUIRED)
 target_include_directories(loosefit_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})

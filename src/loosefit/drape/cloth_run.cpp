@@ -108,7 +108,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
 }
 
 void ClothRun::keep(std::optional<Kept>& kept, double residual) {
-  kept.emplace(Kept{x_, model_->memory(), residual});
+  kept.emplace(Kept{x_, model_->memory(), residual, report_.held_off_triangles});
 }
 
 void ClothRun::perturb() {
@@ -145,18 +145,21 @@ void ClothRun::refine() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 
-Drape ClothRun::finish(const std::string& given_up) {
+std::string ClothRun::how_it_ended() const {
   // A loose tolerance may have been met when the time was up: that is not why it stopped.
-  const auto reason = [&] {
-    if (!given_up.empty()) return given_up;
-    const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
-    return cut_short ? std::string("time budget") : last_.text();
+  const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
+  return cut_short ? "time budget" : last_.text();
+}
+
+Drape ClothRun::finish(const std::string& given_up) {
+  const auto certified = [&] {
+    return certify(*model_, x_, *body_, given_up.empty() ? how_it_ended() : given_up);
   };
-  const auto certified = [&] { return certify(*model_, x_, *body_, reason()); };
   const auto take = [&](const Kept& kept) {
     x_ = kept.x;
     model_->recall(kept.memory);
-    return certified();
+    report_.held_off_triangles = kept.held_off_triangles;
+    return kept.ended.empty() ? certified() : certify(*model_, x_, *body_, kept.ended);
   };
   Drape drape;
   drape.certificate = certified();
@@ -170,7 +173,7 @@ Drape ClothRun::finish(const std::string& given_up) {
     drape.certificate = certified();
   }
   if (!drape.certificate.settled()) {
-    const Kept now{x_, model_->memory(), drape.certificate.residual};
+    const Kept now{x_, model_->memory(), drape.certificate.residual, report_.held_off_triangles};
     const Kept* best = &now;
     for (const auto* other : {&lowest_, &clear_, &first_try_}) {
       if (!other->has_value()) continue;

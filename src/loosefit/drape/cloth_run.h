@@ -21,6 +21,9 @@ inline constexpr double kPad = 0.005;
 /// First pseudo-step near rest [s].
 inline constexpr double kStaticDt = 10;
 
+/// What progress is told when a drape that failed is tried again.
+inline constexpr char kOnceMore[] = "not at rest; trying once more from farther off the skin";
+
 /// A garment, or several worn over each other, on the way to rest, and on to other postures: knows
 /// the state of the cloth, the body under it, the clock, the report and whom to tell. Keeps
 /// references to all arguments of the constructor.
@@ -82,6 +85,7 @@ class ClothRun {
   /// Certifies the cloth as it is or, where that is not settled, as it was at its best. `given_up`:
   /// why it ended, when that is not how the last settling did.
   Drape finish(const std::string& given_up = "");
+  std::string how_it_ended() const;
 
   const std::vector<ClothLayer>& layers_;
   const DrapeOptions& options_;
@@ -105,6 +109,8 @@ class ClothRun {
     std::vector<Vec3> x;
     ClothMemory memory;
     double residual;
+    int held_off_triangles = 0;
+    std::string ended = {};  ///< empty: as the run does
   };
   void keep(std::optional<Kept>& kept, double residual);
   std::optional<Kept> lowest_;     ///< that of the lowest residual, cuts or not

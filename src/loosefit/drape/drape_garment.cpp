@@ -88,7 +88,9 @@ bool ClothRun::may_try_again(const Certificate& c) const {
 
 void ClothRun::settle_from_pad() {
   keep(first_try_, last_.residual);
+  first_try_->ended = how_it_ended();
   part_ = "retry";
+  progress_.update(0, kOnceMore);
   make_model();
   model_->pad_body(kPad);
   settle(kDressTolerance, options_.max_iterations, 0.01, true);

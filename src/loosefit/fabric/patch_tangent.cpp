@@ -65,7 +65,8 @@ void PatchTangent::Products::add(const std::vector<Factor>& factor, BlockMatrix&
           __builtin_prefetch(factor[side].data());
           __builtin_prefetch(factor[side].data() + 8);
         }
-        const auto* a = reinterpret_cast<const Quad*>(factor[factors_[k][0]].data());
+        // Not auto, which would forget that a Quad may lie anywhere.
+        const Quad* a = reinterpret_cast<const Quad*>(factor[factors_[k][0]].data());
         const double* b = factor[factors_[k][1]].data();
         for (int q = 0; q < 3; ++q) sum[q] += a[0] * b[q] + a[1] * b[4 + q] + a[2] * b[8 + q];
       }

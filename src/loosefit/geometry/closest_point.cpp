@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <compare>
 #include <numeric>
+#include <stdexcept>
 
 namespace loosefit {
 namespace {
@@ -227,6 +228,8 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
 }
 
 double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, double bound) const {
+  if (vertex_pseudonormals_.size() != mesh_->vertices.size())
+    throw std::logic_error("this tree was made without telling sides");
   const ClosestPoint hit = query(p, bound);
   if (closest) *closest = hit;
   if (hit.triangle < 0) return std::numeric_limits<double>::infinity();

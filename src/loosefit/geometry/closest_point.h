@@ -34,7 +34,8 @@ class ClosestPointTree {
                      const std::function<bool(int)>& accept) const;
   /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
   /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh. A bound on the distance
-  /// that is known to hold makes it faster; +∞ beyond it. \pre Sides::told
+  /// that is known to hold makes it faster; +∞ beyond it. Throws std::logic_error with
+  /// Sides::untold.
   double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
                          double bound = std::numeric_limits<double>::infinity()) const;
   const TriangleMesh& mesh() const { return *mesh_; }

@@ -110,6 +110,7 @@ bool RegionRelaxation::search(VectorField& x, const Step& step, const InertiaTer
                               double& energy, VectorField& g) const {
   const double before = energy + inertia.energy(x);
   const double limit = std::min(1.0, system_.begin_search(x, step.dx));
+  if (!(limit > 0)) return false;
   VectorField trial = x, g_trial;
   double e_trial = 0;
   const auto at = [&](double t) {

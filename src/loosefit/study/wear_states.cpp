@@ -121,6 +121,7 @@ CaseWear plan_wear(const CaseResult& result) {
 }
 
 void wear_states(CaseResult& result, DrapeSession& first, Progress& progress) {
+  if (result.scenario.postures.size() > 1) progress.stage("body");
   result.wear = plan_wear(result);
   if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
   if (result.wear.postures.size() > 1) {
