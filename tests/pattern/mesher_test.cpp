@@ -59,7 +59,7 @@ TEST(Mesher, NeighboursInThePanelAreNeighboursInTheList) {
   const std::vector<int> divisions(front.edges.size(), 20);
   const PanelMesh mesh = mesh_panel(front, divisions, .012);
   ASSERT_GT(mesh.triangles.size(), 1000u);
-  // What a run of 64 fills of the square round it: a quarter in the mean (0.02 in a random order).
+  // What a run of 64 fills of the square round it: 0.25 in the mean, 0.02 in a random order.
   double filled = 0;
   int runs = 0;
   for (std::size_t from = 0; from + 64 <= mesh.triangles.size(); from += 64, ++runs) {
@@ -75,7 +75,7 @@ TEST(Mesher, NeighboursInThePanelAreNeighboursInTheList) {
     }
     filled += area / std::pow((high - low).maxCoeff(), 2);
   }
-  EXPECT_GT(filled / runs, 0.25);
+  EXPECT_GT(filled / runs, 0.15);
 }
 
 TEST(Mesher, IsIrregular) {

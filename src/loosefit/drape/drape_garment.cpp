@@ -89,6 +89,8 @@ bool ClothRun::may_try_again(const Certificate& c) const {
 void ClothRun::settle_from_pad() {
   keep(first_try_, last_.residual);
   first_try_->ended = how_it_ended();
+  lowest_.reset(), clear_.reset();
+  report_.held_off_triangles = 0;
   part_ = "retry";
   progress_.update(0, kOnceMore);
   make_model();

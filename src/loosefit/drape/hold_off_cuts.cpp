@@ -17,7 +17,7 @@ constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cu
 constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
 constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
 constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
-constexpr double kDeepest = 0.05;     ///< that a vertex is looked for in the skin [m]
+constexpr double kFarthest = 0.05;    ///< from the skin, inside or out, that is told apart [m]
 
 int lattice(const Triangle& t, const std::vector<Vec3>& x) {
   double longest = 0;
@@ -47,7 +47,7 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
                                     const std::vector<Vec3>& x, const std::set<int>& cut) {
   std::vector<double> corner(x.size());
   tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
-    corner[i] = skin.signed_distance(x[i], nullptr, kDeepest);
+    corner[i] = skin.signed_distance(x[i], nullptr, kFarthest);
   });
   std::vector<double> least(triangles.size(), kFarField);
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {

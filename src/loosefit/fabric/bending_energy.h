@@ -48,17 +48,17 @@ class BendingEnergy : public Energy {
   const std::vector<PlaneRows>& memory() const { return anchor_; }
   void recall(const std::vector<PlaneRows>& memory) { anchor_ = memory; }
 
-  void set_tangent(TangentReach reach) override { tangent_ = reach; }
+  void set_tangent(TangentReach reach) override {
+    pattern_version_ += reach != tangent_;  // the two reaches have patterns of their own
+    tangent_ = reach;
+  }
   void set_focus(const Focus* focus) override;
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
-  /// The two reaches have patterns of their own.
-  std::uint64_t pattern_version(const VectorField&) const override {
-    return tangent_ == TangentReach::full ? 1 : 0;
-  }
+  std::uint64_t pattern_version(const VectorField&) const override { return pattern_version_; }
   void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
 
  private:
@@ -87,6 +87,7 @@ class BendingEnergy : public Energy {
   std::vector<PatchTile> patch_tiles_;
   BendingFriction friction_;
   TangentReach tangent_ = TangentReach::full;
+  std::uint64_t pattern_version_ = 0;
   std::vector<PlaneRows> anchor_;  ///< z₀ of the inner friction, per patch
   double damping_ = 0;             ///< τ [s]
   double viscous_ratio_ = 0;       ///< τ/dt of the current step

@@ -12,7 +12,7 @@ namespace loosefit {
 struct SettleOptions {
   double tolerance = 1e-3;    ///< ‖F‖₂/‖W‖₂ [–]
   int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
-  double max_move = 0.02;     ///< largest particle move per iteration [m]
+  double max_move = 0.02;     ///< largest particle move per step, of all or of a region [m]
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
   /// Matrix of the Newton steps of the quasi-static integrator: changes the way and its cost, not
   /// the equilibrium. The full one takes over when the near one brings nothing any more.

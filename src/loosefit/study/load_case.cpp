@@ -35,6 +35,8 @@ void recall_parts(const Json& summary, SettleReport& report) {
     work.collide = at<double>(part, "/seconds/collide");
     work.evaluate = at<double>(part, "/seconds/evaluate");
     work.refresh = at<double>(part, "/seconds/refresh");
+    work.regional = at<int>(part, "/regional_iterations");
+    work.region = at<double>(part, "/seconds/region");
     report.parts.push_back(
         {part.contains("part") && part["part"].is_string() ? part["part"].get<std::string>() : "",
          at<int>(part, "/level") - 1, at<int>(part, "/vertices"), work});

@@ -121,9 +121,10 @@ CaseWear plan_wear(const CaseResult& result) {
 }
 
 void wear_states(CaseResult& result, DrapeSession& first, Progress& progress) {
-  if (result.scenario.postures.size() > 1) progress.stage("body");
+  const bool settled = result.drape.certificate.settled();
+  if (settled && result.scenario.postures.size() > 1) progress.stage("body");
   result.wear = plan_wear(result);
-  if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
+  if (result.wear.postures.empty() || !settled) return;
   if (result.wear.postures.size() > 1) {
     progress.stage("postures");
     follow_all(result, first, 0);

@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, std::string>> solver_settings() {
        "triangle's mass on its corners"},
       {"statics",
        fmt::format("pseudo-transient Newton: first pseudo-step {:g} s, at most {:g} mm of movement "
-                   "per iteration, {} halvings of a step; the exact second derivative of bending, "
+                   "per step, {} halvings of a step; the exact second derivative of bending, "
                    "where drapes take a cheaper one to the same equilibrium",
                    settle.first_dt, 1e3 * settle.max_move, newton.max_backtracks)},
       {"at rest",
