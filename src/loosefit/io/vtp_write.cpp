@@ -78,6 +78,7 @@ void write(const std::filesystem::path& path, vtkPolyData* data) {
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // numbers hardly shrink with more
   writer->SetHeaderTypeToUInt64();
   writer->SetByteOrderToLittleEndian();
   writer->WriteToOutputStringOn();

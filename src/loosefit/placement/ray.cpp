@@ -1,19 +1,46 @@
 #include "loosefit/placement/ray.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace loosefit {
 namespace {
 // A ray along the mesh's plane of symmetry runs through edges and must not slip between triangles.
 constexpr double kSlack = 1e-9;
+constexpr double kBoxSlack = 1e-7;  ///< more than kSlack times any edge [m]
+
+/// The surface seen along a ray, which is a point then: what does not cover it is quickly told.
+class SeenAlong {
+ public:
+  SeenAlong(const TriangleMesh& surface, const Vec3& origin, const Vec3& direction)
+      : at_(surface.vertices.size()) {
+    const Vec3 across = direction.unitOrthogonal(), other = direction.cross(across).normalized();
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      const Vec3 from = surface.vertices[i] - origin;
+      at_[i] = {from.dot(across), from.dot(other)};
+    }
+  }
+  bool may_cover_ray(const Triangle& t) const {
+    for (int k = 0; k < 2; ++k) {
+      const double a = at_[t[0]][k], b = at_[t[1]][k], c = at_[t[2]][k];
+      if (std::min({a, b, c}) > kBoxSlack || std::max({a, b, c}) < -kBoxSlack) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<Vec2> at_;
+};
 }  // namespace
 
 std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& origin,
                                        const Vec3& direction,
                                        const std::function<bool(int)>& accept) {
   std::vector<RayCrossing> found;
+  const SeenAlong seen(surface, origin, direction);
   for (int i = 0; i < static_cast<int>(surface.triangles.size()); ++i) {
     const Triangle& t = surface.triangles[i];
+    if (!seen.may_cover_ray(t)) continue;
     const Vec3 &a = surface.vertices[t[0]], ab = surface.vertices[t[1]] - a,
                ac = surface.vertices[t[2]] - a;
     const Vec3 normal = ab.cross(ac);
