@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "loosefit/garment/hierarchy.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/pattern/shirt_draft.h"
 

@@ -1,9 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <cstring>
 #include <new>
 
 #include "command_body.h"
@@ -17,23 +14,10 @@
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/version.h"
+#include "loosefit/solver/pin_blas.h"
 
 namespace loosefit {
 namespace {
-
-// OpenBLAS reads its settings while it is loaded, before main; a second thread only slows our
-// small fronts down and would make sums depend on the machine. So start over with them set. Debian
-// 12's OpenBLAS does not know newer processors and falls back to narrow kernels: name it wide ones.
-void pin_blas_threads(char** arguments) {
-  const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
-  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                    __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
-  if (threads && std::strcmp(threads, "1") == 0 && (!wide || std::getenv("OPENBLAS_CORETYPE")))
-    return;
-  setenv("OPENBLAS_NUM_THREADS", "1", 1);
-  if (wide) setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
-  execv("/proc/self/exe", arguments);  // returns only when it fails; then go on as we are
-}
 
 int failed(int code, const std::string& message, const std::string& hint = {}) {
   fmt::print(stderr, "error: {}\n", message);
@@ -73,7 +57,7 @@ int run_command_line(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   using namespace loosefit;
-  pin_blas_threads(arguments);
+  pin_blas(arguments);
   try {
     return run_command_line(count, arguments);
   } catch (const Cancelled&) {

@@ -9,12 +9,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "../pin_blas.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/drape/drape_garment.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/solver/pin_blas.h"
 
 namespace loosefit {
 namespace {

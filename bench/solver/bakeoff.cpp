@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "../pin_blas.h"
 #include "loosefit/base/error.h"
+#include "loosefit/solver/pin_blas.h"
 #include "outer_loop.h"
 #include "problem.h"
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/law_checker.h"
 #include "support/shapes.h"
 

@@ -5,6 +5,7 @@
 
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/focus_checker.h"
 #include "support/shapes.h"
 

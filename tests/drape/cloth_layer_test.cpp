@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/drape_session.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/worn_shirt.h"
 

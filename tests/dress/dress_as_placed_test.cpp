@@ -6,7 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/garment/assemble.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/shapes.h"
 #include "support/simple_patterns.h"

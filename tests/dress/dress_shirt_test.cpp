@@ -4,7 +4,7 @@
 #include "loosefit/dress/dress.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/garment/assemble.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/shirt_on_body.h"
 

@@ -1,9 +1,8 @@
-#include "loosefit/geometry/closest_point.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/shapes.h"
 
 namespace loosefit {
@@ -20,6 +19,40 @@ TEST(ClosestPointTree, AgreesWithBruteForceInsideOutsideAndOnTheSurface) {
   }
 }
 
+TEST(ClosestPointTree, AgreesWithBruteForceForAnyNumberOfTrianglesAndFarAway) {
+  const TriangleMesh sphere = support::sphere(0.3, 24, 48);
+  std::mt19937 rng(4);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (std::size_t n : {1, 2, 7, 8, 9, 63, 64, 65, 66, 512, 513, 1000}) {
+    TriangleMesh part = sphere;
+    part.triangles.resize(n);
+    const ClosestPointTree tree(part, ClosestPointTree::Sides::untold);
+    for (double scale : {0.5, 100.0, 1e12})
+      for (int i = 0; i < 20; ++i) {
+        const Vec3 p = scale * Vec3(u(rng), u(rng), u(rng));
+        const ClosestPoint found = tree.query(p), expected = closest_point_brute_force(part, p);
+        EXPECT_EQ(found.distance, expected.distance) << n << " triangles";
+        if (scale < 1) {
+          EXPECT_NEAR((found.point - expected.point).norm(), 0, 1e-12) << n << " triangles";
+        }
+      }
+  }
+}
+
+TEST(ClosestPointTree, TiesGoToTheLowerTriangleAndUnwantedOnesAreLeftOut) {
+  const TriangleMesh sphere = support::sphere(0.3, 24, 48);
+  const ClosestPointTree tree(sphere);
+  const Triangle& t = sphere.triangles[500];
+  std::vector<int> round;  // triangles that share the corner
+  for (int i = 0; i < static_cast<int>(sphere.triangles.size()); ++i)
+    for (int v : sphere.triangles[i])
+      if (v == t[0]) round.push_back(i);
+  ASSERT_GT(round.size(), 2u);
+  const Vec3 p = sphere.vertices[t[0]];
+  EXPECT_EQ(tree.query(p).triangle, round.front());
+  EXPECT_EQ(tree.query(p, 1, [&](int i) { return i != round.front(); }).triangle, round[1]);
+}
+
 TEST(ClosestPointTree, SignedDistanceOfASphereIsRadiusMinusR) {
   const TriangleMesh sphere = support::sphere(0.3, 64, 128);
   const ClosestPointTree tree(sphere);
@@ -34,6 +67,7 @@ TEST(ClosestPointTree, SignedDistanceOfASphereIsRadiusMinusR) {
 TEST(ClosestPointTree, ReportsNothingBeyondTheSearchRadius) {
   const TriangleMesh sphere = support::sphere(0.3, 16, 32);
   EXPECT_EQ(ClosestPointTree(sphere).query(Vec3(1, 0, 0), 0.5).triangle, -1);
+  EXPECT_EQ(ClosestPointTree(TriangleMesh{}).query(Vec3(1, 0, 0)).triangle, -1);
 }
 
 }  // namespace

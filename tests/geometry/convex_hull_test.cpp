@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/shapes.h"
 
 namespace loosefit {

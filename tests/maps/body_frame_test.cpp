@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 

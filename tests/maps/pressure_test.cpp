@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/maps/compute_maps.h"
 #include "support/cloth_scene.h"
 #include "support/tube_garment.h"

@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/garment/assemble.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/placement/sites.h"
 #include "support/shirt_on_body.h"
 #include "support/tube_garment.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "support/stick_person.h"
 
 namespace loosefit {

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/garment/assemble.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/placement/footprint_unfold.h"
 #include "support/simple_patterns.h"
 #include "support/tube_garment.h"

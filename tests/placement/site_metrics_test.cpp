@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "loosefit/base/error.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/placement/metric_names.h"
 #include "support/wall_and_patch.h"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/maps/orientation_error.h"
 #include "loosefit/placement/site_metrics.h"
 #include "support/body_fixture.h"

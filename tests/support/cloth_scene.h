@@ -5,6 +5,7 @@
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/particles/gravity_energy.h"
 #include "loosefit/solver/integrator.h"
 #include "support/flat_garment.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "loosefit/geometry/box_pairs.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
 

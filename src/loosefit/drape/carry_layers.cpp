@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {

@@ -5,7 +5,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/dress/dress.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {

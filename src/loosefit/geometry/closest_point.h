@@ -1,7 +1,5 @@
 #pragma once
-#include <functional>
 #include <limits>
-#include <vector>
 
 #include "loosefit/geometry/triangle_mesh.h"
 
@@ -19,49 +17,7 @@ struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();  ///< unsigned [m]
 };
 
-/// Axis-aligned bounding-box tree over a triangle mesh for exact point-to-surface queries.
-/// Keeps a reference to the mesh: the mesh must outlive the tree and must not move.
-class ClosestPointTree {
- public:
-  /// Half of the work of making it is what tells inside from outside.
-  enum class Sides { told, untold };
-  explicit ClosestPointTree(const TriangleMesh& mesh, Sides sides = Sides::told);
-  /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
-  ClosestPoint query(const Vec3& p,
-                     double max_distance = std::numeric_limits<double>::infinity()) const;
-  /// The same among the triangles for which `accept(triangle)` holds.
-  ClosestPoint query(const Vec3& p, double max_distance,
-                     const std::function<bool(int)>& accept) const;
-  /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
-  /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh. A bound on the distance
-  /// that is known to hold makes it faster; +∞ beyond it. Throws std::logic_error with
-  /// Sides::untold.
-  double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
-                         double bound = std::numeric_limits<double>::infinity()) const;
-  const TriangleMesh& mesh() const { return *mesh_; }
-
- private:
-  struct Node {
-    Vec3 lower, upper;
-    int first = 0;  ///< leaf: first entry in order_; inner: left child
-    int count = 0;  ///< leaf: number of triangles; inner: 0
-  };
-  /// Triangles [first, last) of order_, to go below `node`, with nodes from `free` on.
-  struct Range {
-    int node, free, first, last;
-  };
-  void find_pseudonormals();
-  static std::size_t nodes_of(int n);
-  void build(const Range& range, const std::vector<Vec3>& centroids);
-
-  const TriangleMesh* mesh_;
-  std::vector<Node> nodes_;
-  std::vector<int> order_;
-  std::vector<Vec3> vertex_pseudonormals_;
-  std::vector<std::array<Vec3, 3>> edge_pseudonormals_;  ///< per triangle, edge i = corner i → i+1
-};
-
-/// Slow twin of ClosestPointTree::query, the oracle of its tests.
+/// Looks at every triangle: the oracle of ClosestPointTree's tests.
 ClosestPoint closest_point_brute_force(const TriangleMesh& mesh, const Vec3& p);
 
 }  // namespace loosefit

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
 

@@ -10,7 +10,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/fabric/membrane_energy.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/maps/surface_curvature.h"
 
 namespace loosefit {

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
 namespace {

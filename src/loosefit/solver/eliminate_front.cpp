@@ -13,6 +13,10 @@ namespace {
 constexpr double kLargeFlops = 6e6;  ///< of a front from which on sharing it out pays
 constexpr int kBlock = 128;          ///< rows or columns of a share
 
+bool is_large(int p, int r) {
+  return double(p) * p * p / 3 + double(p) * p * r + double(p) * r * r > kLargeFlops;
+}
+
 template <class Work>
 void for_blocks(int first, int end, const Work& work) {
   const int blocks = (end - first + kBlock - 1) / kBlock;
@@ -46,10 +50,11 @@ bool eliminate_large(Real* f, int p, int r, Real* border) {
 
 }  // namespace
 
+int front_block(int p, int r) { return is_large(p, r) ? kBlock : 3; }
+
 template <class Real>
 bool eliminate_front(Real* f, int p, int r, Real* border) {
-  const double flops = double(p) * p * p / 3 + double(p) * p * r + double(p) * r * r;
-  if (flops > kLargeFlops) return eliminate_large(f, p, r, border);
+  if (is_large(p, r)) return eliminate_large(f, p, r, border);
   if (!dense::factorise(f, p, p + r)) return false;
   if (r == 0) return true;
   dense::divide_rows(f, p, f + p, r, p + r);

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "loosefit/base/error.h"
+#include "loosefit/solver/buffer_pool.h"
 #include "loosefit/solver/dense_kernels.h"
 #include "loosefit/solver/eliminate_front.h"
 #include "loosefit/solver/fill_order.h"
@@ -18,11 +19,22 @@ namespace {
 constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
 constexpr double kMoreWork = 1.3;   ///< than when the order was chosen: choose another
 
+/// Zeros wherever the elimination of a front of p columns and r rows below reads: the lower
+/// triangle of the first `columns` columns, and of its diagonal what comes along in whole blocks.
+template <class Real>
+void clear_lower(Real* a, int columns, int height, int p, int r) {
+  const int block = front_block(p, r);
+  for (int c = 0; c < columns; ++c) {
+    Real* column = a + std::size_t(c) * height;
+    std::fill(column + c / block * block, column + height, Real(0));
+  }
+}
+
 }  // namespace
 
 template <class Real>
 struct SparseCholesky<Real>::Work {
-  using Buffer = std::unique_ptr<Real[]>;
+  using Border = typename BufferPool<Real>::Buffer;
 
   FrontTree tree;
   std::vector<int> given_order;         ///< empty: to be found
@@ -37,8 +49,9 @@ struct SparseCholesky<Real>::Work {
     bool transposed;
   };
   std::vector<std::vector<Entry>> entries;
-  std::vector<Buffer> factor;  ///< per front: 3(p+r) × 3p, column major
-  std::vector<Buffer> border;  ///< per front until its parent has taken it: 3r × 3r
+  std::vector<std::unique_ptr<Real[]>> factor;  ///< per front: 3(p+r) × 3p, column major
+  BufferPool<Real> pool;
+  std::vector<Border> border;  ///< per front until its parent has taken it: 3r × 3r
   std::atomic<bool> definite{true};
   const BlockMatrix* a = nullptr;
   const std::vector<double>* shift = nullptr;
@@ -48,7 +61,7 @@ struct SparseCholesky<Real>::Work {
   void eliminate_subtree(int front);
   void eliminate(int front);
   void add_entries(int front, Real* f);
-  void add_child(int child, Real* f, Buffer& border_of_parent);
+  void add_child(int child, Real* f, Border& border_of_parent);
 };
 
 template <class Real>
@@ -117,7 +130,7 @@ void SparseCholesky<Real>::Work::add_entries(int front, Real* f) {
 }
 
 template <class Real>
-void SparseCholesky<Real>::Work::add_child(int child, Real* f, Buffer& border_of_parent) {
+void SparseCholesky<Real>::Work::add_child(int child, Real* f, Border& border_of_parent) {
   const Front& from = tree.fronts[child];
   const Front& to = tree.fronts[from.parent];
   const int n = static_cast<int>(from.rows.size());
@@ -130,14 +143,16 @@ void SparseCholesky<Real>::Work::add_child(int child, Real* f, Buffer& border_of
                               : border_of_parent.get() + 3 * (column - to.columns) * below;
     const std::size_t step = eliminated ? height : below;
     const int less = eliminated ? 0 : to.columns;
-    for (int k = 0; k < 3; ++k) {
-      const Real* s = source + (3 * std::size_t(c) + k) * (3 * std::size_t(n));
-      Real* t = target + k * step;
-      for (int r = c; r < n; ++r) {
-        Real* at = t + 3 * (from.place[r] - less);
-        at[0] += s[3 * r];
-        at[1] += s[3 * r + 1];
-        at[2] += s[3 * r + 2];
+    // The three columns of a block at once: a third of the look-ups.
+    const Real* s0 = source + 9 * std::size_t(c) * n;
+    const Real *s1 = s0 + 3 * std::size_t(n), *s2 = s1 + 3 * std::size_t(n);
+    for (int r = c; r < n; ++r) {
+      Real* t0 = target + 3 * (from.place[r] - less);
+      Real *t1 = t0 + step, *t2 = t1 + step;
+      for (int k = 3 * r; k < 3 * r + 3; ++k) {
+        *t0++ += s0[k];
+        *t1++ += s1[k];
+        *t2++ += s2[k];
       }
     }
   }
@@ -151,8 +166,11 @@ void SparseCholesky<Real>::Work::eliminate(int index) {
   if (!factor[index])
     factor[index] = std::make_unique_for_overwrite<Real[]>(std::size_t(height) * p);
   Real* f = factor[index].get();
-  std::fill_n(f, std::size_t(height) * p, Real(0));
-  if (r > 0) border[index] = std::make_unique<Real[]>(std::size_t(r) * r);
+  clear_lower(f, p, height, p, r);
+  if (r > 0) {
+    border[index] = pool.take(std::size_t(r) * r);
+    clear_lower(border[index].get(), r, r, p, r);
+  }
   add_entries(index, f);
   for (int child : front.children) add_child(child, f, border[index]);
   if (!eliminate_front(f, p, r, border[index].get())) definite = false;
@@ -206,6 +224,7 @@ bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<dou
 template <class Real>
 void SparseCholesky<Real>::release() {
   for (auto& front : work_->factor) front.reset();
+  work_->pool.release();
 }
 
 template <class Real>

@@ -7,7 +7,7 @@
 
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {

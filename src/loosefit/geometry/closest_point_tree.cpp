@@ -1,0 +1,176 @@
+#include "loosefit/geometry/closest_point_tree.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace loosefit {
+namespace {
+
+constexpr int kWidth = 8;           ///< parts of a node
+constexpr int kTask = 4096;         ///< triangles from which on a task of their own pays
+constexpr int kStack = 96;          ///< seven left behind on each of the eleven levels of 2³¹
+constexpr float kSlack = 0x1p-22f;  ///< relative error of single precision in a box's distance
+
+float round_down(double x) {
+  const auto f = static_cast<float>(x);
+  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float round_up(double x) { return -round_down(-x); }
+
+/// Triangles in each part of n but the last: the least power of the width that makes no more parts
+/// than that.
+int part_size(int n) {
+  long size = 1;
+  while (size * kWidth < n) size *= kWidth;
+  return static_cast<int>(size);
+}
+int parts_of(int n, int size) { return (n - 1) / size + 1; }
+
+}  // namespace
+
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, Sides sides) : mesh_(&mesh) {
+  const int n = static_cast<int>(mesh.triangles.size());
+  if (sides == Sides::told) sides_.emplace(mesh);
+  for (const Vec3& v : mesh.vertices) reach_ = std::max(reach_, v.cwiseAbs().maxCoeff());
+  std::vector<Centroid> centroids(n);
+  for (int i = 0; i < n; ++i) {
+    const Triangle& t = mesh.triangles[i];
+    centroids[i] = {(mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0, i};
+  }
+  leaves_.resize(n);
+  nodes_.resize(nodes_of(n));
+  if (n == 1) leaves_[0] = leaf(0);
+  if (n > 1) build(0, centroids, 0, n);
+}
+
+/// A single triangle needs no node of its own.
+int ClosestPointTree::nodes_of(int n) {
+  if (n <= 1) return 0;
+  const int size = part_size(n), whole = parts_of(n, size) - 1;
+  return 1 + whole * nodes_of(size) + nodes_of(n - whole * size);
+}
+
+void ClosestPointTree::split(std::vector<Centroid>& centroids, int first, int last, int size) {
+  const int parts = parts_of(last - first, size);
+  if (parts == 1) return;
+  Box3 spread;
+  for (int i = first; i < last; ++i) spread.extend(centroids[i].place);
+  int axis = 0;
+  spread.sizes().maxCoeff(&axis);
+  const int middle = first + parts / 2 * size;
+  std::nth_element(centroids.begin() + first, centroids.begin() + middle, centroids.begin() + last,
+                   [axis](const Centroid& a, const Centroid& b) {
+                     return std::pair(a.place[axis], a.triangle) <
+                            std::pair(b.place[axis], b.triangle);
+                   });
+  const auto below = [&] { split(centroids, first, middle, size); };
+  const auto above = [&] { split(centroids, middle, last, size); };
+  if (last - first > kTask)
+    tbb::parallel_invoke(below, above);
+  else
+    below(), above();
+}
+
+ClosestPointTree::Leaf ClosestPointTree::leaf(int triangle) const {
+  const Triangle& t = mesh_->triangles[triangle];
+  return {mesh_->vertices[t[0]], mesh_->vertices[t[1]], mesh_->vertices[t[2]], triangle};
+}
+
+Box3 ClosestPointTree::build(int index, std::vector<Centroid>& centroids, int first, int last) {
+  const int size = part_size(last - first), parts = parts_of(last - first, size);
+  split(centroids, first, last, size);
+  Node& node = nodes_[index];
+  node.parts = parts;
+  std::array<Box3, kWidth> boxes;
+  const int nodes_below = nodes_of(size);
+  const auto build_part = [&](int k) {
+    const int from = first + k * size, to = std::min(last, from + size);
+    if (to - from > 1) {
+      node.content[k] = index + 1 + k * nodes_below;
+      boxes[k] = build(node.content[k], centroids, from, to);
+    } else {
+      node.content[k] = ~from;
+      const Leaf& l = leaves_[from] = leaf(centroids[from].triangle);
+      for (const Vec3* corner : {&l.a, &l.b, &l.c}) boxes[k].extend(*corner);
+    }
+  };
+  if (last - first > kTask)
+    tbb::parallel_for(0, parts, build_part);
+  else
+    for (int k = 0; k < parts; ++k) build_part(k);
+  Box3 all;
+  for (int k = 0; k < parts; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      node.lower[c][k] = round_down(boxes[k].min()[c]);
+      node.upper[c][k] = round_up(boxes[k].max()[c]);
+    }
+    all.extend(boxes[k]);
+  }
+  return all;
+}
+
+ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance) const {
+  return query(p, max_distance, nullptr);
+}
+
+ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
+                                     const std::function<bool(int)>& accept) const {
+  ClosestPoint best;
+  if (leaves_.empty()) return best;
+  double limit = max_distance * max_distance;
+  const auto look_at = [&](const Leaf& l) {
+    const Vec3 weights = closest_barycentric(p, l.a, l.b, l.c);
+    const Vec3 point = weights[0] * l.a + weights[1] * l.b + weights[2] * l.c;
+    const double d2 = (p - point).squaredNorm();
+    if (!(d2 < limit || (d2 == limit && (best.triangle < 0 || l.triangle < best.triangle)))) return;
+    if (accept && !accept(l.triangle)) return;
+    limit = d2;
+    best = {l.triangle, weights, point, 0};
+  };
+  struct Waiting {
+    float box_distance2;
+    int content;
+  };
+  std::array<Waiting, kStack> stack;
+  stack[0] = {0, nodes_.empty() ? ~0 : 0};
+  const Eigen::Array3f q = p.cast<float>();
+  const float slack = kSlack * round_up(std::max(reach_, p.cwiseAbs().maxCoeff()));
+  for (int top = 1; top > 0;) {
+    const auto [box_distance2, content] = stack[--top];
+    if (box_distance2 > limit) continue;
+    if (content < 0) {
+      look_at(leaves_[~content]);
+      continue;
+    }
+    const Node& node = nodes_[content];
+    Node::Lanes d2 = Node::Lanes::Zero();
+    for (int k = 0; k < 3; ++k)
+      d2 += ((node.lower[k] - q[k]).max(q[k] - node.upper[k]) - slack).max(0.0f).square();
+    d2 *= 1 - 4 * kSlack;
+    int nearest = top;
+    for (int k = 0; k < node.parts; ++k) {
+      if (d2[k] > limit) continue;
+      if (nearest == top || d2[k] < stack[nearest].box_distance2) nearest = top;
+      stack[top++] = {d2[k], node.content[k]};
+    }
+    if (nearest < top) std::swap(stack[nearest], stack[top - 1]);  // it comes first
+  }
+  if (best.triangle >= 0) best.distance = std::sqrt(limit);
+  return best;
+}
+
+double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, double bound) const {
+  if (!sides_) throw std::logic_error("this tree was made without telling sides");
+  const ClosestPoint hit = query(p, bound);
+  if (closest) *closest = hit;
+  if (hit.triangle < 0) return std::numeric_limits<double>::infinity();
+  return sides_->at(*mesh_, hit).dot(p - hit.point) < 0 ? -hit.distance : hit.distance;
+}
+
+}  // namespace loosefit

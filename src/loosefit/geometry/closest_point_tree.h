@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "loosefit/geometry/box_grid.h"
+#include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/pseudonormals.h"
+
+namespace loosefit {
+
+/// Axis-aligned bounding-box tree over a triangle mesh for exact point-to-surface queries.
+/// Keeps a reference to the mesh: the mesh must outlive the tree and must not move.
+class ClosestPointTree {
+ public:
+  /// Half of the work of making it is what tells inside from outside.
+  enum class Sides { told, untold };
+  explicit ClosestPointTree(const TriangleMesh& mesh, Sides sides = Sides::told);
+  /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
+  ClosestPoint query(const Vec3& p,
+                     double max_distance = std::numeric_limits<double>::infinity()) const;
+  /// The same among the triangles for which `accept(triangle)` holds.
+  ClosestPoint query(const Vec3& p, double max_distance,
+                     const std::function<bool(int)>& accept) const;
+  /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
+  /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh. A bound on the distance
+  /// that is known to hold makes it faster; +∞ beyond it. Throws std::logic_error with
+  /// Sides::untold.
+  double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
+                         double bound = std::numeric_limits<double>::infinity()) const;
+  const TriangleMesh& mesh() const { return *mesh_; }
+
+ private:
+  /// Up to eight boxes side by side for the processor's wide registers, and what is in them: a
+  /// node, or a single triangle. Single precision, rounded outwards, is enough to leave out what
+  /// is too far.
+  struct Node {
+    using Lanes = Eigen::Array<float, 8, 1>;
+    std::array<Lanes, 3> lower, upper;
+    std::array<int, 8> content;  ///< index of a node, or ~ place of a triangle
+    int parts = 0;
+  };
+  struct Leaf {
+    Vec3 a, b, c;
+    int triangle;
+  };
+  struct Centroid {
+    Vec3 place;
+    int triangle;
+  };
+  static int nodes_of(int triangles);
+  Leaf leaf(int triangle) const;
+  /// Orders [first, last) so that parts of `size` lie together in space.
+  static void split(std::vector<Centroid>& centroids, int first, int last, int size);
+  /// Makes the node `index` of [first, last) and those below it, which follow it; their box.
+  Box3 build(int index, std::vector<Centroid>& centroids, int first, int last);
+
+  const TriangleMesh* mesh_;
+  std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;  ///< as they follow each other in the tree
+  double reach_ = 0;          ///< largest coordinate [m]
+  std::optional<Pseudonormals> sides_;
+};
+
+}  // namespace loosefit
