@@ -56,8 +56,7 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
   command->add_option("DIR", arguments->folder, "folder of an earlier run or drape")->required();
   command
       ->add_option("--map", arguments->maps,
-                   "strain, distance, angular-deviation, pressure; may be repeated; replaces the "
-                   "maps of the scenario")
+                   "what to map, instead of the scenario's maps; may be repeated")
       ->check(CLI::IsMember(map_names()))
       ->allow_extra_args(false);
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,

@@ -1,6 +1,7 @@
 #include "loosefit/solver/sparse_cholesky.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <Eigen/Cholesky>
 #include <random>
@@ -68,6 +69,64 @@ TEST(SparseCholesky, SolvesLikeADenseFactorisationWithShiftsAndHeldParticles) {
     const Eigen::VectorXd expected = dense.ldlt().solve(flat(rhs));
     EXPECT_LT((flat(x) - expected).norm(), 1e-12 * expected.norm());
   }
+}
+
+/// Two cliques and a third that both of them touch: fronts that are shared out in blocks, and pass
+/// their borders on.
+BlockMatrix cliques(double diagonal, unsigned seed) {
+  constexpr int kClique = 110, kShared = 50;
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  BlockPattern pattern(2 * kClique + kShared);
+  for (int first : {0, kClique}) {
+    std::vector<int> clique;
+    for (int i = 0; i < kClique; ++i) clique.push_back(first + i);
+    for (int i = 0; i < kShared; ++i) clique.push_back(2 * kClique + i);
+    pattern.add_clique(clique);
+  }
+  pattern.compress();
+  BlockMatrix m(pattern);
+  for (int j = 0; j < m.particles(); ++j)
+    for (int i : pattern.rows_of_column()[j]) {
+      Mat3 block;
+      for (int k = 0; k < 9; ++k) block(k / 3, k % 3) = u(rng);
+      if (i == j) block = (block + block.transpose() + diagonal * Mat3::Identity()).eval();
+      m.add(i, j, block);
+    }
+  return m;
+}
+
+TEST(SparseCholesky, LargeFrontsSolveLikeADenseFactorisationAlsoAfterAFailure) {
+  const BlockMatrix m = cliques(60, 7);
+  const std::vector<double> none(m.particles(), 0.0);
+  const std::vector<Vec3> rhs = random_field(m.particles());
+  const Eigen::VectorXd expected = support::dense(m).ldlt().solve(flat(rhs));
+  SparseCholesky<double> cholesky;
+  EXPECT_FALSE(cholesky.factorise(m, std::vector<double>(m.particles(), -80.0), {}));
+  ASSERT_TRUE(cholesky.factorise(cliques(70, 8), none, {}));  // leaves its numbers behind
+  ASSERT_TRUE(cholesky.factorise(m, none, {}));
+  std::vector<Vec3> x;
+  cholesky.solve(rhs, x);
+  EXPECT_LT((flat(x) - expected).norm(), 1e-12 * expected.norm());
+}
+
+TEST(SparseCholesky, BitsDependNeitherOnThreadsNorOnWhatWasFactorisedBefore) {
+  const BlockMatrix m = cliques(60, 9);
+  const std::vector<double> none(m.particles(), 0.0);
+  const std::vector<Vec3> rhs = random_field(m.particles());
+  std::vector<std::vector<Vec3>> solutions;
+  for (std::size_t threads : {1, 2, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    SparseCholesky<float> cholesky;
+    for (unsigned seed : {10u, 11u})
+      if (threads > 1) {
+        ASSERT_TRUE(cholesky.factorise(cliques(70, seed), none, {}));
+      }
+    ASSERT_TRUE(cholesky.factorise(m, none, {}));
+    cholesky.solve(rhs, solutions.emplace_back());
+  }
+  EXPECT_EQ(solutions[0], solutions[1]);
+  EXPECT_EQ(solutions[0], solutions[2]);
 }
 
 TEST(SparseCholesky, SaysWhenTheMatrixIsIndefiniteAndRecovers) {

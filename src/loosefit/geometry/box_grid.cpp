@@ -1,7 +1,6 @@
 #include "loosefit/geometry/box_grid.h"
 
 #include <cmath>
-#include <limits>
 
 namespace loosefit {
 
@@ -28,12 +27,11 @@ void BoxGrid::build(const std::vector<Box3>& boxes) {
     if (cells <= kMaxCells) break;
     inverse_ *= 0.5;
   }
-  constexpr float kFar = std::numeric_limits<float>::infinity();
   rounded_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (int d = 0; d < 3; ++d) {
-      rounded_[i][d] = std::nextafter(static_cast<float>(boxes[i].min()[d]), -kFar);
-      rounded_[i][d + 3] = std::nextafter(static_cast<float>(boxes[i].max()[d]), kFar);
+      rounded_[i][d] = round_down(boxes[i].min()[d]);
+      rounded_[i][d + 3] = round_up(boxes[i].max()[d]);
     }
   start_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
   lower_.resize(boxes.size());

@@ -1,14 +1,12 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/geometry/box.h"
 
 namespace loosefit {
-
-using Box3 = Eigen::AlignedBox3d;
 
 /// Boxes sorted into the cells of a dense uniform grid (compressed rows). Best for many boxes of
 /// similar size. Memory is kept from one build to the next; queries may run on many threads.

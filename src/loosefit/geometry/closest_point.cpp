@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace loosefit {
 namespace {
@@ -62,13 +63,16 @@ Vec3 closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 
 ClosestPoint closest_point_brute_force(const TriangleMesh& mesh, const Vec3& p) {
   ClosestPoint best;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
     const Triangle& t = mesh.triangles[i];
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const Vec3 weights = closest_barycentric(p, a, b, c);
     const Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
-    const double distance = (p - point).norm();
-    if (distance < best.distance) best = {i, weights, point, distance};
+    const double d2 = (p - point).squaredNorm();
+    if (!(d2 < least)) continue;
+    least = d2;
+    best = {i, weights, point, std::sqrt(d2)};
   }
   return best;
 }

@@ -12,16 +12,13 @@
 namespace loosefit {
 namespace {
 
-constexpr int kWidth = 8;           ///< parts of a node
-constexpr int kTask = 4096;         ///< triangles from which on a task of their own pays
-constexpr int kStack = 96;          ///< seven left behind on each of the eleven levels of 2³¹
-constexpr float kSlack = 0x1p-22f;  ///< relative error of single precision in a box's distance
-
-float round_down(double x) {
-  const auto f = static_cast<float>(x);
-  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
-}
-float round_up(double x) { return -round_down(-x); }
+constexpr int kWidth = 8;    ///< parts of a node
+constexpr int kTask = 4096;  ///< triangles from which on a task of their own pays
+constexpr int kStack = 96;   ///< seven left behind on each of the eleven levels of 2³¹
+/// By how much single precision may put a box too far, along one axis and in units of the largest
+/// coordinate M: 2⁻²⁴ M for the rounded point and 2⁻²³ M for the difference, since the boxes are
+/// rounded outwards. The squares and their sum are rounded five times, by 2⁻²⁴ of themselves each.
+constexpr float kSlack = 0x1p-22f, kLess = 1 - 0x1p-20f;
 
 /// Triangles in each part of n but the last: the least power of the width that makes no more parts
 /// than that.
@@ -152,7 +149,8 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
     Node::Lanes d2 = Node::Lanes::Zero();
     for (int k = 0; k < 3; ++k)
       d2 += ((node.lower[k] - q[k]).max(q[k] - node.upper[k]) - slack).max(0.0f).square();
-    d2 *= 1 - 4 * kSlack;
+    // Squares that overflow are still no nearer than this.
+    d2 = (kLess * d2).min(std::numeric_limits<float>::max());
     int nearest = top;
     for (int k = 0; k < node.parts; ++k) {
       if (d2[k] > limit) continue;

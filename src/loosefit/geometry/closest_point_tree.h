@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "loosefit/geometry/box_grid.h"
+#include "loosefit/geometry/box.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/pseudonormals.h"
 
@@ -33,8 +33,8 @@ class ClosestPointTree {
 
  private:
   /// Up to eight boxes side by side for the processor's wide registers, and what is in them: a
-  /// node, or a single triangle. Single precision, rounded outwards, is enough to leave out what
-  /// is too far.
+  /// node, or a single triangle. In single precision, rounded outwards; what that costs in
+  /// sharpness is allowed for in `query`.
   struct Node {
     using Lanes = Eigen::Array<float, 8, 1>;
     std::array<Lanes, 3> lower, upper;
@@ -59,7 +59,7 @@ class ClosestPointTree {
   const TriangleMesh* mesh_;
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;  ///< as they follow each other in the tree
-  double reach_ = 0;          ///< largest coordinate [m]
+  double reach_ = 0;          ///< largest absolute coordinate [m]
   std::optional<Pseudonormals> sides_;
 };
 

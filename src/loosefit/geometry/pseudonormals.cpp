@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 namespace loosefit {
 namespace {
@@ -14,9 +15,10 @@ namespace {
 struct HalfEdge {
   int other;  ///< vertex
   int triangle, corner;
+  auto operator<=>(const HalfEdge&) const = default;
 };
 
-/// Half edges by their lower vertex, those of a vertex in the order of their triangles.
+/// Half edges by their lower vertex.
 struct EdgeLists {
   std::vector<int> start;
   std::vector<HalfEdge> half_edges;
@@ -55,15 +57,17 @@ Pseudonormals::Pseudonormals(const TriangleMesh& mesh)
   });
   for (std::size_t i = 0; i < n; ++i)
     for (int k = 0; k < 3; ++k) of_vertex_[mesh.triangles[i][k]] += angles[i][k] * normals[i];
-  const EdgeLists edges(mesh);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    for (int e = edges.start[v]; e < edges.start[v + 1]; ++e) {
-      const HalfEdge& edge = edges.half_edges[e];
+  EdgeLists edges(mesh);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto begin = edges.half_edges.begin() + edges.start[v],
+               end = edges.half_edges.begin() + edges.start[v + 1];
+    std::sort(begin, end);
+    for (auto first = begin, last = begin; first != end; first = last) {
       Vec3 sum = Vec3::Zero();
-      for (int f = edges.start[v]; f < edges.start[v + 1]; ++f)
-        if (edges.half_edges[f].other == edge.other) sum += normals[edges.half_edges[f].triangle];
-      of_edge_[edge.triangle][edge.corner] = sum;
+      for (; last != end && last->other == first->other; ++last) sum += normals[last->triangle];
+      for (auto edge = first; edge != last; ++edge) of_edge_[edge->triangle][edge->corner] = sum;
     }
+  }
 }
 
 Vec3 Pseudonormals::at(const TriangleMesh& mesh, const ClosestPoint& closest) const {

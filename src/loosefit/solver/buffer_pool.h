@@ -19,6 +19,7 @@ class BufferPool {
     Buffer() = default;
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept {
+      reset();
       swap(other);
       return *this;
     }

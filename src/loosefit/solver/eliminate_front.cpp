@@ -50,7 +50,7 @@ bool eliminate_large(Real* f, int p, int r, Real* border) {
 
 }  // namespace
 
-int front_block(int p, int r) { return is_large(p, r) ? kBlock : 3; }
+int diagonal_block(int p, int r) { return is_large(p, r) ? kBlock : 1; }
 
 template <class Real>
 bool eliminate_front(Real* f, int p, int r, Real* border) {

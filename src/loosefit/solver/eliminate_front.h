@@ -12,6 +12,6 @@ bool eliminate_front(Real* f, int p, int r, Real* border);
 
 /// Blocks of so many rows and columns along the diagonal of either array are read and written
 /// whole, the part above the diagonal included.
-int front_block(int p, int r);
+int diagonal_block(int p, int r);
 
 }  // namespace loosefit

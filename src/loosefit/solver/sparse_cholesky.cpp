@@ -2,6 +2,7 @@
 
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <new>
@@ -19,14 +20,15 @@ namespace {
 constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
 constexpr double kMoreWork = 1.3;   ///< than when the order was chosen: choose another
 
-/// Zeros wherever the elimination of a front of p columns and r rows below reads: the lower
-/// triangle of the first `columns` columns, and of its diagonal what comes along in whole blocks.
+/// Zeros wherever a front of p columns and r rows below is read: the lower triangle of the first
+/// `columns` columns, and of its diagonal what comes along in whole blocks.
 template <class Real>
 void clear_lower(Real* a, int columns, int height, int p, int r) {
-  const int block = front_block(p, r);
+  const int block = diagonal_block(p, r);
   for (int c = 0; c < columns; ++c) {
+    const int particle = c / 3 * 3, read_from = std::min(particle, c / block * block);
     Real* column = a + std::size_t(c) * height;
-    std::fill(column + c / block * block, column + height, Real(0));
+    std::fill(column + read_from, column + height, Real(0));
   }
 }
 
@@ -58,6 +60,7 @@ struct SparseCholesky<Real>::Work {
   const std::vector<char>* held = nullptr;
 
   void analyse(const BlockMatrix& matrix);
+  void forget();
   void eliminate_subtree(int front);
   void eliminate(int front);
   void add_entries(int front, Real* f);
@@ -105,6 +108,17 @@ void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   factor.resize(fronts);
   border.clear();
   border.resize(fronts);
+  pool.release();
+}
+
+/// Whatever was half made.
+template <class Real>
+void SparseCholesky<Real>::Work::forget() {
+  tree = {};
+  column_start.clear();
+  factor.clear();
+  border.clear();
+  pool.release();
 }
 
 template <class Real>
@@ -190,7 +204,8 @@ void SparseCholesky<Real>::Work::eliminate_subtree(int index) {
       eliminate_subtree(child);
     }
   }
-  if (parallel) group.wait();
+  // Where another branch ran out of memory, children may have been left out.
+  if (parallel && group.wait() != tbb::task_group_status::complete) definite = false;
   if (definite) eliminate(index);
 }
 
@@ -218,6 +233,7 @@ bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<dou
     for (auto& border : w.border) border.reset();
   return w.definite;
 } catch (const std::bad_alloc&) {
+  work_->forget();
   throw SolverFailure("out of memory in the sparse factorisation");
 }
 

@@ -1,8 +1,9 @@
+#include "loosefit/geometry/closest_point_tree.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "loosefit/geometry/closest_point_tree.h"
 #include "support/shapes.h"
 
 namespace loosefit {
@@ -27,7 +28,7 @@ TEST(ClosestPointTree, AgreesWithBruteForceForAnyNumberOfTrianglesAndFarAway) {
     TriangleMesh part = sphere;
     part.triangles.resize(n);
     const ClosestPointTree tree(part, ClosestPointTree::Sides::untold);
-    for (double scale : {0.5, 100.0, 1e12})
+    for (double scale : {0.5, 100.0, 1e12, 1e20})
       for (int i = 0; i < 20; ++i) {
         const Vec3 p = scale * Vec3(u(rng), u(rng), u(rng));
         const ClosestPoint found = tree.query(p), expected = closest_point_brute_force(part, p);
@@ -35,6 +36,28 @@ TEST(ClosestPointTree, AgreesWithBruteForceForAnyNumberOfTrianglesAndFarAway) {
         if (scale < 1) {
           EXPECT_NEAR((found.point - expected.point).norm(), 0, 1e-12) << n << " triangles";
         }
+      }
+  }
+}
+
+TEST(ClosestPointTree, AgreesWithBruteForceCloseToASurfaceFarFromTheOrigin) {
+  TriangleMesh sphere = support::sphere(0.3, 24, 48);
+  const Vec3 centre(10.1, -20.3, 30.7);  // single precision knows these to a micrometre
+  for (Vec3& v : sphere.vertices) v += centre;
+  const ClosestPointTree tree(sphere);
+  std::mt19937 rng(6);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (std::size_t i = 0; i < sphere.triangles.size(); i += 3) {
+    const Triangle& t = sphere.triangles[i];
+    const double a = u(rng), b = (1 - a) * u(rng);
+    const Vec3 on_face =
+        a * sphere.vertices[t[0]] + b * sphere.vertices[t[1]] + (1 - a - b) * sphere.vertices[t[2]];
+    for (const Vec3& base : {on_face, sphere.vertices[t[0]]})
+      for (double off : {-1e-4, -1e-6, -1e-9, 0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+        const Vec3 p = base + off * (base - centre).normalized();
+        const ClosestPoint found = tree.query(p), expected = closest_point_brute_force(sphere, p);
+        EXPECT_EQ(found.distance, expected.distance);
+        EXPECT_EQ(found.triangle, expected.triangle);
       }
   }
 }
