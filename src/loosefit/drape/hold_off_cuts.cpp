@@ -60,6 +60,15 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
   return least;
 }
 
+/// Triangles that have their lattice of contact points already: from an earlier round, or from the
+/// posture before.
+std::set<Triangle> with_lattice(const std::vector<ContactPoint>& points) {
+  std::set<Triangle> triangles;
+  for (const ContactPoint& p : points)
+    if (p.count == 3) triangles.insert(p.particle);
+  return triangles;
+}
+
 }  // namespace
 
 CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
@@ -77,11 +86,15 @@ CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vect
   const std::vector<double> least = least_distances(*body.tree, triangles, x, cut);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
+  std::vector<std::set<Triangle>> latticed;
+  for (int layer = 0; layer < cloth.layers(); ++layer)
+    latticed.push_back(with_lattice(model.body(layer).points()));
   std::map<int, std::vector<int>> cuts_at;  // vertex → cut triangles
   std::map<int, double> raise;              // of a triangle's contact points [m]
   for (int t : cut) {
     const int layer = cloth.triangle_layer[t];
-    if (++times_cut[t] == 1)
+    ++times_cut[t];
+    if (latticed[layer].insert(triangles[t]).second)
       add_lattice(triangles[t], cloth.area[t], half_thickness[layer], lattice(triangles[t], x),
                   model.body(layer).change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);

@@ -1,0 +1,93 @@
+#include "loosefit/drape/hold_off_cuts.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/garment/assemble.h"
+#include "support/shapes.h"
+#include "support/simple_patterns.h"
+
+namespace loosefit {
+namespace {
+
+/// A flat square of cloth at a height over the top of a ball.
+struct Square {
+  Material material;
+  Garment garment;
+  std::unique_ptr<PosedBody> body;
+  std::vector<Vec3> x;
+  std::unique_ptr<ClothModel> model;
+
+  explicit Square(double height) {
+    Pattern pattern;
+    pattern.panels = {testing_support::rectangle_panel("cloth", 0.2, 0.2)};
+    garment = assemble(pattern, 0.03, material);
+    for (const Vec2& uv : garment.vertex_uv) x.emplace_back(uv[0] - 0.1, uv[1] - 0.1, 0.1 + height);
+    Body ball;
+    ball.surface = support::sphere(0.1, 24, 48);
+    ball.segment.assign(ball.surface.vertices.size(), Segment::thigh);
+    ball.side.assign(ball.surface.vertices.size(), -1);
+    body = pose_for_contact(std::move(ball), bounds(x), 0.005);
+    model = std::make_unique<ClothModel>(garment, material, DrapeOptions{}, material.thickness);
+    model->body().set_field(body->field);
+  }
+  const std::vector<ContactPoint>& points() const { return model->body().points(); }
+  double held_off() const {
+    double sum = 0;
+    for (const ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
+    return sum;
+  }
+  CutRound round(std::map<int, int>& times_cut) {
+    return hold_off_cuts(*model, *body, x, {0.5 * material.thickness}, false, times_cut);
+  }
+};
+
+TEST(HoldOffCuts, LeavesClothThatDoesNotCutAlone) {
+  Square square(0.01);
+  const std::size_t before = square.points().size();
+  std::map<int, int> times_cut;
+  const CutRound round = square.round(times_cut);
+  EXPECT_FALSE(round.cuts || round.held);
+  EXPECT_EQ(square.points().size(), before);
+  EXPECT_TRUE(times_cut.empty());
+}
+
+TEST(HoldOffCuts, GivesATriangleThatCutsMorePointsAndHoldsThemOffTheSkin) {
+  Square square(-0.001);
+  const std::size_t before = square.points().size();
+  std::map<int, int> times_cut;
+  const CutRound round = square.round(times_cut);
+  EXPECT_TRUE(round.cuts && round.held);
+  ASSERT_FALSE(times_cut.empty());
+  std::map<Triangle, int> lattice;
+  for (std::size_t i = before; i < square.points().size(); ++i)
+    ++lattice[square.points()[i].particle];
+  EXPECT_EQ(lattice.size(), times_cut.size());
+  for (const auto& [t, times] : times_cut) {
+    EXPECT_EQ(times, 1);
+    // At least five intervals an edge without corners, edge midpoints aside.
+    EXPECT_GE(lattice.at(square.garment.triangles[t]), 12);
+  }
+  for (std::size_t i = before; i < square.points().size(); ++i) {
+    EXPECT_GE(square.points()[i].offset, 0.5 * square.material.thickness + 3e-5);
+    EXPECT_LE(square.points()[i].offset, square.body->field->smooth_reach());
+  }
+}
+
+TEST(HoldOffCuts, ATriangleThatCutAgainIsHeldOffFartherByThePointsThatItHas) {
+  Square square(-0.001);
+  std::map<int, int> times_cut;
+  square.round(times_cut);
+  const std::size_t points = square.points().size();
+  double held_off = square.held_off();
+  square.round(times_cut);
+  EXPECT_EQ(square.points().size(), points);
+  EXPECT_GT(square.held_off(), held_off);
+  held_off = square.held_off();
+  std::map<int, int> in_next_posture;
+  square.round(in_next_posture);
+  EXPECT_EQ(square.points().size(), points);
+  EXPECT_GT(square.held_off(), held_off);
+}
+
+}  // namespace
+}  // namespace loosefit
