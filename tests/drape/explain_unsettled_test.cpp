@@ -5,39 +5,18 @@
 #include <numeric>
 
 #include "loosefit/drape/certify.h"
-#include "loosefit/garment/assemble.h"
-#include "support/shapes.h"
-#include "support/simple_patterns.h"
+#include "support/square_over_ball.h"
 
 namespace loosefit {
 namespace {
 
 using namespace testing_support;
 
-/// A flat square of cloth in the air, at a height over the top of a ball.
-struct Square {
-  Material material;
-  Garment garment;
-  DrapeOptions options;
-  std::unique_ptr<PosedBody> body;
-  std::vector<Vec3> x;
-
-  explicit Square(double height) {
-    Pattern pattern;
-    pattern.panels = {rectangle_panel("cloth", 0.2, 0.2)};
-    garment = assemble(pattern, 0.03, material);
-    for (const Vec2& uv : garment.vertex_uv) x.emplace_back(uv[0] - 0.1, uv[1] - 0.1, 0.1 + height);
-    Body ball;
-    ball.surface = support::sphere(0.1, 24, 48);
-    ball.segment.assign(ball.surface.vertices.size(), Segment::thigh);
-    ball.side.assign(ball.surface.vertices.size(), -1);
-    body = pose_for_contact(std::move(ball), bounds(x), 0.005);
-  }
-
+struct Square : SquareOverBall {
+  using SquareOverBall::SquareOverBall;
   Unsettled explain() {
-    ClothModel model(garment, material, options, material.thickness);
-    model.body().set_field(body->field);
-    return explain_unsettled(model, {&garment}, x, *body, certify(model, x, *body, "time budget"));
+    return explain_unsettled(*model, {&garment}, x, *body,
+                             certify(*model, x, *body, "time budget"));
   }
 };
 

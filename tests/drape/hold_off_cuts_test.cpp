@@ -2,34 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/garment/assemble.h"
-#include "support/shapes.h"
-#include "support/simple_patterns.h"
+#include "support/square_over_ball.h"
 
 namespace loosefit {
 namespace {
 
-/// A flat square of cloth at a height over the top of a ball.
-struct Square {
-  Material material;
-  Garment garment;
-  std::unique_ptr<PosedBody> body;
-  std::vector<Vec3> x;
-  std::unique_ptr<ClothModel> model;
-
-  explicit Square(double height) {
-    Pattern pattern;
-    pattern.panels = {testing_support::rectangle_panel("cloth", 0.2, 0.2)};
-    garment = assemble(pattern, 0.03, material);
-    for (const Vec2& uv : garment.vertex_uv) x.emplace_back(uv[0] - 0.1, uv[1] - 0.1, 0.1 + height);
-    Body ball;
-    ball.surface = support::sphere(0.1, 24, 48);
-    ball.segment.assign(ball.surface.vertices.size(), Segment::thigh);
-    ball.side.assign(ball.surface.vertices.size(), -1);
-    body = pose_for_contact(std::move(ball), bounds(x), 0.005);
-    model = std::make_unique<ClothModel>(garment, material, DrapeOptions{}, material.thickness);
-    model->body().set_field(body->field);
-  }
+struct Square : testing_support::SquareOverBall {
+  using SquareOverBall::SquareOverBall;
   const std::vector<ContactPoint>& points() const { return model->body().points(); }
   double held_off() const {
     double sum = 0;

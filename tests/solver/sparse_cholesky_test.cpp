@@ -11,16 +11,13 @@
 namespace loosefit {
 namespace {
 
-/// Random symmetric positive definite block matrix: a chain with some far couplings.
-BlockMatrix random_matrix(int n, double diagonal, unsigned seed) {
+/// Random symmetric blocks, the diagonal ones larger by `diagonal`.
+BlockMatrix filled(BlockPattern pattern, double diagonal, unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> u(-1, 1);
-  BlockPattern pattern(n);
-  for (int i = 1; i < n; ++i) pattern.add(i, i - 1);
-  for (int i = 0; i < n; i += 3) pattern.add(i, (7 * i + 5) % n);
   pattern.compress();
   BlockMatrix m(pattern);
-  for (int j = 0; j < n; ++j)
+  for (int j = 0; j < m.particles(); ++j)
     for (int i : pattern.rows_of_column()[j]) {
       Mat3 block;
       for (int k = 0; k < 9; ++k) block(k / 3, k % 3) = u(rng);
@@ -28,6 +25,14 @@ BlockMatrix random_matrix(int n, double diagonal, unsigned seed) {
       m.add(i, j, block);
     }
   return m;
+}
+
+/// A chain with some far couplings.
+BlockMatrix random_matrix(int n, double diagonal, unsigned seed) {
+  BlockPattern pattern(n);
+  for (int i = 1; i < n; ++i) pattern.add(i, i - 1);
+  for (int i = 0; i < n; i += 3) pattern.add(i, (7 * i + 5) % n);
+  return filled(std::move(pattern), diagonal, seed);
 }
 
 std::vector<Vec3> random_field(int n) {
@@ -75,8 +80,6 @@ TEST(SparseCholesky, SolvesLikeADenseFactorisationWithShiftsAndHeldParticles) {
 /// their borders on.
 BlockMatrix cliques(double diagonal, unsigned seed) {
   constexpr int kClique = 110, kShared = 50;
-  std::mt19937 rng(seed);
-  std::uniform_real_distribution<double> u(-1, 1);
   BlockPattern pattern(2 * kClique + kShared);
   for (int first : {0, kClique}) {
     std::vector<int> clique;
@@ -84,16 +87,7 @@ BlockMatrix cliques(double diagonal, unsigned seed) {
     for (int i = 0; i < kShared; ++i) clique.push_back(2 * kClique + i);
     pattern.add_clique(clique);
   }
-  pattern.compress();
-  BlockMatrix m(pattern);
-  for (int j = 0; j < m.particles(); ++j)
-    for (int i : pattern.rows_of_column()[j]) {
-      Mat3 block;
-      for (int k = 0; k < 9; ++k) block(k / 3, k % 3) = u(rng);
-      if (i == j) block = (block + block.transpose() + diagonal * Mat3::Identity()).eval();
-      m.add(i, j, block);
-    }
-  return m;
+  return filled(std::move(pattern), diagonal, seed);
 }
 
 TEST(SparseCholesky, LargeFrontsSolveLikeADenseFactorisationAlsoAfterAFailure) {

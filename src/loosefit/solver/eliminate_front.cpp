@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "loosefit/solver/dense_kernels.h"
+#include "loosefit/solver/front_tree.h"
 
 namespace loosefit {
 namespace {
@@ -13,9 +14,7 @@ namespace {
 constexpr double kLargeFlops = 6e6;  ///< of a front from which on sharing it out pays
 constexpr int kBlock = 128;          ///< rows or columns of a share
 
-bool is_large(int p, int r) {
-  return double(p) * p * p / 3 + double(p) * p * r + double(p) * r * r > kLargeFlops;
-}
+bool is_large(int p, int r) { return elimination_flops(p, r) > kLargeFlops; }
 
 template <class Work>
 void for_blocks(int first, int end, const Work& work) {

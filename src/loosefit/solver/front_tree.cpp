@@ -101,6 +101,12 @@ bool worth_merging(double columns, double zeros, double total) {
 
 }  // namespace
 
+double elimination_flops(double p, double r) { return p * p * p / 3 + p * p * r + p * r * r; }
+
+double Front::flops() const {
+  return elimination_flops(3.0 * columns, 3.0 * static_cast<double>(rows.size()));
+}
+
 FrontTree build_front_tree(const std::vector<int>& column_start, const std::vector<int>& rows,
                            const std::vector<int>& order) {
   const int n = static_cast<int>(order.size());
@@ -169,8 +175,7 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
   }
   for (std::size_t f = 0; f < tree.fronts.size(); ++f) {
     Front& front = tree.fronts[f];
-    const double p = 3.0 * front.columns, r = 3.0 * static_cast<double>(front.rows.size());
-    tree.flops += p * p * p / 3 + p * p * r + p * r * r;
+    tree.flops += front.flops();
     if (front.rows.empty()) continue;
     front.parent = tree.front_of[front.rows.front()];
     Front& above = tree.fronts[front.parent];

@@ -11,7 +11,11 @@ struct Front {
   std::vector<int> children;
   std::vector<int> place;  ///< of each row of the border among the parent's columns and rows
   int size() const { return columns + static_cast<int>(rows.size()); }
+  double flops() const;  ///< of its elimination with 3 × 3 blocks
 };
+
+/// Floating point operations of eliminating p of p + r rows of a dense symmetric matrix.
+double elimination_flops(double p, double r);
 
 /// Symbolic factorisation of a symmetric graph: elimination order refined to a postorder of the
 /// elimination tree, columns gathered into fronts; small fronts are merged into their parents where

@@ -84,8 +84,7 @@ void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   subtree_flops.assign(fronts, 0);
   for (std::size_t f = 0; f < fronts; ++f) {
     const Front& front = tree.fronts[f];
-    const double p = 3.0 * front.columns, r = 3.0 * static_cast<double>(front.rows.size());
-    subtree_flops[f] += p * p * p / 3 + p * p * r + p * r * r;
+    subtree_flops[f] += front.flops();
     if (front.parent >= 0) subtree_flops[front.parent] += subtree_flops[f];
   }
   entries.assign(fronts, {});
