@@ -154,6 +154,94 @@ TEST(CandidatePairs, NoPairThatComesWithinReachIsMissedAndTheShareIsThatOfBruteF
   EXPECT_LT(kept.builds(), 40);
 }
 
+/// Two larger sheets, one over the other, of which a few points leap while all others creep.
+struct LeapingCloth {
+  Field x, dx;
+  std::vector<Triangle> triangles;
+  std::mt19937 rng{11};
+
+  LeapingCloth() {
+    for (int layer = 0; layer < 2; ++layer) {
+      const TriangleMesh sheet = support::sheet(0.3, 0.2, 0.01, 0.2, 1 + layer);
+      const int first = static_cast<int>(x.size());
+      for (const Triangle& t : sheet.triangles)
+        triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      for (const Vec3& p : sheet.vertices) x.push_back(p + Vec3(0, 0, 0.004 * layer));
+    }
+    dx.resize(x.size());
+  }
+  ContactFeatures features() const {
+    return ContactFeatures(triangles, std::vector<double>(triangles.size(), 4e-5),
+                           static_cast<int>(x.size()), 2e-3, {}, {});
+  }
+  /// Neighbours leap together, here and at a place far from there.
+  void choose_move() {
+    std::uniform_real_distribution<double> u(-1, 1);
+    for (Vec3& d : dx) d = 5e-5 * Vec3(u(rng), u(rng), u(rng));
+    for (int place = 0; place < 2; ++place) {
+      const std::size_t first = rng() % (x.size() - 5);
+      const Vec3 leap = 0.012 * Vec3(u(rng), u(rng), u(rng));
+      for (std::size_t i = first; i < first + 4; ++i) dx[i] += leap;
+    }
+  }
+  void move() {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
+  }
+};
+
+TEST(CandidatePairs, AFewPointsThatStrayNeedNoNewListAndNoPairOfTheirsIsMissed) {
+  LeapingCloth cloth;
+  ASSERT_GT(cloth.x.size(), 1000u);
+  CandidatePairs kept(cloth.features());
+  kept.touching(cloth.x);
+  std::size_t pairs = 0;
+  for (int call = 0; call < 12; ++call) {
+    cloth.choose_move();
+    CandidatePairs fresh(kept.features());
+    const auto near = keys(kept.approaching(cloth.x, cloth.dx));
+    EXPECT_EQ(near, keys(fresh.approaching(cloth.x, cloth.dx))) << call;
+    pairs += near.size();
+    cloth.move();
+    CandidatePairs later(kept.features());
+    EXPECT_EQ(keys(kept.touching(cloth.x)), keys(later.touching(cloth.x))) << call;
+  }
+  EXPECT_GT(pairs, 200u);
+  EXPECT_LE(kept.builds(),
+            6);  // of 25 calls, though in each one points leap farther than the margin
+}
+
+TEST(CandidatePairs, WhatStraysInAFocusIsFoundThereAndAfterwards) {
+  LeapingCloth cloth;
+  CandidatePairs kept(cloth.features());
+  kept.touching(cloth.x);
+  for (int call = 0; call < 6; ++call) {
+    cloth.choose_move();
+    Focus focus{{}, std::vector<char>(cloth.x.size(), 0)};
+    for (std::size_t i = 0; i < cloth.x.size(); ++i) {
+      if (cloth.dx[i].norm() < 1e-3) cloth.dx[i].setZero();
+      if (cloth.dx[i].isZero()) continue;
+      focus.particles.push_back(static_cast<int>(i));
+      focus.inside[i] = 1;
+    }
+    const auto touching_focus = [&](const std::vector<FeaturePair>& all) {
+      std::vector<FeaturePair> some;
+      for (const FeaturePair& p : all)
+        if (focus.touches(p.particle, 4)) some.push_back(p);
+      return keys(some);
+    };
+    CandidatePairs fresh(kept.features());
+    kept.set_focus(&focus);
+    EXPECT_EQ(keys(kept.approaching(cloth.x, cloth.dx)),
+              touching_focus(fresh.approaching(cloth.x, cloth.dx)))
+        << call;
+    cloth.move();
+    EXPECT_EQ(keys(kept.touching(cloth.x)), touching_focus(fresh.touching(cloth.x))) << call;
+    kept.set_focus(nullptr);
+    EXPECT_EQ(keys(kept.touching(cloth.x)), keys(fresh.touching(cloth.x))) << call;
+  }
+  EXPECT_LE(kept.builds(), 4);
+}
+
 TEST(CandidatePairs, OneAndTwoThreadsFindTheSame) {
   const Cloth cloth;
   std::vector<std::uint64_t> found[2];

@@ -62,6 +62,36 @@ TEST(ClosestPointTree, AgreesWithBruteForceCloseToASurfaceFarFromTheOrigin) {
   }
 }
 
+TEST(ClosestPointTree, ABoxOverlapsTheTrianglesThatBruteForceFinds) {
+  const TriangleMesh sphere = support::sphere(0.3, 24, 48);
+  std::mt19937 rng(6);
+  std::uniform_real_distribution<double> u(-0.4, 0.4), size(0, 0.1);
+  for (std::size_t n : {0, 1, 7, 8, 9, 65, 1000}) {
+    TriangleMesh part = sphere;
+    part.triangles.resize(n);
+    const ClosestPointTree tree(part, ClosestPointTree::Sides::untold);
+    std::vector<Box3> box_of;
+    for (const Triangle& t : part.triangles) {
+      Box3 box;
+      for (int v : t) box.extend(part.vertices[v]);
+      box_of.push_back(box);
+    }
+    std::size_t hits = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p(u(rng), u(rng), u(rng));
+      Box3 box(p, p + Vec3(size(rng), size(rng), size(rng)));
+      // One that just touches a triangle's.
+      if (i % 4 == 0 && n > 0) box = Box3(box_of[i % n].max(), box_of[i % n].max() + Vec3::Ones());
+      std::vector<int> expected;
+      for (std::size_t t = 0; t < n; ++t)
+        if (box_of[t].intersects(box)) expected.push_back(static_cast<int>(t));
+      EXPECT_EQ(tree.overlapping(box), expected) << n << " triangles";
+      hits += expected.size();
+    }
+    EXPECT_EQ(hits > 0, n > 0);
+  }
+}
+
 TEST(ClosestPointTree, TiesGoToTheLowerTriangleAndUnwantedOnesAreLeftOut) {
   const TriangleMesh sphere = support::sphere(0.3, 24, 48);
   const ClosestPointTree tree(sphere);

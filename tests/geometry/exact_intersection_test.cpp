@@ -5,6 +5,7 @@
 #include <random>
 
 #include "loosefit/geometry/box_pairs.h"
+#include "support/shapes.h"
 
 namespace loosefit {
 namespace {
@@ -33,6 +34,25 @@ TEST(ExactIntersection, NeighboursThatShareAVertexCountOnlyWhenTheyPierce) {
   const std::vector<Vec3> piercing = {
       {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, -1}, {0.3, 0.3, 1}};
   EXPECT_EQ(self_intersections(piercing, {{0, 1, 2}, {0, 3, 4}}).size(), 1u);
+}
+
+TEST(ExactIntersection, WithATreeTheSamePairsAreFoundAsWithout) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> u(-0.4, 0.4), size(-0.05, 0.05);
+  std::vector<Vec3> x;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p(u(rng), u(rng), u(rng));
+    for (int k = 0; k < 3; ++k) x.push_back(p + Vec3(size(rng), size(rng), size(rng)));
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  for (const TriangleMesh& surface : {support::sphere(0.3, 24, 48), TriangleMesh{x, {{0, 1, 2}}}}) {
+    const auto expected = mesh_intersections(x, triangles, surface.vertices, surface.triangles);
+    EXPECT_GE(expected.size(), 1u);
+    EXPECT_EQ(mesh_intersections(x, triangles,
+                                 ClosestPointTree(surface, ClosestPointTree::Sides::untold)),
+              expected);
+  }
 }
 
 TEST(BoxPairs, GridAgreesWithBruteForceOnRandomBoxes) {

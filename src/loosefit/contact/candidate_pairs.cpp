@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/particles/vector_sums.h"
@@ -14,11 +15,28 @@ namespace {
 /// Margin in mean edge lengths: wide enough to last for many calls, narrow enough to leave out the
 /// next but one neighbours in an unfolded sheet.
 constexpr double kMargin = 0.25;
+/// Share of the particles that may have strayed before a new list is made.
+constexpr double kStrays = 0.02;
 
-double longest(const std::vector<Vec3>& v) {
-  double largest = 0;
-  for (const Vec3& a : v) largest = std::max(largest, a.squaredNorm());
-  return std::sqrt(largest);
+double root_mean_square(const std::vector<Vec3>& v) {
+  return std::sqrt(dot(v, v) / std::max<double>(1, static_cast<double>(v.size())));
+}
+
+double longest_move(const Triangle& t, const std::vector<Vec3>& dx) {
+  return std::sqrt(
+      std::max({dx[t[0]].squaredNorm(), dx[t[1]].squaredNorm(), dx[t[2]].squaredNorm()}));
+}
+
+/// A triangle on its way, `around` on all sides.
+Box3 box_of(const Triangle& t, const std::vector<Vec3>& x, const std::vector<Vec3>* dx,
+            double around) {
+  Box3 box;
+  for (int v : t) {
+    box.extend(x[v]);
+    if (dx) box.extend(Vec3(x[v] + (*dx)[v]));
+  }
+  const Vec3 rim = Vec3::Constant(around);
+  return Box3(box.min() - rim, box.max() + rim);
 }
 
 /// Whether along one of thirteen fixed axes the features are farther apart than `limit`, on the
@@ -73,11 +91,18 @@ double motion_of_triangles(const std::array<Vec3, 6>& d) {
 
 }  // namespace
 
-bool CandidatePairs::covers(const List& list, const std::vector<Vec3>& x, Move dx) {
+/// A list for a long way is long itself: when the moves have become short, a shorter one pays.
+bool CandidatePairs::is_too_long(Move dx) const {
+  return dx && list_.mean_way > 0.5 * list_.margin && root_mean_square(*dx) < 0.25 * list_.mean_way;
+}
+
+/// Measures how far the particles are from the way of the list, and on dx will be. False when the
+/// list is of no use: there is none, or too many have strayed.
+bool CandidatePairs::find_strays(const std::vector<Vec3>& x, Move dx) {
+  const List& list = list_;
+  for (int i : strays_) has_strayed_[i] = 0;
+  strays_.clear();
   if (list.start.size() != x.size() || list.margin < 0) return false;
-  // A list for a long way is long itself: when the moves have become short, make a shorter one.
-  if (dx && list.longest_way > 2 * list.margin && longest(*dx) < 0.25 * list.longest_way)
-    return false;
   // The share of the way that has been gone, and that dx is about to go.
   double gone = 0, next = 0;
   if (const double length2 = dot(list.way, list.way); length2 > 0) {
@@ -86,10 +111,25 @@ bool CandidatePairs::covers(const List& list, const std::vector<Vec3>& x, Move d
     if (dx) next = std::clamp(dot(*dx, list.way) / length2, 0.0, 1 - gone);
   }
   const double margin = (1 - 1e-9) * list.margin;
+  const auto most = static_cast<std::size_t>(kStrays * static_cast<double>(x.size()));
+  motion_.resize(x.size());
+  has_strayed_.resize(x.size(), 0);
+  longest_motion_ = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    double off = (x[i] - list.start[i] - gone * list.way[i]).norm();
-    if (dx) off += ((*dx)[i] - next * list.way[i]).norm();
-    if (!(off <= margin)) return false;
+    const Vec3 moved = x[i] - list.start[i];
+    double off = (moved - gone * list.way[i]).norm();
+    motion_[i] = moved.norm();
+    if (dx) {
+      off += ((*dx)[i] - next * list.way[i]).norm();
+      motion_[i] += (*dx)[i].norm();
+    }
+    if (off <= margin) {
+      longest_motion_ = std::max(longest_motion_, motion_[i]);
+      continue;
+    }
+    if (strays_.size() == most) return false;
+    strays_.push_back(static_cast<int>(i));
+    has_strayed_[i] = 1;
   }
   return true;
 }
@@ -111,14 +151,17 @@ bool CandidatePairs::is_near(const FeaturePair& pair, const std::vector<Vec3>& x
   return *distance < limit;
 }
 
-void CandidatePairs::add_pairs(int a, int b, double margin, const std::vector<Vec3>& x, Move dx,
+/// Those of two triangles that, were their reach longer by 2 margin, would be returned. motion: of
+/// both together, at most.
+void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
+                               const std::vector<Vec3>& x, Move dx,
                                std::vector<Candidate>& found) const {
   const ContactFeatures& f = features_;
   const Triangle &ta = f.triangles[a], &tb = f.triangles[b];
   bool neighbours = false;  // these are never apart
   for (int v : ta) neighbours |= v == tb[0] || v == tb[1] || v == tb[2];
   const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
-  const double limit = f.max_thickness + 2 * margin, motion = travel_[a] + travel_[b];
+  const double limit = f.max_thickness + 2 * margin;
   if (!neighbours && far_apart(corners, limit + motion)) return;
   if (!neighbours && motion > margin) {
     const auto& d = *dx;
@@ -162,129 +205,156 @@ void CandidatePairs::add_pairs(int a, int b, double margin, const std::vector<Ve
 /// depends on threads.
 void CandidatePairs::find_all(const std::vector<Vec3>& x, Move dx) {
   constexpr std::size_t kPart = 16;  // of cells
-  const std::size_t cells = grid_.busy_cells();
+  const std::size_t cells = list_.grid.busy_cells();
   found_.resize((cells + kPart - 1) / kPart);
   tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
     found_[part].clear();
-    grid_.visit_pairs(part * kPart, std::min(cells, (part + 1) * kPart),
-                      [&](int a, int b) { add_pairs(a, b, whole_.margin, x, dx, found_[part]); });
+    list_.grid.visit_pairs(part * kPart, std::min(cells, (part + 1) * kPart), [&](int a, int b) {
+      add_pairs(a, b, travel_[a] + travel_[b], list_.margin, x, dx, found_[part]);
+    });
   });
 }
 
-/// The same of boxes one of which is of a triangle in the focus.
-void CandidatePairs::find_in_focus(const std::vector<Vec3>& x, Move dx) {
-  constexpr std::size_t kPart = 64;  // of triangles
-  const std::size_t triangles = focused_triangles_.size();
-  found_.resize((triangles + kPart - 1) / kPart);
-  tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
-    found_[part].clear();
-    for (std::size_t k = part * kPart; k < std::min(triangles, (part + 1) * kPart); ++k) {
-      const int a = focused_triangles_[k];
-      grid_.query(boxes_[a], [&](int b) {
-        if (b > a || (b < a && !is_focused_[b]))
-          add_pairs(std::min(a, b), std::max(a, b), focused_.margin, x, dx, found_[part]);
-      });
-    }
-  });
-}
-
-void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
-  ++builds_;
-  List& to = list();
-  double sum = 0;
-  for (const auto& e : features_.edges) sum += (x[e[1]] - x[e[0]]).norm();
-  to.start = x;
-  if (dx)
-    to.way = *dx;
-  else
-    to.way.assign(x.size(), Vec3::Zero());
-  to.longest_way = longest(to.way);
-  to.margin = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
-  // After a long way the next one will not be like it, whatever the margin. In a focus the list is
-  // short anyway.
-  if (to.longest_way > 2 * to.margin && !focus_) to.margin *= 0.1;
-
-  const std::size_t triangles = features_.triangles.size();
-  const Vec3 around = Vec3::Constant(0.5 * features_.max_thickness + to.margin);
-  boxes_.resize(triangles);
-  travel_.assign(triangles, 0.0);
-  tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t t) {
-    Box3 box;
-    for (int v : features_.triangles[t]) {
-      box.extend(x[v]);
-      if (!dx) continue;
-      box.extend(Vec3(x[v] + (*dx)[v]));
-      travel_[t] = std::max(travel_[t], (*dx)[v].norm());
-    }
-    boxes_[t] = Box3(box.min() - around, box.max() + around);
-  });
-  grid_.build(boxes_);
-
-  if (focus_)
-    find_in_focus(x, dx);
-  else
-    find_all(x, dx);
+/// Brings the pairs that were found into the order of their keys, in sorted_.
+void CandidatePairs::sort_found() {
   unsorted_.clear();
   for (const auto& found : found_) unsorted_.insert(unsorted_.end(), found.begin(), found.end());
   order_.resize(unsorted_.size());
   for (std::size_t i = 0; i < unsorted_.size(); ++i)
     order_[i] = {unsorted_[i].key(), static_cast<int>(i)};
   tbb::parallel_sort(order_.begin(), order_.end());
-  to.candidates.clear();
-  for (const auto& [key, i] : order_)
-    if (!focus_ || focus_->touches(unsorted_[i].particle, 4)) to.candidates.push_back(unsorted_[i]);
-  to.spare.resize(to.candidates.size());
-  for (std::size_t i = 0; i < to.candidates.size(); ++i)
-    to.spare[i] = std::nextafter(static_cast<float>(to.candidates[i].spare), -1e30f);
+  sorted_.clear();
+  for (const auto& [key, i] : order_) sorted_.push_back(unsorted_[i]);
+}
+
+void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
+  ++builds_;
+  double sum = 0;
+  for (const auto& e : features_.edges) sum += (x[e[1]] - x[e[0]]).norm();
+  list_.start = x;
+  if (dx)
+    list_.way = *dx;
+  else
+    list_.way.assign(x.size(), Vec3::Zero());
+  list_.mean_way = root_mean_square(list_.way);
+  list_.margin = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
+  // After a long way the next one will not be like it, whatever the margin.
+  if (list_.mean_way > 0.5 * list_.margin) list_.margin *= 0.1;
+
+  const std::size_t triangles = features_.triangles.size();
+  const double around = 0.5 * features_.max_thickness + list_.margin;
+  boxes_.resize(triangles);
+  travel_.resize(triangles);
+  tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t t) {
+    boxes_[t] = box_of(features_.triangles[t], x, dx, around);
+    travel_[t] = dx ? longest_move(features_.triangles[t], *dx) : 0;
+  });
+  list_.grid.build(boxes_);
+  find_all(x, dx);
+  sort_found();
+  list_.candidates = sorted_;
+  list_.spare.resize(sorted_.size());
+  for (std::size_t i = 0; i < sorted_.size(); ++i)
+    list_.spare[i] = std::nextafter(static_cast<float>(sorted_[i].spare), -1e30f);
+  set_focus(focus_);
 }
 
 void CandidatePairs::set_focus(const Focus* focus) {
   focus_ = focus;
-  focused_.margin = -1;
-  if (!focus) return;
-  is_focused_.assign(features_.triangles.size(), 0);
-  focused_triangles_.clear();
-  for (std::size_t t = 0; t < is_focused_.size(); ++t) {
-    for (int v : features_.triangles[t]) is_focused_[t] |= focus->inside[v];
-    if (is_focused_[t]) focused_triangles_.push_back(static_cast<int>(t));
-  }
+  const std::size_t n = list_.candidates.size();
+  in_focus_ =
+      focus ? Chosen(n, [&](int i) { return focus->touches(list_.candidates[i].particle, 4); })
+            : Chosen(n);
 }
 
-/// Fills motion_ and returns its largest number.
-double CandidatePairs::measure_motion(const std::vector<Vec3>& x, Move dx) {
-  motion_.resize(x.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    motion_[i] = (x[i] - list().start[i]).norm() + (dx ? (*dx)[i].norm() : 0.0);
-    largest = std::max(largest, motion_[i]);
+/// Fills sorted_ with the pairs of which a particle has strayed: their triangles now, against the
+/// others where the list has them, and against each other.
+void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
+  is_stray_.assign(features_.triangles.size(), 0);
+  stray_triangles_.clear();
+  boxes_.clear();
+  for (std::size_t t = 0; t < features_.triangles.size(); ++t) {
+    const Triangle& triangle = features_.triangles[t];
+    is_stray_[t] =
+        has_strayed_[triangle[0]] | has_strayed_[triangle[1]] | has_strayed_[triangle[2]];
+    if (!is_stray_[t]) continue;
+    stray_triangles_.push_back(static_cast<int>(t));
+    boxes_.push_back(box_of(triangle, x, dx, 0.5 * features_.max_thickness));
   }
-  return largest;
+  stray_grid_.build(boxes_);
+  constexpr std::size_t kPart = 16;  // of triangles
+  const std::size_t triangles = stray_triangles_.size();
+  found_.resize((triangles + kPart - 1) / kPart);
+  tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
+    auto& found = found_[part];
+    found.clear();
+    for (std::size_t k = part * kPart; k < std::min(triangles, (part + 1) * kPart); ++k) {
+      const int a = stray_triangles_[k];
+      const auto meet = [&](int b) {
+        const double motion = dx ? longest_move(features_.triangles[a], *dx) +
+                                       longest_move(features_.triangles[b], *dx)
+                                 : 0;
+        add_pairs(std::min(a, b), std::max(a, b), motion, 0, x, dx, found);
+      };
+      list_.grid.query(boxes_[k], [&](int b) {
+        if (!is_stray_[b]) meet(b);
+      });
+      stray_grid_.query(boxes_[k], [&](int other) {
+        if (stray_triangles_[other] > a) meet(stray_triangles_[other]);
+      });
+    }
+    const auto wanted = [&](const FeaturePair& pair) {
+      const auto& p = pair.particle;
+      return (has_strayed_[p[0]] | has_strayed_[p[1]] | has_strayed_[p[2]] | has_strayed_[p[3]]) &&
+             (!focus_ || focus_->touches(p, 4));
+    };
+    std::erase_if(found, [&](const Candidate& c) { return !wanted(c); });
+  });
+  sort_found();
+}
+
+/// Tells in chosen_ which of the listed candidates are near now, but for strays.
+void CandidatePairs::choose(const std::vector<Vec3>& x, Move dx) {
+  const double longest = longest_motion_;
+  const bool any_stray = !strays_.empty();
+  chosen_.resize(in_focus_.size());
+  using Range = tbb::blocked_range<int>;
+  tbb::parallel_for(Range(0, in_focus_.size(), 512), [&](const Range& range) {
+    for (int k = range.begin(); k < range.end(); ++k) {
+      chosen_[k] = 0;
+      const Candidate& pair = list_.candidates[in_focus_[k]];
+      const float spare = list_.spare[in_focus_[k]];
+      // What has moved too little since the list was made needs no new distance.
+      if (spare >= 2 * longest) continue;
+      const auto& p = pair.particle;
+      if (any_stray &&
+          (has_strayed_[p[0]] | has_strayed_[p[1]] | has_strayed_[p[2]] | has_strayed_[p[3]]))
+        continue;
+      const bool point = pair.kind == PairKind::point_triangle;
+      const double m0 = motion_[p[0]], m1 = motion_[p[1]], m2 = motion_[p[2]], m3 = motion_[p[3]];
+      if (spare >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
+        continue;
+      double distance = 0;
+      chosen_[k] = is_near(pair, x, dx, 2 * longest, 0, &distance);
+    }
+  });
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
-  if (!covers(list(), x, dx)) build(x, dx);
-  const auto& [candidates, spare, start, way, margin, longest_way] = list();
-  const double largest = measure_motion(x, dx);
-  chosen_.resize(candidates.size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, candidates.size(), 512), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      chosen_[i] = 0;
-      // What has moved too little since the list was made needs no new distance.
-      if (spare[i] >= 2 * largest) continue;
-      const FeaturePair& pair = candidates[i];
-      const auto& p = pair.particle;
-      const bool point = pair.kind == PairKind::point_triangle;
-      const double m0 = motion_[p[0]], m1 = motion_[p[1]], m2 = motion_[p[2]], m3 = motion_[p[3]];
-      if (spare[i] >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
-        continue;
-      double distance = 0;
-      chosen_[i] = is_near(pair, x, dx, 2 * largest, 0, &distance);
-    }
-  });
+  if (!find_strays(x, dx) || is_too_long(dx)) {
+    build(x, dx);
+    find_strays(x, dx);
+  }
+  choose(x, dx);
   near_.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (chosen_[i]) near_.push_back(candidates[i]);
+  for (int k = 0; k < in_focus_.size(); ++k)
+    if (chosen_[k]) near_.push_back(list_.candidates[in_focus_[k]]);
+  if (strays_.empty()) return near_;
+  find_stray_pairs(x, dx);
+  const auto middle = static_cast<long>(near_.size());
+  near_.insert(near_.end(), sorted_.begin(), sorted_.end());
+  std::inplace_merge(near_.begin(), near_.begin() + middle, near_.end(),
+                     [](const FeaturePair& a, const FeaturePair& b) { return a.key() < b.key(); });
   return near_;
 }
 

@@ -13,9 +13,9 @@ namespace loosefit {
 ///
 ///   d(r) − (bound of its loss of distance on s) < reach + 2 m
 ///
-/// so it stays complete while all particles remain within m of the common way r + λ s. Which pairs
-/// a call returns, and in which order, does not depend on when the list was made. While a focus is
-/// set, a second, shorter list serves the calls.
+/// so it is complete for all particles that remain within m of the common way r + λ s. The few that
+/// have strayed from it are looked for anew in each call; when they are many, the list is. Which
+/// pairs a call returns, and in which order, does not depend on when the list was made.
 class CandidatePairs {
  public:
   explicit CandidatePairs(ContactFeatures features) : features_(std::move(features)) {}
@@ -28,10 +28,9 @@ class CandidatePairs {
   /// projections on one of a few fixed axes at both ends of the way.
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
-  /// From now on only pairs with a particle in the focus are returned, from a list of their own;
-  /// null: all again.
+  /// From now on only pairs with a particle in the focus are returned; null: all again.
   void set_focus(const Focus* focus);
-  std::size_t candidates() const { return whole_.candidates.size(); }
+  std::size_t candidates() const { return list_.candidates.size(); }
   long builds() const { return builds_; }  ///< how often the list has been made
 
  private:
@@ -44,36 +43,42 @@ class CandidatePairs {
     std::vector<float> spare;      ///< of the candidates, rounded down
     std::vector<Vec3> start, way;  ///< r and s
     double margin = -1;            ///< m [m]
-    double longest_way = 0;        ///< max |s| [m]
+    double mean_way = 0;           ///< root mean square of s [m]
+    BoxGrid grid;                  ///< of the triangles on their way, the margin round them
   };
-  List& list() { return focus_ ? focused_ : whole_; }
-  static bool covers(const List& list, const std::vector<Vec3>& x, Move dx);
-  double measure_motion(const std::vector<Vec3>& x, Move dx);
+  bool is_too_long(Move dx) const;
+  bool find_strays(const std::vector<Vec3>& x, Move dx);
   static bool is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx, double motion,
                       double extra, double* distance);
   void build(const std::vector<Vec3>& x, Move dx);
   void find_all(const std::vector<Vec3>& x, Move dx);
-  void find_in_focus(const std::vector<Vec3>& x, Move dx);
-  void add_pairs(int a, int b, double margin, const std::vector<Vec3>& x, Move dx,
+  void find_stray_pairs(const std::vector<Vec3>& x, Move dx);
+  void add_pairs(int a, int b, double motion, double margin, const std::vector<Vec3>& x, Move dx,
                  std::vector<Candidate>& found) const;
+  void sort_found();
+  void choose(const std::vector<Vec3>& x, Move dx);
   const std::vector<FeaturePair>& select(const std::vector<Vec3>& x, Move dx);
 
   ContactFeatures features_;
-  List whole_, focused_;  ///< of all pairs, of those in the focus
+  List list_;
   const Focus* focus_ = nullptr;
-  std::vector<int> focused_triangles_;  ///< with a corner in the focus
-  std::vector<char> is_focused_;        ///< of every triangle: whether it is one of them
+  Chosen in_focus_;  ///< candidates that touch the focus, or all without one
   std::vector<FeaturePair> near_;
   long builds_ = 0;
   // Working memory, kept so that calls do not allocate.
   std::vector<Box3> boxes_;
-  BoxGrid grid_;
   std::vector<std::vector<Candidate>> found_;
   std::vector<double> travel_;  ///< longest move of a corner of each triangle [m]
   std::vector<std::pair<std::uint64_t, int>> order_;
-  std::vector<Candidate> unsorted_;
+  std::vector<Candidate> unsorted_, sorted_;
   std::vector<char> chosen_;
   std::vector<double> motion_;  ///< of each particle since the list was made and on dx [m]
+  double longest_motion_ = 0;   ///< of those that have not strayed [m]
+  std::vector<int> strays_;
+  std::vector<char> has_strayed_;     ///< of every particle
+  std::vector<int> stray_triangles_;  ///< with a corner that has strayed
+  std::vector<char> is_stray_;        ///< of every triangle: whether it is one of them
+  BoxGrid stray_grid_;
 };
 
 }  // namespace loosefit

@@ -13,14 +13,13 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBo
   const Residual r = residual_of(model.system(), model.system().gradient(x));
   c.residual = r.norm;
   c.residual_max = r.largest;
-  const auto& skin = body.body.surface;
   const ClothMesh& cloth = model.mesh();
   const auto cuts = self_intersections(x, cloth.triangles);
   c.intersections_self = static_cast<int>(cuts.size());
   for (const auto& [a, b] : cuts)
     c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
-  c.intersections_body = static_cast<int>(
-      mesh_intersections(x, cloth.triangles, skin.vertices, skin.triangles).size());
+  c.intersections_body =
+      static_cast<int>(mesh_intersections(x, cloth.triangles, *body.tree).size());
   c.stop_reason = stop_reason;
   // Balanced forces alone are no rest: say what is left.
   if (c.intersections_body + c.intersections_self > 0)

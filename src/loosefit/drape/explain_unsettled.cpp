@@ -76,7 +76,7 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
   };
   const TriangleMesh& skin = body.body.surface;
   const auto& triangles = w.mesh.triangles;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
+  for (const auto& [t, s] : mesh_intersections(x, triangles, *body.tree))
     add(t, part_name(body.body, skin.triangles[s][0]), true);
   for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s), false);
   return cuts;

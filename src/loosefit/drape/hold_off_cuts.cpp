@@ -26,23 +26,42 @@ int lattice(const Triangle& t, const std::vector<Vec3>& x) {
   return std::max(kLeastLattice, static_cast<int>(std::ceil(longest / kLattice)));
 }
 
-/// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of the vertices.
-double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
-                      const std::vector<double>& corner) {
-  double least = kFarField;
+/// visit(p) for the points of a lattice over the triangle until that says false; whether it was
+/// said of none.
+template <class Visit>
+bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const Visit& visit) {
   const int n = lattice(t, x);
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const double a = double(i) / n, b = double(j) / n;
       const Vec3 p = a * x[t[0]] + b * x[t[1]] + (1 - a - b) * x[t[2]];
-      const double bound = std::abs(corner[t[0]]) + (p - x[t[0]]).norm() + kFarField;
-      least = std::min(least, skin.signed_distance(p, nullptr, bound));
+      if (!visit(p)) return false;
     }
+  return true;
+}
+
+/// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of its first
+/// one.
+double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
+                      double corner) {
+  double least = kFarField;
+  visit_lattice(t, x, [&](const Vec3& p) {
+    const double bound = std::abs(corner) + (p - x[t[0]]).norm() + kFarField;
+    least = std::min(least, skin.signed_distance(p, nullptr, bound));
+    return true;
+  });
   return least;
 }
 
-/// The same of every triangle, in parallel; kFarField where its corners are plainly farther, unless
-/// something thin (a thumb) is known to go through it.
+/// Whether no point of the lattice is about to cut, of a triangle that lies outside and does not
+/// cut: then no side has to be told, and a look round each point will do.
+bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
+  return visit_lattice(t, x,
+                       [&](const Vec3& p) { return skin.query(p, kAboutToCut).triangle < 0; });
+}
+
+/// The least distance of every triangle, in parallel; kFarField where it is clear or its corners
+/// are plainly farther, unless something thin (a thumb) is known to go through it.
 std::vector<double> least_distances(const ClosestPointTree& skin,
                                     const std::vector<Triangle>& triangles,
                                     const std::vector<Vec3>& x, const std::set<int>& cut) {
@@ -53,9 +72,10 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
   std::vector<double> least(triangles.size(), kFarField);
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
     const Triangle& t = triangles[i];
-    if (std::min({corner[t[0]], corner[t[1]], corner[t[2]]}) < kFarField ||
-        cut.count(static_cast<int>(i)))
-      least[i] = least_distance(skin, t, x, corner);
+    const double lowest = std::min({corner[t[0]], corner[t[1]], corner[t[2]]});
+    const bool cuts = cut.count(static_cast<int>(i)) > 0;
+    if (!cuts && (lowest >= kFarField || (lowest > 0 && is_clear(skin, t, x)))) return;
+    least[i] = least_distance(skin, t, x, corner[t[0]]);
   });
   return least;
 }
@@ -74,12 +94,10 @@ std::set<Triangle> with_lattice(const std::vector<ContactPoint>& points) {
 CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
                        const std::vector<double>& half_thickness, bool look_ahead,
                        std::map<int, int>& times_cut) {
-  const auto& skin = body.body.surface;
   const ClothMesh& cloth = model.mesh();
   const auto& triangles = cloth.triangles;
   std::set<int> cut;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, skin.vertices, skin.triangles))
-    cut.insert(t);
+  for (const auto& [t, s] : mesh_intersections(x, triangles, *body.tree)) cut.insert(t);
   const bool any = !cut.empty();
   if (!any && !look_ahead) return {};
   // Those that are about to cut are treated alike, or each round would find their neighbours.

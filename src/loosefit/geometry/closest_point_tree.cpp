@@ -163,6 +163,36 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
   return best;
 }
 
+std::vector<int> ClosestPointTree::overlapping(const Box3& box) const {
+  std::vector<int> found;
+  const auto look_at = [&](const Leaf& l) {
+    Box3 own;
+    for (const Vec3* corner : {&l.a, &l.b, &l.c}) own.extend(*corner);
+    if (own.intersects(box)) found.push_back(l.triangle);
+  };
+  if (nodes_.empty()) {
+    for (const Leaf& l : leaves_) look_at(l);
+    return found;
+  }
+  std::array<int, kStack> stack{0};
+  for (int top = 1; top > 0;) {
+    const Node& node = nodes_[stack[--top]];
+    Eigen::Array<bool, kWidth, 1> meets = Eigen::Array<bool, kWidth, 1>::Constant(true);
+    for (int k = 0; k < 3; ++k)
+      meets = meets && node.lower[k] <= round_up(box.max()[k]) &&
+              node.upper[k] >= round_down(box.min()[k]);
+    for (int k = 0; k < node.parts; ++k) {
+      if (!meets[k]) continue;
+      if (node.content[k] < 0)
+        look_at(leaves_[~node.content[k]]);
+      else
+        stack[top++] = node.content[k];
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, double bound) const {
   if (!sides_) throw std::logic_error("this tree was made without telling sides");
   const ClosestPoint hit = query(p, bound);

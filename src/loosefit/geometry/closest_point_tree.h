@@ -10,7 +10,8 @@
 
 namespace loosefit {
 
-/// Axis-aligned bounding-box tree over a triangle mesh for exact point-to-surface queries.
+/// Axis-aligned bounding-box tree over a triangle mesh for exact point-to-surface queries, and for
+/// what overlaps a box.
 /// Keeps a reference to the mesh: the mesh must outlive the tree and must not move.
 class ClosestPointTree {
  public:
@@ -29,6 +30,8 @@ class ClosestPointTree {
   /// Sides::untold.
   double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
                          double bound = std::numeric_limits<double>::infinity()) const;
+  /// The triangles whose boxes overlap this one, rising. Closed boxes: touching counts as overlap.
+  std::vector<int> overlapping(const Box3& box) const;
   const TriangleMesh& mesh() const { return *mesh_; }
 
  private:

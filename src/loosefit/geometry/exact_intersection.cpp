@@ -48,10 +48,15 @@ Triangle3 triangle(const std::vector<Vec3>& x, const Triangle& t) {
   return {point(x[t[0]]), point(x[t[1]]), point(x[t[2]])};
 }
 
+Box3 box_of(const std::vector<Vec3>& x, const Triangle& t) {
+  Box3 box;
+  for (int v : t) box.extend(x[v]);
+  return box;
+}
+
 std::vector<Box3> boxes_of(const std::vector<Vec3>& x, const std::vector<Triangle>& triangles) {
-  std::vector<Box3> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (int v : triangles[i]) boxes[i].extend(x[v]);
+  std::vector<Box3> boxes;
+  for (const Triangle& t : triangles) boxes.push_back(box_of(x, t));
   return boxes;
 }
 
@@ -111,6 +116,27 @@ std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_v
         return intersect(triangle(a_vertices, a_triangles[i]),
                          triangle(b_vertices, b_triangles[j]));
       });
+}
+
+std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_vertices,
+                                                    const std::vector<Triangle>& a_triangles,
+                                                    const ClosestPointTree& b) {
+  const TriangleMesh& surface = b.mesh();
+  std::vector<std::vector<int>> hits(a_triangles.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, a_triangles.size(), 64), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      hits[i] = b.overlapping(box_of(a_vertices, a_triangles[i]));
+      std::erase_if(hits[i], [&](int j) {
+        return !intersect(triangle(a_vertices, a_triangles[i]),
+                          triangle(surface.vertices, surface.triangles[j]));
+      });
+    }
+  });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    for (int j : hits[i]) pairs.emplace_back(static_cast<int>(i), j);
+  return pairs;
 }
 
 }  // namespace loosefit

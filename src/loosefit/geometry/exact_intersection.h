@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
@@ -18,5 +19,10 @@ std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_v
                                                     const std::vector<Triangle>& a_triangles,
                                                     const std::vector<Vec3>& b_vertices,
                                                     const std::vector<Triangle>& b_triangles);
+
+/// The same with the surface of a tree that is there already.
+std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_vertices,
+                                                    const std::vector<Triangle>& a_triangles,
+                                                    const ClosestPointTree& b);
 
 }  // namespace loosefit

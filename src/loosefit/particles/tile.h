@@ -9,7 +9,7 @@ namespace loosefit {
 
 /// Element kernels work on tiles of this many elements, structure of arrays: their loops over a
 /// tile have no branch and no call, so that the compiler vectorises them.
-inline constexpr int kTile = 64;
+inline constexpr int kTile = 8;
 
 using TileRow = std::array<double, kTile>;
 using TileIndex = std::array<int, kTile>;

@@ -19,7 +19,7 @@ class Newton {
     double max_move = 0.02;  ///< largest particle move in one step, of all or of a region [m]
     int max_backtracks = 25;
     /// Particles from which on a region of them is relaxed; below, a step of all costs little more.
-    int relax_from = 10000;
+    int relax_from = 2000;
   };
   struct Outcome {
     bool moved = false;  ///< false: no descent possible
