@@ -260,6 +260,68 @@ TEST(CandidatePairs, OneAndTwoThreadsFindTheSame) {
   EXPECT_EQ(found[0], found[1]);
 }
 
+TEST(CandidatePairs, OneAndTwoThreadsFindTheSameStrays) {
+  std::vector<std::uint64_t> found[2];
+  for (int k = 0; k < 2; ++k) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1 + k);
+    LeapingCloth cloth;
+    CandidatePairs candidates(cloth.features());
+    candidates.touching(cloth.x);
+    for (int call = 0; call < 4; ++call) {
+      cloth.choose_move();
+      for (std::uint64_t key : keys(candidates.approaching(cloth.x, cloth.dx)))
+        found[k].push_back(key);
+      cloth.move();
+    }
+    EXPECT_LE(candidates.builds(), 3);
+  }
+  EXPECT_GT(found[0].size(), 50u);
+  EXPECT_EQ(found[0], found[1]);
+}
+
+TEST(CandidatePairs, TouchingPairsOfStraysAreThoseOfBruteForce) {
+  LeapingCloth cloth;
+  CandidatePairs candidates(cloth.features());
+  const auto all = all_pairs(candidates.features());
+  candidates.touching(cloth.x);
+  for (int call = 0; call < 3; ++call) {
+    cloth.choose_move();
+    cloth.move();
+    std::vector<FeaturePair> expected;
+    for (const FeaturePair& p : all)
+      if (separation(p.kind, p.points(cloth.x)) < p.reach &&
+          pair_distance(p.kind, p.points(cloth.x)).distance < p.reach)
+        expected.push_back(p);
+    EXPECT_EQ(keys(candidates.touching(cloth.x)), keys(expected)) << call;
+  }
+  EXPECT_EQ(candidates.builds(), 1);
+}
+
+/// While everything goes a long common way and turns on it, so that the bounds of motion matter.
+TEST(CandidatePairs, WhatAListOfACommonWayReturnsIsWhatANewOneReturns) {
+  LeapingCloth cloth;
+  CandidatePairs kept(cloth.features());
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int call = 0; call < 10; ++call) {
+    const Vec3 way(0.02, 0.01 * u(cloth.rng), 0.005 * u(cloth.rng));
+    for (std::size_t i = 0; i < cloth.x.size(); ++i)
+      cloth.dx[i] = way + Vec3(0, 0, 2e-3 * std::sin(90 * cloth.x[i][0] + call)) +
+                    4e-4 * Vec3(u(cloth.rng), u(cloth.rng), u(cloth.rng));
+    for (double share : {1.0, 0.8, 0.5, 0.2}) {
+      const Field whole = cloth.dx;
+      for (Vec3& d : cloth.dx) d *= share;
+      CandidatePairs fresh(kept.features());
+      EXPECT_EQ(keys(kept.approaching(cloth.x, cloth.dx)),
+                keys(fresh.approaching(cloth.x, cloth.dx)))
+          << call << ", " << share;
+      cloth.dx = whole;
+    }
+    for (Vec3& d : cloth.dx) d *= 0.3;
+    cloth.move();
+  }
+  EXPECT_LT(kept.builds(), 40);
+}
+
 TEST(ContactFeatures, EveryPairOfFeaturesHasOneOwner) {
   const Cloth cloth;
   const ContactFeatures f = cloth.features();

@@ -273,5 +273,26 @@ TEST(PairDistance, SeparationAndMotionBoundHold) {
   EXPECT_GT(close, 500);  // the quick bound is worth its while
 }
 
+/// What a list of candidates with a margin rests on.
+TEST(PairDistance, DeviationsByOneFromACommonMotionCostAtMostFourOverRootThree) {
+  const double most = 4 / std::sqrt(3.0);
+  const Vec3 far(100, 0, 0);
+  std::mt19937 rng(8);
+  for (PairKind kind : {PairKind::point_triangle, PairKind::edge_edge}) {
+    for (int i = 0; i < 20000; ++i) {
+      Points dx = random_points(rng);
+      for (Vec3& d : dx) d = far + d.normalized();
+      ASSERT_LE(motion_bound(kind, dx), most * (1 + 1e-12));
+    }
+    const double c = std::sqrt(8.0) / 3;
+    const Vec3 left(-c, 1.0 / 3, 0), right(c, 1.0 / 3, 0), down(0, -1, 0);
+    const Points worst = kind == PairKind::point_triangle ? Points{left, right, down, down}
+                                                          : Points{left, down, right, down};
+    Points moved;
+    for (int k = 0; k < 4; ++k) moved[k] = far + worst[k];
+    EXPECT_NEAR(motion_bound(kind, moved), most, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace loosefit

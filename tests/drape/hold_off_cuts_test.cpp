@@ -15,8 +15,8 @@ struct Square : testing_support::SquareOverBall {
     for (const ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
     return sum;
   }
-  CutRound round(std::map<int, int>& times_cut) {
-    return hold_off_cuts(*model, *body, x, {0.5 * material.thickness}, false, times_cut);
+  CutRound round(std::map<int, int>& times_cut, bool look_ahead = false) {
+    return hold_off_cuts(*model, *body, x, {0.5 * material.thickness}, look_ahead, times_cut);
   }
 };
 
@@ -66,6 +66,23 @@ TEST(HoldOffCuts, ATriangleThatCutAgainIsHeldOffFartherByThePointsThatItHas) {
   square.round(in_next_posture);
   EXPECT_EQ(square.points().size(), points);
   EXPECT_GT(square.held_off(), held_off);
+}
+
+TEST(HoldOffCuts, LookingAheadTreatsWhatIsAboutToCutAsIfItDid) {
+  for (const auto& [height, is_near] : {std::pair(5e-5, true), std::pair(2e-4, false)}) {
+    Square square(height);
+    std::map<int, int> times_cut;
+    EXPECT_FALSE(square.round(times_cut, true).cuts);
+    // The top of the ball is under the middle of the square, and nowhere else is it that near.
+    EXPECT_EQ(!times_cut.empty(), is_near);
+    EXPECT_LE(times_cut.size(), 6u);
+    for (const auto& [t, times] : times_cut) {
+      double nearest = 1;
+      for (int v : square.garment.triangles[t])
+        nearest = std::min(nearest, square.x[v].head<2>().norm());
+      EXPECT_LT(nearest, 0.03);
+    }
+  }
 }
 
 }  // namespace

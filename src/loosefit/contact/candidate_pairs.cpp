@@ -15,6 +15,11 @@ namespace {
 /// Margin in mean edge lengths: wide enough to last for many calls, narrow enough to leave out the
 /// next but one neighbours in an unfolded sheet.
 constexpr double kMargin = 0.25;
+/// What both features of a pair may lose of their distance when each particle is off by 1, as
+/// motion_bound has it: 4/√3, rounded up.
+constexpr double kTwoMargins = 2.3095;
+/// By how much quick tests are wider than what they stand for [m].
+constexpr double kRounding = 1e-12;
 /// Share of the particles that may have strayed before a new list is made.
 constexpr double kStrays = 0.02;
 
@@ -79,6 +84,9 @@ bool far_apart(const std::array<Vec3, 6>& p, double limit) {
   return gap > limit * axis.norm();
 }
 
+/// No less than motion_bound of any pair of their parts. About the mean of all six corners the
+/// triangles move by a and b at most; the mean of the four particles of a pair is off that by no
+/// more than (a + b)/2, which counts on both sides.
 double motion_of_triangles(const std::array<Vec3, 6>& d) {
   const Vec3 mean = (d[0] + d[1] + d[2] + d[3] + d[4] + d[5]) / 6;
   double a = 0, b = 0;
@@ -86,14 +94,14 @@ double motion_of_triangles(const std::array<Vec3, 6>& d) {
     a = std::max(a, (d[k] - mean).squaredNorm());
     b = std::max(b, (d[k + 3] - mean).squaredNorm());
   }
-  return std::sqrt(a) + std::sqrt(b);
+  return 2 * (std::sqrt(a) + std::sqrt(b));
 }
 
 }  // namespace
 
 /// A list for a long way is long itself: when the moves have become short, a shorter one pays.
 bool CandidatePairs::is_too_long(Move dx) const {
-  return dx && list_.mean_way > 0.5 * list_.margin && root_mean_square(*dx) < 0.25 * list_.mean_way;
+  return dx && list_.rms_way > 0.5 * list_.margin && root_mean_square(*dx) < 0.25 * list_.rms_way;
 }
 
 /// Measures how far the particles are from the way of the list, and on dx will be. False when the
@@ -111,7 +119,6 @@ bool CandidatePairs::find_strays(const std::vector<Vec3>& x, Move dx) {
     if (dx) next = std::clamp(dot(*dx, list.way) / length2, 0.0, 1 - gone);
   }
   const double margin = (1 - 1e-9) * list.margin;
-  const auto most = static_cast<std::size_t>(kStrays * static_cast<double>(x.size()));
   motion_.resize(x.size());
   has_strayed_.resize(x.size(), 0);
   longest_motion_ = 0;
@@ -127,11 +134,10 @@ bool CandidatePairs::find_strays(const std::vector<Vec3>& x, Move dx) {
       longest_motion_ = std::max(longest_motion_, motion_[i]);
       continue;
     }
-    if (strays_.size() == most) return false;
     strays_.push_back(static_cast<int>(i));
     has_strayed_[i] = 1;
   }
-  return true;
+  return static_cast<double>(strays_.size()) <= kStrays * static_cast<double>(x.size());
 }
 
 /// Whether the pair is to be returned, were its reach longer by `extra`. motion: an upper bound of
@@ -151,8 +157,8 @@ bool CandidatePairs::is_near(const FeaturePair& pair, const std::vector<Vec3>& x
   return *distance < limit;
 }
 
-/// Those of two triangles that, were their reach longer by 2 margin, would be returned. motion: of
-/// both together, at most.
+/// Those of two triangles that, were their reach longer by kTwoMargins margin, would be returned.
+/// motion: of both together, at most.
 void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
                                const std::vector<Vec3>& x, Move dx,
                                std::vector<Candidate>& found) const {
@@ -161,7 +167,7 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
   bool neighbours = false;  // these are never apart
   for (int v : ta) neighbours |= v == tb[0] || v == tb[1] || v == tb[2];
   const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
-  const double limit = f.max_thickness + 2 * margin;
+  const double extra = kTwoMargins * margin, limit = f.max_thickness + extra + kRounding;
   if (!neighbours && far_apart(corners, limit + motion)) return;
   if (!neighbours && motion > margin) {
     const auto& d = *dx;
@@ -171,7 +177,7 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
   }
   const auto add = [&](const FeaturePair& pair) {
     Candidate candidate{pair};
-    if (is_near(pair, x, dx, motion, 2 * margin, &candidate.spare)) {
+    if (is_near(pair, x, dx, motion, extra, &candidate.spare)) {
       candidate.spare -= pair.reach;
       found.push_back(candidate);
     }
@@ -236,10 +242,10 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
     list_.way = *dx;
   else
     list_.way.assign(x.size(), Vec3::Zero());
-  list_.mean_way = root_mean_square(list_.way);
+  list_.rms_way = root_mean_square(list_.way);
   list_.margin = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
   // After a long way the next one will not be like it, whatever the margin.
-  if (list_.mean_way > 0.5 * list_.margin) list_.margin *= 0.1;
+  if (list_.rms_way > 0.5 * list_.margin) list_.margin *= 0.1;
 
   const std::size_t triangles = features_.triangles.size();
   const double around = 0.5 * features_.max_thickness + list_.margin;
@@ -252,10 +258,10 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   list_.grid.build(boxes_);
   find_all(x, dx);
   sort_found();
-  list_.candidates = sorted_;
-  list_.spare.resize(sorted_.size());
-  for (std::size_t i = 0; i < sorted_.size(); ++i)
-    list_.spare[i] = std::nextafter(static_cast<float>(sorted_[i].spare), -1e30f);
+  list_.candidates.swap(sorted_);
+  list_.spare.resize(list_.candidates.size());
+  for (std::size_t i = 0; i < list_.spare.size(); ++i)
+    list_.spare[i] = std::nextafter(static_cast<float>(list_.candidates[i].spare), -1e30f);
   set_focus(focus_);
 }
 
@@ -279,7 +285,7 @@ void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
         has_strayed_[triangle[0]] | has_strayed_[triangle[1]] | has_strayed_[triangle[2]];
     if (!is_stray_[t]) continue;
     stray_triangles_.push_back(static_cast<int>(t));
-    boxes_.push_back(box_of(triangle, x, dx, 0.5 * features_.max_thickness));
+    boxes_.push_back(box_of(triangle, x, dx, 0.5 * features_.max_thickness + kRounding));
   }
   stray_grid_.build(boxes_);
   constexpr std::size_t kPart = 16;  // of triangles
@@ -341,9 +347,9 @@ void CandidatePairs::choose(const std::vector<Vec3>& x, Move dx) {
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
-  if (!find_strays(x, dx) || is_too_long(dx)) {
+  if (!find_strays(x, dx) || (!focus_ && is_too_long(dx))) {
     build(x, dx);
-    find_strays(x, dx);
+    find_strays(x, dx);  // none but what is no number
   }
   choose(x, dx);
   near_.clear();

@@ -11,11 +11,12 @@ namespace loosefit {
 /// reach. A list of candidates with a margin m is kept between the calls. It was made for the move
 /// from r to r + s, and holds every pair with
 ///
-///   d(r) − (bound of its loss of distance on s) < reach + 2 m
+///   d(r) − motion_bound(s) < reach + 4/√3 m
 ///
-/// so it is complete for all particles that remain within m of the common way r + λ s. The few that
-/// have strayed from it are looked for anew in each call; when they are many, the list is. Which
-/// pairs a call returns, and in which order, does not depend on when the list was made.
+/// so it is complete for all particles that remain within m of the common way r + λ s, since
+/// motion_bound of a deviation by m is no more than that. The few that have strayed are looked for
+/// anew in each call; when they are many, a new list is made. Which pairs a call returns, and in
+/// which order, does not depend on when the list was made.
 class CandidatePairs {
  public:
   explicit CandidatePairs(ContactFeatures features) : features_(std::move(features)) {}
@@ -43,8 +44,8 @@ class CandidatePairs {
     std::vector<float> spare;      ///< of the candidates, rounded down
     std::vector<Vec3> start, way;  ///< r and s
     double margin = -1;            ///< m [m]
-    double mean_way = 0;           ///< root mean square of s [m]
-    BoxGrid grid;                  ///< of the triangles on their way, the margin round them
+    double rms_way = 0;            ///< root mean square of s [m]
+    BoxGrid grid;  ///< of the triangles on their way, m and half a thickness round them
   };
   bool is_too_long(Move dx) const;
   bool find_strays(const std::vector<Vec3>& x, Move dx);

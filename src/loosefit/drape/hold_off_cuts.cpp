@@ -26,8 +26,8 @@ int lattice(const Triangle& t, const std::vector<Vec3>& x) {
   return std::max(kLeastLattice, static_cast<int>(std::ceil(longest / kLattice)));
 }
 
-/// visit(p) for the points of a lattice over the triangle until that says false; whether it was
-/// said of none.
+/// visit(p) for the points of a lattice over the triangle until that says false; true if it never
+/// did.
 template <class Visit>
 bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const Visit& visit) {
   const int n = lattice(t, x);
@@ -53,8 +53,9 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
   return least;
 }
 
-/// Whether no point of the lattice is about to cut, of a triangle that lies outside and does not
-/// cut: then no side has to be told, and a look round each point will do.
+/// Whether no point of the lattice is about to cut, of a triangle that does not cut and has its
+/// corners outside. Then all of it is outside, as far as the skin does not cut itself, and a look
+/// round each point will do.
 bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
   return visit_lattice(t, x,
                        [&](const Vec3& p) { return skin.query(p, kAboutToCut).triangle < 0; });

@@ -1,12 +1,14 @@
 #include "loosefit/geometry/box_grid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loosefit {
 
 void BoxGrid::build(const std::vector<Box3>& boxes) {
-  constexpr double kMaxCells = 4e6;  // a few 10 MB of counters at the most
-  constexpr double kCell = 1.0;      // cell in mean box sizes
+  // A few boxes that lie far apart need no more cells than many: 16 for each.
+  const double most_cells = std::clamp(16.0 * static_cast<double>(boxes.size()), 4096.0, 4e6);
+  constexpr double kCell = 1.0;  // cell in mean box sizes
   boxes_ = boxes;
   bounds_.setEmpty();
   double sum = 0;
@@ -24,7 +26,7 @@ void BoxGrid::build(const std::vector<Box3>& boxes) {
       size_[k] = 1 + static_cast<int>(std::min(extent[k] * inverse_, 1e9));
       cells *= size_[k];
     }
-    if (cells <= kMaxCells) break;
+    if (cells <= most_cells) break;
     inverse_ *= 0.5;
   }
   rounded_.resize(boxes.size());

@@ -174,13 +174,17 @@ std::vector<int> ClosestPointTree::overlapping(const Box3& box) const {
     for (const Leaf& l : leaves_) look_at(l);
     return found;
   }
+  std::array<float, 3> low, high;
+  for (int k = 0; k < 3; ++k) {
+    low[k] = round_down(box.min()[k]);
+    high[k] = round_up(box.max()[k]);
+  }
   std::array<int, kStack> stack{0};
   for (int top = 1; top > 0;) {
     const Node& node = nodes_[stack[--top]];
     Eigen::Array<bool, kWidth, 1> meets = Eigen::Array<bool, kWidth, 1>::Constant(true);
     for (int k = 0; k < 3; ++k)
-      meets = meets && node.lower[k] <= round_up(box.max()[k]) &&
-              node.upper[k] >= round_down(box.min()[k]);
+      meets = meets && node.lower[k] <= high[k] && node.upper[k] >= low[k];
     for (int k = 0; k < node.parts; ++k) {
       if (!meets[k]) continue;
       if (node.content[k] < 0)

@@ -56,6 +56,7 @@ Box3 box_of(const std::vector<Vec3>& x, const Triangle& t) {
 
 std::vector<Box3> boxes_of(const std::vector<Vec3>& x, const std::vector<Triangle>& triangles) {
   std::vector<Box3> boxes;
+  boxes.reserve(triangles.size());
   for (const Triangle& t : triangles) boxes.push_back(box_of(x, t));
   return boxes;
 }

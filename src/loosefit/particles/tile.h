@@ -8,7 +8,8 @@
 namespace loosefit {
 
 /// Element kernels work on tiles of this many elements, structure of arrays: their loops over a
-/// tile have no branch and no call, so that the compiler vectorises them.
+/// tile have no branch and no call, so that the compiler vectorises them. No fewer than the widest
+/// registers hold; of more, the rows of a tile leave the fastest cache.
 inline constexpr int kTile = 8;
 
 using TileRow = std::array<double, kTile>;
@@ -76,6 +77,7 @@ void gather_points(const VectorField& x, const std::array<TileIndex, Corners>& c
 template <std::size_t Rows>
 void spread(const std::array<TileRow, Rows>& row, double* out) {
   constexpr int kLine = 8;  // numbers that are read together
+  static_assert(kTile % kLine == 0);
   for (int i = 0; i < kTile; i += kLine)
     for (std::size_t r = 0; r < Rows; ++r)
       for (int j = i; j < i + kLine; ++j) out[Rows * j + r] = row[r][j];
@@ -84,6 +86,7 @@ void spread(const std::array<TileRow, Rows>& row, double* out) {
 /// Sum of a row in a fixed order that does not depend on threads or on vector width.
 inline double sum_of(const TileRow& row) {
   constexpr int kChains = 8;
+  static_assert(kTile % kChains == 0);
   std::array<double, kChains> chain{};
   for (int i = 0; i < kTile; i += kChains)
     for (int c = 0; c < kChains; ++c) chain[c] += row[i + c];
