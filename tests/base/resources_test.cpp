@@ -15,5 +15,9 @@ TEST(PeakMemory, RisesByWhatIsTouched) {
   EXPECT_EQ(block.back(), 'x');
 }
 
+TEST(PhysicalMemory, IsMoreThanThisProcessHasTaken) {
+  EXPECT_GT(physical_memory_mb(), peak_memory_mb());
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -1,6 +1,7 @@
 #include "loosefit/drape/drape_session.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/named_postures.h"
@@ -61,6 +62,25 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
   std::sort(off.begin(), off.end());
   EXPECT_LT(off[off.size() / 2], 1e-3) << "of a way of a decimetre";
   EXPECT_LT(off[off.size() * 95 / 100], 6e-3);
+}
+
+TEST(DrapeSession, PosturesFollowedAtTheSameTimeAreThoseFollowedOneByOne) {
+  const Wearer wearer;
+  Progress silent;
+  DrapeOptions options;
+  DrapeSession session(wearer.garment, wearer.material, options, silent);
+  ASSERT_TRUE(session.put_on(wearer.still()).certificate.settled());
+  const double angles[] = {0.3, -0.4};
+  Drape beside[2];
+  tbb::parallel_for(0, 2, [&](int k) {
+    Progress own;
+    beside[k] = session.follow(turning(wearer, angles[k]), own);
+  });
+  for (int k : {1, 0}) {
+    const Drape alone = session.follow(turning(wearer, angles[k]));
+    EXPECT_TRUE(alone.certificate.settled()) << alone.certificate.stop_reason;
+    EXPECT_EQ(alone.positions, beside[k].positions) << angles[k];
+  }
 }
 
 TEST(DrapeSession, ADisturbedStartEndsElsewhere) {

@@ -73,6 +73,19 @@ TEST(SoftBody, WhatItRemembersIsWhatItWouldMakeAnew) {
     EXPECT_EQ(often.in(p).surface.vertices, once.in(p).surface.vertices);
 }
 
+TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
+  const Posture hanging{radians(10), 0, 0}, between{radians(13), 0, 0};
+  SoftBody person(body_model(), woman());
+  SoftBody copy = person;
+  const Body there = copy.in(hanging), near = copy.in(between);
+  person.learn(copy);
+  EXPECT_EQ(person.in(hanging).surface.vertices, there.surface.vertices);
+  EXPECT_EQ(person.in(between).surface.vertices, near.surface.vertices);
+  // Led from the rest posture instead of from the arms that hang closer.
+  EXPECT_NE(person.anew().in(between).surface.vertices, near.surface.vertices);
+  EXPECT_EQ(person.anew().in(hanging).surface.vertices, there.surface.vertices);
+}
+
 TEST(SoftBody, PosturesBetweenThoseOfBeforeAreReachedFromThere) {
   const Posture from{radians(14), 0, 0}, to{radians(6), 0, 0};
   SoftBody person(body_model(), woman());

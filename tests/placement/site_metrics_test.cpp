@@ -297,7 +297,7 @@ TEST_F(OnTheWall, StatesThatDoNotBelongTogetherAreRefused) {
   EXPECT_THROW(measured(sensor), InvalidInput);
   const StateMeter meter(patch_, material_, states_[0],
                          std::make_shared<const PartnerFinder>(states_[0].body));
-  const SkinPatch small = meter.skin_under(disc(0.005));
+  const SkinUnderSensor small = meter.skin_under(disc(0.005));
   EXPECT_THROW(meter.measure(disc(), &small), InvalidInput);
   made_.front().positions.pop_back();
   EXPECT_THROW(SiteMeter(patch_, material_, states_), InvalidInput);

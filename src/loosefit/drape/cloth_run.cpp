@@ -47,6 +47,12 @@ ClothRun::ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& op
       throw InvalidInput("garments worn over each other need meshes of the same levels");
 }
 
+ClothRun::ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options,
+                   std::shared_ptr<const WornCloth> start, Progress& progress)
+    : ClothRun(layers, options, progress) {
+  worn_ = std::move(start);
+}
+
 void ClothRun::make_model(double stiffness_share, bool with_friction) {
   std::vector<ModelLayer> parts;
   for (int l = 0; l < layers(); ++l) {

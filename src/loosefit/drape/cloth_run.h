@@ -24,6 +24,18 @@ inline constexpr double kStaticDt = 10;
 /// What progress is told when a drape that failed is tried again.
 inline constexpr char kOnceMore[] = "not at rest; trying once more from farther off the skin";
 
+/// How putting on left the cloth; other postures are reached from there.
+struct WornCloth {
+  /// A coarser level when it was handed on, the finest at rest.
+  struct Level {
+    std::vector<Vec3> x;
+    ClothMemory memory;
+  };
+  std::vector<Level> levels;
+  std::shared_ptr<const PosedBody> body;
+  int iterations = 0;  ///< that the finest level took
+};
+
 /// A garment, or several worn over each other, on the way to rest, and on to other postures: knows
 /// the state of the cloth, the body under it, the clock, the report and whom to tell. Keeps
 /// references to all arguments of the constructor.
@@ -31,11 +43,16 @@ class ClothRun {
  public:
   /// \throws InvalidInput for no layers, or layers of different edge lengths.
   ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options, Progress& progress);
+  /// Another one of the same garments, as `start` has been left by put_on.
+  ClothRun(const std::vector<ClothLayer>& layers, const DrapeOptions& options,
+           std::shared_ptr<const WornCloth> start, Progress& progress);
 
-  /// Dress and settle, as drape_garment. What it leaves is where `follow` starts.
+  /// Dress and settle, as drape_garment.
   Drape put_on(const BodyPath& body_at);
-  /// As DrapeSession::follow.
+  /// As DrapeSession::follow. \pre there is a `worn`
   Drape follow(const BodyPath& body_at);
+  /// What put_on has left, where `follow` starts; null before.
+  const std::shared_ptr<const WornCloth>& worn() const { return worn_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -117,14 +134,8 @@ class ClothRun {
   std::optional<Kept> clear_;      ///< that of the lowest residual among those found free of cuts
   std::optional<Kept> first_try_;  ///< the best that was there before settle_from_pad
 
-  /// How put_on left each level: the coarser ones when they were handed on, the finest at rest.
-  struct Worn {
-    std::vector<Vec3> x;
-    ClothMemory memory;
-  };
-  std::vector<Worn> worn_;
-  std::shared_ptr<const PosedBody> worn_body_;
-  int worn_iterations_ = 0;  ///< that the finest level took
+  std::vector<WornCloth::Level> handed_on_;  ///< by put_on: the coarser levels, then all
+  std::shared_ptr<const WornCloth> worn_;
 };
 
 }  // namespace loosefit

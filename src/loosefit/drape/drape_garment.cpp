@@ -40,12 +40,12 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
     drape = finish();
     first_try_.reset();
   }
-  worn_.push_back({x_, model_->memory()});
-  worn_body_ = body_;
-  worn_iterations_ = 0;
+  handed_on_.push_back({x_, model_->memory()});
+  int iterations = 0;
   for (const PartWork& p : report_.parts)
     if (p.level == level_ && (p.part == "settle" || p.part == "retry"))
-      worn_iterations_ += p.work.iterations;
+      iterations += p.work.iterations;
+  worn_ = std::make_shared<const WornCloth>(WornCloth{std::move(handed_on_), body_, iterations});
   return drape;
 }
 
@@ -72,7 +72,7 @@ void ClothRun::dress(Body body) {
 void ClothRun::settle_levels() {
   while (!is_finest()) {
     if (!is_late()) settle(kCoarseTolerance, options_.max_iterations, 0.02);
-    worn_.push_back({x_, model_->memory()});
+    handed_on_.push_back({x_, model_->memory()});
     refine();
   }
   settle_finest();

@@ -11,15 +11,19 @@ namespace loosefit {
 
 struct DrapeSession::State {
   State(std::vector<ClothLayer> garments, const DrapeOptions& o, Progress& progress)
-      : layers(std::move(garments)), options(o), run(layers, options, progress) {
+      : layers(std::move(garments)),
+        options(o),
+        shown(progress),
+        run(std::make_unique<ClothRun>(layers, options, progress)) {
     if (options.threads > 0)
       threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
   }
   std::vector<ClothLayer> layers;
   DrapeOptions options;
   std::optional<tbb::global_control> threads;
-  ClothRun run;
-  bool worn = false;
+  Progress& shown;
+  std::unique_ptr<ClothRun> run;  ///< until it is put on
+  std::shared_ptr<const WornCloth> worn;
 };
 
 DrapeSession::DrapeSession(std::vector<ClothLayer> layers, const DrapeOptions& options,
@@ -34,14 +38,17 @@ DrapeSession::~DrapeSession() = default;
 
 Drape DrapeSession::put_on(const BodyPath& body_at) {
   if (state_->worn) throw Error("a garment is put on once in a drape session");
-  Drape drape = state_->run.put_on(body_at);
-  state_->worn = true;
+  Drape drape = state_->run->put_on(body_at);
+  state_->worn = state_->run->worn();
+  state_->run.reset();  // all but what is worn would only take memory
   return drape;
 }
 
-Drape DrapeSession::follow(const BodyPath& body_at) {
+Drape DrapeSession::follow(const BodyPath& body_at) const { return follow(body_at, state_->shown); }
+
+Drape DrapeSession::follow(const BodyPath& body_at, Progress& progress) const {
   if (!state_->worn) throw Error("a garment has to be put on before it can follow its wearer");
-  return state_->run.follow(body_at);
+  return ClothRun(state_->layers, state_->options, state_->worn, progress).follow(body_at);
 }
 
 Drape drape_garment(const GarmentHierarchy& garment, const Material& material,

@@ -31,7 +31,9 @@ class DrapeSession {
   /// along with the skin and rubs on it in steps, then settles on the finest level as after
   /// put_on. Not dressed again. The time budget of the options holds for each call. Does not throw
   /// when it fails to settle. \throws Error before put_on; Cancelled.
-  Drape follow(const BodyPath& body_at);
+  Drape follow(const BodyPath& body_at) const;
+  /// The same, told to another progress. Several may be under way at the same time.
+  Drape follow(const BodyPath& body_at, Progress& progress) const;
 
  private:
   struct State;

@@ -81,14 +81,14 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   iterations_ = 0;
   most_iterations_ = std::numeric_limits<int>::max();
   lowest_.reset(), clear_.reset();
-  body_ = worn_body_;
+  body_ = worn_->body;
   // The way is gone on the coarsest level, where an iteration costs a fraction.
   level_ = 0;
   if (layers() > 1 || largest_turn(body_->body, body_at(1.0)) < kNoTurn)
-    level_ = static_cast<int>(worn_.size()) - 1;
-  x_ = worn_[level_].x;
+    level_ = static_cast<int>(worn_->levels.size()) - 1;
+  x_ = worn_->levels[level_].x;
   make_model();
-  model_->recall(worn_[level_].memory);
+  model_->recall(worn_->levels[level_].memory);
   part_ = "posture";
   // On the finest level a pad would undo what holds triangles off the skin.
   const bool padded = layers() == 1 && !is_finest();
@@ -108,7 +108,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
     caught = depth(x_, *body_);
   }
   if (caught > kCaught) return finish(caught_text(caught));
-  const int most = std::max(kManyIterations, kFarMore * worn_iterations_);
+  const int most = std::max(kManyIterations, kFarMore * worn_->iterations);
   most_iterations_ = iterations_ + most;
   settle_finest();
   if (iterations_ > most_iterations_)
@@ -118,8 +118,8 @@ Drape ClothRun::follow(const BodyPath& body_at) {
 
 void ClothRun::refine_as_worn() {
   const auto parents = parents_of_next();
-  const std::vector<Vec3> before = on_coarse_surface(parents, worn_[level_].x);
-  const Worn& worn = worn_[++level_];
+  const std::vector<Vec3> before = on_coarse_surface(parents, worn_->levels[level_].x);
+  const WornCloth::Level& worn = worn_->levels[++level_];
   x_ = on_coarse_surface(parents, x_);
   make_model();
   const std::vector<Vec3> detail = without_impacts(model_->self().candidates().features(), x_,
@@ -128,7 +128,7 @@ void ClothRun::refine_as_worn() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * detail[i];
   model_->recall(worn.memory);
   model_->set_field(body_->field);
-  const std::vector<Vec3> way = way_of(skin_motion(*worn_body_, body_->body, worn.x), worn.x);
+  const std::vector<Vec3> way = way_of(skin_motion(*worn_->body, body_->body, worn.x), worn.x);
   for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
 }
 

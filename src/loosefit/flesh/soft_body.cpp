@@ -10,7 +10,7 @@ namespace loosefit {
 namespace {
 
 constexpr double kStep = 0.2;            ///< largest joint angle of one step on the way [rad]
-constexpr std::size_t kRemembered = 16;  ///< bodies; 9 MB each
+constexpr std::size_t kRemembered = 32;  ///< bodies; 9 MB each
 constexpr double kMargin = 0.05;         ///< of skin round what overlaps that may give way [m]
 
 /// Largest angle by which a joint turns from one posture to the other [rad].
@@ -86,10 +86,26 @@ SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, c
 
 Body SoftBody::in(const Posture& posture) {
   for (const auto& [asked, body] : remembered_)
-    if (asked == posture) return body;
-  Body body = made(posture);
+    if (asked == posture) return *body;
+  auto body = std::make_shared<const Body>(made(posture));
   if (remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
-  return body;
+  return *body;
+}
+
+void SoftBody::learn(const SoftBody& copy) {
+  if (known_.empty()) rest_ = copy.rest_;
+  const auto is_known = [&](const Posture& posture) {
+    return std::any_of(known_.begin(), known_.end(),
+                       [&](const Known& known) { return known.posture == posture; });
+  };
+  for (const Known& known : copy.known_)
+    if (!is_known(known.posture)) known_.push_back(known);
+  for (const auto& [posture, body] : copy.remembered_) {
+    const bool remembered =
+        std::any_of(remembered_.begin(), remembered_.end(),
+                    [p = &posture](const auto& own) { return own.first == *p; });
+    if (!remembered && remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
+  }
 }
 
 Body SoftBody::made(const Posture& posture) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace loosefit {
 /// led from a posture in which nothing overlaps as an elastic surface on an elastic foundation
 /// whose folds repel each other (SoftSkin), so it folds without passing through itself and leaves
 /// room for cloth, up to kSkinGap. It holds for trunk, arms and thighs; hands, shanks and the head
-/// stay as built. One caller at a time.
+/// stay as built. One caller at a time; a copy is for another one.
 class SoftBody {
  public:
   /// The model has to outlive this.
@@ -24,6 +25,12 @@ class SoftBody {
   /// the rest posture or the nearest one that was asked for before, so the shape depends a little
   /// on the order of questions; asked again, it is the same. \throws as BodyModel::build.
   Body in(const Posture& posture);
+
+  /// The same person, not asked anything yet.
+  SoftBody anew() const { return {model_, parameters_}; }
+
+  /// Takes over what a copy of this has been asked since, so that it need not be made again.
+  void learn(const SoftBody& copy);
 
  private:
   Body made(const Posture& posture);
@@ -44,7 +51,7 @@ class SoftBody {
   std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
   std::vector<Known> known_;  ///< without overlaps but for the first, the rest posture
   /// The first answers: donnings follow each other through the same postures.
-  std::vector<std::pair<Posture, Body>> remembered_;
+  std::vector<std::pair<Posture, std::shared_ptr<const Body>>> remembered_;
 };
 
 }  // namespace loosefit

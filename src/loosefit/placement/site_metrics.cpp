@@ -211,7 +211,7 @@ SiteMeter::SiteMeter(const Garment& garment, const Material& material,
 }
 
 std::vector<SiteState> SiteMeter::measure(const SensorPatch& patch) const {
-  std::map<int, SkinPatch> skin;  // per reference state
+  std::map<int, SkinUnderSensor> skin;  // per reference state
   std::vector<SiteState> states;
   for (std::size_t i = 0; i < meters_.size(); ++i) {
     const int reference = reference_of_[i];

@@ -104,7 +104,7 @@ Mat3 StateMeter::cloth_frame(const SensorPatch& patch, const std::vector<Sample>
   return mean_rotation(sum, weight);
 }
 
-SkinPatch StateMeter::skin_under(const SensorPatch& patch) const {
+SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
   const std::vector<Sample> samples = sampled(patch);
   double known = 0, all = 0;
   Vec3 axis = Vec3::Zero();
@@ -114,7 +114,7 @@ SkinPatch StateMeter::skin_under(const SensorPatch& patch) const {
     known += sample.weight;
     axis += sample.weight * sample.body.axes.col(1);
   }
-  SkinPatch skin;
+  SkinUnderSensor skin;
   skin.body = &state_.body;
   skin.has_direction = 2 * known >= all && known > 0;
   // One direction for the whole patch: where the segment gives none, that of the sensor serves, for
@@ -187,7 +187,7 @@ void StateMeter::add_orientation(const std::vector<Sample>& samples, SiteState& 
   }
 }
 
-void StateMeter::add_change(const SkinPatch& reference, const std::vector<Sample>& samples,
+void StateMeter::add_change(const SkinUnderSensor& reference, const std::vector<Sample>& samples,
                             SiteState& site) const {
   require_same_wearer(*reference.body, state_.body);
   if (reference.points.size() != samples.size())
@@ -209,7 +209,7 @@ void StateMeter::add_change(const SkinPatch& reference, const std::vector<Sample
   if (weight > 0 && skin.allFinite()) site.slip = slip_of(change / weight, reference.has_direction);
 }
 
-SiteState StateMeter::measure(const SensorPatch& patch, const SkinPatch* reference) const {
+SiteState StateMeter::measure(const SensorPatch& patch, const SkinUnderSensor* reference) const {
   const std::vector<Sample> samples = sampled(patch);
   SiteState site;
   site.posture = state_.posture;

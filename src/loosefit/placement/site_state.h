@@ -53,7 +53,7 @@ struct SiteState {
 };
 
 /// The skin under a sensor in its reference state: the partners of the footprint's samples.
-struct SkinPatch {
+struct SkinUnderSensor {
   const Body* body = nullptr;  ///< reference body
   std::vector<SkinPoint> points;
   std::vector<Vec3> offsets;   ///< of the cloth against them (offset_on_skin)
@@ -69,11 +69,11 @@ class StateMeter {
   const WornState& state() const { return state_; }
 
   /// What lies under the sensor now, to be the reference of other states.
-  SkinPatch skin_under(const SensorPatch& patch) const;
+  SkinUnderSensor skin_under(const SensorPatch& patch) const;
 
   /// All of SiteState; what needs a reference only with one, for which this state may itself serve.
   /// \throws InvalidInput when the reference is of another wearer or another footprint.
-  SiteState measure(const SensorPatch& patch, const SkinPatch* reference = nullptr) const;
+  SiteState measure(const SensorPatch& patch, const SkinUnderSensor* reference = nullptr) const;
 
  private:
   struct Sample;
@@ -82,7 +82,7 @@ class StateMeter {
   void add_fields(const SensorPatch& patch, const std::vector<Sample>& samples,
                   SiteState& site) const;
   void add_orientation(const std::vector<Sample>& samples, SiteState& site) const;
-  void add_change(const SkinPatch& reference, const std::vector<Sample>& samples,
+  void add_change(const SkinUnderSensor& reference, const std::vector<Sample>& samples,
                   SiteState& site) const;
 
   const Garment& garment_;

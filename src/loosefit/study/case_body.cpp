@@ -32,6 +32,18 @@ BodySpec spec_of(const ScenarioBody& wished) {
           .firmness = wished.firmness};
 }
 
+BodyPath way(const std::shared_ptr<SoftBody>& person, const Posture& from, const Posture& to) {
+  return [person, from, to](double share) { return person->in(blend(from, to, share)); };
+}
+
+/// Everything that asks the person.
+void let_ask(CaseBody& body, std::shared_ptr<SoftBody> person, bool offer_wide) {
+  body.person = std::move(person);
+  body.pose = [person = body.person](const Posture& posture) { return person->in(posture); };
+  body.path = way(body.person, body.from, body.to);
+  body.wide_path = offer_wide ? way(body.person, kArmsWide, body.to) : BodyPath{};
+}
+
 // A scan stands as it stands: the garment is put on in that posture.
 CaseBody body_from_file(const ScenarioBody& wished) {
   MeshFile file = read_mesh(wished.file);
@@ -52,21 +64,20 @@ CaseBody make_body(const ScenarioBody& wished) {
   const BodyModel& model = shared_model();
   const BodyFit fit = model.fit(spec_of(wished));
   CaseBody result;
-  result.pose = [person = std::make_shared<SoftBody>(model, fit.parameters)](
-                    const Posture& posture) { return person->in(posture); };
-  const auto way_from = [&](const Posture& from) -> BodyPath {
-    return [pose = result.pose, from, to = wished.posture](double share) {
-      return pose(blend(from, to, share));
-    };
-  };
-  result.path = way_from(wished.dress_posture);
-  if (wished.dress_posture == default_dress_posture(wished.posture) &&
-      wished.dress_posture.arm_abduction < kArmsWide.arm_abduction)
-    result.wide_path = way_from(kArmsWide);
+  result.from = wished.dress_posture, result.to = wished.posture;
+  let_ask(result, std::make_shared<SoftBody>(model, fit.parameters),
+          wished.dress_posture == default_dress_posture(wished.posture) &&
+              wished.dress_posture.arm_abduction < kArmsWide.arm_abduction);
   result.body = result.path(1);
   result.asked = fit.table;
   result.warnings = fit.warnings;
   return result;
+}
+
+CaseBody another_caller(const CaseBody& body) {
+  CaseBody copy = body;
+  if (body.person) let_ask(copy, std::make_shared<SoftBody>(*body.person), bool(body.wide_path));
+  return copy;
 }
 
 Drape put_on(DrapeSession& session, CaseBody& body) try {
@@ -74,6 +85,7 @@ Drape put_on(DrapeSession& session, CaseBody& body) try {
 } catch (const NoRoom& error) {
   if (!body.wide_path) throw GeometryError(error.what(), body.pose ? kOtherPosture : kOtherScan);
   body.path = std::exchange(body.wide_path, {});
+  body.from = kArmsWide;
   body.warnings.push_back(
       std::string("put on with the arms wide apart, since in the usual posture ") + error.what());
   try {

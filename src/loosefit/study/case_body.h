@@ -10,13 +10,18 @@
 
 namespace loosefit {
 
+class SoftBody;
+
 /// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
+/// Copies ask the same person, one caller at a time; see another_caller.
 struct CaseBody {
   Body body;      ///< in the wanted posture
   BodyPath path;  ///< share 0 dressing posture … 1 `body`
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   BodyPath wide_path;
+  Posture from, to;                  ///< of the path, unless it is a scan's
+  std::shared_ptr<SoftBody> person;  ///< whom all of these ask; null for a scan
   /// The same wearer in any posture; empty for a scan.
   std::function<Body(const Posture&)> pose;
   std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
@@ -27,6 +32,10 @@ struct CaseBody {
 /// The baked body data are loaded once per process.
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
 CaseBody make_body(const ScenarioBody& wished);
+
+/// The same wearer for somebody who asks at the same time as others. What it is asked depends on
+/// nothing that they ask; CaseBody::person can learn it afterwards.
+CaseBody another_caller(const CaseBody& body);
 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
 /// posture, along its wide one, which then is its path, with a warning.

@@ -8,7 +8,7 @@
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
-#include "loosefit/study/wear_states.h"
+#include "loosefit/study/drape_states.h"
 
 namespace loosefit {
 
@@ -38,7 +38,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   {
     DrapeSession session(cloth_layers(result), drape_options(scenario.simulation), clock);
     take_drape(put_on(session, result.body), result);  // dress, settle
-    wear_states(result, session, clock);               // postures, donnings
+    drape_states(result, session, clock);              // postures, donnings
   }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;

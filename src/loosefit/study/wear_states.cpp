@@ -1,52 +1,20 @@
 #include "loosefit/study/wear_states.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 
 #include "loosefit/body/named_postures.h"
 #include "loosefit/drape/worn_limbs.h"
+#include "loosefit/flesh/soft_body.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Hides the stages of a drape inside a larger one.
-class Unstaged : public Progress {
- public:
-  explicit Unstaged(Progress& shown) : shown_(shown) {}
-  void update(double fraction, const std::string& note) override { shown_.update(fraction, note); }
-  void check_cancelled() const override { shown_.check_cancelled(); }
-
- private:
-  Progress& shown_;
-};
-
-BodyPath way(const CaseResult& result, int posture) {
-  return [pose = result.body.pose, from = result.scenario.body.posture,
-          to = named_posture(result.wear.postures[posture])](double share) {
-    return pose(blend(from, to, share));
-  };
-}
-
-CaseState state_of(const CaseWear& wear, int posture, int donning) {
-  CaseState state;
-  state.posture = posture, state.donning = donning;
-  state.name = wear.postures[posture];
-  return state;
-}
-
-}  // namespace
-
 void check_worn(const CaseResult& result, CaseState& state) {
   if (!state.drape.certificate.settled()) return;
   const Body& body = *result.wear.bodies[state.posture];
@@ -64,35 +32,20 @@ void check_worn(const CaseResult& result, CaseState& state) {
 
 namespace {
 
-void follow_all(CaseResult& result, DrapeSession& session, int donning) {
-  for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p) {
-    CaseState state = state_of(result.wear, p, donning);
-    const auto start = Clock::now();
-    take_drape(session.follow(way(result, p)), result, state);
-    state.seconds = seconds_since(start);
-    check_worn(result, state);
-    result.wear.states.push_back(std::move(state));
-  }
-}
-
-void put_on_again(CaseResult& result, int donning, Progress& progress) {
-  const CaseDonning& how = result.wear.donnings[donning];
-  DrapeOptions options = drape_options(result.scenario.simulation);
-  options.start_shift = how.shift;
-  options.start_twist = how.twist;
-  const auto start = Clock::now();
-  DrapeSession session(cloth_layers(result, how.friction), options, progress);
-  CaseState state = state_of(result.wear, 0, donning);
-  take_drape(put_on(session, result.body), result, state);
-  state.seconds = seconds_since(start);
-  check_worn(result, state);
-  const bool counts = state.counts();
-  result.wear.states.push_back(std::move(state));
-  if (counts) return follow_all(result, session, donning);
-  for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p) {
-    result.wear.states.push_back(state_of(result.wear, p, donning));
-    result.wear.states.back().left_out = "not tried: failed in the reference posture";
-  }
+/// Each posture from rest, whatever the person has been asked: neither the order of the list nor
+/// whether the garment was put on before makes a difference, so a run that is read again finds the
+/// same bodies.
+void pose_bodies(const CaseBody& wearer, CaseWear& wear) {
+  const std::size_t postures = wear.postures.size();
+  wear.bodies.resize(postures);
+  std::vector<std::unique_ptr<SoftBody>> asked(postures);
+  tbb::parallel_for(std::size_t{1}, postures, [&](std::size_t p) {
+    tbb::this_task_arena::isolate([&] {
+      asked[p] = std::make_unique<SoftBody>(wearer.person->anew());
+      wear.bodies[p] = std::make_shared<const Body>(asked[p]->in(named_posture(wear.postures[p])));
+    });
+  });
+  for (std::size_t p = 1; p < postures; ++p) wearer.person->learn(*asked[p]);
 }
 
 }  // namespace
@@ -104,9 +57,7 @@ CaseWear plan_wear(const CaseResult& result) {
   wear.postures = scenario.postures;
   if (wear.postures.empty()) wear.postures = {"reference"};
   wear.bodies.push_back(std::make_shared<const Body>(result.body.body));
-  for (std::size_t p = 1; p < wear.postures.size(); ++p)
-    wear.bodies.push_back(
-        std::make_shared<const Body>(result.body.pose(named_posture(wear.postures[p]))));
+  pose_bodies(result.body, wear);
   std::mt19937_64 rng(scenario.donning.seed);
   std::uniform_real_distribution<double> even(-1, 1);
   std::normal_distribution<double> normal;
@@ -118,22 +69,6 @@ CaseWear plan_wear(const CaseResult& result) {
     how.friction = std::exp(scenario.donning.friction_spread * std::clamp(normal(rng), -2.0, 2.0));
   }
   return wear;
-}
-
-void wear_states(CaseResult& result, DrapeSession& first, Progress& progress) {
-  const bool settled = result.drape.certificate.settled();
-  if (settled && result.scenario.postures.size() > 1) progress.stage("body");
-  result.wear = plan_wear(result);
-  if (result.wear.postures.empty() || !settled) return;
-  if (result.wear.postures.size() > 1) {
-    progress.stage("postures");
-    follow_all(result, first, 0);
-  }
-  if (result.wear.donnings.size() < 2) return;
-  progress.stage("donnings");
-  Unstaged inner(progress);
-  for (int k = 1; k < static_cast<int>(result.wear.donnings.size()); ++k)
-    put_on_again(result, k, inner);
 }
 
 std::vector<WornState> worn_states(const CaseResult& result) {

@@ -1,8 +1,6 @@
 #pragma once
 #include <filesystem>
 
-#include "loosefit/base/progress.h"
-#include "loosefit/drape/drape_session.h"
 #include "loosefit/placement/site_state.h"
 #include "loosefit/study/case_result.h"
 
@@ -12,12 +10,6 @@ namespace loosefit {
 /// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
 /// normally, kept within two deviations.
 CaseWear plan_wear(const CaseResult& result);
-
-/// Stages "postures" and "donnings": the garment of `first`, which has been put on and gave
-/// result.drape, follows its wearer through the other postures; then each further donning puts it
-/// on from its own start and goes through all postures. Does not throw when one fails to settle:
-/// that state says why and does not count. Nothing happens when result.drape itself is not settled.
-void wear_states(CaseResult& result, DrapeSession& first, Progress& progress);
 
 /// Marks a settled state as left out when limbs no longer go through the openings that they go
 /// through in result.drape (drape/worn_limbs.h).

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <exception>
 #include <mutex>
-#include <thread>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/side_by_side.h"
 #include "loosefit/base/text.h"
 
 namespace loosefit {
@@ -26,101 +25,28 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Work of all threads: who runs what, what is done, and one progress for all.
-class Board {
+/// Outcomes, told in the order of the list whoever is done first.
+class Outcomes {
  public:
-  Board(const std::vector<Benchmark>& benchmarks, Progress& progress,
-        const std::function<void(const BenchmarkOutcome&)>& finished)
-      : benchmarks_(benchmarks),
-        progress_(progress),
-        finished_(finished),
-        outcomes_(benchmarks.size()),
-        fraction_(benchmarks.size(), 0.0),
-        note_(benchmarks.size()),
-        state_(benchmarks.size(), State::waiting) {}
+  Outcomes(std::size_t count, const std::function<void(const BenchmarkOutcome&)>& finished)
+      : finished_(finished), all_(count), done_(count, 0) {}
 
-  /// Index of the next benchmark to run, −1 when there is none or the work was given up.
-  int take() {
+  void take(std::size_t i, BenchmarkOutcome outcome) {
     const std::lock_guard lock(mutex_);
-    if (failure_ || next_ == benchmarks_.size()) return -1;
-    state_[next_] = State::running;
-    show();
-    return static_cast<int>(next_++);
+    all_[i] = std::move(outcome);
+    done_[i] = 1;
+    for (; told_ < all_.size() && done_[told_]; ++told_)
+      if (finished_) finished_(all_[told_]);
   }
 
-  void update(int i, double fraction, const std::string& note) {
-    const std::lock_guard lock(mutex_);
-    fraction_[i] = std::clamp(fraction, 0.0, 1.0);
-    note_[i] = note;
-    show();
-  }
-
-  void done(int i, BenchmarkOutcome outcome) {
-    const std::lock_guard lock(mutex_);
-    outcomes_[i] = std::move(outcome);
-    fraction_[i] = 1;
-    state_[i] = State::done;
-    for (; told_ < outcomes_.size() && state_[told_] == State::done; ++told_)
-      if (finished_) finished_(outcomes_[told_]);
-    show();
-  }
-
-  /// Everybody is to stop; `reason` is what the caller of run_validation gets.
-  void give_up(const std::exception_ptr& reason) {
-    const std::lock_guard lock(mutex_);
-    if (!failure_) failure_ = reason;
-  }
-
-  void check_cancelled() {
-    progress_.check_cancelled();
-    const std::lock_guard lock(mutex_);
-    if (failure_) throw Cancelled();
-  }
-
-  std::vector<BenchmarkOutcome> outcomes() {
-    if (failure_) std::rethrow_exception(failure_);
-    return std::move(outcomes_);
-  }
+  std::vector<BenchmarkOutcome> all() { return std::move(all_); }
 
  private:
-  enum class State : char { waiting, running, done };
-
-  void show() {
-    double sum = 0;
-    std::string text;
-    for (std::size_t i = 0; i < benchmarks_.size(); ++i) {
-      sum += fraction_[i];
-      if (state_[i] != State::running) continue;
-      if (!text.empty()) text += " | ";
-      text += benchmarks_[i].id + (note_[i].empty() ? "" : " " + note_[i]);
-    }
-    progress_.update(sum / static_cast<double>(benchmarks_.size()), text);
-  }
-
-  const std::vector<Benchmark>& benchmarks_;
-  Progress& progress_;
   const std::function<void(const BenchmarkOutcome&)>& finished_;
   std::mutex mutex_;
-  std::size_t next_ = 0, told_ = 0;
-  std::vector<BenchmarkOutcome> outcomes_;
-  std::vector<double> fraction_;
-  std::vector<std::string> note_;
-  std::vector<State> state_;
-  std::exception_ptr failure_;
-};
-
-/// What one benchmark sees as its progress.
-class Share : public Progress {
- public:
-  Share(Board& board, int index) : board_(board), index_(index) {}
-  void update(double fraction, const std::string& note) override {
-    board_.update(index_, fraction, note);
-  }
-  void check_cancelled() const override { board_.check_cancelled(); }
-
- private:
-  Board& board_;
-  int index_;
+  std::size_t told_ = 0;
+  std::vector<BenchmarkOutcome> all_;
+  std::vector<char> done_;
 };
 
 /// Only the wish to stop gets out; every other failure is an outcome.
@@ -194,30 +120,21 @@ Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effor
                           Progress& progress, int workers,
                           const std::function<void(const BenchmarkOutcome&)>& finished) {
   const auto start = Clock::now();
-  Board board(benchmarks, progress, finished);
-  const auto work = [&] {
-    // The specimens are small: two benchmarks on a core each are faster than one on two cores.
-    tbb::task_arena alone(1);
-    try {
-      for (int i = board.take(); i >= 0; i = board.take()) {
-        Share share(board, i);
-        BenchmarkOutcome outcome;
-        alone.execute([&] { outcome = carry_out(benchmarks[i], effort, share); });
-        board.done(i, std::move(outcome));
-      }
-    } catch (...) {
-      board.give_up(std::current_exception());
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int k = 1; k < std::min<int>(workers, static_cast<int>(benchmarks.size())); ++k)
-      others.emplace_back(work);
-    work();
-  }
+  Outcomes outcomes(benchmarks.size(), finished);
+  std::vector<SideJob> jobs;
+  for (std::size_t i = 0; i < benchmarks.size(); ++i)
+    jobs.push_back({benchmarks[i].id, [&, i](Progress& own) {
+                      // The specimens are small: two benchmarks on a core each are faster than one
+                      // on two cores.
+                      tbb::task_arena alone(1);
+                      BenchmarkOutcome outcome;
+                      alone.execute([&] { outcome = carry_out(benchmarks[i], effort, own); });
+                      outcomes.take(i, std::move(outcome));
+                    }});
+  side_by_side(jobs, std::max(1, workers), progress);
   Validation validation;
   validation.effort = effort;
-  validation.outcomes = board.outcomes();
+  validation.outcomes = outcomes.all();
   validation.seconds = seconds_since(start);
   return validation;
 }

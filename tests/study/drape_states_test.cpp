@@ -1,0 +1,45 @@
+#include "loosefit/study/drape_states.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/study/load_case.h"
+#include "loosefit/study/run_case.h"
+#include "loosefit/study/wear_states.h"
+
+namespace loosefit {
+namespace {
+
+/// Two postures besides the first, put on twice, on a mesh that settles in seconds.
+CaseResult worn_on(int threads, const std::string& postures) {
+  const std::string text =
+      "[postures]\nlist = [\"standing\", " + postures + "]\n[donning]\nrepeats = 2\n" +
+      "[simulation]\nedge_length = 0.04\nthreads = " + std::to_string(threads) + "\n";
+  Progress silent;
+  RunOptions options;
+  options.only_drape = true;
+  return run_case(parse_scenario(text, "case.toml"), silent, options);
+}
+
+TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
+  const CaseResult alone = worn_on(1, "\"slouch\", \"forward-bend-15\"");
+  const CaseResult beside = worn_on(2, "\"forward-bend-15\", \"slouch\"");
+  ASSERT_EQ(alone.wear.states.size(), 5u);
+  ASSERT_EQ(beside.wear.states.size(), 5u);
+  // Postures of the first donning, then each further donning with its reference posture first.
+  const std::pair<int, int> order[] = {{1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}};
+  const int in_other[] = {1, 0, 2, 4, 3};
+  for (int k = 0; k < 5; ++k) {
+    const CaseState& state = alone.wear.states[k];
+    EXPECT_EQ(std::pair(state.posture, state.donning), order[k]);
+    EXPECT_TRUE(state.counts()) << state.name << ": " << state.drape.certificate.stop_reason;
+    EXPECT_GT(state.seconds, 0);
+    const CaseState& same = beside.wear.states[in_other[k]];
+    EXPECT_EQ(state.name, same.name);
+    EXPECT_EQ(state.drape.positions, same.drape.positions) << state.name;
+  }
+  EXPECT_NE(alone.wear.states[0].drape.positions, alone.wear.states[3].drape.positions)
+      << "another donning";
+}
+
+}  // namespace
+}  // namespace loosefit
