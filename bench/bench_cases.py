@@ -77,6 +77,9 @@ def cases():
         # Worn in every named posture after the first drape, each followed from there.
         Case("postures", ["posture"], scenario(
             REFERENCE_FIT, edge_mm=14, posture="", extra=POSTURES)),
+        # The same with nothing beside it: every share is one of processor time.
+        Case("postures-one-core", ["posture"], scenario(
+            REFERENCE_FIT, edge_mm=14, posture="", threads=1, extra=POSTURES), cores=1),
         Case("postures-child", ["posture"], scenario(
             'size = "child-142"', "child-slim", edge_mm=14, posture="", extra=POSTURES)),
         Case("two-layer", ["layers"], scenario(

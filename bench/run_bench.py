@@ -100,23 +100,26 @@ def run_once(case, options, folder):
 
 
 def posture_costs(summary):
-    """Wall seconds of every posture change against those of the first drape, and of maps and scores
-    (stages maps and placement) against all drapes; iterations on the finest level alike."""
+    """Wall seconds of the stage "postures" per posture against those of the first drape, since they are
+    followed side by side; of each while others run beside it; and of maps and scores (stages maps and
+    placement) against all drapes. Iterations on the finest level alike."""
     seconds, states = summary["seconds"], summary["states"]
     first = seconds["dress"] + seconds["settle"]
     finest = max(part["level"] for part in summary["settle"]["parts"])
 
     def fine_iterations(parts):
         return sum(part["iterations"] for part in parts if part["level"] == finest)
-    drapes = first + sum(state["seconds"] for state in states)
+    drapes = first + seconds["postures"] + seconds.get("donnings", 0)
+    followed = [state for state in states if state["donning"] == 1]
     return {"first_drape_seconds": round(first, 2),
             "first_drape_fine_iterations": fine_iterations(summary["settle"]["parts"]),
+            "share_of_first_drape_each": round(seconds["postures"] / len(followed) / first, 3),
             "maps_and_scores_share": round((seconds["maps"] + seconds["placement"]) / drapes, 4),
             "changes": [{"posture": state["posture"], "counts": state["counts"],
                          "stop_reason": state["stop_reason"],
                          "share_of_first_drape": round(state["seconds"] / first, 3),
                          "fine_iterations": fine_iterations(state.get("parts", []))}
-                        for state in states]}
+                        for state in followed]}
 
 
 def median(values):
@@ -160,12 +163,15 @@ def print_postures(runs):
         share = median([cost["changes"][i]["share_of_first_drape"] for cost in costs])
         counts = all(cost["changes"][i]["counts"] for cost in costs)
         print(f"  {change['posture']:20} {'counts' if counts else 'LEFT OUT':12} "
-              f"{100 * share:4.0f} % of the first drape, {change['fine_iterations']} iterations on "
-              f"the finest level for {costs[0]['first_drape_fine_iterations']}" +
+              f"{100 * share:4.0f} % of the first drape beside others, {change['fine_iterations']} "
+              f"iterations on the finest level for {costs[0]['first_drape_fine_iterations']}" +
               ("" if counts else f": {change['stop_reason']}"), flush=True)
     if costs:
         share = median([cost["maps_and_scores_share"] for cost in costs])
         print(f"  maps and scores      {100 * share:17.1f} % of the drapes", flush=True)
+        each = median([cost["share_of_first_drape_each"] for cost in costs])
+        print(f"  each posture         {100 * each:17.0f} % of the first drape, side by side",
+              flush=True)
 
 
 def machine():
