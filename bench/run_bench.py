@@ -109,11 +109,11 @@ def posture_costs(summary):
 
     def fine_iterations(parts):
         return sum(part["iterations"] for part in parts if part["level"] == finest)
-    drapes = first + seconds["postures"] + seconds.get("donnings", 0)
+    drapes = first + seconds.get("postures", 0) + seconds.get("donnings", 0)
     followed = [state for state in states if state["donning"] == 1]
     return {"first_drape_seconds": round(first, 2),
             "first_drape_fine_iterations": fine_iterations(summary["settle"]["parts"]),
-            "share_of_first_drape_each": round(seconds["postures"] / len(followed) / first, 3),
+            "share_of_first_drape_each": round(seconds.get("postures", 0) / max(len(followed), 1) / first, 3),
             "maps_and_scores_share": round((seconds["maps"] + seconds["placement"]) / drapes, 4),
             "changes": [{"posture": state["posture"], "counts": state["counts"],
                          "stop_reason": state["stop_reason"],

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "loosefit/base/error.h"
 
@@ -15,6 +16,8 @@ namespace loosefit {
 namespace {
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
+
+thread_local bool inside = false;  ///< a job, on this thread
 
 TEST(SideBySide, CarriesOutEveryJobOnceNoMoreThanAskedAtATime) {
   for (const int at_once : {1, 2, 7}) {
@@ -28,7 +31,9 @@ TEST(SideBySide, CarriesOutEveryJobOnceNoMoreThanAskedAtATime) {
                              now > seen && !most.compare_exchange_weak(seen, now);) {
                         }
                         // A thread that waits in here must not begin another job meanwhile.
+                        EXPECT_FALSE(std::exchange(inside, true));
                         tbb::parallel_for(0, 8, [](int) { wait_a_little(); });
+                        inside = false;
                         ++t;
                         --under_way;
                       }});

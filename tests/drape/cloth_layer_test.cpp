@@ -115,7 +115,7 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   for (const Vec3& f : inner.body_contact_force) through_inner += f[2];
   EXPECT_GT(through_inner, 1.05 * g0.mass * kGravity) << "it bears part of the outer one too";
 
-  const Drape raised = session.follow(wearer.arms(25, 29));
+  const Drape raised = session.follow(wearer.arms(25, 29), silent);
   EXPECT_TRUE(raised.certificate.settled())
       << raised.certificate.stop_reason << " " << raised.certificate.residual;
   EXPECT_EQ(raised.certificate.intersections_layers, 0);

@@ -1,7 +1,8 @@
 #include "loosefit/drape/drape_session.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
+
+#include <thread>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/named_postures.h"
@@ -40,12 +41,12 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
   DrapeOptions options;
   options.threads = 1;
   DrapeSession session(wearer.garment, wearer.material, options, silent);
-  EXPECT_THROW(session.follow(wearer.still()), Error);
+  EXPECT_THROW(session.follow(wearer.still(), silent), Error);
   const Drape first = session.put_on(wearer.still());
   ASSERT_TRUE(first.certificate.settled()) << first.certificate.stop_reason;
   EXPECT_THROW(session.put_on(wearer.still()), Error);
 
-  const Drape same = session.follow(wearer.still());  // no motion: at rest it stays
+  const Drape same = session.follow(wearer.still(), silent);  // no motion: at rest it stays
   ASSERT_TRUE(same.certificate.settled()) << same.certificate.stop_reason;
   double moved = 0;
   for (std::size_t i = 0; i < first.positions.size(); ++i)
@@ -53,7 +54,7 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
   EXPECT_LT(moved, 1e-3);
 
   constexpr double kAngle = 0.5;
-  const Drape turned = session.follow(turning(wearer, kAngle));
+  const Drape turned = session.follow(turning(wearer, kAngle), silent);
   ASSERT_TRUE(turned.certificate.settled()) << turned.certificate.stop_reason;
   const Mat3 turn = Eigen::AngleAxisd(kAngle, Vec3::UnitZ()).toRotationMatrix();
   std::vector<double> off;
@@ -65,19 +66,26 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
 }
 
 TEST(DrapeSession, PosturesFollowedAtTheSameTimeAreThoseFollowedOneByOne) {
-  const Wearer wearer;
+  // Two levels: the way is gone on the coarse one.
+  Wearer wearer;
+  wearer.garment = build_hierarchy(
+      support::shirt_for(support::standing(wearer.parameters, 25), 0.10), 0.017, wearer.material);
+  ASSERT_EQ(wearer.garment.levels.size(), 2u);
   Progress silent;
   DrapeOptions options;
   DrapeSession session(wearer.garment, wearer.material, options, silent);
   ASSERT_TRUE(session.put_on(wearer.still()).certificate.settled());
   const double angles[] = {0.3, -0.4};
   Drape beside[2];
-  tbb::parallel_for(0, 2, [&](int k) {
+  const auto follow = [&](int k) {
     Progress own;
     beside[k] = session.follow(turning(wearer, angles[k]), own);
-  });
+  };
+  std::thread other(follow, 1);
+  follow(0);
+  other.join();
   for (int k : {1, 0}) {
-    const Drape alone = session.follow(turning(wearer, angles[k]));
+    const Drape alone = session.follow(turning(wearer, angles[k]), silent);
     EXPECT_TRUE(alone.certificate.settled()) << alone.certificate.stop_reason;
     EXPECT_EQ(alone.positions, beside[k].positions) << angles[k];
   }

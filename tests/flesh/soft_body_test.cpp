@@ -64,26 +64,16 @@ TEST(SoftBody, SittingFoldsTheGroinWithoutPassingThroughIt) {
   EXPECT_EQ(person.in(sitting).surface.vertices, first.surface.vertices);
 }
 
-TEST(SoftBody, WhatItRemembersIsWhatItWouldMakeAnew) {
-  SoftBody often(body_model(), woman()), once(body_model(), woman());
-  std::vector<Posture> postures;
-  for (int k = 0; k < 20; ++k) postures.push_back({radians(30 + k), 0, 0});
-  for (const Posture& p : postures) often.in(p);
-  for (const Posture& p : {postures.front(), postures.back()})
-    EXPECT_EQ(often.in(p).surface.vertices, once.in(p).surface.vertices);
-}
-
 TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
-  const Posture hanging{radians(10), 0, 0}, between{radians(13), 0, 0};
+  const Posture hanging{radians(8), 0, 0}, between{radians(13), 0, 0};
   SoftBody person(body_model(), woman());
   SoftBody copy = person;
-  const Body there = copy.in(hanging), near = copy.in(between);
-  person.learn(copy);
-  EXPECT_EQ(person.in(hanging).surface.vertices, there.surface.vertices);
-  EXPECT_EQ(person.in(between).surface.vertices, near.surface.vertices);
+  copy.in(hanging);
+  const Body near = copy.in(between);
   // Led from the rest posture instead of from the arms that hang closer.
   EXPECT_NE(person.anew().in(between).surface.vertices, near.surface.vertices);
-  EXPECT_EQ(person.anew().in(hanging).surface.vertices, there.surface.vertices);
+  person.learn(copy);
+  EXPECT_EQ(person.in(between).surface.vertices, near.surface.vertices);
 }
 
 TEST(SoftBody, PosturesBetweenThoseOfBeforeAreReachedFromThere) {

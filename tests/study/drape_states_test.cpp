@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/study/load_case.h"
 #include "loosefit/study/run_case.h"
 #include "loosefit/study/wear_states.h"
 
@@ -21,8 +20,8 @@ CaseResult worn_on(int threads, const std::string& postures) {
 }
 
 TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
-  const CaseResult alone = worn_on(1, "\"slouch\", \"forward-bend-15\"");
-  const CaseResult beside = worn_on(2, "\"forward-bend-15\", \"slouch\"");
+  const CaseResult alone = worn_on(1, "\"sitting\", \"forward-bend-15\"");
+  const CaseResult beside = worn_on(2, "\"forward-bend-15\", \"sitting\"");
   ASSERT_EQ(alone.wear.states.size(), 5u);
   ASSERT_EQ(beside.wear.states.size(), 5u);
   // Postures of the first donning, then each further donning with its reference posture first.
@@ -37,6 +36,13 @@ TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
     EXPECT_EQ(state.name, same.name);
     EXPECT_EQ(state.drape.positions, same.drape.positions) << state.name;
   }
+  // As when the run is read again: the person has not been asked for anything yet.
+  CaseResult again;
+  again.scenario = alone.scenario;
+  again.body = make_body(alone.scenario.body);
+  const CaseWear planned = plan_wear(again);
+  for (int p = 0; p < 3; ++p)
+    EXPECT_EQ(planned.bodies[p]->surface.vertices, alone.wear.bodies[p]->surface.vertices) << p;
   EXPECT_NE(alone.wear.states[0].drape.positions, alone.wear.states[3].drape.positions)
       << "another donning";
 }

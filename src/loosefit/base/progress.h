@@ -11,11 +11,12 @@ class Progress {
   virtual ~Progress() = default;
   /// A pipeline stage begins: body, pattern, garment, dress, settle, maps, placement, report.
   virtual void stage(const std::string& /*name*/) {}
-  /// fraction in [0,1]; note is one short phrase ("level 2, residual 3.1e-2").
+  /// fraction in [0,1]; note is one short phrase ("level 2, residual 3.1e-2"). Comes from any
+  /// thread, one call at a time.
   virtual void update(double /*fraction*/, const std::string& /*note*/) {}
   /// Safe to call from a signal handler.
   void request_cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-  /// \throws Cancelled once request_cancel() was called.
+  /// May come from several threads at once. \throws Cancelled once request_cancel() was called.
   virtual void check_cancelled() const;
 
  private:

@@ -3,6 +3,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <fstream>
+
 namespace loosefit {
 
 double peak_memory_mb() {
@@ -11,9 +14,16 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;  // Linux counts in KiB
 }
 
-double physical_memory_mb() {
+double usable_memory_mb() {
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) / 1e6 : 0;
+  if (pages <= 0 || size <= 0) return 0;
+  double bytes = static_cast<double>(pages) * static_cast<double>(size);
+  for (const char* file :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    double limit = 0;  // "max" is no number
+    if (std::ifstream(file) >> limit && limit > 0) bytes = std::min(bytes, limit);
+  }
+  return bytes / 1e6;
 }
 
 }  // namespace loosefit

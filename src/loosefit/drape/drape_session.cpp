@@ -13,7 +13,6 @@ struct DrapeSession::State {
   State(std::vector<ClothLayer> garments, const DrapeOptions& o, Progress& progress)
       : layers(std::move(garments)),
         options(o),
-        shown(progress),
         run(std::make_unique<ClothRun>(layers, options, progress)) {
     if (options.threads > 0)
       threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
@@ -21,7 +20,6 @@ struct DrapeSession::State {
   std::vector<ClothLayer> layers;
   DrapeOptions options;
   std::optional<tbb::global_control> threads;
-  Progress& shown;
   std::unique_ptr<ClothRun> run;  ///< until it is put on
   std::shared_ptr<const WornCloth> worn;
 };
@@ -44,11 +42,11 @@ Drape DrapeSession::put_on(const BodyPath& body_at) {
   return drape;
 }
 
-Drape DrapeSession::follow(const BodyPath& body_at) const { return follow(body_at, state_->shown); }
-
-Drape DrapeSession::follow(const BodyPath& body_at, Progress& progress) const {
+Drape DrapeSession::follow(const BodyPath& body_at, Progress& progress, double budget) const {
   if (!state_->worn) throw Error("a garment has to be put on before it can follow its wearer");
-  return ClothRun(state_->layers, state_->options, state_->worn, progress).follow(body_at);
+  DrapeOptions options = state_->options;
+  options.time_budget *= budget;
+  return ClothRun(state_->layers, options, state_->worn, progress).follow(body_at);
 }
 
 Drape drape_garment(const GarmentHierarchy& garment, const Material& material,

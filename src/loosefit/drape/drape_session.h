@@ -14,10 +14,11 @@ namespace loosefit {
 class DrapeSession {
  public:
   /// Garments worn over each other, the innermost first; positions and forces of its drapes are
-  /// those of all layers in turn (drape_of_layer). Keeps references to garments and progress.
-  /// \throws InvalidInput for no layers, or layers meshed at different edge lengths.
+  /// those of all layers in turn (drape_of_layer). Keeps references to the garments, and to
+  /// progress until put_on is done. \throws InvalidInput for no layers, or layers meshed at
+  /// different edge lengths.
   DrapeSession(std::vector<ClothLayer> layers, const DrapeOptions& options, Progress& progress);
-  /// Keeps references to garment and progress.
+  /// The same with one garment.
   DrapeSession(const GarmentHierarchy& garment, Material material, const DrapeOptions& options,
                Progress& progress);
   ~DrapeSession();
@@ -30,10 +31,9 @@ class DrapeSession {
   /// The body moves from where put_on left it to body_at(1), body_at giving the way; the cloth goes
   /// along with the skin and rubs on it in steps, then settles on the finest level as after
   /// put_on. Not dressed again. The time budget of the options holds for each call. Does not throw
-  /// when it fails to settle. \throws Error before put_on; Cancelled.
-  Drape follow(const BodyPath& body_at) const;
-  /// The same, told to another progress. Several may be under way at the same time.
-  Drape follow(const BodyPath& body_at, Progress& progress) const;
+  /// when it fails to settle. Several may be under way at the same time, with `budget` times the
+  /// time for each. \throws Error before put_on; Cancelled.
+  Drape follow(const BodyPath& body_at, Progress& progress, double budget = 1) const;
 
  private:
   struct State;

@@ -89,6 +89,7 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   x_ = worn_->levels[level_].x;
   make_model();
   model_->recall(worn_->levels[level_].memory);
+  model_->set_field(body_->field);  // the level may remember one that its cloth left later on
   part_ = "posture";
   // On the finest level a pad would undo what holds triangles off the skin.
   const bool padded = layers() == 1 && !is_finest();

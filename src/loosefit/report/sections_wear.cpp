@@ -24,7 +24,7 @@ std::vector<std::string> row(const std::string& name, int donning, const Certifi
 std::string wear_section(const CaseResult& result) {
   const CaseWear& wear = result.wear;
   if (wear.states.empty()) return {};
-  Table table({"posture", "donning", "drape", "residual", "seconds", "slip median mm",
+  Table table({"posture", "donning", "drape", "residual", "seconds, side by side", "slip median mm",
                "slip 95 % mm", "slip greatest mm"});
   auto first = row(wear.postures.front(), 0, result.drape.certificate, seconds_of(result));
   first.insert(first.end(), 3, "–");

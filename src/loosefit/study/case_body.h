@@ -33,8 +33,8 @@ struct CaseBody {
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
 CaseBody make_body(const ScenarioBody& wished);
 
-/// The same wearer for somebody who asks at the same time as others. What it is asked depends on
-/// nothing that they ask; CaseBody::person can learn it afterwards.
+/// The same wearer for somebody who asks at the same time as others: what it answers depends on
+/// nothing that they ask.
 CaseBody another_caller(const CaseBody& body);
 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing

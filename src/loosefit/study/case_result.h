@@ -85,7 +85,10 @@ struct CaseState {
 struct CaseWear {
   std::vector<std::string> postures;  ///< the first is that of the case's own drape and maps
   std::vector<std::shared_ptr<const Body>> bodies;  ///< per posture
-  std::vector<CaseDonning> donnings;                ///< the first is undisturbed
+  /// Per posture, somebody who has been led into it from rest and into no other; null for the
+  /// first.
+  std::vector<std::shared_ptr<const SoftBody>> wearers;
+  std::vector<CaseDonning> donnings;  ///< the first is undisturbed
   /// All but the first posture of the first donning, which is the case's own drape.
   std::vector<CaseState> states;
 };

@@ -19,136 +19,176 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of the machine's memory, that states side by side may take.
+/// Of the memory that there is, that states side by side may take.
 constexpr double kMemoryShare = 0.5;
 
-/// How many states are draped at a time: none takes more memory than the process has taken so far.
+/// How many states to drape at a time, before any is: none takes more memory than the process has
+/// taken for the first drape.
 int states_at_once() {
   const auto threads =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const double peak = peak_memory_mb(), all = physical_memory_mb();
+  const double peak = peak_memory_mb(), all = usable_memory_mb();
   const double room = peak > 0 && all > 0 ? kMemoryShare * all / peak : 1;
   return std::max(1, static_cast<int>(std::min(room, static_cast<double>(threads))));
 }
 
-/// One state that is to be draped, with what it needs for itself.
-struct Task {
-  CaseState state;
-  CaseBody body;
-};
-
-/// The tasks of one stage, draped side by side by `drape`, which is told its task and its progress.
-class Tasks {
+/// Shows some of the states of a stage as the part of it that they are.
+class Part : public Progress {
  public:
-  explicit Tasks(CaseResult& result) : result_(result) {}
-
-  void add(int posture, int donning) {
-    Task& task = all_.emplace_back();
-    task.state.posture = posture, task.state.donning = donning;
-    task.state.name = result_.wear.postures[posture];
+  Part(Progress& whole, double from, double share) : whole_(whole), from_(from), share_(share) {}
+  void update(double fraction, const std::string& note) override {
+    whole_.update(from_ + share_ * fraction, note);
   }
-
-  template <class Drape>
-  std::vector<CaseState> carry_out(Progress& progress, const Drape& drape) {
-    std::vector<SideJob> jobs;
-    for (Task& task : all_)
-      jobs.push_back({name_of(task.state), [&](Progress& own) {
-                        const auto start = Clock::now();
-                        task.body = another_caller(result_.body);
-                        drape(task, own);
-                        task.state.seconds =
-                            std::chrono::duration<double>(Clock::now() - start).count();
-                        check_worn(result_, task.state);
-                      }});
-    side_by_side(jobs, states_at_once(), progress);
-    std::vector<CaseState> states;
-    for (Task& task : all_) {
-      if (result_.body.person) result_.body.person->learn(*task.body.person);
-      auto& told = result_.body.warnings;
-      for (const std::string& warning : task.body.warnings)
-        if (std::find(told.begin(), told.end(), warning) == told.end()) told.push_back(warning);
-      states.push_back(std::move(task.state));
-    }
-    return states;
-  }
+  void check_cancelled() const override { whole_.check_cancelled(); }
 
  private:
-  std::string name_of(const CaseState& state) const {
-    if (result_.wear.donnings.size() < 2) return state.name;
-    return fmt::format("{} ({})", state.name, state.donning + 1);
-  }
-
-  CaseResult& result_;
-  std::vector<Task> all_;
+  Progress& whole_;
+  double from_, share_;
 };
 
-void follow(const CaseResult& result, const DrapeSession& session, Task& task, Progress& progress) {
+/// One state that is to be draped.
+struct Task {
+  CaseState state;
+  std::shared_ptr<DrapeSession> session;        ///< of its donning
+  std::shared_ptr<const SoftBody> person = {};  ///< who has been in its posture, afterwards
+  std::vector<std::string> warnings = {};
+};
+
+CaseState unmade(const CaseResult& result, int posture, int donning) {
+  CaseState state;
+  state.posture = posture, state.donning = donning;
+  state.name = result.wear.postures[posture];
+  return state;
+}
+
+std::string name_of(const CaseResult& result, const CaseState& state) {
+  if (result.wear.donnings.size() < 2) return state.name;
+  return fmt::format("{} ({})", state.name, state.donning + 1);
+}
+
+/// Carries out `drape(task, budget, progress)` for all tasks; `budget`: times the time that each
+/// has, for it shares the threads with others.
+template <class Drape>
+void side_by_side(const CaseResult& result, std::vector<Task>& tasks, int at_once,
+                  Progress& progress, const Drape& drape) {
+  const double budget = std::max(1, std::min(at_once, static_cast<int>(tasks.size())));
+  std::vector<SideJob> jobs;
+  for (Task& task : tasks)
+    jobs.push_back({name_of(result, task.state), [&](Progress& own) {
+                      const auto start = Clock::now();
+                      drape(task, budget, own);
+                      task.state.seconds =
+                          std::chrono::duration<double>(Clock::now() - start).count();
+                      check_worn(result, task.state);
+                    }});
+  side_by_side(jobs, at_once, progress);
+}
+
+void follow(const CaseResult& result, Task& task, double budget, Progress& progress) {
+  const int posture = task.state.posture;
+  // Beside what putting on asked, whoever goes there knows that posture alone.
+  auto person = std::make_shared<SoftBody>(*result.body.person);
+  person->learn(*result.wear.wearers[posture]);
   const BodyPath way = [&, to = named_posture(task.state.name)](double share) {
-    if (share == 1) return *result.wear.bodies[task.state.posture];
-    return task.body.pose(blend(result.scenario.body.posture, to, share));
+    if (share == 1) return *result.wear.bodies[posture];
+    return person->in(blend(result.scenario.body.posture, to, share));
   };
-  take_drape(session.follow(way, progress), result, task.state);
+  take_drape(task.session->follow(way, progress, budget), result, task.state);
+  task.session.reset();
+  task.person = std::move(person);
+}
+
+void put_on_again(const CaseResult& result, Task& task, double budget, Progress& progress) {
+  const CaseDonning& how = result.wear.donnings[task.state.donning];
+  DrapeOptions options = drape_options(result.scenario.simulation);
+  options.time_budget *= budget;
+  options.start_shift = how.shift;
+  options.start_twist = how.twist;
+  CaseBody body = another_caller(result.body);
+  const std::size_t known = body.warnings.size();
+  task.session =
+      std::make_shared<DrapeSession>(cloth_layers(result, how.friction), options, progress);
+  take_drape(put_on(*task.session, body), result, task.state);
+  task.warnings.assign(body.warnings.begin() + static_cast<long>(known), body.warnings.end());
 }
 
 /// The other postures of the first donning.
-void drape_postures(CaseResult& result, const DrapeSession& first, Progress& progress) {
-  progress.stage("postures");
-  Tasks tasks(result);
-  for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p) tasks.add(p, 0);
-  result.wear.states = tasks.carry_out(
-      progress, [&](Task& task, Progress& own) { follow(result, first, task, own); });
+void drape_postures(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
+                    Progress& progress) {
+  std::vector<Task> tasks;
+  for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p)
+    tasks.push_back({unmade(result, p, 0), first});
+  side_by_side(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
+    follow(result, task, budget, own);
+  });
+  for (Task& task : tasks) {
+    // Further donnings go the same way.
+    result.wear.wearers[task.state.posture] = std::move(task.person);
+    result.wear.states.push_back(std::move(task.state));
+  }
 }
 
-/// The others, all put on before any of them follows: by then all know the same bodies.
-void drape_donnings(CaseResult& result, Progress& progress) {
-  progress.stage("donnings");
-  const int donnings = static_cast<int>(result.wear.donnings.size());
-  const int postures = static_cast<int>(result.wear.postures.size());
-  std::vector<std::unique_ptr<DrapeSession>> sessions(donnings);
-  Tasks in_reference(result), in_others(result);
-  for (int k = 1; k < donnings; ++k) in_reference.add(0, k);
-  std::vector<CaseState> put_on_again =
-      in_reference.carry_out(progress, [&](Task& task, Progress& own) {
-        const CaseDonning& how = result.wear.donnings[task.state.donning];
-        DrapeOptions options = drape_options(result.scenario.simulation);
-        options.start_shift = how.shift;
-        options.start_twist = how.twist;
-        auto& session = sessions[task.state.donning];
-        session = std::make_unique<DrapeSession>(cloth_layers(result, how.friction), options, own);
-        take_drape(put_on(*session, task.body), result, task.state);
-      });
-  for (const CaseState& state : put_on_again)
-    for (int p = 1; p < postures && state.counts(); ++p) in_others.add(p, state.donning);
-  std::vector<CaseState> followed = in_others.carry_out(progress, [&](Task& task, Progress& own) {
-    follow(result, *sessions[task.state.donning], task, own);
+/// Puts the garment on for each further donning; the tasks keep their sessions.
+std::vector<Task> put_on_all(CaseResult& result, int at_once, Progress& progress) {
+  std::vector<Task> tasks;
+  for (int k = 1; k < static_cast<int>(result.wear.donnings.size()); ++k)
+    tasks.push_back({unmade(result, 0, k), nullptr});
+  side_by_side(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
+    put_on_again(result, task, budget, own);
   });
-  auto next = followed.begin();
-  for (CaseState& state : put_on_again) {
-    const int donning = state.donning;
-    const bool counts = state.counts();
-    result.wear.states.push_back(std::move(state));
+  auto& told = result.body.warnings;
+  for (const Task& task : tasks)
+    for (const std::string& warning : task.warnings)
+      if (std::find(told.begin(), told.end(), warning) == told.end()) told.push_back(warning);
+  return tasks;
+}
+
+void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
+  const int postures = static_cast<int>(result.wear.postures.size());
+  const double first = 1.0 / postures;
+  Part putting_on(progress, 0, first), following(progress, first, 1 - first);
+  std::vector<Task> put_on = put_on_all(result, at_once, putting_on), tasks;
+  for (Task& task : put_on) {
+    for (int p = 1; p < postures && task.state.counts(); ++p)
+      tasks.push_back({unmade(result, p, task.state.donning), task.session});
+    task.session.reset();
+  }
+  side_by_side(result, tasks, at_once, following, [&](Task& task, double budget, Progress& own) {
+    follow(result, task, budget, own);
+    task.person.reset();
+  });
+  auto next = tasks.begin();
+  for (Task& task : put_on) {
+    const int donning = task.state.donning;
+    const bool counts = task.state.counts();
+    result.wear.states.push_back(std::move(task.state));
     for (int p = 1; p < postures; ++p) {
       if (counts) {
-        result.wear.states.push_back(std::move(*next++));
+        result.wear.states.push_back(std::move((next++)->state));
         continue;
       }
-      CaseState& left_out = result.wear.states.emplace_back();
-      left_out.posture = p, left_out.donning = donning;
-      left_out.name = result.wear.postures[p];
-      left_out.left_out = "not tried: failed in the reference posture";
+      result.wear.states.push_back(unmade(result, p, donning));
+      result.wear.states.back().left_out = "not tried: failed in the reference posture";
     }
   }
 }
 
 }  // namespace
 
-void drape_states(CaseResult& result, DrapeSession& first, Progress& progress) {
+void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, Progress& progress) {
   const bool settled = result.drape.certificate.settled();
   if (settled && result.scenario.postures.size() > 1) progress.stage("body");
   result.wear = plan_wear(result);
   if (result.wear.postures.empty() || !settled) return;
-  if (result.wear.postures.size() > 1) drape_postures(result, first, progress);
-  if (result.wear.donnings.size() > 1) drape_donnings(result, progress);
+  const int at_once = states_at_once();
+  if (result.wear.postures.size() > 1) {
+    progress.stage("postures");
+    drape_postures(result, std::move(first), at_once, progress);
+  }
+  if (result.wear.donnings.size() > 1) {
+    progress.stage("donnings");
+    drape_donnings(result, at_once, progress);
+  }
 }
 
 }  // namespace loosefit

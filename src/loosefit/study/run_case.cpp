@@ -36,9 +36,10 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
   {
-    DrapeSession session(cloth_layers(result), drape_options(scenario.simulation), clock);
-    take_drape(put_on(session, result.body), result);  // dress, settle
-    drape_states(result, session, clock);              // postures, donnings
+    const auto session = std::make_shared<DrapeSession>(cloth_layers(result),
+                                                        drape_options(scenario.simulation), clock);
+    take_drape(put_on(*session, result.body), result);  // dress, settle
+    drape_states(result, session, clock);               // postures, donnings
   }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;

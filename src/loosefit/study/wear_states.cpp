@@ -32,20 +32,20 @@ void check_worn(const CaseResult& result, CaseState& state) {
 
 namespace {
 
-/// Each posture from rest, whatever the person has been asked: neither the order of the list nor
+/// Each posture from rest, whatever the person has been asked: neither what else is listed nor
 /// whether the garment was put on before makes a difference, so a run that is read again finds the
 /// same bodies.
 void pose_bodies(const CaseBody& wearer, CaseWear& wear) {
   const std::size_t postures = wear.postures.size();
   wear.bodies.resize(postures);
-  std::vector<std::unique_ptr<SoftBody>> asked(postures);
+  wear.wearers.resize(postures);
   tbb::parallel_for(std::size_t{1}, postures, [&](std::size_t p) {
     tbb::this_task_arena::isolate([&] {
-      asked[p] = std::make_unique<SoftBody>(wearer.person->anew());
-      wear.bodies[p] = std::make_shared<const Body>(asked[p]->in(named_posture(wear.postures[p])));
+      const auto anew = std::make_shared<SoftBody>(wearer.person->anew());
+      wear.bodies[p] = std::make_shared<const Body>(anew->in(named_posture(wear.postures[p])));
+      wear.wearers[p] = anew;
     });
   });
-  for (std::size_t p = 1; p < postures; ++p) wearer.person->learn(*asked[p]);
 }
 
 }  // namespace

@@ -25,11 +25,19 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Outcomes, told in the order of the list whoever is done first.
-class Outcomes {
+/// Outcomes, told in the order of the list whoever is done first, and never while progress is
+/// shown: both may write to one terminal.
+class Outcomes : public Progress {
  public:
-  Outcomes(std::size_t count, const std::function<void(const BenchmarkOutcome&)>& finished)
-      : finished_(finished), all_(count), done_(count, 0) {}
+  Outcomes(std::size_t count, Progress& shown,
+           const std::function<void(const BenchmarkOutcome&)>& finished)
+      : shown_(shown), finished_(finished), all_(count), done_(count, 0) {}
+
+  void update(double fraction, const std::string& note) override {
+    const std::lock_guard lock(mutex_);
+    shown_.update(fraction, note);
+  }
+  void check_cancelled() const override { shown_.check_cancelled(); }
 
   void take(std::size_t i, BenchmarkOutcome outcome) {
     const std::lock_guard lock(mutex_);
@@ -42,6 +50,7 @@ class Outcomes {
   std::vector<BenchmarkOutcome> all() { return std::move(all_); }
 
  private:
+  Progress& shown_;
   const std::function<void(const BenchmarkOutcome&)>& finished_;
   std::mutex mutex_;
   std::size_t told_ = 0;
@@ -120,7 +129,7 @@ Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effor
                           Progress& progress, int workers,
                           const std::function<void(const BenchmarkOutcome&)>& finished) {
   const auto start = Clock::now();
-  Outcomes outcomes(benchmarks.size(), finished);
+  Outcomes outcomes(benchmarks.size(), progress, finished);
   std::vector<SideJob> jobs;
   for (std::size_t i = 0; i < benchmarks.size(); ++i)
     jobs.push_back({benchmarks[i].id, [&, i](Progress& own) {
@@ -131,7 +140,7 @@ Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effor
                       alone.execute([&] { outcome = carry_out(benchmarks[i], effort, own); });
                       outcomes.take(i, std::move(outcome));
                     }});
-  side_by_side(jobs, std::max(1, workers), progress);
+  side_by_side(jobs, std::max(1, workers), outcomes);
   Validation validation;
   validation.effort = effort;
   validation.outcomes = outcomes.all();
