@@ -117,7 +117,7 @@ TEST_F(PutOn, KeepsToThePostureThatWasAskedForAndSaysWhichOneMayDo) {
     return std::string("no error");
   };
   EXPECT_NE(hint().find("body.dress_posture"), std::string::npos);
-  body_.pose = {};  // as a scan, which has the posture that it has
+  body_.person = nullptr;  // as a scan, which has the posture that it has
   EXPECT_NE(hint().find("scan"), std::string::npos);
 }
 

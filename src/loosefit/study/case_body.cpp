@@ -39,7 +39,6 @@ BodyPath way(const std::shared_ptr<SoftBody>& person, const Posture& from, const
 /// Everything that asks the person.
 void let_ask(CaseBody& body, std::shared_ptr<SoftBody> person, bool offer_wide) {
   body.person = std::move(person);
-  body.pose = [person = body.person](const Posture& posture) { return person->in(posture); };
   body.path = way(body.person, body.from, body.to);
   body.wide_path = offer_wide ? way(body.person, kArmsWide, body.to) : BodyPath{};
 }
@@ -83,7 +82,7 @@ CaseBody another_caller(const CaseBody& body) {
 Drape put_on(DrapeSession& session, CaseBody& body) try {
   return session.put_on(body.path);
 } catch (const NoRoom& error) {
-  if (!body.wide_path) throw GeometryError(error.what(), body.pose ? kOtherPosture : kOtherScan);
+  if (!body.wide_path) throw GeometryError(error.what(), body.person ? kOtherPosture : kOtherScan);
   body.path = std::exchange(body.wide_path, {});
   body.from = kArmsWide;
   body.warnings.push_back(

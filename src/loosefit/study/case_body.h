@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +19,8 @@ struct CaseBody {
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   BodyPath wide_path;
-  Posture from, to;                  ///< of the path, unless it is a scan's
-  std::shared_ptr<SoftBody> person;  ///< whom all of these ask; null for a scan
-  /// The same wearer in any posture; empty for a scan.
-  std::function<Body(const Posture&)> pose;
+  Posture from, to;                   ///< of the path, unless it is a scan's
+  std::shared_ptr<SoftBody> person;   ///< whom all of these ask; null for a scan
   std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
   std::vector<std::string> warnings;  ///< from the fit or the scan's check
 };

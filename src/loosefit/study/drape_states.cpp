@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "loosefit/base/progress_part.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
@@ -32,20 +33,6 @@ int states_at_once() {
   return std::max(1, static_cast<int>(std::min(room, static_cast<double>(threads))));
 }
 
-/// Shows some of the states of a stage as the part of it that they are.
-class Part : public Progress {
- public:
-  Part(Progress& whole, double from, double share) : whole_(whole), from_(from), share_(share) {}
-  void update(double fraction, const std::string& note) override {
-    whole_.update(from_ + share_ * fraction, note);
-  }
-  void check_cancelled() const override { whole_.check_cancelled(); }
-
- private:
-  Progress& whole_;
-  double from_, share_;
-};
-
 /// One state that is to be draped.
 struct Task {
   CaseState state;
@@ -69,8 +56,8 @@ std::string name_of(const CaseResult& result, const CaseState& state) {
 /// Carries out `drape(task, budget, progress)` for all tasks; `budget`: times the time that each
 /// has, for it shares the threads with others.
 template <class Drape>
-void side_by_side(const CaseResult& result, std::vector<Task>& tasks, int at_once,
-                  Progress& progress, const Drape& drape) {
+void drape_all(const CaseResult& result, std::vector<Task>& tasks, int at_once, Progress& progress,
+               const Drape& drape) {
   const double budget = std::max(1, std::min(at_once, static_cast<int>(tasks.size())));
   std::vector<SideJob> jobs;
   for (Task& task : tasks)
@@ -118,9 +105,8 @@ void drape_postures(CaseResult& result, std::shared_ptr<DrapeSession> first, int
   std::vector<Task> tasks;
   for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p)
     tasks.push_back({unmade(result, p, 0), first});
-  side_by_side(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
-    follow(result, task, budget, own);
-  });
+  drape_all(result, tasks, at_once, progress,
+            [&](Task& task, double budget, Progress& own) { follow(result, task, budget, own); });
   for (Task& task : tasks) {
     // Further donnings go the same way.
     result.wear.wearers[task.state.posture] = std::move(task.person);
@@ -133,7 +119,7 @@ std::vector<Task> put_on_all(CaseResult& result, int at_once, Progress& progress
   std::vector<Task> tasks;
   for (int k = 1; k < static_cast<int>(result.wear.donnings.size()); ++k)
     tasks.push_back({unmade(result, 0, k), nullptr});
-  side_by_side(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
+  drape_all(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
     put_on_again(result, task, budget, own);
   });
   auto& told = result.body.warnings;
@@ -146,14 +132,14 @@ std::vector<Task> put_on_all(CaseResult& result, int at_once, Progress& progress
 void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
   const int postures = static_cast<int>(result.wear.postures.size());
   const double first = 1.0 / postures;
-  Part putting_on(progress, 0, first), following(progress, first, 1 - first);
+  ProgressPart putting_on(progress, 0, first), following(progress, first, 1 - first);
   std::vector<Task> put_on = put_on_all(result, at_once, putting_on), tasks;
   for (Task& task : put_on) {
     for (int p = 1; p < postures && task.state.counts(); ++p)
       tasks.push_back({unmade(result, p, task.state.donning), task.session});
     task.session.reset();
   }
-  side_by_side(result, tasks, at_once, following, [&](Task& task, double budget, Progress& own) {
+  drape_all(result, tasks, at_once, following, [&](Task& task, double budget, Progress& own) {
     follow(result, task, budget, own);
     task.person.reset();
   });

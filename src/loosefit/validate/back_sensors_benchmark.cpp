@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "loosefit/base/progress_part.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/validate/catalogue.h"
 
@@ -35,20 +36,17 @@ struct Child {
   std::map<std::string, double> girths;  ///< [m]
 };
 
-/// Passes on a share of the progress of one drape, and the wish to stop.
-class Part : public Progress {
+/// One drape of several, as far as it has settled.
+class OneDrape : public ProgressPart {
  public:
-  Part(Progress& whole, int part, int parts, const std::string& note)
-      : whole_(whole), from_(double(part) / parts), share_(1.0 / parts), note_(note) {}
+  OneDrape(Progress& whole, int index, int of, std::string note)
+      : ProgressPart(whole, double(index) / of, 1.0 / of), note_(std::move(note)) {}
   void stage(const std::string& name) override { settling_ = name == "settle"; }
   void update(double fraction, const std::string&) override {
-    whole_.update(from_ + share_ * (settling_ ? fraction : 0), note_);
+    ProgressPart::update(settling_ ? fraction : 0, note_);
   }
-  void check_cancelled() const override { whole_.check_cancelled(); }
 
  private:
-  Progress& whole_;
-  double from_, share_;
   std::string note_;
   bool settling_ = false;
 };
@@ -95,8 +93,8 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
   result.garment = build_hierarchy(result.pattern.pattern, kEdge, material);
   Study study;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
-    Part part(progress, first_part + repeat, parts,
-              fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
+    OneDrape part(progress, first_part + repeat, parts,
+                  fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
     result.drape = drape_garment(result.garment, material, result.body.path,
                                  drape_options(result.scenario.simulation, repeat), part);
     if (!result.drape.certificate.settled()) {
