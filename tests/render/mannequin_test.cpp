@@ -69,17 +69,55 @@ TEST_F(Mannequin, AScanWithoutJointsKeepsItsHead) {
   EXPECT_NEAR(high, 1.7, 1e-9);
 }
 
-TEST(Clipped, SplitsTrianglesAtTheCut) {
-  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  std::vector<std::array<int, 2>> rim;
-  const TriangleMesh part = clipped(one, {0.25, -0.75, 0.25}, &rim);
-  double area = 0;
-  for (const Triangle& t : part.triangles)
-    area += triangle_area(part.vertices[t[0]], part.vertices[t[1]], part.vertices[t[2]]);
-  EXPECT_NEAR(area, 0.5 - 0.5 * 0.75 * 0.75, 1e-12);
-  EXPECT_EQ(rim.size(), 1u);
-  EXPECT_TRUE(clipped(one, {-1, -1, -1}).triangles.empty());
-  EXPECT_EQ(clipped(one, {1, 1, 1}).triangles.size(), 1u);
+TEST_F(Mannequin, RaisedArmsBesideTheNeckStay) {
+  // Two posts beside the neck that reach above it, one of them named.
+  const auto post = [&](double x, Segment segment) {
+    const int first = static_cast<int>(body_.surface.vertices.size());
+    for (const double z : {1.2, 1.6})
+      for (const auto& [dx, dy] : {std::pair{0.02, 0.0}, {-0.02, 0.01}, {-0.02, -0.01}}) {
+        body_.surface.vertices.push_back({x + dx, dy, z});
+        body_.segment.push_back(segment);
+        body_.side.push_back(0);
+      }
+    for (int k = 0; k < 3; ++k) {
+      const int a = first + k, b = first + (k + 1) % 3;
+      body_.surface.triangles.push_back({a, b, b + 3});
+      body_.surface.triangles.push_back({a, b + 3, a + 3});
+    }
+  };
+  post(0.18, Segment::upper_arm);
+  EXPECT_NEAR(extent(mannequin(body_, garment_, positions_)).second, 1.6, 1e-9);
+  post(-0.18, Segment::head);
+  for (const Vec3& p : mannequin(body_, garment_, positions_).vertices)
+    EXPECT_LT(p.z(), p.x() > 0.15 ? 1.61 : 1.45);
+}
+
+TEST_F(Mannequin, TheStubOfALiftedThighIsClosedByALid) {
+  body_.joints["knee_L"] = {0.06, -0.4, 0.9};
+  body_.joints["knee_R"] = {-0.06, -0.4, 0.9};
+  // A beam forward from the right hip.
+  const int first = static_cast<int>(body_.surface.vertices.size());
+  for (int k = 0; k < 8; ++k)
+    for (const double y : {0.0, -0.4}) {
+      body_.surface.vertices.push_back(
+          {-0.06 + 0.05 * std::cos(kPi / 4 * k), y, 0.9 + 0.05 * std::sin(kPi / 4 * k)});
+      body_.segment.push_back(Segment::thigh);
+      body_.side.push_back(-1);
+    }
+  for (int k = 0; k < 8; ++k) {
+    const int a = first + 2 * k, b = first + 2 * ((k + 1) % 8);
+    body_.surface.triangles.push_back({a, b, b + 1});
+    body_.surface.triangles.push_back({a, b + 1, a + 1});
+  }
+  const TriangleMesh form = mannequin(body_, garment_, positions_);
+  double lid = 0;
+  for (const Triangle& t : form.triangles) {
+    const Vec3 a = form.vertices[t[0]], b = form.vertices[t[1]], c = form.vertices[t[2]];
+    if (triangle_normal(a, b, c).y() > -0.999) continue;
+    lid += triangle_area(a, b, c);
+    EXPECT_NEAR(a.y(), -0.10, 1e-9);
+  }
+  EXPECT_NEAR(lid, 4 * std::sin(kPi / 4) * 0.05 * 0.05, 1e-9);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/posed_body.h"
 #include "loosefit/study/case_files.h"
 #include "loosefit/study/case_stages.h"
@@ -38,7 +40,8 @@ CaseResult make_worn_case() {
   result.drape.certificate.residual = 1e-4;
   result.drape.certificate.intersections_body = result.drape.certificate.intersections_self = 0;
   result.drape.certificate.stop_reason = "converged";
-  result.wear = plan_wear(result);
+  result.wear = plan_wear(result.scenario);
+  pose_wearers(result.body, result.wear, silent);
   PosedBody posed;
   posed.body = result.body.body;
   posed.tree = std::make_unique<ClosestPointTree>(posed.body.surface);
@@ -72,9 +75,8 @@ RankingTable ranked(const CaseResult& result) {
 }
 
 TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
-  CaseResult result;
-  result.scenario = parse_scenario("[donning]\nrepeats = 50\n", "case.toml");
-  const CaseWear wear = plan_wear(result);
+  const Scenario scenario = parse_scenario("[donning]\nrepeats = 50\n", "case.toml");
+  const CaseWear wear = plan_wear(scenario);
   ASSERT_EQ(wear.donnings.size(), 50u);
   EXPECT_TRUE(wear.donnings[0].shift.isZero());
   EXPECT_EQ(wear.donnings[0].twist, 0);
@@ -90,9 +92,22 @@ TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
   EXPECT_LE(most_twist, radians(10));
   EXPECT_GT(most_twist, radians(9));
   EXPECT_NEAR(std::sqrt(sum / 49), 0.18, 0.04) << "0.2, cut at two deviations";
-  EXPECT_EQ(plan_wear(result).donnings[7].twist, wear.donnings[7].twist);
-  result.scenario = parse_scenario("", "case.toml");
-  EXPECT_TRUE(plan_wear(result).postures.empty());
+  EXPECT_EQ(plan_wear(scenario).donnings[7].twist, wear.donnings[7].twist);
+  EXPECT_TRUE(plan_wear(parse_scenario("", "case.toml")).postures.empty());
+}
+
+TEST(WearStates, PosingIsShownAndEndsWhenAsked) {
+  struct Shown : Progress {
+    std::set<std::string> notes;
+    void update(double, const std::string& note) override { notes.insert(note); }
+  } shown;
+  CaseWear wear = plan_wear(worn_case().scenario);
+  pose_wearers(worn_case().body, wear, shown);
+  EXPECT_TRUE(shown.notes.contains(wear.postures[1]));
+  ASSERT_TRUE(wear.bodies[1]);
+  wear.bodies.clear();
+  shown.request_cancel();
+  EXPECT_THROW(pose_wearers(worn_case().body, wear, shown), Cancelled);
 }
 
 TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <optional>
 
+#include "loosefit/render/clipped_surface.h"
 #include "loosefit/render/garment_lines.h"
 
 namespace loosefit {
@@ -13,6 +14,7 @@ constexpr double kNeckShare =
     0.4;  // of the way from the neck joint to the head joint: below the jaw
 constexpr double kInsideCloth = 0.03;  // the form ends this far above the hem [m]
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
+constexpr double kHanging = 0.8;       // cosine between a thigh and the trunk, below which it is
 
 std::optional<Vec3> joint(const Body& body, const char* name) {
   const auto found = body.joints.find(name);
@@ -21,6 +23,10 @@ std::optional<Vec3> joint(const Body& body, const char* name) {
 
 bool below_waist(Segment s) {
   return s == Segment::thigh || s == Segment::shank || s == Segment::foot;
+}
+
+bool on_arm(Segment s) {
+  return s == Segment::upper_arm || s == Segment::forearm || s == Segment::hand;
 }
 
 bool on_trunk(const Body& body, const Vec3& p) {
@@ -48,59 +54,52 @@ double hem_height(const Body& body, const Garment& garment, const std::vector<Ve
   return (count > 0 ? sum / count : hips.dot(axis)) + kInsideCloth;
 }
 
-void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<int, 2>>& rim,
-                    const Vec3& outwards) {
-  if (rim.empty()) return;
-  Vec3 centre = Vec3::Zero();
-  for (const auto& edge : rim) centre += 0.5 * (mesh.vertices[edge[0]] + mesh.vertices[edge[1]]);
-  centre /= static_cast<double>(rim.size());
-  for (const auto& edge : rim) {
-    // Own vertices, so that the lid is flat and the neck keeps its normals.
-    const int first = static_cast<int>(mesh.vertices.size());
-    const Vec3 a = mesh.vertices[edge[0]], b = mesh.vertices[edge[1]];
-    mesh.vertices.insert(mesh.vertices.end(), {centre, a, b});
-    const bool flip = triangle_normal(centre, a, b).dot(outwards) < 0;
-    mesh.triangles.push_back({first, first + (flip ? 2 : 1), first + (flip ? 1 : 2)});
-  }
-}
-}  // namespace
+/// A thigh that is lifted against the trunk, as that of a sitter.
+struct LiftedThigh {
+  int side = 0;  ///< as in Body::side
+  Vec3 hip, along;
+  double beyond_stub(const Vec3& p) const { return (p - hip).dot(along) - kThighStub; }
+};
 
-TriangleMesh clipped(const TriangleMesh& mesh, const std::vector<double>& keep,
-                     std::vector<std::array<int, 2>>* rim) {
-  TriangleMesh result;
-  std::vector<int> kept(mesh.vertices.size(), -1);
-  std::map<std::pair<int, int>, int> split;
-  const auto old_vertex = [&](int v) {
-    if (kept[v] < 0) {
-      kept[v] = static_cast<int>(result.vertices.size());
-      result.vertices.push_back(mesh.vertices[v]);
-    }
-    return kept[v];
-  };
-  const auto new_vertex = [&](int a, int b) {
-    const auto [place, is_new] =
-        split.try_emplace(std::minmax(a, b), static_cast<int>(result.vertices.size()));
-    if (is_new)
-      result.vertices.push_back(mesh.vertices[a] + keep[a] / (keep[a] - keep[b]) *
-                                                       (mesh.vertices[b] - mesh.vertices[a]));
-    return place->second;
-  };
-  for (const Triangle& t : mesh.triangles) {
-    std::vector<int> corners, cut;
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      if (keep[a] >= 0) corners.push_back(old_vertex(a));
-      if ((keep[a] >= 0) != (keep[b] >= 0)) {
-        corners.push_back(new_vertex(a, b));
-        cut.push_back(corners.back());
-      }
-    }
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      result.triangles.push_back({corners[0], corners[k - 1], corners[k]});
-    if (rim && cut.size() == 2) rim->push_back({cut[0], cut[1]});
+std::vector<LiftedThigh> lifted_thighs(const Body& body, const Vec3& axis) {
+  std::vector<LiftedThigh> lifted;
+  for (const auto& [side, suffix] : {std::pair{1, "_L"}, {-1, "_R"}}) {
+    const auto hip = joint(body, (std::string("hip") + suffix).c_str());
+    const auto knee = joint(body, (std::string("knee") + suffix).c_str());
+    if (!hip || !knee) continue;
+    const Vec3 along = (*knee - *hip).normalized();
+    if (along.dot(-axis) < kHanging) lifted.push_back({side, *hip, along});
   }
-  return result;
+  return lifted;
 }
+
+/// A body that is cut piece by piece; lids come last.
+class Form {
+ public:
+  explicit Form(const Body& body) : mesh_(body.surface), origin_(body.surface.vertices.size()) {
+    std::iota(origin_.begin(), origin_.end(), 0);
+  }
+  using Rim = std::vector<std::array<Vec3, 2>>;
+
+  /// Leaves where keep(vertex of the body, place) ≥ 0.
+  template <class Keep>
+  Rim cut(const Keep& keep) {
+    std::vector<double> at(origin_.size());
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = keep(origin_[i], mesh_.vertices[i]);
+    ClippedSurface part = clipped(mesh_, at);
+    for (int& v : part.origin) v = origin_[v];
+    mesh_ = std::move(part.mesh);
+    origin_ = std::move(part.origin);
+    return std::move(part.rim);
+  }
+  TriangleMesh& mesh() { return mesh_; }
+
+ private:
+  TriangleMesh mesh_;
+  std::vector<int> origin_;
+};
+
+}  // namespace
 
 TriangleMesh mannequin(const Body& body, const Garment& garment,
                        const std::vector<Vec3>& positions) {
@@ -114,37 +113,40 @@ TriangleMesh mannequin(const Body& body, const Garment& garment,
   const Vec3 nape = neck.value_or(Vec3(0, 0, floor + 0.85 * (top - floor)));
   const Vec3 axis = (nape - hips).normalized();
   const double hem = hem_height(body, garment, positions, axis, hips, nape);
+  const std::vector<LiftedThigh> lifted = lifted_thighs(body, axis);
 
-  // Hem first: the rim of the second cut is then the neck's alone.
-  std::vector<double> keep(points.size(), 1.0);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const Segment segment = body.segment[v];
-    if (segment != Segment::torso && !below_waist(segment)) continue;
-    keep[v] = points[v].dot(axis) - hem;
-    if (!below_waist(segment)) continue;
-    const char* side = body.side[v] >= 0 ? "_L" : "_R";
-    const auto hip = joint(body, (std::string("hip") + side).c_str());
-    const auto knee = joint(body, (std::string("knee") + side).c_str());
-    if (!hip || !knee) continue;
-    const Vec3 along = (*knee - *hip).normalized();
-    const bool lifted = along.dot(-axis) < 0.8;
-    if (lifted) keep[v] = std::min(keep[v], kThighStub - (points[v] - *hip).dot(along));
+  Form form(body);
+  const auto is_of = [&](const LiftedThigh& thigh, int v) {
+    return below_waist(body.segment[v]) && (body.side[v] >= 0) == (thigh.side > 0);
+  };
+  form.cut([&](int v, const Vec3& p) {
+    if (body.segment[v] != Segment::torso && !below_waist(body.segment[v])) return 1.0;
+    for (const LiftedThigh& thigh : lifted)
+      if (is_of(thigh, v)) return 1.0;
+    return p.dot(axis) - hem;
+  });
+  std::vector<std::pair<Form::Rim, Vec3>> lids;
+  for (const LiftedThigh& thigh : lifted) {
+    // The trunk beside it is not cut, so near the groin the edges between the two are.
+    Form::Rim rim = form.cut([&](int v, const Vec3& p) {
+      const double keep = -thigh.beyond_stub(p);
+      return is_of(thigh, v) ? keep : std::max(keep, 1e-6);
+    });
+    lids.emplace_back(std::move(rim), thigh.along);
   }
-  TriangleMesh form = clipped(body.surface, keep);
-  if (!neck || !head) return form;
-
-  // Across the trunk's axis, not the neck's, which leans forward: seen edge-on from the front.
-  const double lid = (*neck + kNeckShare * (*head - *neck)).dot(axis);
-  const double reach = 0.6 * (*head - *neck).norm() + 0.15;  // arms may be raised beside the neck
-  keep.assign(form.vertices.size(), 1.0);
-  for (std::size_t v = 0; v < form.vertices.size(); ++v) {
-    const Vec3 from = form.vertices[v] - *neck;
-    if ((from - from.dot(axis) * axis).norm() < reach) keep[v] = lid - form.vertices[v].dot(axis);
+  if (neck && head) {
+    // Across the trunk's axis, not the neck's, which leans forward: seen edge-on from the front.
+    const double height = (*neck + kNeckShare * (*head - *neck)).dot(axis);
+    const double reach = 0.6 * (*head - *neck).norm() + 0.15;  // a scan's arms may have no name
+    Form::Rim rim = form.cut([&](int v, const Vec3& p) {
+      const Vec3 from = p - *neck;
+      const bool far = (from - from.dot(axis) * axis).norm() > reach;
+      return far || on_arm(body.segment[v]) ? 1.0 : height - p.dot(axis);
+    });
+    lids.emplace_back(std::move(rim), axis);
   }
-  std::vector<std::array<int, 2>> rim;
-  form = clipped(form, keep, &rim);
-  close_with_fan(form, rim, axis);
-  return form;
+  for (const auto& [rim, outwards] : lids) close_with_fan(form.mesh(), rim, outwards);
+  return std::move(form.mesh());
 }
 
 }  // namespace loosefit

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "loosefit/base/error.h"
 #include "loosefit/render/garment_lines.h"
@@ -121,30 +120,6 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
     }
   }
   return pictures;
-}
-
-void render_garment_png(const std::filesystem::path& file, const TriangleMesh& body,
-                        const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
-                        const std::vector<double>& scalars, View view) {
-  PerformanceMap map;
-  map.title = "value";
-  map.values = scalars;
-  map.range_low = std::numeric_limits<double>::infinity();
-  map.range_high = -map.range_low;
-  for (double value : scalars)
-    if (std::isfinite(value)) {
-      map.range_low = std::min(map.range_low, value);
-      map.range_high = std::max(map.range_high, value);
-    }
-  if (!(map.range_high > map.range_low)) map.range_high = map.range_low + 1;
-  constexpr int kFoot = 130;
-  Scene scene({body, positions, triangles, {}, {}}, 900, 880, 1, false);
-  scene.look(view);
-  const Image light = scene.light();
-  if (scalars.empty()) return write_png(file, lit(scene.colours(nullptr, kCloth), light, 0.25));
-  Image image = with_foot(lit(scene.colours(&map), light, kMapAmbient), kFoot);
-  draw_legend(image, map, kFoot);
-  write_png(file, image);
 }
 
 }  // namespace loosefit

@@ -44,12 +44,6 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
                                      const PictureOptions& options = {},
                                      const std::function<void(double)>& after_each = nullptr);
 
-/// Quick look at a mesh while working on the solver: one front/back/left/right picture.
-/// `scalars` (per vertex, may be empty) are coloured between their own extremes.
-void render_garment_png(const std::filesystem::path& file, const TriangleMesh& body,
-                        const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
-                        const std::vector<double>& scalars = {}, View view = View::front);
-
 /// VTK aborts the process without a display, so this is asked first.
 /// \throws Error "pictures need a display" with the way out as hint.
 void check_display();

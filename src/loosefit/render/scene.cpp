@@ -30,7 +30,7 @@ namespace {
 constexpr Rgb kMannequin = {176, 176, 176};
 constexpr Rgb kUnder = {150, 166, 200};
 constexpr Rgb kLine = {35, 35, 35};
-constexpr double kMargin = 1.06;           // picture frame over garment extent
+constexpr double kMargin = 1.06;           // picture frame over extent of garment and form
 constexpr double kAmbient = 0.25;          // of light()
 constexpr double kOcclusionRadius = 0.05;  // [m], about the size of a fold
 
@@ -98,7 +98,7 @@ struct Scene::Window {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> key, fill_light;
   Part body, under, garment, lines, seams;
-  Vec3 lower, upper;          ///< box of all cloth
+  Vec3 lower, upper;          ///< box of all
   Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of all
   int width = 0, height = 0;
   bool ambient_occlusion = false;
@@ -188,6 +188,7 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
     }
   };
   extend(content.positions);
+  extend(content.body.vertices);
   if (content.under) extend(content.under->vertices);
 }
 

@@ -84,7 +84,7 @@ struct CaseState {
 /// A case worn in several postures, after several donnings.
 struct CaseWear {
   std::vector<std::string> postures;  ///< the first is that of the case's own drape and maps
-  std::vector<std::shared_ptr<const Body>> bodies;  ///< per posture
+  std::vector<std::shared_ptr<const Body>> bodies;  ///< per posture; empty without states
   /// Per posture, somebody who has been led into it from rest and into no other; null for the
   /// first.
   std::vector<std::shared_ptr<const SoftBody>> wearers;

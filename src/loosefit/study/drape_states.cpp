@@ -162,10 +162,10 @@ void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
 }  // namespace
 
 void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, Progress& progress) {
-  const bool settled = result.drape.certificate.settled();
-  if (settled && result.scenario.postures.size() > 1) progress.stage("body");
-  result.wear = plan_wear(result);
-  if (result.wear.postures.empty() || !settled) return;
+  result.wear = plan_wear(result.scenario);
+  if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
+  if (result.wear.postures.size() > 1) progress.stage("body");
+  pose_wearers(result.body, result.wear, progress);
   const int at_once = states_at_once();
   if (result.wear.postures.size() > 1) {
     progress.stage("postures");

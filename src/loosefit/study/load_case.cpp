@@ -69,9 +69,11 @@ Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
 }
 
 /// Postures and donnings; none were made when the first drape is not settled.
-void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseResult& result) {
-  result.wear = plan_wear(result);
+void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseResult& result,
+                 Progress& progress) {
+  result.wear = plan_wear(result.scenario);
   if (!result.drape.certificate.settled()) return;
+  pose_wearers(result.body, result.wear, progress);
   const CaseWear& wear = result.wear;
   int index = 0;
   for (int d = 0; d < static_cast<int>(wear.donnings.size()); ++d)
@@ -119,7 +121,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   const std::string text = read_text_file((folder / "summary.json").string(), 50000000);
   const Json summary = Json::parse(text, nullptr, false);
   recall(summary, result);
-  recall_wear(folder, summary, result);
+  recall_wear(folder, summary, result, progress);
   return result;
 }
 

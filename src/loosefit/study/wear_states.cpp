@@ -1,13 +1,13 @@
 #include "loosefit/study/wear_states.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/drape/worn_limbs.h"
 #include "loosefit/flesh/soft_body.h"
@@ -30,34 +30,11 @@ void check_worn(const CaseResult& result, CaseState& state) {
         "an arm or the trunk has left the opening it went through, or gone through the cloth";
 }
 
-namespace {
-
-/// Each posture from rest, whatever the person has been asked: neither what else is listed nor
-/// whether the garment was put on before makes a difference, so a run that is read again finds the
-/// same bodies.
-void pose_bodies(const CaseBody& wearer, CaseWear& wear) {
-  const std::size_t postures = wear.postures.size();
-  wear.bodies.resize(postures);
-  wear.wearers.resize(postures);
-  tbb::parallel_for(std::size_t{1}, postures, [&](std::size_t p) {
-    tbb::this_task_arena::isolate([&] {
-      const auto anew = std::make_shared<SoftBody>(wearer.person->anew());
-      wear.bodies[p] = std::make_shared<const Body>(anew->in(named_posture(wear.postures[p])));
-      wear.wearers[p] = anew;
-    });
-  });
-}
-
-}  // namespace
-
-CaseWear plan_wear(const CaseResult& result) {
-  const Scenario& scenario = result.scenario;
+CaseWear plan_wear(const Scenario& scenario) {
   CaseWear wear;
   if (scenario.postures.size() < 2 && scenario.donning.repeats < 2) return wear;
   wear.postures = scenario.postures;
   if (wear.postures.empty()) wear.postures = {"reference"};
-  wear.bodies.push_back(std::make_shared<const Body>(result.body.body));
-  pose_bodies(result.body, wear);
   std::mt19937_64 rng(scenario.donning.seed);
   std::uniform_real_distribution<double> even(-1, 1);
   std::normal_distribution<double> normal;
@@ -69,6 +46,24 @@ CaseWear plan_wear(const CaseResult& result) {
     how.friction = std::exp(scenario.donning.friction_spread * std::clamp(normal(rng), -2.0, 2.0));
   }
   return wear;
+}
+
+void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress) {
+  wear.bodies.resize(wear.postures.size());
+  wear.wearers.resize(wear.postures.size());
+  std::vector<SideJob> jobs;
+  for (std::size_t p = 1; p < wear.postures.size(); ++p)
+    jobs.push_back({wear.postures[p], [&, p](Progress& own) {
+                      own.check_cancelled();
+                      const auto anew = std::make_shared<SoftBody>(body.person->anew());
+                      wear.bodies[p] =
+                          std::make_shared<const Body>(anew->in(named_posture(wear.postures[p])));
+                      wear.wearers[p] = anew;
+                    }});
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  side_by_side(jobs, static_cast<int>(threads), progress);
+  if (!wear.bodies.empty()) wear.bodies[0] = std::make_shared<const Body>(body.body);
 }
 
 std::vector<WornState> worn_states(const CaseResult& result) {

@@ -1,15 +1,21 @@
 #pragma once
 #include <filesystem>
 
+#include "loosefit/base/progress.h"
 #include "loosefit/placement/site_state.h"
 #include "loosefit/study/case_result.h"
 
 namespace loosefit {
 
-/// Postures, their bodies and the drawn donnings of a case; no states yet. Donnings are drawn from
+/// Postures and the drawn donnings of a case; no bodies and no states yet. Donnings are drawn from
 /// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
 /// normally, kept within two deviations.
-CaseWear plan_wear(const CaseResult& result);
+CaseWear plan_wear(const Scenario& scenario);
+
+/// The body of each posture of `wear`, led there from rest, whatever the person has been asked:
+/// neither what else is listed nor whether the garment was put on before makes a difference, so a
+/// run that is read again finds the same bodies. Side by side, a thread each.
+void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress);
 
 /// Marks a settled state as left out when limbs no longer go through the openings that they go
 /// through in result.drape (drape/worn_limbs.h).

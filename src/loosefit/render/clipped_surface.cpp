@@ -1,0 +1,63 @@
+#include "loosefit/render/clipped_surface.h"
+
+#include <algorithm>
+#include <map>
+
+namespace loosefit {
+
+ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep) {
+  ClippedSurface result;
+  TriangleMesh& part = result.mesh;
+  std::vector<int> kept(mesh.vertices.size(), -1);
+  std::map<std::pair<int, int>, int> split;
+  const auto add = [&](const Vec3& p, int origin) {
+    part.vertices.push_back(p);
+    result.origin.push_back(origin);
+    return static_cast<int>(part.vertices.size()) - 1;
+  };
+  const auto old_vertex = [&](int v) {
+    if (kept[v] < 0) kept[v] = add(mesh.vertices[v], v);
+    return kept[v];
+  };
+  const auto new_vertex = [&](int a, int b) {
+    const auto [place, is_new] = split.try_emplace(std::minmax(a, b), -1);
+    if (is_new) {
+      const double share = keep[a] / (keep[a] - keep[b]);
+      place->second = add(mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]),
+                          keep[a] >= 0 ? a : b);
+    }
+    return place->second;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    std::vector<int> corners, cut;
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (keep[a] >= 0) corners.push_back(old_vertex(a));
+      if ((keep[a] >= 0) != (keep[b] >= 0)) {
+        corners.push_back(new_vertex(a, b));
+        cut.push_back(corners.back());
+      }
+    }
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      part.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+    if (cut.size() == 2) result.rim.push_back({part.vertices[cut[0]], part.vertices[cut[1]]});
+  }
+  return result;
+}
+
+void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<Vec3, 2>>& rim,
+                    const Vec3& outwards) {
+  if (rim.empty()) return;
+  Vec3 centre = Vec3::Zero();
+  for (const auto& [a, b] : rim) centre += 0.5 * (a + b);
+  centre /= static_cast<double>(rim.size());
+  for (const auto& [a, b] : rim) {
+    // Own vertices, so that the lid is flat and what it closes keeps its normals.
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {centre, a, b});
+    const bool flip = triangle_normal(centre, a, b).dot(outwards) < 0;
+    mesh.triangles.push_back({first, first + (flip ? 2 : 1), first + (flip ? 1 : 2)});
+  }
+}
+
+}  // namespace loosefit
