@@ -81,8 +81,12 @@ TEST_F(Vtp, EqualInputGivesEqualBytes) {
   EXPECT_NE(a.find("vtkZLibDataCompressor"), std::string::npos);
 }
 
-TEST_F(Vtp, BodyIsWrittenWithSegments) {
-  write_body_vtp(dir_ / "body.vtp", testing::cylinder_body(0.1, 1, 12, 3));
+TEST_F(Vtp, BodyIsWrittenWithSegmentsAndItsSurfaceComesBackToTheLastBit) {
+  const Body body = testing::cylinder_body(0.1, 1, 12, 3);
+  write_body_vtp(dir_ / "body.vtp", body);
+  const TriangleMesh read = read_body_vtp(dir_ / "body.vtp");
+  EXPECT_EQ(read.vertices, body.surface.vertices);
+  EXPECT_EQ(read.triangles, body.surface.triangles);
   EXPECT_NE(bytes(dir_ / "body.vtp").find("Name=\"segment\""), std::string::npos);
 }
 

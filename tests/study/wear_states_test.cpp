@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/posed_body.h"
+#include "loosefit/io/vtp.h"
 #include "loosefit/study/case_files.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
@@ -159,6 +160,18 @@ TEST(WearStates, AStoredRunRanksAlike) {
     for (std::size_t k = 0; k < a.sites[i].samples.size(); ++k)
       EXPECT_DOUBLE_EQ(a.sites[i].samples[k].at("coe_rms_deg"),
                        b.sites[i].samples[k].at("coe_rms_deg"));
+  // Drapes on a body that this version would not make.
+  Body other = *result.wear.bodies[1];
+  for (Vec3& p : other.surface.vertices) p.x() += 0.0002;
+  const auto stored = folder / state_folder(result.wear.states[0]) / "body.vtp";
+  write_body_vtp(stored, other);
+  try {
+    load_case(folder, silent);
+    ADD_FAILURE() << "judged on another body";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find(stored.string()), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("0.2 mm"), std::string::npos) << error.what();
+  }
   std::filesystem::remove_all(folder / "postures");
   const CaseResult poorer = load_case(folder, silent);
   EXPECT_FALSE(poorer.wear.states[0].counts());

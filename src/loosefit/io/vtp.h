@@ -31,6 +31,10 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
 /// Writes the body surface with `Normals`, `segment` (enum order of Segment) and `side` per point.
 void write_body_vtp(const std::filesystem::path& path, const Body& body);
 
+/// The surface in a file of write_body_vtp [m].
+/// \throws IoError if it is missing or empty, InvalidInput if it is no such file or was changed.
+TriangleMesh read_body_vtp(const std::filesystem::path& path);
+
 /// What a drape file holds. `garment` carries topology, pattern coordinates, panels and flat area;
 /// masses and edge chains are not stored, so it serves maps and pictures, not simulation.
 struct DrapeFile {

@@ -1,49 +1,19 @@
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkLogger.h>
-#include <vtkNew.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/vtp.h"
-#include "loosefit/io/vtp_seal.h"
+#include "loosefit/io/vtp_sealed.h"
 
 namespace loosefit {
 namespace {
-
-/// Keeps what VTK would print while it lives, so that the caller gets one error.
-class CapturedErrors : public vtkOutputWindow {
- public:
-  static CapturedErrors* New() { return new CapturedErrors; }
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override {
-    if (first_.empty()) first_ = text;
-  }
-  void DisplayWarningText(const char* text) override { DisplayErrorText(text); }
-  void begin() {
-    SetInstance(this);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  }
-  void end() {
-    SetInstance(nullptr);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
-  }
-  /// First message without VTK's source location.
-  std::string first() const { return first_.substr(0, first_.find('\n')); }
-
- private:
-  std::string first_;
-};
 
 vtkDataArray* need(const std::filesystem::path& path, vtkFieldData* from, const char* name,
                    int components, vtkIdType tuples) {
@@ -95,33 +65,6 @@ std::vector<VtpArray> others(vtkFieldData* from, const std::vector<std::string>&
   return arrays;
 }
 
-void read_surface(const std::filesystem::path& path, vtkPolyData* data, DrapeFile& file) {
-  const vtkIdType points = data->GetNumberOfPoints();
-  file.garment.vertex_count = static_cast<int>(points);
-  for (vtkIdType i = 0; i < points; ++i) {
-    Vec3 p;
-    data->GetPoint(i, p.data());
-    if (!p.allFinite())
-      throw InvalidInput({path.string(), 0, "point " + std::to_string(i)},
-                         "a number that is not finite", "coordinates in metres");
-    file.drape.positions.push_back(p);
-  }
-  vtkCellArray* cells = data->GetPolys();
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-    vtkIdType size = 0;
-    const vtkIdType* corner = nullptr;
-    cells->GetCellAtId(i, size, corner);
-    bool valid = size == 3;
-    for (int k = 0; valid && k < 3; ++k) valid = corner[k] >= 0 && corner[k] < points;
-    if (!valid)
-      throw InvalidInput({path.string(), 0, "cell " + std::to_string(i)},
-                         std::to_string(size) + " corners or an index out of range",
-                         "a triangle of existing points");
-    file.garment.triangles.push_back(
-        {static_cast<int>(corner[0]), static_cast<int>(corner[1]), static_cast<int>(corner[2])});
-  }
-}
-
 }  // namespace
 
 const VtpArray* DrapeFile::find(const std::string& name) const {
@@ -131,34 +74,13 @@ const VtpArray* DrapeFile::find(const std::string& name) const {
 }
 
 DrapeFile read_drape_vtp(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.empty()) throw IoError("cannot read " + path.string());
-  if (!vtp_seal_matches(bytes))
-    throw InvalidInput({path.string(), 0, ""}, "no matching checksum in the last line",
-                       "a drape.vtp as loosefit wrote it",
-                       "a certificate only holds for the positions it was made for");
-
-  vtkNew<CapturedErrors> captured;
-  captured->begin();
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(bytes);
-  std::string error;
-  try {
-    reader->Update();
-  } catch (const std::exception& problem) {  // sizes that no memory can hold
-    error = problem.what();
-  }
-  captured->end();
-  if (error.empty()) error = captured->first();
-  vtkPolyData* data = reader->GetOutput();
-  if (!error.empty() || !data || data->GetNumberOfPoints() == 0)
-    throw InvalidInput({path.string(), 0, ""}, "a file that VTK cannot read",
-                       "a drape.vtp written by loosefit", error);
+  const vtkSmartPointer<vtkPolyData> data = read_sealed_vtp(path, "drape.vtp");
+  TriangleMesh surface = surface_of(path, data);
 
   DrapeFile file;
-  read_surface(path, data, file);
+  file.garment.vertex_count = static_cast<int>(surface.vertices.size());
+  file.garment.triangles = std::move(surface.triangles);
+  file.drape.positions = std::move(surface.vertices);
   const vtkIdType points = data->GetNumberOfPoints();
   const auto cells = static_cast<vtkIdType>(file.garment.triangles.size());
 
@@ -200,6 +122,10 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
       others(data->GetPointData(), {"Normals", "pattern_uv", "panel_id", "body_normal_force_N"});
   file.cell_arrays = others(data->GetCellData(), {"panel_id", "corner_uv"});
   return file;
+}
+
+TriangleMesh read_body_vtp(const std::filesystem::path& path) {
+  return surface_of(path, read_sealed_vtp(path, "body.vtp"));
 }
 
 }  // namespace loosefit

@@ -1,5 +1,10 @@
 #include "loosefit/study/load_case.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
@@ -13,6 +18,8 @@ namespace loosefit {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double kSameSkin = 1e-5;  ///< round-off of another processor, less than a map shows [m]
 
 /// Number at a place of summary.json; 0 where there is none.
 template <class Number>
@@ -68,6 +75,25 @@ Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
   return std::move(file.drape);
 }
 
+/// A drape lies on the body that it was made with: its certificate and every distance hold for that
+/// one alone.
+void check_body(const std::filesystem::path& path, const Body& body) {
+  const TriangleMesh drawn = read_body_vtp(path);
+  double farthest = 0;
+  if (drawn.triangles == body.surface.triangles)
+    for (std::size_t i = 0; i < drawn.vertices.size(); ++i)
+      farthest = std::max(farthest, (drawn.vertices[i] - body.surface.vertices[i]).norm());
+  else
+    farthest = std::numeric_limits<double>::infinity();
+  if (farthest <= kSameSkin) return;
+  throw InvalidInput({path.string(), 0, ""},
+                     std::isfinite(farthest)
+                         ? fmt::format("a body whose skin lies up to {:.2g} mm off", 1e3 * farthest)
+                         : "another body",
+                     "the body that scenario.toml of the run makes with this version",
+                     "make the drape again: loosefit run scenario.toml -o DIR");
+}
+
 /// Postures and donnings; none were made when the first drape is not settled.
 void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseResult& result,
                  Progress& progress) {
@@ -84,6 +110,7 @@ void recall_wear(const std::filesystem::path& folder, const Json& summary, CaseR
       const std::filesystem::path file = folder / state_folder(state) / "drape.vtp";
       std::error_code error;
       if (std::filesystem::exists(file, error)) {
+        if (d == 0) check_body(file.parent_path() / "body.vtp", *wear.bodies[p]);
         state.drape = read_drape(file, result.mesh());
         for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
           state.under.push_back(read_drape(file.parent_path() / under_folder(l) / "drape.vtp",
@@ -113,6 +140,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
                       result.scenario.material.material, all_attachments(result.scenario));
   mesh_under(result, result.scenario.simulation.edge_length);
   clock.stop();
+  check_body(folder / "body.vtp", result.body.body);
   result.drape = read_drape(folder / "drape.vtp", result.mesh());
   for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
     result.under[l].drape =
