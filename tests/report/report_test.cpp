@@ -116,6 +116,16 @@ TEST_F(Report, ShowsWhereTheFoldsRun) {
   EXPECT_NE(html.find("lower back</th><td>8.0</td><td>–</td><td>0.05</td>"), std::string::npos);
 }
 
+TEST_F(Report, ShowsTheSpreadOverRepeats) {
+  EXPECT_EQ(repeat_section(result_), "");
+  result_.repeats["maps.distance_mm.area_mean"] = {9.81, 0.44, 3};
+  result_.repeats["maps.strain_vertical.area_mean"] = {0.0123, 0.0021, 3};
+  result_.repeats["sites.<left> scapula.distance_mm"] = {10.31, 0.62, 3};
+  const std::string html = report_html(result_, {}, nullptr);
+  for (const char* text : {"9.8 ± 0.4", "1.23 ± 0.21", "10.3 ± 0.6", "of 3 drapes"})
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+}
+
 TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
   result_.drape.certificate.residual = 0.2;
   result_.maps = {};

@@ -28,6 +28,8 @@ std::string pressure_section(const CaseResult& result);
 std::string wrinkle_section(const CaseResult& result);
 /// The quantities of the maps at every site.
 std::string site_section(const CaseResult& result);
+/// How maps and sites vary over drapes from other starts; empty without repeats.
+std::string repeat_section(const CaseResult& result);
 /// What is worn over each other, the innermost first; empty for one garment.
 std::string layer_section(const CaseResult& result);
 /// One row per posture and donning: whether it settled, how the garment slipped, what it took.

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/map_texts.h"
 #include "loosefit/report/sections.h"
 
 namespace loosefit {
@@ -21,32 +22,6 @@ std::string title_of(const CaseResult& result, const std::string& map) {
     if (entry.map.map == map) return entry.map.title;
   if (map == "layers") return "What is worn under it";
   return map == "drape" ? "The garment as it hangs" : map;
-}
-
-bool is_strain(const PerformanceMap& map) { return map.array.rfind("strain", 0) == 0; }
-
-/// People read strains in per cent.
-std::string with_unit(const PerformanceMap& map) {
-  const std::string unit = is_strain(map) ? "%" : map.unit;
-  return unit.empty() || unit == "–" ? map.title : map.title + " [" + unit + "]";
-}
-
-/// Written and summed up, but not shown per region and site.
-bool is_companion(const PerformanceMap& map) {
-  for (const char* array : {"strain_max", "strain_min", "slack", "distance_particle_mm",
-                            "pressure_membrane_kPa", "pressure_difference_kPa", "contact"})
-    if (map.array == array) return true;
-  return false;
-}
-
-std::string value_text(const PerformanceMap& map, double value) {
-  if (map.unit == "kPa") return fixed(value, 3);
-  return is_strain(map) ? fixed(100 * value, 2) : fixed(value, 1);
-}
-
-std::string spaced(std::string text) {
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
 }
 
 }  // namespace

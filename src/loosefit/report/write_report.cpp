@@ -17,8 +17,8 @@ std::string report_html(const CaseResult& result, const std::vector<Picture>& pi
          certificate_section(result) + unsettled_section(result) + layer_section(result) +
          ranking_section(ranking) + wear_section(result) + picture_section(result, pictures) +
          map_section(result) + wrinkle_section(result) + pressure_section(result) +
-         site_section(result) + fit_section(result) + definition_section(result) +
-         provenance_section(result) +
+         site_section(result) + repeat_section(result) + fit_section(result) +
+         definition_section(result) + provenance_section(result) +
          element("p", "Made by Loosefit " + escaped(version()) + ".", "lead") +
          "</body>\n</html>\n";
 }

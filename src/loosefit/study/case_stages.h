@@ -36,9 +36,10 @@ void add_sites(CaseResult& result);
 /// they are sewn, also those that were found by a landmark.
 std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites);
 
-/// Drapes again from other starts, as often as the scenario's `repeats` asks beyond the first, and
-/// gathers the spread of every area mean and every site value in result.repeats. A repeat that does
-/// not settle is left out of the spread and named in the warnings.
+/// Stage "repeats": drapes again from other starts, side by side, as often as the scenario's
+/// `repeats` asks beyond the first, and gathers the spread of every area mean and every site value
+/// in result.repeats. A repeat that does not settle is left out of the spread and named in the
+/// warnings.
 void repeat_drapes(CaseResult& result, Progress& progress);
 
 /// Everything the user should know, in stage order.

@@ -1,37 +1,23 @@
 #include "loosefit/study/drape_states.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "loosefit/base/progress_part.h"
-#include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/drapes_at_once.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Of the memory that there is, that states side by side may take.
-constexpr double kMemoryShare = 0.5;
-
-/// How many states to drape at a time, before any is: none takes more memory than the process has
-/// taken for the first drape.
-int states_at_once() {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const double peak = peak_memory_mb(), all = usable_memory_mb();
-  const double room = peak > 0 && all > 0 ? kMemoryShare * all / peak : 1;
-  return std::max(1, static_cast<int>(std::min(room, static_cast<double>(threads))));
-}
 
 /// One state that is to be draped.
 struct Task {
@@ -166,7 +152,7 @@ void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, Progr
   if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
   if (result.wear.postures.size() > 1) progress.stage("body");
   pose_wearers(result.body, result.wear, progress);
-  const int at_once = states_at_once();
+  const int at_once = drapes_at_once();
   if (result.wear.postures.size() > 1) {
     progress.stage("postures");
     drape_postures(result, std::move(first), at_once, progress);

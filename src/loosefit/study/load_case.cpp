@@ -52,10 +52,14 @@ void recall_parts(const Json& summary, SettleReport& report) {
 
 /// What was counted and timed when the drape was made.
 void recall(const Json& summary, CaseResult& result) {
-  for (const char* stage : {"dress", "settle", "postures", "donnings"})
+  for (const char* stage : {"dress", "settle", "postures", "donnings", "repeats"})
     if (const std::string place = std::string("/seconds/") + stage;
         summary.contains(Json::json_pointer(place)))
       result.seconds.push_back({stage, at<double>(summary, place)});
+  if (summary.contains("repeats") && summary["repeats"].is_object())
+    for (const auto& [key, spread] : summary["repeats"].items())
+      result.repeats[key] = {at<double>(spread, "/mean"), at<double>(spread, "/deviation"),
+                             at<int>(spread, "/count")};
   SettleReport& report = result.drape.report;
   recall_parts(summary, report);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");

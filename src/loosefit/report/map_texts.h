@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "loosefit/maps/performance_map.h"
+
+// How the report writes what maps hold.
+namespace loosefit {
+
+/// "Body-garment distance [mm]". Strains are given in per cent, as people read them.
+std::string with_unit(const PerformanceMap& map);
+
+/// A value of the map in that unit.
+std::string value_text(const PerformanceMap& map, double value);
+
+/// Written and summed up, but not shown per region and site.
+bool is_companion(const PerformanceMap& map);
+
+/// Underscores of a name as spaces.
+std::string spaced(std::string text);
+
+}  // namespace loosefit

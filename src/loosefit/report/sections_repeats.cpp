@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include "loosefit/report/html.h"
+#include "loosefit/report/map_texts.h"
+#include "loosefit/report/sections.h"
+
+namespace loosefit {
+namespace {
+
+/// "10.3 ± 0.4", or a dash where no drape has a value.
+std::string spread_text(const CaseResult& result, const PerformanceMap& map,
+                        const std::string& key) {
+  const auto found = result.repeats.find(key);
+  if (found == result.repeats.end()) return "–";
+  return value_text(map, found->second.mean) + " ± " + value_text(map, found->second.deviation);
+}
+
+}  // namespace
+
+std::string repeat_section(const CaseResult& result) {
+  if (result.repeats.empty()) return {};
+  int drapes = 0;
+  for (const auto& [key, spread] : result.repeats) drapes = std::max(drapes, spread.count);
+  std::vector<std::string> head = {"where"}, whole = {"whole garment, area mean"};
+  std::vector<const PerformanceMap*> shown;
+  for (const CaseMap& entry : result.maps.maps) {
+    if (is_companion(entry.map)) continue;
+    shown.push_back(&entry.map);
+    head.push_back(with_unit(entry.map));
+    whole.push_back(spread_text(result, entry.map, "maps." + entry.map.array + ".area_mean"));
+  }
+  Table table(head);
+  table.add(whole);
+  for (const Site& site : result.sites) {
+    std::vector<std::string> row = {spaced(site.name)};
+    for (const PerformanceMap* map : shown)
+      row.push_back(spread_text(result, *map, "sites." + site.name + "." + map->array));
+    table.add(row);
+  }
+  return element("h2", "Spread over drapes from other starts") + table.html() +
+         element("p", "Mean ± sample standard deviation of " + std::to_string(drapes) +
+                          " drapes of the same garment on the same body. Folds are not unique: a "
+                          "difference smaller than this may be chance.");
+}
+
+}  // namespace loosefit
