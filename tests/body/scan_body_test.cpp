@@ -79,14 +79,18 @@ TEST(ScanBody, FindsWhatTheParametricBodyKnows) {
          {"c7", "acromion_L", "hps_R", "upper_back", "mid_back", "scapula_L", "sternum"}) {
       EXPECT_LT((found.landmarks.at(mark) - known.landmarks.at(mark) - move).norm(), 0.045) << mark;
     }
-    std::size_t same = 0, arm = 0, arm_same = 0;
+    std::size_t same = 0, arm = 0, arm_same = 0, hand_in_trunk = 0;
     for (std::size_t v = 0; v < known.segment.size(); ++v) {
       same += known.segment[v] == found.segment[v];
+      // One tip of a thumb there and the trunk would be as wide as the hands are apart.
+      hand_in_trunk += known.segment[v] == Segment::hand && found.segment[v] != Segment::hand &&
+                       found.segment[v] != Segment::forearm;
       if (known.segment[v] == Segment::upper_arm || known.segment[v] == Segment::forearm) {
         ++arm;
         arm_same += known.segment[v] == found.segment[v] && known.side[v] == found.side[v];
       }
     }
+    EXPECT_EQ(hand_in_trunk, 0u);
     EXPECT_GT(double(same), 0.92 * double(known.segment.size()));
     EXPECT_GT(double(arm_same), 0.72 * double(arm));  // elbow and wrist to a few centimetres
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/surface_topology.h"
 #include "loosefit/body/tape_paths.h"
 
 namespace loosefit {
@@ -46,6 +47,29 @@ bool belongs_to_arm(const ScanSections& s, const ArmLine& arm, std::size_t side,
   const BodySlice& slice = slice_near(s, p.z());
   if (!slice.arm[side]) return false;
   return x > slice.arm_inner[side] - 0.25 * 0.02;
+}
+
+/// Per vertex +1 for the left arm, −1 for the right one, 0 for the rest of the body.
+std::vector<int> arm_sides(const ScanSections& s, const std::array<ArmLine, 2>& arms,
+                           const TriangleMesh& mesh) {
+  std::vector<int> sides(mesh.vertices.size(), 0);
+  for (std::size_t v = 0; v < sides.size(); ++v)
+    for (const std::size_t which : {std::size_t(0), std::size_t(1)})
+      if (belongs_to_arm(s, arms[which], which, mesh.vertices[v])) sides[v] = which == 0 ? 1 : -1;
+  // Tips of thumbs and fingers lie between slices: the rest of the body is one piece, and what is
+  // cut off from it by an arm belongs to that arm.
+  TriangleMesh rest = mesh;
+  std::erase_if(rest.triangles, [&](const Triangle& t) {
+    return sides[t[0]] != 0 || sides[t[1]] != 0 || sides[t[2]] != 0;
+  });
+  const std::vector<Piece> pieces = connected_pieces(rest);
+  if (pieces.empty()) return sides;
+  std::vector<char> in_trunk(sides.size(), 0);
+  for (const int t : pieces.front().triangles)
+    for (const int v : rest.triangles[t]) in_trunk[v] = 1;
+  for (std::size_t v = 0; v < sides.size(); ++v)
+    if (sides[v] == 0 && !in_trunk[v]) sides[v] = mesh.vertices[v].x() > 0 ? 1 : -1;
+  return sides;
 }
 
 Segment arm_segment(const ArmLine& arm, const Vec3& p) {
@@ -135,26 +159,23 @@ Vec3 leg_at(const ScanSections& s, std::size_t side, double z) {
 
 void label_segments(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body& body) {
   const double neck_base = s.armpit + 0.5 * (s.neck - s.armpit) + 0.02 * s.height;
-  for (const Vec3& p : body.surface.vertices) {
+  body.side = arm_sides(s, arms, body.surface);
+  for (std::size_t v = 0; v < body.surface.vertices.size(); ++v) {
+    const Vec3& p = body.surface.vertices[v];
     Segment segment = Segment::torso;
-    int side = 0;
-    for (const std::size_t which : {std::size_t(0), std::size_t(1)}) {
-      if (!belongs_to_arm(s, arms[which], which, p)) continue;
-      segment = arm_segment(arms[which], p);
-      side = which == 0 ? 1 : -1;
-    }
-    if (side == 0 && p.z() < s.crotch) {
+    if (body.side[v] != 0) {
+      segment = arm_segment(arms[body.side[v] > 0 ? 0 : 1], p);
+    } else if (p.z() < s.crotch) {
       segment = p.z() > 0.285 * s.height   ? Segment::thigh
                 : p.z() > 0.039 * s.height ? Segment::shank
                                            : Segment::foot;
-      side = p.x() > 0 ? 1 : -1;
-    } else if (side == 0 && p.z() > s.neck + 0.02 * s.height) {
+      body.side[v] = p.x() > 0 ? 1 : -1;
+    } else if (p.z() > s.neck + 0.02 * s.height) {
       segment = Segment::head;
-    } else if (side == 0 && p.z() > neck_base && std::abs(p.x()) < 0.045 * s.height) {
+    } else if (p.z() > neck_base && std::abs(p.x()) < 0.045 * s.height) {
       segment = Segment::neck;
     }
     body.segment.push_back(segment);
-    body.side.push_back(side);
   }
 }
 
