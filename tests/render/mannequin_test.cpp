@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
+#include "loosefit/body/named_postures.h"
+#include "loosefit/body/surface_topology.h"
+#include "support/body_fixture.h"
 #include "support/tube_garment.h"
 
 namespace loosefit {
@@ -118,6 +124,55 @@ TEST_F(Mannequin, TheStubOfALiftedThighIsClosedByALid) {
     EXPECT_NEAR(a.y(), -0.10, 1e-9);
   }
   EXPECT_NEAR(lid, 4 * std::sin(kPi / 4) * 0.05 * 0.05, 1e-9);
+}
+
+/// A tube round the trunk from 5 cm below the hips upwards.
+std::vector<Vec3> tube_round(const Garment& tube, const Vec3& hips, const Vec3& axis) {
+  const Vec3 across = axis.cross(Vec3::UnitX()).normalized(), right = across.cross(axis);
+  return testing::settled_drape(tube,
+                                [&](const Vec2& uv) {
+                                  const double a = 2 * kPi * uv.x() / 0.8;
+                                  return Vec3(hips + (uv.y() - 0.05) * axis +
+                                              0.25 * (std::cos(a) * right + std::sin(a) * across));
+                                })
+      .positions;
+}
+
+TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
+  const BodyFit fit = body_model().fit({});
+  const Garment tube = testing::tube_garment(0.8, 0.5, 60, 30);
+  for (const char* posture :
+       {"standing", "forward-bend-45", "slouch", "arms-overhead", "sitting"}) {
+    const Body body = body_model().build(fit.parameters, named_posture(posture));
+    const Vec3 hips = 0.5 * (body.joints.at("hip_L") + body.joints.at("hip_R"));
+    const Vec3 axis = (body.joints.at("neck") - hips).normalized();
+    const std::vector<Vec3> positions = tube_round(tube, hips, axis);
+    TriangleMesh form = mannequin(body, tube, positions);
+    weld(form, 1e-9);
+    std::map<std::pair<int, int>, int> faces;
+    for (const Triangle& t : form.triangles)
+      for (int k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
+    const bool sits = std::string(posture) == "sitting";
+    const double hem = (hips - 0.05 * axis).dot(axis) + (sits ? 0 : 0.03);
+    int open = 0;
+    for (const auto& [edge, count] : faces) {
+      if (count != 1) continue;
+      ++open;
+      EXPECT_NEAR(form.vertices[edge.first].dot(axis), hem, 1e-6) << posture;
+    }
+    EXPECT_GT(open, 20) << posture;
+    std::size_t hands = 0;
+    for (std::size_t v = 0; v < body.segment.size(); ++v) hands += body.segment[v] == Segment::hand;
+    EXPECT_GT(form.vertices.size(), hands) << posture;
+    std::set<std::array<double, 3>> head;
+    for (std::size_t v = 0; v < body.segment.size(); ++v)
+      if (const Vec3& p = body.surface.vertices[v]; body.segment[v] == Segment::head)
+        head.insert({p.x(), p.y(), p.z()});
+    int left = 0;
+    for (const Vec3& p : mannequin(body, tube, positions).vertices)
+      left += static_cast<int>(head.count({p.x(), p.y(), p.z()}));
+    EXPECT_LT(left, 0.001 * static_cast<double>(head.size())) << posture;
+  }
 }
 
 }  // namespace

@@ -40,20 +40,20 @@ ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep
     }
     for (std::size_t k = 2; k < corners.size(); ++k)
       part.triangles.push_back({corners[0], corners[k - 1], corners[k]});
-    if (cut.size() == 2) result.rim.push_back({part.vertices[cut[0]], part.vertices[cut[1]]});
+    if (cut.size() == 2) result.rim.push_back({cut[0], cut[1]});
   }
   return result;
 }
 
-void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<Vec3, 2>>& rim,
+void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<int, 2>>& rim,
                     const Vec3& outwards) {
   if (rim.empty()) return;
   Vec3 centre = Vec3::Zero();
-  for (const auto& [a, b] : rim) centre += 0.5 * (a + b);
+  for (const auto& [i, j] : rim) centre += 0.5 * (mesh.vertices[i] + mesh.vertices[j]);
   centre /= static_cast<double>(rim.size());
-  for (const auto& [a, b] : rim) {
-    // Own vertices, so that the lid is flat and what it closes keeps its normals.
+  for (const auto& [i, j] : rim) {
     const int first = static_cast<int>(mesh.vertices.size());
+    const Vec3 a = mesh.vertices[i], b = mesh.vertices[j];
     mesh.vertices.insert(mesh.vertices.end(), {centre, a, b});
     const bool flip = triangle_normal(centre, a, b).dot(outwards) < 0;
     mesh.triangles.push_back({first, first + (flip ? 2 : 1), first + (flip ? 1 : 2)});

@@ -14,7 +14,7 @@ constexpr double kNeckShare =
     0.4;  // of the way from the neck joint to the head joint: below the jaw
 constexpr double kInsideCloth = 0.03;  // the form ends this far above the hem [m]
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
-constexpr double kHanging = 0.8;       // cosine between a thigh and the trunk, below which it is
+constexpr double kHanging = 0.8;       // cosine between a thigh that hangs and the vertical
 
 std::optional<Vec3> joint(const Body& body, const char* name) {
   const auto found = body.joints.find(name);
@@ -40,59 +40,95 @@ bool on_trunk(const Body& body, const Vec3& p) {
   return segment == Segment::torso || below_waist(segment);
 }
 
-/// Height along the trunk axis at which the form ends: a little above the mean of the hem.
+/// Height along the trunk axis at which the form ends: a little above the mean of the hem, or at
+/// its lowest point.
 double hem_height(const Body& body, const Garment& garment, const std::vector<Vec3>& positions,
-                  const Vec3& axis, const Vec3& hips, const Vec3& neck) {
+                  const Vec3& axis, const Vec3& hips, const Vec3& neck, bool at_lowest) {
   const double middle = 0.5 * (hips + neck).dot(axis);
-  double sum = 0;
+  double sum = 0, lowest = std::numeric_limits<double>::infinity();
   int count = 0;
   for (const auto& edge : garment_lines(garment).boundary)
     if (const Vec3& p = positions[edge[0]]; p.dot(axis) < middle && on_trunk(body, p)) {
       sum += p.dot(axis);
+      lowest = std::min(lowest, p.dot(axis));
       ++count;
     }
-  return (count > 0 ? sum / count : hips.dot(axis)) + kInsideCloth;
+  if (count == 0) return hips.dot(axis) + kInsideCloth;
+  return at_lowest ? lowest : sum / count + kInsideCloth;
 }
 
-/// A thigh that is lifted against the trunk, as that of a sitter.
+/// A thigh that is lifted, as that of a sitter.
 struct LiftedThigh {
   int side = 0;  ///< as in Body::side
   Vec3 hip, along;
-  double beyond_stub(const Vec3& p) const { return (p - hip).dot(along) - kThighStub; }
+  bool has(const Body& body, int v) const {
+    return below_waist(body.segment[v]) && (body.side[v] >= 0) == (side > 0);
+  }
+  /// How far from the end of the stub towards the hip.
+  double within_stub(const Vec3& p) const { return kThighStub - (p - hip).dot(along); }
 };
 
-std::vector<LiftedThigh> lifted_thighs(const Body& body, const Vec3& axis) {
+std::vector<LiftedThigh> lifted_thighs(const Body& body) {
   std::vector<LiftedThigh> lifted;
   for (const auto& [side, suffix] : {std::pair{1, "_L"}, {-1, "_R"}}) {
     const auto hip = joint(body, (std::string("hip") + suffix).c_str());
     const auto knee = joint(body, (std::string("knee") + suffix).c_str());
     if (!hip || !knee) continue;
     const Vec3 along = (*knee - *hip).normalized();
-    if (along.dot(-axis) < kHanging) lifted.push_back({side, *hip, along});
+    if (-along.z() < kHanging) lifted.push_back({side, *hip, along});
   }
   return lifted;
 }
 
-/// A body that is cut piece by piece; lids come last.
+/// Where the neck ends.
+struct NeckCut {
+  Vec3 centre, normal;
+  double reach;  ///< beyond which it cuts nothing: a scan's raised arms may have no name
+  double below(const Vec3& p) const {
+    const Vec3 from = p - centre;
+    const double along = from.dot(normal);
+    return (from - along * normal).norm() > reach ? 1.0 : -along;
+  }
+};
+
+/// Across the trunk's axis, for it is then seen edge-on from the front, tilted towards the neck's
+/// only as far as it takes to leave no jaw: heads lean forward.
+NeckCut neck_cut(const Body& body, const Vec3& neck, const Vec3& head, const Vec3& axis) {
+  const double length = (head - neck).norm();
+  NeckCut cut{neck + kNeckShare * (head - neck), axis, 0.6 * length + 0.15};
+  const Vec3 along = (head - neck) / length;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    cut.normal = (axis + share * (along - axis)).normalized();
+    bool jaw = false;
+    for (std::size_t v = 0; v < body.surface.vertices.size() && !jaw; ++v)
+      jaw = body.segment[v] == Segment::head && cut.below(body.surface.vertices[v]) > 0;
+    if (!jaw) break;
+  }
+  return cut;
+}
+
+/// A body that is cut piece by piece.
 class Form {
  public:
   explicit Form(const Body& body) : mesh_(body.surface), origin_(body.surface.vertices.size()) {
     std::iota(origin_.begin(), origin_.end(), 0);
   }
-  using Rim = std::vector<std::array<Vec3, 2>>;
 
-  /// Leaves where keep(vertex of the body, place) ≥ 0.
+  /// Leaves where keep(vertex of the body, place) ≥ 0; puts a lid on the cut if it has a direction.
   template <class Keep>
-  Rim cut(const Keep& keep) {
+  void cut(const Keep& keep, const std::optional<Vec3>& lid = {}) {
     std::vector<double> at(origin_.size());
     for (std::size_t i = 0; i < at.size(); ++i) at[i] = keep(origin_[i], mesh_.vertices[i]);
     ClippedSurface part = clipped(mesh_, at);
     for (int& v : part.origin) v = origin_[v];
     mesh_ = std::move(part.mesh);
     origin_ = std::move(part.origin);
-    return std::move(part.rim);
+    if (!lid || part.rim.empty()) return;
+    const int beside = origin_[part.rim.front()[0]];
+    close_with_fan(mesh_, part.rim, *lid);
+    origin_.resize(mesh_.vertices.size(), beside);
   }
-  TriangleMesh& mesh() { return mesh_; }
+  TriangleMesh take() { return std::move(mesh_); }
 
  private:
   TriangleMesh mesh_;
@@ -112,41 +148,29 @@ TriangleMesh mannequin(const Body& body, const Garment& garment,
                                           : Vec3(0, 0, floor + 0.5 * (top - floor));
   const Vec3 nape = neck.value_or(Vec3(0, 0, floor + 0.85 * (top - floor)));
   const Vec3 axis = (nape - hips).normalized();
-  const double hem = hem_height(body, garment, positions, axis, hips, nape);
-  const std::vector<LiftedThigh> lifted = lifted_thighs(body, axis);
+  const std::vector<LiftedThigh> lifted = lifted_thighs(body);
 
   Form form(body);
-  const auto is_of = [&](const LiftedThigh& thigh, int v) {
-    return below_waist(body.segment[v]) && (body.side[v] >= 0) == (thigh.side > 0);
-  };
+  for (const LiftedThigh& thigh : lifted)
+    form.cut(
+        [&](int v, const Vec3& p) {
+          const double keep = thigh.within_stub(p);
+          // The trunk beside it is left whole.
+          return thigh.has(body, v) ? keep : std::max(keep, 1e-6);
+        },
+        thigh.along);
+  // Those stubs end where the cloth does, for a cut inside it would leave half of them.
+  const double hem = hem_height(body, garment, positions, axis, hips, nape, !lifted.empty());
   form.cut([&](int v, const Vec3& p) {
-    if (body.segment[v] != Segment::torso && !below_waist(body.segment[v])) return 1.0;
-    for (const LiftedThigh& thigh : lifted)
-      if (is_of(thigh, v)) return 1.0;
-    return p.dot(axis) - hem;
+    const Segment segment = body.segment[v];
+    return segment == Segment::torso || below_waist(segment) ? p.dot(axis) - hem : 1.0;
   });
-  std::vector<std::pair<Form::Rim, Vec3>> lids;
-  for (const LiftedThigh& thigh : lifted) {
-    // The trunk beside it is not cut, so near the groin the edges between the two are.
-    Form::Rim rim = form.cut([&](int v, const Vec3& p) {
-      const double keep = -thigh.beyond_stub(p);
-      return is_of(thigh, v) ? keep : std::max(keep, 1e-6);
-    });
-    lids.emplace_back(std::move(rim), thigh.along);
+  if (neck && head && *neck != *head) {
+    const NeckCut end = neck_cut(body, *neck, *head, axis);
+    form.cut([&](int v, const Vec3& p) { return on_arm(body.segment[v]) ? 1.0 : end.below(p); },
+             end.normal);
   }
-  if (neck && head) {
-    // Across the trunk's axis, not the neck's, which leans forward: seen edge-on from the front.
-    const double height = (*neck + kNeckShare * (*head - *neck)).dot(axis);
-    const double reach = 0.6 * (*head - *neck).norm() + 0.15;  // a scan's arms may have no name
-    Form::Rim rim = form.cut([&](int v, const Vec3& p) {
-      const Vec3 from = p - *neck;
-      const bool far = (from - from.dot(axis) * axis).norm() > reach;
-      return far || on_arm(body.segment[v]) ? 1.0 : height - p.dot(axis);
-    });
-    lids.emplace_back(std::move(rim), axis);
-  }
-  for (const auto& [rim, outwards] : lids) close_with_fan(form.mesh(), rim, outwards);
-  return std::move(form.mesh());
+  return form.take();
 }
 
 }  // namespace loosefit

@@ -8,8 +8,9 @@ namespace loosefit {
 
 /// The part of the body that pictures show: a dress form. The head is cut off above the neck, and
 /// below the garment's hem the body ends inside the cloth, for faces and anatomy are not the
-/// subject and nobody is shown undressed. Arms and hands stay, of lifted thighs a stub. A body
-/// without joints (a scan that gives none) is cut at the hem only.
+/// subject and nobody is shown undressed. Arms and hands stay; a lifted thigh ends in a stub with a
+/// lid, and the form then at the lowest point of the hem. A body without joints is cut at the hem
+/// only.
 TriangleMesh mannequin(const Body& body, const Garment& garment,
                        const std::vector<Vec3>& positions);
 
