@@ -35,6 +35,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   add_maps(result, arguments.allow_unsettled);
   clock.stage("placement");
   add_sites(result);
+  keep_known_repeats(result);
   clock.stop();
   result.seconds.insert(result.seconds.end(), clock.entries().begin(), clock.entries().end());
   result.warnings = collected_warnings(result);

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <filesystem>
 
+#include "loosefit/base/error.h"
+#include "loosefit/io/text_file.h"
 #include "loosefit/study/case_files.h"
+#include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
 #include "loosefit/study/run_case.h"
 
@@ -10,39 +14,104 @@ namespace loosefit {
 namespace {
 
 /// Three drapes of a shirt on a mesh that settles in seconds.
-CaseResult repeated_on(int threads) {
-  const std::string text =
-      "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
-      "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
-      "[simulation]\nedge_length = 0.04\nrepeats = 3\nthreads = " +
-      std::to_string(threads) + "\n";
+CaseResult repeated(const std::string& simulation, const std::string& more = "") {
+  const std::string text = more +
+                           "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
+                           "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
+                           "[simulation]\nedge_length = 0.04\nrepeats = 3\n" +
+                           simulation;
   Progress silent;
   return run_case(parse_scenario(text, "case.toml"), silent);
 }
 
-TEST(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
-  const CaseResult alone = repeated_on(1), beside = repeated_on(2);
+class RepeatDrapes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void store(const CaseResult& result) const {
+    write_case_files(folder_, result);
+    write_summary_file(folder_, result);
+  }
+  /// As `loosefit map` does.
+  CaseResult read_again() const {
+    Progress silent;
+    CaseResult again = load_case(folder_, silent);
+    add_maps(again, false);
+    add_sites(again);
+    keep_known_repeats(again);
+    again.warnings = collected_warnings(again);
+    return again;
+  }
+  void replace_in(const char* file, const std::string& from, const std::string& to) const {
+    std::string text = read_text_file((folder_ / file).string(), 50000000);
+    ASSERT_NE(text.find(from), std::string::npos) << text;
+    text.replace(text.find(from), from.size(), to);
+    write_text_file((folder_ / file).string(), text);
+  }
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("repeats-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
+  const CaseResult alone = repeated("threads = 1\n");
+  CaseResult beside;
+  tbb::task_arena(2).execute([&] { beside = repeated("threads = 2\n"); });
   for (const char* key : {"maps.distance_mm.area_mean", "sites.mid.distance_mm"}) {
     ASSERT_TRUE(alone.repeats.contains(key)) << key;
-    const Spread &a = alone.repeats.at(key), &b = beside.repeats.at(key);
-    EXPECT_EQ(a.count, 3);
-    EXPECT_GT(a.deviation, 0) << key;
-    EXPECT_EQ(a.mean, b.mean) << key;
-    EXPECT_EQ(a.deviation, b.deviation) << key;
+    EXPECT_EQ(alone.repeats.at(key).count, 3);
+    EXPECT_GT(alone.repeats.at(key).deviation, 0) << key;
+    EXPECT_EQ(alone.repeats.at(key).mean, beside.repeats.at(key).mean) << key;
+    EXPECT_EQ(alone.repeats.at(key).deviation, beside.repeats.at(key).deviation) << key;
   }
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "repeated-drapes";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  write_case_files(folder, beside);
-  write_summary_file(folder, beside);
-  Progress silent;
-  const CaseResult again = load_case(folder, silent);
+  store(beside);
+  const CaseResult again = read_again();
   ASSERT_EQ(again.repeats.size(), beside.repeats.size());
   for (const auto& [key, spread] : beside.repeats) {
     EXPECT_EQ(again.repeats.at(key).count, spread.count) << key;
+    EXPECT_EQ(again.repeats.at(key).mean, spread.mean) << key;
     EXPECT_EQ(again.repeats.at(key).deviation, spread.deviation) << key;
   }
-  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(again.warnings.empty());
+  // Damage is refused before anything is overwritten.
+  replace_in("summary.json", "\"repeats\": {", "\"repeats\": {\"maps.odd\": null, ");
+  EXPECT_THROW(read_again(), InvalidInput);
+  write_text_file((folder_ / "summary.json").string(), "{");
+  EXPECT_THROW(read_again(), InvalidInput);
+}
+
+TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
+  const CaseResult result =
+      repeated("", "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n");
+  EXPECT_FALSE(result.repeats.contains("maps.slip_mm.area_mean")) << "of one drape alone";
+  ASSERT_TRUE(result.repeats.contains("maps.distance_mm.area_mean"));
+  for (const auto& [key, spread] : result.repeats) EXPECT_EQ(spread.count, 3) << key;
+}
+
+TEST_F(RepeatDrapes, SpreadsOfAScenarioThatHasChangedAreLeftOutWithAWarning) {
+  store(repeated(""));
+  replace_in("scenario.toml", "mid_back", "lower_back");
+  const CaseResult again = read_again();
+  EXPECT_TRUE(again.repeats.empty());
+  EXPECT_EQ(again.warnings.size(), 2u);
+}
+
+TEST_F(RepeatDrapes, DrapesThatDidNotSettleAreNamedAlsoWhenTheRunIsReadAgain) {
+  CaseResult result = repeated("");
+  result.scenario.simulation.time_budget = 0.1;
+  result.repeats.clear();
+  Progress silent;
+  repeat_drapes(result, 2, silent);
+  EXPECT_TRUE(result.repeats.empty()) << "one drape has no spread";
+  ASSERT_EQ(result.repeat_warnings.size(), 2u);
+  EXPECT_NE(result.repeat_warnings[1].find("repeat 3 did not settle"), std::string::npos);
+  store(result);
+  const CaseResult again = read_again();
+  EXPECT_EQ(again.repeat_warnings, result.repeat_warnings);
+  EXPECT_EQ(again.warnings.size(), 3u);
 }
 
 }  // namespace

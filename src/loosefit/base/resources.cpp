@@ -1,6 +1,7 @@
 #include "loosefit/base/resources.h"
 
 #include <sys/resource.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,6 +25,11 @@ double usable_memory_mb() {
     if (std::ifstream(file) >> limit && limit > 0) bytes = std::min(bytes, limit);
   }
   return bytes / 1e6;
+}
+
+int usable_threads() {
+  return static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
 }  // namespace loosefit

@@ -8,4 +8,7 @@ double peak_memory_mb();
 /// less [MB = 10⁶ bytes]; 0 where it cannot be asked.
 double usable_memory_mb();
 
+/// Threads that may work at the same time here.
+int usable_threads();
+
 }  // namespace loosefit

@@ -70,24 +70,28 @@ const SoftBody::Known& SoftBody::nearest(const Posture& posture) {
 }
 
 SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, const Body& body,
-                                   const SkinPatch& patch) const {
+                                   const SkinPatch& patch, Progress* progress) const {
   std::vector<Vec3> surface = built(start.posture);
   const std::vector<Vec3> target = patch.of(surface);
   for (std::size_t i = 0; i < start.vertex.size(); ++i) surface[start.vertex[i]] += start.moved[i];
   SoftSkin skin(patch, patch.of(rest_), patch.of(surface), target);
   const int steps = static_cast<int>(std::ceil(turn_between(start.posture, posture) / kStep));
-  for (int k = 1; k < steps; ++k)
+  for (int k = 1; k < steps; ++k) {
     skin.follow(patch.of(built(blend(start.posture, posture, double(k) / steps))));
+    if (!progress) continue;
+    progress->check_cancelled();
+    progress->update(double(k) / steps, "");
+  }
   skin.follow(patch.of(body.surface.vertices));
   Known there{posture, patch.vertex, skin.positions()};
   for (std::size_t i = 0; i < there.moved.size(); ++i) there.moved[i] -= skin.target()[i];
   return there;
 }
 
-Body SoftBody::in(const Posture& posture) {
+Body SoftBody::in(const Posture& posture, Progress* progress) {
   for (const auto& [asked, body] : remembered_)
     if (asked == posture) return *body;
-  auto body = std::make_shared<const Body>(made(posture));
+  auto body = std::make_shared<const Body>(made(posture, progress));
   if (remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
   return *body;
 }
@@ -108,19 +112,21 @@ void SoftBody::learn(const SoftBody& copy) {
   }
 }
 
-Body SoftBody::made(const Posture& posture) {
+Body SoftBody::made(const Posture& posture, Progress* progress) {
   Body stiff = model_.build(parameters_, posture);
   const auto overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
   const Known start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return displaced(std::move(stiff), start);
-  Known there = led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin));
+  Known there =
+      led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
   Body body = displaced(stiff, there);
   bool free = overlaps_of(body).empty();
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const Known rest = known_.front();
-    there = led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin));
+    there =
+        led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
     body = displaced(stiff, there);
     free = overlaps_of(body).empty();
   }

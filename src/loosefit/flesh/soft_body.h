@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "loosefit/base/progress.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/flesh/skin_patch.h"
 
@@ -23,8 +24,9 @@ class SoftBody {
   /// As BodyModel::build; the displacement joins body.pose_from_rest, so that both still tell the
   /// same place. Skin without overlaps is left as it is, bit for bit. The way there starts from
   /// the rest posture or the nearest one that was asked for before, so the shape depends a little
-  /// on the order of questions; asked again, it is the same. \throws as BodyModel::build.
-  Body in(const Posture& posture);
+  /// on the order of questions; asked again, it is the same. `progress` hears of the way there, if
+  /// there is one. \throws as BodyModel::build, Cancelled.
+  Body in(const Posture& posture, Progress* progress = nullptr);
 
   /// The same person, not asked anything yet.
   SoftBody anew() const { return {model_, parameters_}; }
@@ -33,7 +35,7 @@ class SoftBody {
   void learn(const SoftBody& copy);
 
  private:
-  Body made(const Posture& posture);
+  Body made(const Posture& posture, Progress* progress);
   /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
   struct Known {
     Posture posture;
@@ -42,7 +44,7 @@ class SoftBody {
   };
   const Known& nearest(const Posture& posture);
   Known led_from(const Known& start, const Posture& posture, const Body& body,
-                 const SkinPatch& patch) const;
+                 const SkinPatch& patch, Progress* progress) const;
   static Body displaced(Body body, const Known& known);
   std::vector<Vec3> built(const Posture& posture) const;
 

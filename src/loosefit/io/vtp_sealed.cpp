@@ -41,13 +41,18 @@ class CapturedErrors : public vtkOutputWindow {
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> read_sealed_vtp(const std::filesystem::path& path, const char* what) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.empty()) throw IoError("cannot read " + path.string());
+  std::error_code error_code;
+  std::string bytes;
+  if (std::filesystem::is_regular_file(path, error_code)) {
+    std::ifstream stream(path, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  if (bytes.empty())
+    throw IoError("cannot read " + path.string() + ": expected a " + what + " of loosefit");
   if (!vtp_seal_matches(bytes))
     throw InvalidInput({path.string(), 0, ""}, "no matching checksum in the last line",
                        std::string("a ") + what + " as loosefit wrote it",
-                       "a certificate only holds for the positions it was made for");
+                       "figures only hold for the positions they were made for");
 
   vtkNew<CapturedErrors> captured;
   captured->begin();

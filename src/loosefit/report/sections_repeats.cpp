@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/sections.h"
@@ -19,8 +17,6 @@ std::string spread_text(const CaseResult& result, const PerformanceMap& map,
 
 std::string repeat_section(const CaseResult& result) {
   if (result.repeats.empty()) return {};
-  int drapes = 0;
-  for (const auto& [key, spread] : result.repeats) drapes = std::max(drapes, spread.count);
   std::vector<std::string> head = {"where"}, whole = {"whole garment, area mean"};
   std::vector<const PerformanceMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
@@ -38,7 +34,8 @@ std::string repeat_section(const CaseResult& result) {
     table.add(row);
   }
   return element("h2", "Spread over drapes from other starts") + table.html() +
-         element("p", "Mean ± sample standard deviation of " + std::to_string(drapes) +
+         element("p", "Mean ± sample standard deviation of " +
+                          std::to_string(result.repeats.begin()->second.count) +
                           " drapes of the same garment on the same body. Folds are not unique: a "
                           "difference smaller than this may be chance.");
 }

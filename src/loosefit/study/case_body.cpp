@@ -79,6 +79,10 @@ CaseBody another_caller(const CaseBody& body) {
   return copy;
 }
 
+std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after) {
+  return {after.warnings.begin() + static_cast<long>(before.warnings.size()), after.warnings.end()};
+}
+
 Drape put_on(DrapeSession& session, CaseBody& body) try {
   return session.put_on(body.path);
 } catch (const NoRoom& error) {

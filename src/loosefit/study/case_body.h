@@ -34,6 +34,9 @@ CaseBody make_body(const ScenarioBody& wished);
 /// nothing that they ask.
 CaseBody another_caller(const CaseBody& body);
 
+/// What `after`, who began as a copy of `before`, has been warned of since.
+std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);
+
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
 /// posture, along its wide one, which then is its path, with a warning.
 /// \throws GeometryError when it cannot be laid at all.

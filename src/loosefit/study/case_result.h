@@ -105,9 +105,11 @@ struct CaseResult {
   std::vector<CaseUnder> under;  ///< the innermost first
   CaseWear wear;                 ///< empty for one posture and one donning
   std::vector<Site> sites;
-  /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread.
+  /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread over all
+  /// drapes that settled, of what each of them has.
   std::map<std::string, Spread> repeats;
-  std::vector<StageClock::Entry> seconds;  ///< per stage, in order
+  std::vector<std::string> repeat_warnings;  ///< of the drapes from other starts
+  std::vector<StageClock::Entry> seconds;    ///< per stage, in order
   double peak_memory_mb = 0;
   std::vector<std::string> warnings;
 

@@ -126,6 +126,9 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
                     "body {}, with itself {}",
                     certificate.stop_reason, certificate.residual, certificate.intersections_body,
                     certificate.intersections_self));
+  add("settle", result.repeat_warnings);
+  if (result.scenario.simulation.repeats > 1 && result.repeats.empty())
+    all.push_back("settle: no spread over repeats: it takes two drapes from different starts");
   const std::vector<std::string> wear = wear_warnings(result);
   all.insert(all.end(), wear.begin(), wear.end());
   return all;

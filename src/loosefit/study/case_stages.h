@@ -36,11 +36,14 @@ void add_sites(CaseResult& result);
 /// they are sewn, also those that were found by a landmark.
 std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& sites);
 
-/// Stage "repeats": drapes again from other starts, side by side, as often as the scenario's
-/// `repeats` asks beyond the first, and gathers the spread of every area mean and every site value
-/// in result.repeats. A repeat that does not settle is left out of the spread and named in the
-/// warnings.
-void repeat_drapes(CaseResult& result, Progress& progress);
+/// Stage "repeats": drapes again from other starts, `at_once` side by side, as often as the
+/// scenario's `repeats` asks beyond the first, and gathers the spread of every area mean and every
+/// site value in result.repeats. A repeat that does not settle is left out and named in
+/// result.repeat_warnings; there is no spread of fewer than two.
+void repeat_drapes(CaseResult& result, int at_once, Progress& progress);
+
+/// Drops spreads of maps and sites that `result`, an earlier output taken up again, has not now.
+void keep_known_repeats(CaseResult& result);
 
 /// Everything the user should know, in stage order.
 std::vector<std::string> collected_warnings(const CaseResult& result);

@@ -11,7 +11,6 @@
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
-#include "loosefit/study/drapes_at_once.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -78,11 +77,10 @@ void put_on_again(const CaseResult& result, Task& task, double budget, Progress&
   options.start_shift = how.shift;
   options.start_twist = how.twist;
   CaseBody body = another_caller(result.body);
-  const std::size_t known = body.warnings.size();
   task.session =
       std::make_shared<DrapeSession>(cloth_layers(result, how.friction), options, progress);
   take_drape(put_on(*task.session, body), result, task.state);
-  task.warnings.assign(body.warnings.begin() + static_cast<long>(known), body.warnings.end());
+  task.warnings = warnings_since(result.body, body);
 }
 
 /// The other postures of the first donning.
@@ -147,12 +145,12 @@ void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
 
 }  // namespace
 
-void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, Progress& progress) {
+void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
+                  Progress& progress) {
   result.wear = plan_wear(result.scenario);
   if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
   if (result.wear.postures.size() > 1) progress.stage("body");
   pose_wearers(result.body, result.wear, progress);
-  const int at_once = drapes_at_once();
   if (result.wear.postures.size() > 1) {
     progress.stage("postures");
     drape_postures(result, std::move(first), at_once, progress);

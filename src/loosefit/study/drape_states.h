@@ -10,10 +10,11 @@ namespace loosefit {
 /// Stages "postures" and "donnings": the garment of `first`, which has been put on and gave
 /// result.drape, follows its wearer through the other postures; then each further donning puts it
 /// on from its own start and goes through all postures. States need nothing from each other, so
-/// they are draped side by side, as many as there are threads and memory for, with as many times
-/// the time budget each; unless that ends one, the bits do not depend on how many. Does not throw
-/// when one fails to settle: that state says why and does not count. Nothing happens when
-/// result.drape itself is not settled.
-void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, Progress& progress);
+/// they are draped side by side, `at_once` at a time, with as many times the time budget each;
+/// unless that ends one, the bits do not depend on how many. Does not throw when one fails to
+/// settle: that state says why and does not count. Nothing happens when result.drape itself is not
+/// settled.
+void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
+                  Progress& progress);
 
 }  // namespace loosefit

@@ -1,7 +1,5 @@
 #include "loosefit/study/drapes_at_once.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 
 #include "loosefit/base/resources.h"
@@ -15,11 +13,9 @@ constexpr double kMemoryShare = 0.5;
 }  // namespace
 
 int drapes_at_once() {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const double peak = peak_memory_mb(), all = usable_memory_mb();
   const double room = peak > 0 && all > 0 ? kMemoryShare * all / peak : 1;
-  return std::max(1, static_cast<int>(std::min(room, static_cast<double>(threads))));
+  return std::max(1, static_cast<int>(std::min(room, static_cast<double>(usable_threads()))));
 }
 
 }  // namespace loosefit

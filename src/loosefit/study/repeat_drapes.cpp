@@ -2,24 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
-#include "loosefit/study/drapes_at_once.h"
 
 namespace loosefit {
 namespace {
 
+std::string map_key(const std::string& array) { return "maps." + array + ".area_mean"; }
+std::string site_key(const std::string& site, const std::string& array) {
+  return "sites." + site + "." + array;
+}
+
 using Samples = std::map<std::string, std::vector<double>>;
 
+/// What a drape has; places that a map leaves undefined have nothing.
 void gather(const CaseResult& result, Samples& samples) {
-  for (const CaseMap& map : result.maps.maps)
-    samples["maps." + map.map.array + ".area_mean"].push_back(map.overall.area_mean);
+  const auto take = [&](const std::string& key, double value) {
+    if (std::isfinite(value)) samples[key].push_back(value);
+  };
+  for (const CaseMap& map : result.maps.maps) take(map_key(map.map.array), map.overall.area_mean);
   for (const Site& site : result.sites)
-    for (const auto& [array, value] : site.values)
-      samples["sites." + site.name + "." + array].push_back(value.mean);
+    for (const auto& [array, value] : site.values) take(site_key(site.name, array), value.mean);
 }
 
 Spread spread_of(const std::vector<double>& values) {
@@ -32,58 +40,79 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
-/// What one more drape has given.
+/// What one drape has given; nothing when it did not settle.
 struct Repeat {
-  Samples samples;
+  std::optional<Samples> samples;
   std::vector<std::string> warnings;
 };
 
 /// `budget`: times the time that one drape has, for it shares the threads with others.
 Repeat drape_again(const CaseResult& result, int repeat, double budget, Progress& progress) {
   Repeat made;
-  CaseResult other = result;  // same pattern and garment
+  CaseResult other;
+  other.scenario = result.scenario;
   other.body = another_caller(result.body);
+  other.pattern = result.pattern;
+  other.garment = result.garment;
+  other.under = result.under;
   DrapeOptions options = drape_options(result.scenario.simulation, repeat);
   options.time_budget *= budget;
   DrapeSession session(cloth_layers(result), options, progress);
   take_drape(put_on(session, other.body), other);
   const auto tell = [&](const std::string& what) {
-    made.warnings.push_back(fmt::format("settle: repeat {} {}", repeat + 1, what));
+    made.warnings.push_back(fmt::format("repeat {} {}", repeat + 1, what));
   };
-  for (std::size_t k = result.body.warnings.size(); k < other.body.warnings.size(); ++k)
-    tell(other.body.warnings[k]);
+  for (const std::string& warning : warnings_since(result.body, other.body)) tell(warning);
   if (!other.drape.certificate.settled()) {
     tell(fmt::format("did not settle ({}); left out", other.drape.certificate.stop_reason));
     return made;
   }
   other.maps = make_maps(other, false);
   other.sites = same_sites(other, result.sites);
-  gather(other, made.samples);
+  gather(other, made.samples.emplace());
   return made;
+}
+
+void add_spread(const std::vector<Repeat>& made, CaseResult& result) {
+  Samples all;
+  std::size_t drapes = 0;
+  for (const Repeat& one : made) {
+    result.repeat_warnings.insert(result.repeat_warnings.end(), one.warnings.begin(),
+                                  one.warnings.end());
+    if (!one.samples) continue;
+    ++drapes;
+    for (const auto& [key, values] : *one.samples)
+      all[key].insert(all[key].end(), values.begin(), values.end());
+  }
+  if (drapes < 2) return;
+  for (const auto& [key, values] : all)
+    if (values.size() == drapes) result.repeats[key] = spread_of(values);
 }
 
 }  // namespace
 
-void repeat_drapes(CaseResult& result, Progress& progress) {
+void repeat_drapes(CaseResult& result, int at_once, Progress& progress) {
   const int repeats = result.scenario.simulation.repeats;
   if (repeats < 2) return;
   progress.stage("repeats");
-  const int at_once = std::min(drapes_at_once(), repeats - 1);
+  at_once = std::min(at_once, repeats - 1);
   std::vector<Repeat> made(repeats);
-  if (result.drape.certificate.settled()) gather(result, made[0].samples);
+  if (result.drape.certificate.settled()) gather(result, made[0].samples.emplace());
   std::vector<SideJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
     jobs.push_back({fmt::format("repeat {}", repeat + 1), [&, repeat](Progress& own) {
                       made[repeat] = drape_again(result, repeat, at_once, own);
                     }});
   side_by_side(jobs, at_once, progress);
-  Samples all;
-  for (const Repeat& one : made) {
-    for (const auto& [key, values] : one.samples)
-      all[key].insert(all[key].end(), values.begin(), values.end());
-    result.warnings.insert(result.warnings.end(), one.warnings.begin(), one.warnings.end());
-  }
-  for (const auto& [key, values] : all) result.repeats[key] = spread_of(values);
+  add_spread(made, result);
+}
+
+void keep_known_repeats(CaseResult& result) {
+  std::set<std::string> known;
+  for (const CaseMap& map : result.maps.maps) known.insert(map_key(map.map.array));
+  for (const Site& site : result.sites)
+    for (const auto& [array, value] : site.values) known.insert(site_key(site.name, array));
+  std::erase_if(result.repeats, [&](const auto& entry) { return !known.contains(entry.first); });
 }
 
 }  // namespace loosefit

@@ -9,6 +9,7 @@
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/drape_states.h"
+#include "loosefit/study/drapes_at_once.h"
 
 namespace loosefit {
 
@@ -35,11 +36,13 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   mesh_under(result, scenario.simulation.edge_length);
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 
+  int at_once = 1;
   {
     const auto session = std::make_shared<DrapeSession>(cloth_layers(result),
                                                         drape_options(scenario.simulation), clock);
     take_drape(put_on(*session, result.body), result);  // dress, settle
-    drape_states(result, session, clock);               // postures, donnings
+    at_once = drapes_at_once();
+    drape_states(result, session, at_once, clock);  // postures, donnings
   }
 
   const bool open = result.drape.certificate.settled() || options.allow_unsettled;
@@ -51,7 +54,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
     add_sites(result);
     warn_of_moved_boards(result);
 
-    repeat_drapes(result, clock);
+    repeat_drapes(result, at_once, clock);
   }
   clock.stop();
   result.seconds = clock.entries();

@@ -273,6 +273,7 @@ std::string summary_json(const CaseResult& result) {
   for (const auto& [key, spread] : result.repeats)
     json["repeats"][key] = {
         {"mean", spread.mean}, {"deviation", spread.deviation}, {"count", spread.count}};
+  if (!result.repeat_warnings.empty()) json["repeat_warnings"] = result.repeat_warnings;
   json["warnings"] = result.warnings;
   for (const auto& [library, number] : versions()) json["versions"][library] = number;
   json["scenario_sha256"] = sha256_hex(scenario_toml(result.scenario));

@@ -1,12 +1,12 @@
 #include "loosefit/study/wear_states.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/drape/worn_limbs.h"
@@ -56,13 +56,11 @@ void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress) {
     jobs.push_back({wear.postures[p], [&, p](Progress& own) {
                       own.check_cancelled();
                       const auto anew = std::make_shared<SoftBody>(body.person->anew());
-                      wear.bodies[p] =
-                          std::make_shared<const Body>(anew->in(named_posture(wear.postures[p])));
+                      wear.bodies[p] = std::make_shared<const Body>(
+                          anew->in(named_posture(wear.postures[p]), &own));
                       wear.wearers[p] = anew;
                     }});
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  side_by_side(jobs, static_cast<int>(threads), progress);
+  side_by_side(jobs, usable_threads(), progress);
   if (!wear.bodies.empty()) wear.bodies[0] = std::make_shared<const Body>(body.body);
 }
 

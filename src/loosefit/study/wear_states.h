@@ -12,9 +12,10 @@ namespace loosefit {
 /// normally, kept within two deviations.
 CaseWear plan_wear(const Scenario& scenario);
 
-/// The body of each posture of `wear`, led there from rest, whatever the person has been asked:
-/// neither what else is listed nor whether the garment was put on before makes a difference, so a
-/// run that is read again finds the same bodies. Side by side, a thread each.
+/// The bodies of the postures of `wear`: the first is `body` as it is, each other one is led there
+/// from rest, whatever the person has been asked. Neither what else is listed nor whether the
+/// garment was put on before makes a difference, so a run that is read again finds the same bodies.
+/// Side by side, a thread each. \throws Cancelled
 void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress);
 
 /// Marks a settled state as left out when limbs no longer go through the openings that they go
