@@ -9,7 +9,8 @@ namespace loosefit {
 class Progress {
  public:
   virtual ~Progress() = default;
-  /// A pipeline stage begins: body, pattern, garment, dress, settle, maps, placement, report.
+  /// A pipeline stage begins: body, pattern, garment, dress, settle, postures, donnings, maps,
+  /// placement, repeats, report.
   virtual void stage(const std::string& /*name*/) {}
   /// fraction in [0,1]; note is one short phrase ("level 2, residual 3.1e-2"). Comes from any
   /// thread, one call at a time.
