@@ -30,13 +30,14 @@ void gather(const CaseResult& result, Samples& samples) {
     for (const auto& [array, value] : site.values) take(site_key(site.name, array), value.mean);
 }
 
+/// Of two values or more.
 Spread spread_of(const std::vector<double>& values) {
   Spread spread;
   spread.count = static_cast<int>(values.size());
   for (double value : values) spread.mean += value / spread.count;
   double squares = 0;
   for (double value : values) squares += (value - spread.mean) * (value - spread.mean);
-  spread.deviation = spread.count > 1 ? std::sqrt(squares / (spread.count - 1)) : 0;
+  spread.deviation = std::sqrt(squares / (spread.count - 1));
   return spread;
 }
 
