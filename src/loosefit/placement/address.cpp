@@ -159,7 +159,8 @@ std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) cons
   }
   if (has_side(found.segment)) found.side = body_.side[vertex] >= 0 ? 1 : -1;
   auto frame = axes(found.segment, found.side);
-  if (found.segment == BodySegment::chest && (!frame || frame->percent(skin.point).z() > 100 + 1e-9))
+  if (found.segment == BodySegment::chest &&
+      (!frame || frame->percent(skin.point).z() > 100 + 1e-9))
     if (auto lower = axes(BodySegment::abdomen, 0)) {
       found.segment = BodySegment::abdomen;
       frame = lower;
