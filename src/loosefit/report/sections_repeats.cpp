@@ -1,6 +1,7 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/sections.h"
+#include "loosefit/study/spread_keys.h"
 
 namespace loosefit {
 namespace {
@@ -23,14 +24,14 @@ std::string repeat_section(const CaseResult& result) {
     if (is_companion(entry.map)) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
-    whole.push_back(spread_text(result, entry.map, "maps." + entry.map.array + ".area_mean"));
+    whole.push_back(spread_text(result, entry.map, map_key(entry.map.array)));
   }
   Table table(head);
   table.add(whole);
   for (const Site& site : result.sites) {
     std::vector<std::string> row = {spaced(site.name)};
     for (const PerformanceMap* map : shown)
-      row.push_back(spread_text(result, *map, "sites." + site.name + "." + map->array));
+      row.push_back(spread_text(result, *map, site_key(site.name, map->array)));
     table.add(row);
   }
   return element("h2", "Spread over drapes from other starts") + table.html() +

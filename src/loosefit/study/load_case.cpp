@@ -22,7 +22,7 @@ Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
   if (file.garment.triangles != garment.triangles)
     throw InvalidInput({path.string(), 0, ""}, "another garment",
                        "the mesh that scenario.toml of the run makes with this version",
-                       "make the drape again: loosefit run scenario.toml -o DIR");
+                       kMakeAgain);
   return std::move(file.drape);
 }
 
@@ -41,8 +41,7 @@ void check_body(const std::filesystem::path& path, const Body& body) {
                      same_mesh
                          ? fmt::format("a body whose skin lies up to {:.2f} mm off", 1e3 * farthest)
                          : "a body of another mesh",
-                     "the body that scenario.toml of the run makes with this version",
-                     "make the drape again: loosefit run scenario.toml -o DIR");
+                     "the body that scenario.toml of the run makes with this version", kMakeAgain);
 }
 
 /// Postures and donnings; none were made when the first drape is not settled.

@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr char kDamaged[] = "make the drape again: loosefit run scenario.toml -o DIR";
-
 /// Number at a place of summary.json; 0 where there is none.
 template <class Number>
 Number at(const Json& summary, const std::string& place) {
@@ -51,13 +49,13 @@ Spread spread_at(const std::string& file, const std::string& key, const Json& en
     if (entry.is_object() && entry.contains(name) && entry[name].is_number())
       return entry[name].get<double>();
     throw InvalidInput({file, 0, "repeats." + key}, printable(entry.dump().substr(0, 60)),
-                       "mean, deviation and count as numbers", kDamaged);
+                       "mean, deviation and count as numbers", kMakeAgain);
   };
   const Spread spread{number("mean"), number("deviation"),
                       static_cast<int>(std::clamp(number("count"), 0.0, 1e6))};
   if (spread.count < 2)
     throw InvalidInput({file, 0, "repeats." + key + ".count"}, std::to_string(spread.count),
-                       "two drapes or more", kDamaged);
+                       "two drapes or more", kMakeAgain);
   return spread;
 }
 
@@ -74,7 +72,7 @@ void recall_repeats(const std::string& file, const Json& summary, CaseResult& re
   if (summary.contains("repeats")) {
     const Json& all = summary["repeats"];
     if (!all.is_object())
-      throw InvalidInput({file, 0, "repeats"}, all.type_name(), "a table of spreads", kDamaged);
+      throw InvalidInput({file, 0, "repeats"}, all.type_name(), "a table of spreads", kMakeAgain);
     for (const auto& [key, entry] : all.items()) result.repeats[key] = spread_at(file, key, entry);
   }
   if (summary.contains("repeat_warnings") && summary["repeat_warnings"].is_array())
@@ -105,7 +103,7 @@ void recall_summary(const std::filesystem::path& folder, CaseResult& result) {
   const Json summary = Json::parse(read_text_file(file, 50000000), nullptr, false);
   if (!summary.is_object())
     throw InvalidInput({file, 0, ""}, summary.is_discarded() ? "no JSON" : summary.type_name(),
-                       "a summary.json as loosefit wrote it", kDamaged);
+                       "a summary.json as loosefit wrote it", kMakeAgain);
   recall(file, summary, result);
   for (std::size_t k = 0; k < result.wear.states.size(); ++k)
     result.wear.states[k].seconds =

@@ -9,14 +9,10 @@
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/spread_keys.h"
 
 namespace loosefit {
 namespace {
-
-std::string map_key(const std::string& array) { return "maps." + array + ".area_mean"; }
-std::string site_key(const std::string& site, const std::string& array) {
-  return "sites." + site + "." + array;
-}
 
 using Samples = std::map<std::string, std::vector<double>>;
 
