@@ -60,6 +60,9 @@ class ClothModel {
   /// thicker than half the fabric; 0: by the fabric itself.
   void pad_body(double thickness);
 
+  /// Takes the weight off the cloth; residuals still refer to it.
+  void take_weight() { gravity_->set_gravity(0); }
+
   ClothMemory memory() const;
   /// Takes up what this model remembered earlier.
   void recall(const ClothMemory& memory);

@@ -57,9 +57,11 @@ void ClothRun::dress(Body body) {
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
-  // that it comes to lie on the limbs and is not pulled through them.
+  // that it comes to lie on the limbs and is not pulled through them. It has no weight until it is
+  // as stiff and as rough as it is: a waistband that stretches over the hips would fall.
   for (double share : {0.01, 0.1}) {
     make_model(share, false);
+    model_->take_weight();
     if (layers() == 1) model_->pad_body(kPad);
     if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
   }

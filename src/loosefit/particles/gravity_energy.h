@@ -10,6 +10,7 @@ class GravityEnergy : public Energy {
  public:
   GravityEnergy(std::vector<double> masses, double gravity)
       : masses_(std::move(masses)), gravity_(gravity) {}
+  void set_gravity(double gravity) { gravity_ = gravity; }
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   void add_pattern(const VectorField&, BlockPattern&) const override {}
