@@ -51,7 +51,8 @@ bench: setup
 # Single kernels; builds the programs of bench/solver and bench/peers too.
 bench-kernels: setup
 	@cmake -S . -B $(BUILD) -DLOOSEFIT_BENCH=ON > /dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark loosefit_bakeoff loosefit_peer
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_benchmark loosefit_bakeoff loosefit_peer \
+	  loosefit_linear
 	@$(BUILD)/bin/loosefit_benchmark
 
 # Sources of the repository, also new ones; never files that git ignores.

@@ -130,7 +130,7 @@ Problem cusick_problem(const std::string& name) {
 }  // namespace
 
 std::vector<std::string> problem_names() {
-  return {"shirt-20mm", "shirt-14mm", "shirt-10mm", "cusick-6mm"};
+  return {"shirt-20mm", "shirt-14mm", "shirt-10mm", "shirt-5mm", "cusick-6mm"};
 }
 
 Problem make_problem(const std::string& name) {
@@ -144,6 +144,9 @@ Problem make_problem(const std::string& name) {
   if (name == "shirt-10mm")
     return shirt_problem(name, 0.010,
                          "reference shirt, 20 mm level at a residual of 0.1, prolonged once");
+  if (name == "shirt-5mm")
+    return shirt_problem(name, 0.005,
+                         "reference shirt, 10 mm level at a residual of 0.1, prolonged once");
   if (name == "cusick-6mm") return cusick_problem(name);
   throw std::out_of_range(name);
 }
