@@ -77,13 +77,12 @@ void print_table(const std::vector<MeasureRow>& table) {
 }
 
 void write_body(const std::string& folder, const Body& body, const BodyFit& fit) {
-  make_plain_folder(folder);
-  const auto path = [&](const char* name) {
-    return (std::filesystem::path(folder) / name).string();
-  };
+  RunFolder files = RunFolder::add(folder, "body");
+  const auto path = [&](const char* name) { return (files.path() / name).string(); };
   write_obj(path("body.obj"), body.surface, body.normals);
   write_body_vtp(path("body.vtp"), body);
   write_body_json(path("body.json"), body, fit);
+  files.commit();
   fmt::print("wrote {}/body.obj, body.vtp, body.json\n", folder);
 }
 

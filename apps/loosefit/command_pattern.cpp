@@ -206,10 +206,10 @@ void run(const Wish& wish) {
         1000 * made.draft->armhole, 1000 * made.draft->armhole_depth, 1000 * made.draft->cap_height,
         made.draft->cap_ratio, 1000 * made.draft->deepened, 1000 * made.draft->dropped);
   if (wish.out.empty()) return;
-  make_plain_folder(wish.out);
-  const std::filesystem::path folder(wish.out);
-  write_garmentcode(folder / "pattern.json", made.pattern);
-  write_pattern_svg(folder / "pattern.svg", made.pattern);
+  RunFolder folder = RunFolder::add(wish.out, "pattern");
+  write_garmentcode(folder.path() / "pattern.json", made.pattern);
+  write_pattern_svg(folder.path() / "pattern.svg", made.pattern);
+  folder.commit();
   fmt::print("\nwrote {}/pattern.json, pattern.svg\n", wish.out);
 }
 

@@ -102,9 +102,10 @@ int rank(const Arguments& arguments) {
   const std::string& input = arguments.inputs.front();
   const bool beside = arguments.inputs.size() == 1 && std::filesystem::is_directory(input) &&
                       arguments.output.empty();
-  std::optional<RunFolder> run;
-  if (beside) run.emplace(RunFolder::update(input));
-  if (!arguments.output.empty()) make_plain_folder(arguments.output);
+  std::optional<RunFolder> folder;
+  if (beside) folder.emplace(RunFolder::update(input, "ranking"));
+  if (!arguments.output.empty()) folder.emplace(RunFolder::add(arguments.output, "ranking"));
+  if (folder) folder->announce(ranking_files(wish.scorecard.name));
 
   std::deque<CaseResult> results;
   std::vector<RankedRun> runs;
@@ -123,13 +124,12 @@ int rank(const Arguments& arguments) {
   shown.clear();
   if (!arguments.quiet) fmt::print("{}", ranking_text(table));
   const Pattern& pattern = results.front().pattern.pattern;
-  if (beside) {
-    write_ranking(run->path(), table, pattern);
-    run->commit();
+  if (folder) {
+    write_ranking(folder->path(), table, pattern);
+    folder->commit();
   }
-  if (!arguments.output.empty()) write_ranking(arguments.output, table, pattern);
   if (!arguments.quiet) {
-    if (beside || !arguments.output.empty())
+    if (folder)
       fmt::print("written: {}\n", beside ? input : arguments.output);
     else
       fmt::print("no files written: give a folder with -o\n");

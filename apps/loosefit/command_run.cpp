@@ -13,6 +13,7 @@
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/study/run_case.h"
+#include "planned_files.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -31,6 +32,10 @@ int run(const Arguments& arguments) {
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
   RunFolder folder = RunFolder::create(arguments.output);
+  folder.announce(planned_files(scenario, {.log = true,
+                                           .sites = !arguments.options.only_drape,
+                                           .pictures = pictures,
+                                           .report = !arguments.options.only_drape}));
   RunLog log(folder.path() / "log.jsonl", shown);
   CaseResult result = run_case(scenario, log, arguments.options);
   const std::optional<RankingTable> ranking = rank_as_asked(folder.path(), result, log);
@@ -57,8 +62,8 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
       ->required();
   command
       ->add_option("-o,--output", arguments->output,
-                   "folder to write; replaced when it is an "
-                   "earlier output")
+                   "folder to write: a new or empty one, or an earlier output, of which only "
+                   "unchanged files of Loosefit are replaced")
       ->required();
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -1,5 +1,7 @@
 #include "command_stages.h"
 
+#include <fmt/format.h>
+
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <memory>
@@ -11,6 +13,7 @@
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
+#include "planned_files.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -22,14 +25,17 @@ struct Arguments {
   bool allow_unsettled = false, quiet = false;
 };
 
-/// Takes an earlier output up again, redoes the stages from maps on, and replaces it as a whole.
+/// Takes an earlier output up again, redoes the stages from maps on, and replaces their files.
 int redo(const Arguments& arguments, const OutputOptions& output) {
   if (output.pictures) check_display();
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
   RunFolder folder = RunFolder::update(arguments.folder);
+  folder.leave_if_edited("scenario.toml");
   CaseResult result = load_case(arguments.folder, shown);
   if (!arguments.maps.empty()) result.scenario.output.maps = arguments.maps;
+  folder.announce(
+      planned_files(result.scenario, {.pictures = output.pictures, .report = output.report}));
   StageClock clock(shown);
   clock.stage("maps");
   add_maps(result, arguments.allow_unsettled);
@@ -47,6 +53,8 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   folder.commit();
   shown.clear();
   if (!arguments.quiet) print_result(result, arguments.folder);
+  if (!arguments.quiet && !folder.aside().empty())
+    fmt::print("what stood in the way: {}/{}\n", arguments.folder, folder.aside());
   return result.drape.certificate.settled() ? kGood : kNotSettled;
 }
 

@@ -44,8 +44,10 @@ int validate(const Arguments& arguments) {
   TerminalProgress shown(false);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
   std::optional<RunFolder> folder;
-  if (!arguments.output.empty())
-    folder.emplace(RunFolder::create(arguments.output, "validation.json"));
+  if (!arguments.output.empty()) {
+    folder.emplace(RunFolder::create(arguments.output, "validation"));
+    folder->announce({"validation.json", "validation.html"});
+  }
   shown.stage("validate");
   // Memory and sense both end at a handful; machines with one core get one.
   const int workers = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
@@ -74,8 +76,8 @@ void add_validate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "validate", "hold the simulation against exact solutions and measured fabrics");
   command->add_option("-o,--output", arguments->output,
-                      "folder for validation.json and validation.html; replaced when it is an "
-                      "earlier one");
+                      "folder for validation.json and validation.html: a new or empty one, or an "
+                      "earlier one, of which only these are replaced");
   command->add_flag("--quick", arguments->quick, "the subset that fits into a minute");
   command->add_option("--only", arguments->only, "ids of benchmarks: B1,C2")->delimiter(',');
   command->add_flag("--list", arguments->list, "say what there is; run nothing");

@@ -1,6 +1,11 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "command_body.h"
@@ -19,9 +24,18 @@
 namespace loosefit {
 namespace {
 
+/// A standard stream that is closed leaves its number to the next file that is opened, which would
+/// then be written as if it were the stream. Something that cannot be written holds the place.
+void hold_standard_streams() {
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF && open("/dev/null", O_RDONLY) != stream)
+      return;  // nothing to be done; the lowest free number is `stream`
+}
+
 int failed(int code, const std::string& message, const std::string& hint = {}) {
-  fmt::print(stderr, "error: {}\n", message);
-  if (!hint.empty()) fmt::print(stderr, "hint: {}\n", hint);
+  std::string text = "error: " + message + "\n";
+  if (!hint.empty()) text += "hint: " + hint + "\n";
+  std::fputs(text.c_str(), stderr);  // fmt would throw when nobody can read it
   return code;
 }
 
@@ -52,12 +66,16 @@ int run_command_line(int count, char** arguments) {
   return exit_code;
 }
 
-}  // namespace
-}  // namespace loosefit
+/// The end of every command: what it printed has arrived, or it has failed.
+int with_output_written(int exit_code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit_code;
+  const std::string cause = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+  failed(kBadInput, "standard output: cannot be written" + cause);
+  return exit_code == kGood ? kBadInput : exit_code;
+}
 
-int main(int count, char** arguments) {
-  using namespace loosefit;
-  pin_blas(arguments);
+int run_guarded(int count, char** arguments) {
   try {
     return run_command_line(count, arguments);
   } catch (const Cancelled&) {
@@ -69,7 +87,18 @@ int main(int count, char** arguments) {
   } catch (const std::bad_alloc&) {
     return failed(kBadInput, "not enough memory", "a larger simulation.edge_length needs less");
   } catch (const std::exception& e) {
+    if (std::ferror(stdout)) return kBadInput;  // fmt throws then; with_output_written tells
     return failed(kNotSettled, std::string("unexpected: ") + e.what(),
                   "this is a fault of Loosefit; please report it with the scenario");
   }
+}
+
+}  // namespace
+}  // namespace loosefit
+
+int main(int count, char** arguments) {
+  using namespace loosefit;
+  hold_standard_streams();
+  pin_blas(arguments);
+  return with_output_written(run_guarded(count, arguments));
 }

@@ -1,9 +1,14 @@
 #include "loosefit/io/run_folder.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <map>
+
 #include "loosefit/base/error.h"
+#include "loosefit/base/sha256.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit {
@@ -20,6 +25,22 @@ struct RunFolderTest : ::testing::Test {
     fs::create_directories(base);
   }
   void TearDown() override { fs::remove_all(base); }
+  void write(const std::string& name, const std::string& content) const {
+    fs::create_directories((base / name).parent_path());
+    write_text_file((base / name).string(), content);
+  }
+  std::string text(const std::string& name) const {
+    return read_text_file((base / "run" / name).string(), 1000);
+  }
+  /// Writes a whole output, as the program does.
+  void make_run(const std::map<std::string, std::string>& files) const {
+    RunFolder folder = RunFolder::create(base / "run");
+    for (const auto& [name, content] : files) {
+      fs::create_directories((folder.path() / name).parent_path());
+      write_text_file((folder.path() / name).string(), content);
+    }
+    folder.commit();
+  }
   int entries() const {
     return static_cast<int>(std::distance(fs::directory_iterator(base), fs::directory_iterator()));
   }
@@ -47,16 +68,158 @@ TEST_F(RunFolderTest, LeavesNothingWhenAbandoned) {
 }
 
 TEST_F(RunFolderTest, ReplacesAnEarlierOutputAsAWhole) {
-  fs::create_directories(base / "run" / "maps");
-  write_text_file(base / "run" / "summary.json", "old");
-  write_text_file(base / "run" / "maps" / "old.png", "old");
+  make_run({{"summary.json", "old"}, {"maps/old.png", "old"}});
   RunFolder folder = RunFolder::create(base / "run" / "");
   write_text_file(folder.path() / "summary.json", "new");
-  EXPECT_EQ(read_text_file(base / "run" / "summary.json", 10), "old") << "until the commit";
+  EXPECT_EQ(text("summary.json"), "old") << "until the commit";
   folder.commit();
-  EXPECT_EQ(read_text_file(base / "run" / "summary.json", 10), "new");
+  EXPECT_EQ(text("summary.json"), "new");
   EXPECT_FALSE(fs::exists(base / "run" / "maps"));
   EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(RunFolderTest, ASummaryAloneIsNoEarlierOutput) {
+  write("run/summary.json", "{\"title\": \"My thesis\"}");
+  write("run/chapter.tex", "dear");
+  EXPECT_THROW(RunFolder::create(base / "run"), InvalidInput);
+  write("run/.loosefit-output.json", "{\"format\": \"other\", \"version\": 1}");
+  EXPECT_THROW(RunFolder::create(base / "run"), InvalidInput);
+  EXPECT_EQ(text("summary.json"), "{\"title\": \"My thesis\"}");
+  EXPECT_EQ(text("chapter.tex"), "dear");
+}
+
+TEST_F(RunFolderTest, ForeignFilesInAnOutputStay) {
+  make_run({{"summary.json", "old"}, {"maps/a.png", "old"}});
+  write("run/case.toml", "mine");
+  write("run/maps/mine.png", "mine");
+  write("run/ranking-ecg.csv", "mine");
+  make_run({{"summary.json", "new"}});
+  EXPECT_EQ(text("case.toml"), "mine");
+  EXPECT_EQ(text("maps/mine.png"), "mine");
+  EXPECT_EQ(text("ranking-ecg.csv"), "mine");
+  EXPECT_FALSE(fs::exists(base / "run/maps/a.png"));
+}
+
+TEST_F(RunFolderTest, RankingsMadeLaterOutliveTheNextRun) {
+  make_run({{"summary.json", "old"}});
+  RunFolder ranking = RunFolder::update(base / "run", "ranking");
+  write_text_file(ranking.path() / "ranking-ecg.csv", "best");
+  ranking.commit();
+  make_run({{"summary.json", "new"}});
+  EXPECT_EQ(text("ranking-ecg.csv"), "best");
+}
+
+TEST_F(RunFolderTest, ChangedFilesAreNamedBeforeTheWork) {
+  make_run({{"summary.json", "old"}, {"report.html", "old"}, {"scenario.toml", "old"}});
+  write("run/report.html", "edited");
+  const RunFolder folder = RunFolder::create(base / "run");
+  folder.announce({"summary.json", "scenario.toml"});
+  try {
+    folder.announce({"summary.json", "report.html"});
+    FAIL() << "an edited file would be lost";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("run: report.html: found"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(RunFolderTest, WhatIsEditedDuringTheRunStaysAndTheNewOutputToo) {
+  make_run({{"summary.json", "old"}});
+  RunFolder folder = RunFolder::create(base / "run");
+  write_text_file(folder.path() / "summary.json", "new");
+  write("run/summary.json", "edited");
+  EXPECT_THROW(folder.commit(), InvalidInput);
+  EXPECT_EQ(text("summary.json"), "edited");
+  EXPECT_EQ(read_text_file(base / "run.new-1/summary.json", 10), "new");
+}
+
+TEST_F(RunFolderTest, LinkToAFolderStaysALinkAndIsWrittenThrough) {
+  fs::create_directory(base / "real");
+  fs::create_directory_symlink("real", base / "run");
+  make_run({{"summary.json", "old"}});
+  make_run({{"summary.json", "new"}});
+  EXPECT_TRUE(fs::is_symlink(base / "run"));
+  EXPECT_EQ(read_text_file(base / "real/summary.json", 10), "new");
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(RunFolderTest, LinksInAnOutputAreNeverFollowed) {
+  make_run({{"summary.json", "old"}, {"maps/a.png", "a"}});
+  fs::rename(base / "run/maps", base / "pictures");
+  fs::create_directory_symlink(base / "pictures", base / "run/maps");
+  make_run({{"summary.json", "new"}});
+  EXPECT_EQ(read_text_file(base / "pictures/a.png", 10), "a");
+  EXPECT_THROW(RunFolder::create(base / "run").announce({"maps/a.png"}), InvalidInput);
+}
+
+TEST_F(RunFolderTest, AddedFilesNeverReplaceForeignOnes) {
+  write("run/body.obj", "a scan");
+  RunFolder first = RunFolder::add(base / "run", "body");
+  write_text_file(first.path() / "body.obj", "a body");
+  EXPECT_THROW(first.commit(), InvalidInput);
+  EXPECT_EQ(text("body.obj"), "a scan");
+  RunFolder other = RunFolder::add(base / "run", "body");
+  write_text_file(other.path() / "body.json", "old");
+  other.commit();
+  RunFolder again = RunFolder::add(base / "run", "body");
+  write_text_file(again.path() / "body.json", "new");
+  again.commit();
+  EXPECT_EQ(text("body.json"), "new") << "but our own";
+  EXPECT_EQ(text("body.obj"), "a scan");
+}
+
+// A run of Loosefit 0.1 has no mark: nobody knows what in it has been changed since.
+TEST_F(RunFolderTest, UpdateOfARunWithoutAMarkSetsAsideWhatIsInTheWay) {
+  write("run/summary.json", "old");
+  write("run/scenario.toml", "edited");
+  write("run/log.jsonl", "log");
+  RunFolder folder = RunFolder::update(base / "run");
+  folder.leave_if_edited("scenario.toml");
+  folder.announce({"summary.json"});
+  write_text_file(folder.path() / "summary.json", "new");
+  write_text_file(folder.path() / "scenario.toml", "resolved");
+  folder.commit();
+  EXPECT_EQ(text("summary.json"), "new");
+  EXPECT_EQ(text("scenario.toml"), "edited");
+  EXPECT_EQ(text("log.jsonl"), "log");
+  EXPECT_EQ(folder.aside(), "replaced-1");
+  EXPECT_EQ(text("replaced-1/summary.json"), "old");
+}
+
+TEST_F(RunFolderTest, HiddenFolderOfAProcessThatIsGoneIsRemoved) {
+  const pid_t killed = fork();
+  if (killed == 0) {
+    RunFolder folder = RunFolder::create(base / "run");
+    write_text_file(folder.path() / "half", "x");
+    kill(getpid(), SIGKILL);
+  }
+  waitpid(killed, nullptr, 0);
+  ASSERT_EQ(entries(), 1) << "left behind";
+  write(".run.writing-1/mine", "foreign");
+  make_run({{"summary.json", "new"}});
+  EXPECT_EQ(read_text_file(base / ".run.writing-1/mine", 10), "foreign");
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(RunFolderTest, HiddenFolderOfALiveProcessStays) {
+  RunFolder slow = RunFolder::create(base / "run");
+  write_text_file(slow.path() / "summary.json", "slow");
+  make_run({{"summary.json", "quick"}});
+  slow.commit();
+  EXPECT_EQ(text("summary.json"), "slow");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(RunFolderTest, AMarkCannotLeadOutOfItsFolder) {
+  write("precious", "dear");
+  for (const char* name : {"../precious", "/etc/passwd", "a/../../precious", ""}) {
+    fs::remove_all(base / "run");
+    write("run/.loosefit-output.json",
+          std::string("{\"format\": \"loosefit-output\", \"version\": 1, \"sets\": {\"run\": {\"") +
+              name + "\": \"" + sha256_hex("dear") + "\"}}, \"folders\": []}");
+    EXPECT_THROW(RunFolder::create(base / "run"), InvalidInput) << name;
+  }
+  EXPECT_EQ(read_text_file(base / "precious", 10), "dear");
 }
 
 TEST_F(RunFolderTest, NeverTouchesAForeignFolderOrFile) {
@@ -71,10 +234,9 @@ TEST_F(RunFolderTest, NeverTouchesAForeignFolderOrFile) {
 }
 
 TEST_F(RunFolderTest, UpdateKeepsTheOtherFiles) {
-  fs::create_directories(base / "run" / "maps");
-  write_text_file(base / "run" / "summary.json", "{}");
-  write_text_file(base / "run" / "maps" / "a.png", "a");
+  make_run({{"summary.json", "{}"}, {"maps/a.png", "a"}});
   RunFolder folder = RunFolder::update(base / "run");
+  fs::create_directories(folder.path() / "maps");
   write_text_file(folder.path() / "maps" / "b.png", "b");
   folder.commit();
   EXPECT_TRUE(fs::exists(base / "run" / "maps" / "a.png"));

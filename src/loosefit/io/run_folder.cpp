@@ -1,104 +1,196 @@
 #include "loosefit/io/run_folder.h"
 
-#include <unistd.h>
-
-#include <string>
+#include <algorithm>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/output_mark.h"
+#include "loosefit/io/replace_files.h"
+#include "loosefit/io/text_file.h"
 
 namespace loosefit {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path without_trailing_slash(const fs::path& path) {
+constexpr const char* kNothingChanged = "nothing was changed; choose another folder with -o";
+
+/// The path without links and "..", as far as it is there, and without a slash at its end.
+fs::path real_path(const fs::path& wanted) {
+  std::error_code error;
+  fs::path path = fs::weakly_canonical(fs::absolute(wanted), error);
+  if (error) path = fs::absolute(wanted).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
-fs::path sibling(const fs::path& wanted, const std::string& purpose) {
-  return wanted.parent_path() /
-         ("." + wanted.filename().string() + "." + purpose + "-" + std::to_string(getpid()));
+bool is_plain_file(const fs::path& folder, const std::string& name) {
+  return standing(folder, name) == Standing::plain_file;
 }
 
-bool is_earlier_output(const fs::path& path, const std::string& mark = "summary.json") {
-  std::error_code error;
-  return fs::is_directory(path, error) && fs::is_regular_file(path / mark, error);
+std::vector<fs::path> make_missing(const fs::path& folder) {
+  std::vector<fs::path> made;
+  for (fs::path up = folder; !up.empty() && !is_there(up); up = up.parent_path())
+    made.insert(made.begin(), up);
+  for (const fs::path& one : made) {
+    std::error_code error;
+    fs::create_directory(one, error);
+    if (error)
+      throw IoError(one.string() + ": cannot make the folder: " + error.message(),
+                    "choose another folder with -o");
+  }
+  return made;
 }
 
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& wanted)
-    : wanted_(without_trailing_slash(fs::absolute(wanted).lexically_normal())),
-      temporary_(sibling(wanted_, "writing")) {
-  std::error_code error;
-  fs::create_directories(wanted_.parent_path(), error);
-  if (!error) fs::remove_all(temporary_, error);
-  if (!error) fs::create_directory(temporary_, error);
-  if (error)
-    throw IoError(wanted_.string() + ": cannot be written: " + error.message(),
-                  "choose another folder with -o");
-}
-
-RunFolder RunFolder::create(const fs::path& wanted, const std::string& mark) {
-  if (wanted.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
-  std::error_code error;
-  const bool there = fs::exists(fs::symlink_status(wanted, error));
-  const bool replaceable = is_earlier_output(wanted, mark) ||
-                           (fs::is_directory(wanted, error) && fs::is_empty(wanted, error));
-  if (there && !replaceable)
-    throw InvalidInput({wanted.string(), 0, ""}, "something that is not an earlier output",
-                       "a new folder, or one that holds " + mark,
-                       "nothing was changed; choose another folder with -o");
-  return RunFolder(wanted);
-}
-
-RunFolder RunFolder::update(const fs::path& existing) {
-  if (!is_earlier_output(existing))
-    throw InvalidInput({existing.string(), 0, ""}, "no earlier output",
-                       "a folder written by loosefit run or loosefit drape");
-  RunFolder folder(existing);
-  std::error_code error;
-  fs::copy(existing, folder.temporary_, fs::copy_options::recursive, error);
-  if (error) throw IoError(folder.temporary_.string() + ": cannot be written: " + error.message());
-  return folder;
-}
-
-RunFolder::RunFolder(RunFolder&& other) noexcept
-    : wanted_(std::move(other.wanted_)), temporary_(std::move(other.temporary_)) {
-  other.temporary_.clear();
+RunFolder::RunFolder(fs::path target, std::string kind, Mode mode)
+    : target_(std::move(target)), kind_(std::move(kind)), mode_(mode) {
+  repair_output(target_);
+  clear_left_overs(target_);
+  check_target();
+  parents_ = make_missing(target_.parent_path());
+  staging_.emplace(target_);
 }
 
 RunFolder::~RunFolder() {
-  std::error_code ignored;
-  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  staging_.reset();
+  for (auto one = parents_.rbegin(); one != parents_.rend(); ++one)
+    remove_if_empty(one->parent_path(), one->filename().string());
+}
+
+RunFolder RunFolder::create(const fs::path& wanted, const std::string& kind) {
+  if (wanted.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
+  return {real_path(wanted), kind, Mode::whole};
+}
+
+RunFolder RunFolder::update(const fs::path& existing, const std::string& kind) {
+  return {real_path(existing), kind, Mode::update};
+}
+
+RunFolder RunFolder::add(const fs::path& folder, const std::string& kind) {
+  if (folder.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
+  return {real_path(folder), kind, Mode::add};
+}
+
+bool RunFolder::has_mark_of_run() const {
+  const auto mark = read_output_mark(target_);
+  return mark && mark->holds("run");
+}
+
+void RunFolder::check_target() const {
+  const bool there = is_there(target_);
+  std::error_code error;
+  const bool folder = there && fs::is_directory(fs::symlink_status(target_, error));
+  const bool summary = folder && is_plain_file(target_, "summary.json");
+  if (mode_ == Mode::update) {
+    if (!folder || (!summary && !has_mark_of_run()))
+      throw InvalidInput({target_.string(), 0, ""}, "no earlier output",
+                         "a folder written by loosefit run or loosefit drape");
+    return;
+  }
+  if (!there) return;
+  const char* const kind = mode_ == Mode::add ? "a folder" : "a new or empty folder";
+  if (!folder)
+    throw InvalidInput({target_.string(), 0, ""},
+                       "something that is not an earlier output, nor a folder", kind,
+                       kNothingChanged);
+  if (mode_ == Mode::add) {
+    if (summary || has_mark_of_run())
+      throw InvalidInput({target_.string(), 0, ""}, "the output of a run (it holds summary.json)",
+                         "another folder", kNothingChanged);
+    return;
+  }
+  const auto mark = read_output_mark(target_);
+  if ((mark && mark->holds(kind_)) || is_empty_output(target_)) return;
+  const std::string file = kind_ == "run" ? "summary.json" : kind_ + ".json";
+  throw InvalidInput({target_.string(), 0, ""},
+                     is_plain_file(target_, file)
+                         ? std::string("a folder without the mark ") + kOutputMark +
+                               ", which tells what in it Loosefit wrote: not an earlier output"
+                         : "something that is not an earlier output",
+                     "a new or empty folder, or an earlier output (" + file + " and its mark)",
+                     kNothingChanged);
+}
+
+void RunFolder::announce(const std::vector<std::string>& planned) const {
+  std::error_code error;
+  if (!fs::is_directory(target_, error)) return;
+  const auto mark = read_output_mark(target_);
+  if (mode_ == Mode::update && !(mark && mark->holds("run"))) return;  // set aside
+  std::vector<std::string> names = in_the_way(target_, mark.value_or(OutputMark()), planned);
+  std::erase_if(names, [this](const std::string& name) { return leave_edited_.count(name) > 0; });
+  if (!names.empty()) throw FilesInTheWay(target_, names);
+}
+
+/// The whole hidden folder of new files takes a free name, with a mark of its own.
+void RunFolder::become_target(const fs::path& target) {
+  OutputMark mark;
+  FileDigests& files = mark.sets[kind_];
+  std::set<std::string> names;
+  for (const std::string& file : plain_files(path())) {
+    if (file == kOutputMark) continue;
+    files[file] = *plain_digest(path(), file);
+    names.insert(file);
+    sync_to_disk(path() / file);
+  }
+  for (const std::string& name : names)
+    for (fs::path up = fs::path(name).parent_path(); !up.empty(); up = up.parent_path())
+      mark.folders.insert(up.generic_string());
+  write_text_file((path() / kOutputMark).string(), mark.text());
+  sync_to_disk(path() / kOutputMark);
+  for (const std::string& folder : mark.folders) sync_to_disk(path() / folder);
+  sync_to_disk(path());
+  move_to_free_name(path(), target);
+}
+
+void RunFolder::save_elsewhere(const std::string& message) {
+  for (int k = 1; k < 1000; ++k) {
+    const fs::path free =
+        target_.parent_path() / (target_.filename().string() + ".new-" + std::to_string(k));
+    if (is_there(free)) continue;
+    try {
+      become_target(free);
+    } catch (const IoError&) {
+      break;
+    }
+    throw InvalidInput(message, "this folder is as it was; the new output is " + free.string());
+  }
+  throw InvalidInput(message, kNothingChanged);
 }
 
 void RunFolder::commit() {
-  const fs::path old = sibling(wanted_, "replaced");
-  std::error_code error;
-  const bool replaces = fs::exists(wanted_, error);
-  if (replaces) fs::rename(wanted_, old, error);
-  if (!error) {
-    fs::rename(temporary_, wanted_, error);
-    if (error && replaces) {
-      std::error_code ignored;
-      fs::rename(old, wanted_, ignored);
+  if (!is_there(target_)) {
+    become_target(target_);
+  } else {
+    Replacement wish;
+    wish.target = target_;
+    wish.incoming = path();
+    wish.kind = kind_;
+    wish.whole = mode_ == Mode::whole;
+    wish.leave_edited = leave_edited_;
+    try {
+      check_target();  // much may have happened since
+      wish.set_aside = mode_ == Mode::update && !has_mark_of_run();
+      aside_ = replace_files(wish, staging_->from_target());
+    } catch (const InvalidInput& error) {
+      if (mode_ != Mode::whole) throw;
+      save_elsewhere(error.what());
+    } catch (const IoError&) {
+      // Where even moving back has failed, the hidden folder holds what the next process needs.
+      try {
+        const auto mark = read_output_mark(target_);
+        if (mark && mark->pending) staging_->keep();
+      } catch (const Error&) {
+        staging_->keep();
+      }
+      throw;
     }
   }
-  if (error) throw IoError(wanted_.string() + ": cannot be written: " + error.message());
-  temporary_.clear();
-  std::error_code ignored;
-  if (replaces) fs::remove_all(old, ignored);
+  staging_.reset();
+  parents_.clear();
 }
 
-void make_plain_folder(const fs::path& folder) {
-  if (is_earlier_output(folder))
-    throw InvalidInput({folder.string(), 0, ""}, "the output of a run (it holds summary.json)",
-                       "another folder", "nothing was changed; choose another folder with -o");
+void repair_output(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw IoError(folder.string() + ": cannot make the folder: " + error.message(),
-                  "choose another folder with -o");
+  if (fs::is_directory(folder, error)) roll_back(real_path(folder));
 }
 
 }  // namespace loosefit

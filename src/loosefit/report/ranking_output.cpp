@@ -258,15 +258,17 @@ std::string ranking_json(const RankingTable& table) {
   return json.dump(2) + "\n";
 }
 
+std::vector<std::string> ranking_files(const std::string& scorecard) {
+  return {"ranking-" + scorecard + ".csv", "ranking-" + scorecard + ".json",
+          "sewing-plan-" + scorecard + ".svg"};
+}
+
 void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
                    const Pattern& pattern) {
-  const std::string& name = table.scorecard.name;
-  const auto write = [&](const std::string& file, const std::string& text) {
-    write_text_file((folder / file).string(), text);
-  };
-  write("ranking-" + name + ".csv", ranking_csv(table));
-  write("ranking-" + name + ".json", ranking_json(table));
-  write("sewing-plan-" + name + ".svg", sewing_plan_svg(table, pattern));
+  const std::vector<std::string> files = ranking_files(table.scorecard.name);
+  write_text_file((folder / files[0]).string(), ranking_csv(table));
+  write_text_file((folder / files[1]).string(), ranking_json(table));
+  write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
 }
 
 }  // namespace loosefit

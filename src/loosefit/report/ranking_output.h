@@ -24,6 +24,9 @@ std::string ranking_csv(const RankingTable& table);
 /// The same with every sample of every metric.
 std::string ranking_json(const RankingTable& table);
 
+/// The files that write_ranking makes for a scorecard of this name.
+std::vector<std::string> ranking_files(const std::string& scorecard);
+
 /// Writes ranking-NAME.csv, ranking-NAME.json and sewing-plan-NAME.svg, NAME that of the scorecard,
 /// so that the rankings for several sensors lie beside each other. \throws IoError.
 void write_ranking(const std::filesystem::path& folder, const RankingTable& table,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/vtp.h"
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
@@ -77,6 +78,7 @@ void recall_wear(const std::filesystem::path& folder, CaseResult& result, Progre
 }  // namespace
 
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
+  repair_output(folder);
   StageClock clock(progress);
   CaseResult result;
   result.scenario = read_scenario((folder / "scenario.toml").string());
