@@ -41,7 +41,9 @@ Tree tree_of(const fs::path& base) {
     } else if (S_ISDIR(found.st_mode)) {
       one = {'d', "", 0};  // a folder of ours may be made again
     } else {
-      one = {'f', read_text_file(entry.path().string(), 1000000), found.st_ino};
+      // Our mark may be written again with the same content.
+      const bool mark = entry.path().filename() == kOutputMark;
+      one = {'f', read_text_file(entry.path().string(), 1000000), mark ? 0 : found.st_ino};
     }
   }
   return tree;
@@ -78,9 +80,12 @@ enum class Way { create, update, add };
 struct Case {
   std::mt19937 random;
   fs::path base, out;
+  Way way;
   Files old;  ///< files of the earlier output that nobody has touched
 
-  Case(unsigned seed, const fs::path& folder) : random(seed), base(folder), out(base / "out") {}
+  Case(unsigned seed, const fs::path& folder) : random(seed), base(folder), out(base / "out") {
+    way = static_cast<Way>(std::min(draw(5), 2));
+  }
   int draw(int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); }
   bool chance(int percent) { return draw(100) < percent; }
 
@@ -88,7 +93,10 @@ struct Case {
     Files files = {{"log.jsonl", "log"}};
     for (const std::string& name : kNames)
       if (chance(50)) files[name] = std::string(1 + draw(400), static_cast<char>('a' + draw(26)));
-    if (chance(80)) files["summary.json"] = "{" + std::to_string(draw(1000)) + "}";
+    if (way == Way::add)
+      files.erase("summary.json");  // by which a folder is that of a run, which `add` refuses
+    else if (chance(80))
+      files["summary.json"] = "{" + std::to_string(draw(1000)) + "}";
     return files;
   }
 
@@ -112,14 +120,14 @@ struct Case {
     } else {
       fs::create_directory(out);
     }
-    if (chance(75)) make_earlier_output();
+    if (chance(85)) make_earlier_output();
     meddle();
   }
 
   void make_earlier_output() {
     old = draw_files();
-    old["summary.json"] = "{}";
-    RunFolder folder = RunFolder::create(out);
+    if (way != Way::add) old["summary.json"] = "{}";
+    RunFolder folder = way == Way::add ? RunFolder::add(out, "body") : RunFolder::create(out);
     write(folder.path(), old);
     folder.commit();
   }
@@ -136,20 +144,25 @@ struct Case {
     while (chance(45)) put("out/notes-" + std::to_string(draw(9)) + ".txt", "mine");
     if (chance(20)) put("out/maps/mine.png", "mine");
     if (chance(20)) put("out/postures/arms up/mine/a.txt", "mine");
-    if (chance(20)) put("out/" + kNames[draw(10)], "mine");
-    if (chance(10)) fs::create_directories(out / "donnings/empty");
-    if (chance(10)) fs::create_directories(out / kNames[draw(10)]);
-    if (chance(15)) link("thesis.tex", kNames[draw(10)]);
-    if (chance(10)) link("nowhere", kNames[draw(10)]);
+    if (chance(7)) put("out/" + kNames[draw(10)], "mine");
+    if (chance(10)) folder("donnings/empty");
+    if (chance(4)) folder(kNames[draw(10)]);
+    if (chance(5)) link("thesis.tex", kNames[draw(10)]);
+    if (chance(4)) link("nowhere", kNames[draw(10)]);
     if (chance(10)) link("thesis.tex", "a-link");
-    if (chance(10)) replace_folder_by_link("maps");
-    if (chance(15)) change(kNames[draw(10)], "edited");
+    if (chance(5)) replace_folder_by_link("maps");
+    if (chance(8)) change(kNames[draw(10)], "edited");
     if (chance(15)) change(kNames[draw(10)], "");
     if (chance(10)) {
       fs::remove(out / kOutputMark);
       old.clear();
       if (chance(30)) put(std::string("out/") + kOutputMark, "{\"format\": \"other\"}");
     }
+  }
+
+  void folder(const std::string& name) {
+    std::error_code in_the_way;
+    fs::create_directories(out / name, in_the_way);
   }
 
   void link(const std::string& to, const std::string& name) {
@@ -289,7 +302,7 @@ void run_case(unsigned seed, const fs::path& base, Counts& counts) {
   Case c(seed, base);
   c.make_world();
   const Files files = c.draw_files();
-  const Way way = static_cast<Way>(std::min(c.draw(5), 2));
+  const Way way = c.way;
   const Trouble trouble = c.chance(25)   ? static_cast<Trouble>(c.draw(2))
                           : c.chance(25) ? Trouble::full_disk
                                          : Trouble::fault;
@@ -329,10 +342,11 @@ void run_case(unsigned seed, const fs::path& base, Counts& counts) {
 }
 
 TEST(RunFolderFuzz, NothingForeignChangesAndOursAreAllOldOrAllNew) {
-  const fs::path base =
-      fs::temp_directory_path() / ("loosefit-folder-fuzz-" + std::to_string(getpid()));
+  const fs::path memory = "/dev/shm";  // where there is one: thousands of folders wear no disk
+  const fs::path base = (access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path()) /
+                        ("loosefit-folder-fuzz-" + std::to_string(getpid()));
   Counts counts;
-  for (unsigned seed = 0; seed < 3000 && !HasFailure(); ++seed) {
+  for (unsigned seed = 0; seed < 1500 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     fs::remove_all(base);
     fs::create_directories(base);
@@ -342,8 +356,8 @@ TEST(RunFolderFuzz, NothingForeignChangesAndOursAreAllOldOrAllNew) {
   std::printf("committed %d, refused %d, failed %d, killed %d (%d half-way)\n", counts.committed,
               counts.refused, counts.failed, counts.killed, counts.half);
   EXPECT_GT(counts.committed, 300);
-  EXPECT_GT(counts.refused, 300);
-  EXPECT_GT(counts.failed, 200);
+  EXPECT_GT(counts.refused, 200);
+  EXPECT_GT(counts.failed, 150);
   EXPECT_GT(counts.half, 200) << "the kills strike while files are being replaced";
 }
 

@@ -204,7 +204,7 @@ FilesInTheWay::FilesInTheWay(const fs::path& folder, const std::vector<std::stri
                    names.size() == 1 ? "a file that Loosefit did not write, or that was changed"
                                      : "files that Loosefit did not write, or that were changed",
                    "only files as Loosefit wrote them where new ones go",
-                   "nothing was changed; move them away, or choose another folder with -o") {}
+                   "nothing was changed; move them away, or write into another folder") {}
 
 std::vector<std::string> in_the_way(const fs::path& folder, const OutputMark& mark,
                                     const std::vector<std::string>& planned) {

@@ -190,7 +190,12 @@ void RunFolder::commit() {
 
 void repair_output(const fs::path& folder) {
   std::error_code error;
-  if (fs::is_directory(folder, error)) roll_back(real_path(folder));
+  if (!fs::is_directory(folder, error)) return;
+  try {
+    roll_back(real_path(folder));
+  } catch (const InvalidInput&) {
+    // No mark of ours, so nothing of ours is half replaced; who wants to write will be told.
+  }
 }
 
 }  // namespace loosefit

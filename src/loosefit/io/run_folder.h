@@ -67,7 +67,7 @@ class RunFolder {
 };
 
 /// Repairs an output that a killed process has left half replaced; to be called before reading one.
-/// \throws IoError if that cannot be done, InvalidInput if it bears a damaged mark.
+/// \throws IoError if that cannot be done.
 void repair_output(const std::filesystem::path& folder);
 
 }  // namespace loosefit
