@@ -174,11 +174,13 @@ struct Case {
   }
 
   void replace_folder_by_link(const std::string& name) {
-    if (fs::is_directory(fs::symlink_status(out / name)))
+    const bool moves = fs::is_directory(fs::symlink_status(out / name));
+    if (moves)
       fs::rename(out / name, base / "elsewhere/moved");
     else if (fs::exists(fs::symlink_status(out / name)))
       return;
-    fs::create_directory_symlink("../elsewhere/maps", out / name);
+    // Behind the link there may be what we wrote: it is theirs all the same.
+    fs::create_directory_symlink(base / "elsewhere" / (moves ? "moved" : "maps"), out / name);
     std::erase_if(old, [&](const auto& file) { return file.first.rfind(name + "/", 0) == 0; });
   }
 
@@ -199,7 +201,7 @@ struct Ending {
 enum class Trouble { none, gives_up, fault, full_disk };
 
 /// Exit code of the write, in this process.
-int write_files(const fs::path& out, const Files& files, Way way, bool gives_up) {
+int write_files(const fs::path& out, const Files& files, Way way, bool announces, bool gives_up) {
   try {
     RunFolder folder = way == Way::create   ? RunFolder::create(out)
                        : way == Way::update ? RunFolder::update(out)
@@ -207,7 +209,7 @@ int write_files(const fs::path& out, const Files& files, Way way, bool gives_up)
     if (way == Way::update) folder.leave_if_edited("scenario.toml");
     std::vector<std::string> planned;
     for (const auto& [name, text] : files) planned.push_back(name);
-    folder.announce(planned);
+    if (announces) folder.announce(planned);
     Case::write(folder.path(), files);
     if (gives_up) throw Cancelled();
     folder.commit();
@@ -222,7 +224,7 @@ int write_files(const fs::path& out, const Files& files, Way way, bool gives_up)
 }
 
 /// The same in a process of its own, with trouble.
-Ending write_in_child(const Case& c, const Files& files, Way way, Trouble trouble,
+Ending write_in_child(const Case& c, const Files& files, Way way, bool announces, Trouble trouble,
                       const faults::Plan& plan, rlim_t limit) {
   const pid_t child = fork();
   if (child == 0) {
@@ -232,7 +234,7 @@ Ending write_in_child(const Case& c, const Files& files, Way way, Trouble troubl
       setrlimit(RLIMIT_FSIZE, &full);
     }
     if (trouble == Trouble::fault) faults::plan = plan;
-    _exit(write_files(c.out, files, way, trouble == Trouble::gives_up || files.empty()));
+    _exit(write_files(c.out, files, way, announces, trouble == Trouble::gives_up || files.empty()));
   }
   int status = 0;
   waitpid(child, &status, 0);
@@ -294,6 +296,17 @@ void expect_old_or_new(const Case& c, const Tree& before, const Files& files, Wa
   if (::testing::Test::HasFailure()) std::fputs(difference(before, now).c_str(), stderr);
 }
 
+/// An output that met foreign files at the last moment goes beside the folder, as a whole.
+void check_saved_elsewhere(const Case& c, const Files& files) {
+  for (const char* name : {"out.new-1", "elsewhere/real.new-1"}) {
+    if (!fs::exists(c.base / name)) continue;
+    EXPECT_EQ(c.way, Way::create);
+    for (const auto& [file, text] : files)
+      EXPECT_EQ(read_text_file((c.base / name / file).string(), 1000), text) << file;
+    fs::remove_all(c.base / name);
+  }
+}
+
 struct Counts {
   int committed = 0, refused = 0, failed = 0, killed = 0, half = 0;
 };
@@ -318,7 +331,9 @@ void run_case(unsigned seed, const fs::path& base, Counts& counts) {
   const faults::Plan plan = plan_of_fault();
   const bool set_aside = way == Way::update && !fs::exists(c.out / kOutputMark);
   const Tree before = tree_of(base);
-  const Ending ending = write_in_child(c, files, way, trouble, plan, 50 + c.draw(2000));
+  const Ending ending =
+      write_in_child(c, files, way, c.chance(60), trouble, plan, 50 + c.draw(2000));
+  check_saved_elsewhere(c, files);
   ASSERT_TRUE(ending.killed || (ending.code >= 0 && ending.code <= 3)) << ending.code;
 
   const Tree after = tree_of(base);
@@ -336,8 +351,8 @@ void run_case(unsigned seed, const fs::path& base, Counts& counts) {
     }
   }
   // Whoever comes next finds the folder repaired and tidy, even if a repair was cut short too.
-  if (c.chance(30)) write_in_child(c, {}, way, Trouble::fault, plan_of_fault(), 0);
-  write_files(c.out, {}, Way::create, true);
+  if (c.chance(30)) write_in_child(c, {}, way, false, Trouble::fault, plan_of_fault(), 0);
+  write_files(c.out, {}, Way::create, false, true);
   expect_old_or_new(c, before, files, way, set_aside);
 }
 
