@@ -121,7 +121,9 @@ bool same_mount(const fs::path& a, const fs::path& b) {
 }
 
 FileLock::FileLock(const fs::path& path, bool wait, bool unknown)
-    : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)) {
+    // Over NFS only a file that is open for writing can be locked; a folder cannot be opened so.
+    : descriptor_(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)) {
+  if (descriptor_ < 0) descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
   if (descriptor_ < 0) {
     holds_ = unknown;
     return;

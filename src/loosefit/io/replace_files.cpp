@@ -97,7 +97,8 @@ Plan plan_of(const Replacement& wish, const OutputMark& before, const std::strin
   plan.after.sets[wish.kind];
   if (wish.whole) plan.after.sets[wish.kind].clear();
   std::vector<std::string> blocked;
-  const std::vector<std::string> files = plain_files(wish.incoming);
+  std::vector<std::string> files = plain_files(wish.incoming);
+  std::erase(files, kOutputMark);  // of a folder that was to be a new one
   for (const std::string& file : files)
     if (add_file(wish, before, file, plan)) blocked.push_back(file);
   if (!blocked.empty()) throw FilesInTheWay(wish.target, blocked);

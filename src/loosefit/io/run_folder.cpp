@@ -157,9 +157,16 @@ void RunFolder::save_elsewhere(const std::string& message) {
 }
 
 void RunFolder::commit() {
+  bool done = false;
   if (!is_there(target_)) {
-    become_target(target_);
-  } else {
+    try {
+      become_target(target_);
+      done = true;
+    } catch (const IoError&) {
+      if (!is_there(target_)) throw;  // else another process was quicker
+    }
+  }
+  if (!done) {
     Replacement wish;
     wish.target = target_;
     wish.incoming = path();

@@ -142,7 +142,8 @@ std::string StagingFolder::from_target() const {
 bool is_abandoned(const fs::path& staging) {
   const auto owner = owner_of(staging);
   if (!owner) return false;
-  const FileLock lock(staging / kWriting, false, true);
+  // Where nothing can be locked, nothing is known of processes on other machines.
+  const FileLock lock(staging / kWriting, false, false);
   return lock.holds() && is_gone(owner->number, owner->start);
 }
 
