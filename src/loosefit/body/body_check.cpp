@@ -3,118 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <map>
 
 #include "loosefit/base/error.h"
-#include "loosefit/body/section.h"
+#include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/surface_topology.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kShortest = 0.5, kTallest = 2.3;  // standing people [m]
-constexpr double kWeldDistance = 1e-6;
-constexpr double kSmallPiece = 0.05;  // share of the area that may be dropped
+constexpr double kWeldDistance = 1e-6;  // share of the longest extent
+constexpr double kSmallPiece = 0.05;    // share of the area that may be dropped
 
-struct Box {
-  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 upper = -lower;
-};
-
-Box box_of(const std::vector<Vec3>& points) {
-  Box box;
-  for (const auto& p : points) {
-    box.lower = box.lower.cwiseMin(p);
-    box.upper = box.upper.cwiseMax(p);
-  }
-  return box;
+double longest_extent(const TriangleMesh& mesh) {
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  for (const auto& p : mesh.vertices) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
+  return (upper - lower).maxCoeff();
 }
 
-double metres_per_unit(const std::string& units, const InputPlace& place) {
-  static const std::map<std::string, double> kUnits = {
-      {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
-  const auto found = kUnits.find(units);
-  if (found == kUnits.end())
-    throw InvalidInput(place, "units \"" + units + "\"", "m, cm, mm or in");
-  return found->second;
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-void scale_to_metres(TriangleMesh& mesh, const ScanOptions& options,
-                     std::vector<std::string>& warnings) {
-  const InputPlace place{options.file, 0, "units"};
-  const Box box = box_of(mesh.vertices);
-  const double extent = (box.upper - box.lower).maxCoeff();
-  double scale = 0;
-  if (!options.units.empty()) {
-    scale = metres_per_unit(options.units, place);
-  } else {
-    for (const char* guess : {"m", "cm", "mm"}) {
-      const double metres = extent * metres_per_unit(guess, place);
-      if (metres < kShortest || metres > kTallest) continue;
-      scale = metres_per_unit(guess, place);
-      warnings.push_back(
-          fmt::format("no units given: the longest extent {:.4g} is taken as {}", extent, guess));
-      break;
-    }
-  }
-  const double metres = extent * scale;
-  if (!(metres >= kShortest && metres <= kTallest)) {
-    throw InvalidInput(place,
-                       options.units.empty() ? fmt::format("a longest extent of {:.4g}", extent)
-                                             : fmt::format("a longest extent of {:.4g} m", metres),
-                       fmt::format("a person of {:g} to {:g} m", kShortest, kTallest),
-                       "give the units of the file: m, cm, mm or in");
-  }
-  for (auto& p : mesh.vertices) p *= scale;
-}
-
-void stand_up(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
-  const Box box = box_of(mesh.vertices);
-  const Vec3 extent = box.upper - box.lower;
-  std::string up = options.up;
-  if (up.empty()) {
-    up = extent.y() > extent.z() ? "y" : "z";
-    warnings.push_back("no up axis given: " + up + " is taken as up, the longer of y and z");
-  }
-  if (up != "y" && up != "z") {
-    throw InvalidInput({options.file, 0, "up"}, "\"" + up + "\"", "y or z");
-  }
-  if (up == "y") {
-    for (auto& p : mesh.vertices) p = Vec3(p.x(), -p.z(), p.y());
-  }
-  const Box standing = box_of(mesh.vertices);
-  const Vec3 size = standing.upper - standing.lower;
-  if (size.y() > size.x()) {
-    for (auto& p : mesh.vertices) p = Vec3(-p.y(), p.x(), p.z());
-    warnings.push_back("the surface is wider along depth than along x: turned by 90 degrees");
-  }
-}
-
-// Toes stick out in front of the ankles.
-void face_forward(TriangleMesh& mesh, std::vector<std::string>& warnings) {
-  const Box box = box_of(mesh.vertices);
-  const double height = box.upper.z() - box.lower.z();
-  double foot = 0, ankle = 0;
-  int foot_count = 0, ankle_count = 0;
-  double foot_low = 1e9, foot_high = -1e9;
-  for (const auto& p : mesh.vertices) {
-    const double level = (p.z() - box.lower.z()) / height;
-    if (level < 0.025) {
-      foot += p.y(), ++foot_count;
-      foot_low = std::min(foot_low, p.y()), foot_high = std::max(foot_high, p.y());
-    }
-    if (level > 0.05 && level < 0.09) ankle += p.y(), ++ankle_count;
-  }
-  if (foot_count == 0 || ankle_count == 0) return;
-  const double middle = ankle / ankle_count;
-  if (foot_high - middle > 1.15 * (middle - foot_low)) {
-    for (auto& p : mesh.vertices) p = Vec3(-p.x(), -p.y(), p.z());
-    warnings.push_back("the toes point to +y: turned by 180 degrees to face -y");
-  }
+/// Where somebody finds a point again in the program that the scan came from.
+std::string in_file(const Vec3& p) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z());
 }
 
 void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options,
@@ -125,87 +39,112 @@ void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options,
   for (const auto& piece : pieces) total += piece.area;
   const double dropped = total - pieces[0].area;
   if (dropped > kSmallPiece * total) {
-    throw GeometryError({options.file, 0, ""},
-                        fmt::format("{} separate pieces, the largest with {:.0f} % of the area",
-                                    pieces.size(), 100 * pieces[0].area / total),
-                        "one closed surface", "merge or delete the other pieces");
+    const Triangle& second = mesh.triangles[std::size_t(pieces[1].triangles[0])];
+    throw GeometryError(
+        {options.file, 0, ""},
+        fmt::format("{} surfaces that do not hang together, the largest with {:.0f} % of the area, "
+                    "the next with {:.0f} %, near {} of the file",
+                    pieces.size(), 100 * pieces[0].area / total, 100 * pieces[1].area / total,
+                    in_file(mesh.vertices[std::size_t(second[0])])),
+        "one person in one closed surface",
+        "delete what is not the person (floor, turntable, a second person), and join what is");
   }
   keep_piece(mesh, pieces[0]);
-  warnings.push_back(fmt::format("{} small separate pieces dropped", pieces.size() - 1));
+  warnings.push_back(counted(pieces.size() - 1, "small separate piece", "small separate pieces") +
+                     " dropped");
 }
 
-void require_closed(const TriangleMesh& mesh, const ScanOptions& options) {
+void require_two_faces_at_edges(const TriangleMesh& mesh, const ScanOptions& options) {
   const EdgeReport edges = inspect_edges(mesh);
-  if (edges.open > 0) {
-    throw GeometryError(
-        {options.file, 0, ""},
-        fmt::format("an open surface: {} edges without a neighbour in {} holes, the "
-                    "largest near ({:.2f}, {:.2f}, {:.2f}) m",
-                    edges.open, edges.holes, edges.place.x(), edges.place.y(), edges.place.z()),
-        "a closed surface", "fill the holes first (soles, crotch, armpits, crown)");
-  }
-  if (edges.crowded > 0) {
-    throw GeometryError(
-        {options.file, 0, ""},
-        fmt::format("{} edges with more than two faces, one near ({:.2f}, {:.2f}, {:.2f}) m",
-                    edges.crowded, edges.place.x(), edges.place.y(), edges.place.z()),
-        "two faces at every edge", "remove inner or doubled faces");
+  if (edges.crowded == 0) return;
+  throw GeometryError(
+      {options.file, 0, ""},
+      fmt::format("{} where more than two faces meet, one near {} of the file",
+                  counted(std::size_t(edges.crowded), "edge", "edges"), in_file(edges.place)),
+      "two faces at every edge", "remove inner walls and doubled faces there");
+}
+
+void orient(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
+  switch (orient_consistently(mesh)) {
+    case Orientation::impossible:
+      throw GeometryError({options.file, 0, ""},
+                          "a surface with one side only (a band with a twist in it)",
+                          "a surface with an inside and an outside",
+                          "make the surface again from the points of the scan, closed "
+                          "(\"watertight\")");
+    case Orientation::repaired:
+      warnings.push_back("faces of mixed orientation were turned to agree");
+      break;
+    case Orientation::consistent:
+      break;
   }
 }
 
-// Sideways by head and shoulders, which have no arms beside them; in depth by the trunk's waist.
-void centre(TriangleMesh& mesh) {
-  const Box box = box_of(mesh.vertices);
-  const double height = box.upper.z() - box.lower.z();
-  double x = 0;
-  int count = 0;
-  for (const auto& p : mesh.vertices) {
-    const double level = (p.z() - box.lower.z()) / height;
-    if (level > 0.80 && level < 0.98) x += p.x(), ++count;
+void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
+                      std::vector<std::string>& warnings) {
+  const std::vector<Hole> holes = find_holes(mesh);
+  if (holes.empty()) return;
+  const double widest = kWidestHole * longest_extent(mesh);
+  const auto too_wide =
+      std::count_if(holes.begin(), holes.end(), [&](const Hole& h) { return h.width > widest; });
+  if (too_wide > 0) {
+    std::string places;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, std::size_t(too_wide)); ++i)
+      places += fmt::format("{}{:.3g} wide near {}", i == 0 ? "" : "; ", holes[i].width,
+                            in_file(holes[i].centre));
+    throw GeometryError({options.file, 0, ""},
+                        fmt::format("an open surface: {} that {} too wide to be filled, in units "
+                                    "of the file: {}",
+                                    counted(std::size_t(too_wide), "hole", "holes"),
+                                    too_wide == 1 ? "is" : "are", places),
+                        fmt::format("a closed surface, or holes of at most {:.3g} (3 % of the "
+                                    "height)",
+                                    widest),
+                        "close them in the program that the scan came from; soles, crotch, armpits "
+                        "and the crown are usual places");
   }
-  x /= std::max(1, count);
-  const double waist = box.lower.z() + 0.62 * height;
-  Box trunk;
-  const auto loops = plane_section(mesh, Vec3(0, 0, waist), Vec3::UnitZ());
-  if (const SectionLoop* loop = trunk_loop(loops, x)) trunk = box_of(loop->points);
-  const double y =
-      trunk.lower.y() < trunk.upper.y() ? 0.5 * (trunk.lower.y() + trunk.upper.y()) : 0;
-  for (auto& p : mesh.vertices) p -= Vec3(x, y, box.lower.z());
+  for (const auto& hole : holes) fill_hole(mesh, hole);
+  warnings.push_back(fmt::format(
+      "{} filled, the widest {:.3g} wide near {} (units of the file): the skin there is a guess",
+      counted(holes.size(), "small hole", "small holes"), holes[0].width,
+      in_file(holes[0].centre)));
+}
+
+void warn_of_crossings(CheckedSurface& checked) {
+  const TriangleMesh& mesh = checked.mesh;
+  const auto crossings = self_intersections(mesh.vertices, mesh.triangles);
+  if (crossings.empty()) return;
+  const Vec3& p = mesh.vertices[std::size_t(mesh.triangles[std::size_t(crossings[0].first)][0])];
+  checked.warnings.push_back(
+      fmt::format("{} pairs of faces pass through each other, one {:.2f} m above the floor, {:.2f} "
+                  "m to the {}; distances there are unreliable",
+                  crossings.size(), p.z(), std::abs(p.x()), p.x() < 0 ? "right" : "left"));
 }
 
 }  // namespace
 
 CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options) {
   CheckedSurface checked;
-  scale_to_metres(mesh, options, checked.warnings);
-  weld(mesh, kWeldDistance);
-  keep_largest_piece(mesh, options, checked.warnings);
-  require_closed(mesh, options);
-  switch (orient_consistently(mesh)) {
-    case Orientation::impossible:
-      throw GeometryError({options.file, 0, ""}, "a one-sided surface", "a surface with an inside");
-    case Orientation::repaired:
-      checked.warnings.push_back("faces of mixed orientation were turned to agree");
-      break;
-    case Orientation::consistent:
-      break;
-  }
+  auto& warnings = checked.warnings;
+  drop_unused_vertices(mesh);
+  int repeated = drop_repeated_triangles(mesh);
+  weld_seams(mesh, kWeldDistance * longest_extent(mesh));
+  repeated += drop_repeated_triangles(mesh);
+  if (repeated > 0)
+    warnings.push_back(counted(std::size_t(repeated), "repeated face", "repeated faces") +
+                       " dropped");
+  keep_largest_piece(mesh, options, warnings);
+  require_two_faces_at_edges(mesh, options);
+  orient(mesh, options, warnings);
+  fill_small_holes(mesh, options, warnings);
+  require_two_faces_at_edges(mesh, options);
   if (enclosed_volume(mesh) < 0) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-    checked.warnings.push_back("the faces looked inwards: turned outwards");
+    warnings.push_back("the faces looked inwards: turned outwards");
   }
-  stand_up(mesh, options, checked.warnings);
-  face_forward(mesh, checked.warnings);
-  centre(mesh);
-  const auto crossings = self_intersections(mesh.vertices, mesh.triangles);
-  if (!crossings.empty()) {
-    const Vec3& p = mesh.vertices[std::size_t(mesh.triangles[std::size_t(crossings[0].first)][0])];
-    checked.warnings.push_back(
-        fmt::format("{} pairs of faces intersect each other, one near ({:.2f}, {:.2f}, {:.2f}) m; "
-                    "distances there are unreliable",
-                    crossings.size(), p.x(), p.y(), p.z()));
-  }
+  checked.from_world = stand_in_our_frame(mesh, options, warnings);
   checked.mesh = std::move(mesh);
+  warn_of_crossings(checked);
   return checked;
 }
 

@@ -1,28 +1,32 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
+#include "loosefit/body/scan_frame.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
-
-/// What the user knows of a scanned surface; empty texts are inferred with a warning.
-struct ScanOptions {
-  std::string file;   ///< for messages
-  std::string units;  ///< "m", "cm", "mm", "in" or empty
-  std::string up;     ///< "z", "y" or empty
-};
 
 /// A surface fit to be a body: metres, z up, facing -y, closed, outward, one piece, floor at z = 0,
 /// trunk over the origin.
 struct CheckedSurface {
   TriangleMesh mesh;
+  /// The file's world, in metres and with z up, → this frame (scan_frame.h).
+  Eigen::Isometry3d from_world = Eigen::Isometry3d::Identity();
   std::vector<std::string> warnings;
 };
 
-/// Welds, scales, turns, keeps the largest piece, orients and checks a scan.
-/// \throws GeometryError when it is open, not orientable or not manifold (says where);
-/// InvalidInput when no unit makes it a person.
+/// The widest hole that is filled, as a share of the stature (50 mm of an adult). A flat patch of
+/// width d on a trunk of radius R misses the skin by d²/8R, here by 3 mm, which is what a tape can
+/// tell; wider holes hide shape that nobody has measured.
+inline constexpr double kWidestHole = 0.03;
+
+/// Drops what is not skin (repeated faces, loose vertices, specks), closes seams and small holes,
+/// orients, scales, turns and checks a scan. What it changes is told in warnings.
+/// \throws GeometryError when it has a wide hole, is not orientable or not manifold, or is more
+/// than one piece (says where, in metres of the file's world); InvalidInput when no unit makes it a
+/// person.
 CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options);
 
 }  // namespace loosefit

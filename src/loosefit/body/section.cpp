@@ -42,7 +42,13 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
   const double offset = n.dot(origin);
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v) height[v] = n.dot(mesh.vertices[v]) - offset;
-  const auto above = [&](int v) { return height[std::size_t(v)] >= 0; };
+  return level_section(mesh, height, 0);
+}
+
+std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vector<double>& values,
+                                       double level) {
+  const auto height = [&](std::size_t v) { return values[v] - level; };
+  const auto above = [&](int v) { return height(std::size_t(v)) >= 0; };
 
   std::vector<Segment> segments;
   std::vector<Crossing> crossings;
@@ -75,7 +81,7 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
   }
   const auto point_of = [&](std::uint64_t edge) -> Vec3 {
     const auto a = std::size_t(edge >> 32), b = std::size_t(edge & 0xffffffff);
-    const double share = height[a] / (height[a] - height[b]);
+    const double share = height(a) / (height(a) - height(b));
     return mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]);
   };
 
@@ -91,6 +97,7 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
       used[at] = 1;
       const std::uint64_t edge = leave == 1 ? segments[at].to : segments[at].from;
       loop.points.push_back(point_of(edge));
+      loop.edges.push_back({int(edge >> 32), int(edge & 0xffffffff)});
       const int next = neighbour[at][leave];
       if (next < 0) break;
       if (std::size_t(next) == first) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "loosefit/geometry/triangle_mesh.h"
@@ -7,9 +8,14 @@ namespace loosefit {
 
 /// A closed curve where a plane cuts a surface.
 struct SectionLoop {
-  std::vector<Vec3> points;  ///< in order; the last point joins the first
-  double length = 0;         ///< perimeter [m]
+  std::vector<Vec3> points;               ///< in order; the last point joins the first
+  std::vector<std::array<int, 2>> edges;  ///< mesh edge on which each point lies
+  double length = 0;                      ///< perimeter [m]
 };
+
+/// All closed loops along which a scalar per vertex has this value; rules as of plane_section.
+std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vector<double>& values,
+                                       double level);
 
 /// All closed loops of the cut by the plane through `origin` with normal `normal`. A vertex exactly
 /// on the plane counts as lying above it, so every loop of a closed surface closes. Loops are in

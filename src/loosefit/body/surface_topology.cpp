@@ -4,29 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
+
+#include "loosefit/body/mesh_repair.h"
+#include "loosefit/body/union_find.h"
 
 namespace loosefit {
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[std::size_t(i)] != i) {
-      i = parent_[std::size_t(i)] = parent_[std::size_t(parent_[std::size_t(i)])];
-    }
-    return i;
-  }
-  void unite(int a, int b) {
-    const int root_a = find(a), root_b = find(b);
-    parent_[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 struct EdgeUse {
   int low, high;  ///< vertices
@@ -52,43 +36,7 @@ std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {
 
 bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
 
-// Keeps the order of the vertices.
-void drop_unused_vertices(TriangleMesh& mesh) {
-  std::vector<int> number(mesh.vertices.size(), -1);
-  for (const auto& t : mesh.triangles) {
-    for (const int corner : t) number[std::size_t(corner)] = 0;
-  }
-  std::vector<Vec3> kept;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = int(kept.size());
-    kept.push_back(mesh.vertices[v]);
-  }
-  for (auto& t : mesh.triangles) {
-    for (auto& corner : t) corner = number[std::size_t(corner)];
-  }
-  mesh.vertices = std::move(kept);
-}
-
 }  // namespace
-
-void weld(TriangleMesh& mesh, double distance) {
-  std::map<std::array<long long, 3>, int> at;
-  std::vector<int> target(mesh.vertices.size());
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Vec3& p = mesh.vertices[v];
-    const std::array<long long, 3> cell = {std::llround(p.x() / distance),
-                                           std::llround(p.y() / distance),
-                                           std::llround(p.z() / distance)};
-    target[v] = at.emplace(cell, int(v)).first->second;
-  }
-  for (auto& t : mesh.triangles) {
-    for (auto& corner : t) corner = target[std::size_t(corner)];
-  }
-  std::erase_if(mesh.triangles,
-                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-  drop_unused_vertices(mesh);
-}
 
 std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
   UnionFind sets(mesh.triangles.size());

@@ -5,10 +5,6 @@
 
 namespace loosefit {
 
-/// Unites vertices nearer than about `distance` (equal rounded coordinates) and drops triangles and
-/// vertices that vanish by it.
-void weld(TriangleMesh& mesh, double distance);
-
 /// A connected part: its triangles and area [m²].
 struct Piece {
   std::vector<int> triangles;

@@ -1,0 +1,242 @@
+#include "loosefit/body/mesh_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "loosefit/body/union_find.h"
+
+namespace loosefit {
+namespace {
+
+using Edge = std::array<int, 2>;  // low, high
+
+Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::map<Edge, int> uses_of_edges(const std::vector<Triangle>& triangles) {
+  std::map<Edge, int> uses;
+  for (const auto& t : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) ++uses[edge_of(t[c], t[(c + 1) % 3])];
+  }
+  return uses;
+}
+
+bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+/// Vertices of open edges grouped by place: an equal number for those within `distance`.
+std::map<int, int> places_of(const TriangleMesh& mesh, const std::vector<Edge>& open,
+                             double distance) {
+  std::vector<int> vertices;
+  for (const auto& e : open) vertices.insert(vertices.end(), e.begin(), e.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  using Cell = std::array<long long, 3>;
+  std::map<Cell, std::vector<int>> cells;
+  const auto cell_of = [&](int v) {
+    const Vec3 p = mesh.vertices[std::size_t(v)] / distance;
+    return Cell{std::llround(p.x()), std::llround(p.y()), std::llround(p.z())};
+  };
+  for (std::size_t i = 0; i < vertices.size(); ++i) cells[cell_of(vertices[i])].push_back(int(i));
+  UnionFind sets(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3& p = mesh.vertices[std::size_t(vertices[i])];
+    const Cell at = cell_of(vertices[i]);
+    for (int step = 0; step < 27; ++step) {
+      const auto near =
+          cells.find({at[0] + step % 3 - 1, at[1] + step / 3 % 3 - 1, at[2] + step / 9 - 1});
+      if (near == cells.end()) continue;
+      for (const int other : near->second) {
+        const Vec3& q = mesh.vertices[std::size_t(vertices[std::size_t(other)])];
+        if ((p - q).norm() <= distance) sets.unite(int(i), other);
+      }
+    }
+  }
+  std::map<int, int> place;
+  for (std::size_t i = 0; i < vertices.size(); ++i) place[vertices[i]] = sets.find(int(i));
+  return place;
+}
+
+/// Least-area triangulation of a ring by dynamic programming; empty when every one needs an edge
+/// that the surface has already.
+std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vector<int>& rim,
+                                      const std::map<Edge, int>& uses) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const std::size_t n = rim.size();
+  std::vector<std::vector<double>> cost(n, std::vector<double>(n, 0));
+  std::vector<std::vector<std::size_t>> apex(n, std::vector<std::size_t>(n, 0));
+  const auto at = [&](std::size_t i) -> const Vec3& { return mesh.vertices[std::size_t(rim[i])]; };
+  for (std::size_t gap = 2; gap < n; ++gap) {
+    for (std::size_t i = 0; i + gap < n; ++i) {
+      const std::size_t k = i + gap;
+      cost[i][k] = kNever;
+      const bool chord = gap < n - 1;
+      if (chord && uses.count(edge_of(rim[i], rim[k]))) continue;
+      for (std::size_t m = i + 1; m < k; ++m) {
+        const double area = cost[i][m] + cost[m][k] + triangle_area(at(i), at(m), at(k));
+        if (area < cost[i][k]) cost[i][k] = area, apex[i][k] = m;
+      }
+    }
+  }
+  std::vector<Triangle> span;
+  if (cost[0][n - 1] == kNever) return span;
+  const std::function<void(std::size_t, std::size_t)> emit = [&](std::size_t i, std::size_t k) {
+    if (k - i < 2) return;
+    const std::size_t m = apex[i][k];
+    span.push_back({rim[i], rim[m], rim[k]});
+    emit(i, m);
+    emit(m, k);
+  };
+  emit(0, n - 1);
+  return span;
+}
+
+}  // namespace
+
+int drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<int> number(mesh.vertices.size(), -1);
+  for (const auto& t : mesh.triangles) {
+    for (const int corner : t) number[std::size_t(corner)] = 0;
+  }
+  std::vector<Vec3> kept;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = int(kept.size());
+    kept.push_back(mesh.vertices[v]);
+  }
+  for (auto& t : mesh.triangles) {
+    for (auto& corner : t) corner = number[std::size_t(corner)];
+  }
+  const int dropped = int(mesh.vertices.size() - kept.size());
+  mesh.vertices = std::move(kept);
+  return dropped;
+}
+
+int drop_repeated_triangles(TriangleMesh& mesh) {
+  std::set<Triangle> seen;
+  return int(std::erase_if(mesh.triangles, [&](Triangle t) {
+    std::sort(t.begin(), t.end());
+    return !seen.insert(t).second;
+  }));
+}
+
+void weld_seams(TriangleMesh& mesh, double distance) {
+  const std::map<Edge, int> before = uses_of_edges(mesh.triangles);
+  std::vector<Edge> open;
+  for (const auto& [edge, uses] : before) {
+    if (uses == 1) open.push_back(edge);
+  }
+  if (open.empty()) return;
+  const std::map<int, int> place = places_of(mesh, open, distance);
+  std::map<Edge, std::vector<Edge>> together;  // open edges by the places of their ends
+  for (const auto& e : open) {
+    if (place.at(e[0]) != place.at(e[1]))
+      together[edge_of(place.at(e[0]), place.at(e[1]))].push_back(e);
+  }
+  std::set<int> apart;  // places where uniting would crowd an edge
+  std::vector<int> target(mesh.vertices.size());
+  for (bool crowded = true; crowded;) {
+    crowded = false;
+    UnionFind sets(mesh.vertices.size());
+    for (const auto& [ends, edges] : together) {
+      if (edges.size() < 2) continue;
+      for (std::size_t i = 1; i < edges.size(); ++i) {
+        for (const int a : edges[0]) {
+          for (const int b : edges[i]) {
+            if (place.at(a) == place.at(b) && !apart.count(place.at(a))) sets.unite(a, b);
+          }
+        }
+      }
+    }
+    for (std::size_t v = 0; v < target.size(); ++v) target[v] = sets.find(int(v));
+    std::vector<Triangle> united;
+    for (const auto& t : mesh.triangles) {
+      const Triangle moved = {target[std::size_t(t[0])], target[std::size_t(t[1])],
+                              target[std::size_t(t[2])]};
+      if (!degenerate(moved)) united.push_back(moved);
+    }
+    std::set<Edge> already;
+    for (const auto& [edge, uses] : before) {
+      if (uses > 2)
+        already.insert(edge_of(target[std::size_t(edge[0])], target[std::size_t(edge[1])]));
+    }
+    for (const auto& [edge, uses] : uses_of_edges(united)) {
+      if (uses <= 2 || already.count(edge)) continue;
+      for (const int end : edge) {
+        const auto found = place.find(end);
+        if (found != place.end() && apart.insert(found->second).second) crowded = true;
+      }
+    }
+  }
+  for (auto& t : mesh.triangles) {
+    for (auto& corner : t) corner = target[std::size_t(corner)];
+  }
+  std::erase_if(mesh.triangles, degenerate);
+  drop_unused_vertices(mesh);
+}
+
+std::vector<Hole> find_holes(const TriangleMesh& mesh) {
+  const std::map<Edge, int> uses = uses_of_edges(mesh.triangles);
+  std::map<int, std::vector<int>> next;  // along the rim, against the triangle's own direction
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int a = t[c], b = t[(c + 1) % 3];
+      if (uses.at(edge_of(a, b)) == 1) next[b].push_back(a);
+    }
+  }
+  std::vector<Hole> holes;
+  for (auto& [start, ways] : next) {
+    while (!ways.empty()) {
+      // A walk that meets itself has gone round a hole; what led there goes on.
+      std::vector<int> walk = {start};
+      while (!walk.empty()) {
+        auto& onward = next[walk.back()];
+        if (onward.empty()) break;
+        const int to = onward.back();
+        onward.pop_back();
+        const auto met = std::find(walk.begin(), walk.end(), to);
+        if (met == walk.end()) {
+          walk.push_back(to);
+          continue;
+        }
+        Hole hole;
+        hole.rim.assign(met, walk.end());
+        walk.erase(met + 1, walk.end());
+        if (hole.rim.size() >= 3) holes.push_back(std::move(hole));
+      }
+    }
+  }
+  for (auto& hole : holes) {
+    for (const int v : hole.rim) hole.centre += mesh.vertices[std::size_t(v)];
+    hole.centre /= double(hole.rim.size());
+    for (const int a : hole.rim) {
+      for (const int b : hole.rim)
+        hole.width = std::max(
+            hole.width, (mesh.vertices[std::size_t(a)] - mesh.vertices[std::size_t(b)]).norm());
+    }
+  }
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const Hole& a, const Hole& b) { return a.width > b.width; });
+  return holes;
+}
+
+void fill_hole(TriangleMesh& mesh, const Hole& hole) {
+  constexpr std::size_t kLongRim = 120;
+  if (hole.rim.size() <= kLongRim) {
+    const auto span = least_area_span(mesh, hole.rim, uses_of_edges(mesh.triangles));
+    if (!span.empty()) {
+      mesh.triangles.insert(mesh.triangles.end(), span.begin(), span.end());
+      return;
+    }
+  }
+  const int middle = int(mesh.vertices.size());
+  mesh.vertices.push_back(hole.centre);
+  for (std::size_t i = 0; i < hole.rim.size(); ++i)
+    mesh.triangles.push_back({hole.rim[i], hole.rim[(i + 1) % hole.rim.size()], middle});
+}
+
+}  // namespace loosefit

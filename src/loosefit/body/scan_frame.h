@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// What the user knows of a scanned surface; empty texts are inferred with a warning.
+struct ScanOptions {
+  std::string file;   ///< for messages
+  std::string units;  ///< "m", "cm", "mm", "in" or empty
+  std::string up;     ///< "z", "y" or empty
+};
+
+/// Brings a closed, outward oriented surface in file units and file axes into metres and our frame:
+/// z up, facing -y, floor at z = 0, trunk over the origin. Units are inferred from the stature: one
+/// of m, cm, mm and in must make it that of a standing person, and only one.
+/// \return the rigid motion from the file's world (in metres; a file with y up turned by
+/// (x, y, z) → (x, −z, y)) to our frame: turns about z and a shift.
+/// \throws InvalidInput when no or more than one unit makes it a person, or for unknown options.
+Eigen::Isometry3d stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
+                                     std::vector<std::string>& warnings);
+
+}  // namespace loosefit

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// What of a standing body a vertex hangs on.
+enum class Limb : signed char { core, left_arm, right_arm, left_leg, right_leg };
+
+/// A limb as a chain of loops, from where it leaves the trunk outwards.
+struct LimbChain {
+  struct Ring {
+    Vec3 centre;
+    double length = 0;  ///< round the limb [m]
+    double reach = 0;   ///< way over the skin from the crown [m]
+  };
+  std::vector<Ring> rings;   ///< empty when the limb was not found
+  Vec3 fold = Vec3::Zero();  ///< where it parts from the trunk: armpit, crotch
+  Vec3 tip = Vec3::Zero();   ///< its farthest point
+  bool touches = false;      ///< its end is grown together with something else
+  bool found() const { return !rings.empty(); }
+};
+
+/// Arms and legs of a standing body, by topology: the loops of equal way over the skin from the
+/// crown (the Reeb graph of that way) are one round head and trunk; they part at the armpits and
+/// the crotch. So the posture of the arms does not matter, nor that surfaces touch or pass through
+/// each other. Where a hand has grown together with a thigh, the way from the trunk along the arm
+/// meets that along the leg, and the limbs end there. Index 0 left (+x), 1 right.
+struct ScanLimbs {
+  std::vector<Limb> limb;  ///< per vertex
+  std::array<LimbChain, 2> arm, leg;
+};
+
+/// `mesh` closed, z up, facing -y, floor at z = 0. What is not found has an empty chain.
+ScanLimbs find_limbs(const TriangleMesh& mesh, double height);
+
+}  // namespace loosefit

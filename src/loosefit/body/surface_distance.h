@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/geometry/triangle_mesh.h"
+
+namespace loosefit {
+
+/// Vertices that share an edge with each vertex, ascending.
+std::vector<std::vector<int>> neighbours_of(const TriangleMesh& mesh);
+
+/// Length of the shortest way over the surface from a vertex to each vertex [m], by fast marching
+/// (Kimmel and Sethian 1998; each triangle is unfolded as in Novotni and Klein 2002); infinite
+/// where there is no way. Every vertex but the source has a neighbour that is nearer.
+std::vector<double> surface_distance(const TriangleMesh& mesh, int source);
+
+}  // namespace loosefit
