@@ -38,6 +38,9 @@ struct Body {
   std::map<std::string, double> measured;
   /// Rest → posed affine map of each surface vertex (linear blend skinning); empty for scans.
   std::vector<Eigen::Matrix<double, 3, 4>> pose_from_rest;
+  /// The world of a scan's file (in metres, z up; a file with y up turned by (x, −z, y)) → this
+  /// frame: turns about z and a shift. Nothing for people from measures.
+  Eigen::Isometry3d from_world = Eigen::Isometry3d::Identity();
 };
 
 /// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.

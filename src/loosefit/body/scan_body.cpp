@@ -1,5 +1,7 @@
 #include "loosefit/body/scan_body.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -72,8 +74,9 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
     body.joints["elbow" + under] = arms[side].elbow();
     body.joints["wrist" + under] = arms[side].wrist();
     body.joints["hand" + under] = arms[side].points.back();
-    const Vec3 pelvis = centre_at(s, s.crotch + 0.04 * s.height);
-    body.joints["hip" + under] = pelvis + Vec3(sign * 0.052 * s.height, 0, 0);
+    // As on the parametric body, where it is 0.059 to 0.064 aside and 0.048 to 0.066 up.
+    const Vec3 pelvis = centre_at(s, s.crotch + 0.06 * s.height);
+    body.joints["hip" + under] = Vec3(s.crotch_x + sign * 0.060 * s.height, pelvis.y(), pelvis.z());
     body.joints["knee" + under] = leg_at(s, side, 0.285 * s.height);
     body.joints["ankle" + under] = leg_at(s, side, 0.039 * s.height);
     body.joints["clavicle" + under] =
@@ -88,6 +91,29 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
   }
 }
 
+void tell_what_touches(const ScanSections& s, const ScanLimbs& limbs,
+                       std::vector<std::string>& warnings) {
+  if (!s.legs_apart) {
+    warnings.push_back(
+        limbs.leg[0].found()
+            ? fmt::format(
+                  "the legs are one surface down to {:.2f} m above the floor: the crotch is "
+                  "taken at {:.2f} m, 0.47 of the height",
+                  limbs.leg[0].fold.z(), s.crotch)
+            : fmt::format("the legs are one surface: the crotch is taken at {:.2f} m above the "
+                          "floor, 0.47 of the height",
+                          s.crotch));
+  }
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+    const LimbChain& arm = limbs.arm[side];
+    if (!arm.touches) continue;
+    warnings.push_back(fmt::format(
+        "the {} hand has grown together with the body {:.2f} m above the floor: wrist and hand are "
+        "placed by proportion",
+        side == 0 ? "left" : "right", arm.rings.back().centre.z()));
+  }
+}
+
 }  // namespace
 
 ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
@@ -96,14 +122,17 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   made.warnings = std::move(checked.warnings);
   Body& body = made.body;
   body.surface = std::move(checked.mesh);
+  body.from_world = checked.from_world;
   body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
   const TriangleMesh& surface = body.surface;
-  const ScanSections s = slice_scan(surface);
-  if (!s.legs_apart)
-    made.warnings.push_back("the legs touch: the crotch is taken at 0.47 of the height");
-  std::array<ArmLine, 2> arms = {arm_line(s, 0), arm_line(s, 1)};
+  double height = 0;
+  for (const auto& p : surface.vertices) height = std::max(height, p.z());
+  const ScanLimbs limbs = find_limbs(surface, height);
+  const ScanSections s = slice_scan(surface, limbs);
+  tell_what_touches(s, limbs, made.warnings);
+  std::array<ArmLine, 2> arms = {arm_line(s, limbs.arm[0], 0), arm_line(s, limbs.arm[1], 1)};
   for (auto& arm : arms) find_wrist(surface, arm);
-  label_segments(s, arms, body);
+  label_segments(s, limbs, arms, body);
   add_joints(s, arms, body);
 
   std::map<std::string, Vec3> place;

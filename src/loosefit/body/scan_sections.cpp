@@ -1,5 +1,7 @@
 #include "loosefit/body/scan_sections.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,10 @@
 
 namespace loosefit {
 namespace {
+
+// Shares of the stature between which folds of standing people lie.
+constexpr double kLowestArmpit = 0.62, kHighestArmpit = 0.88;
+constexpr double kLowestCrotch = 0.38, kHighestCrotch = 0.56;
 
 Vec3 centroid(const SectionLoop& loop) {
   Vec3 sum = Vec3::Zero();
@@ -28,61 +34,97 @@ std::pair<double, double> x_range(const SectionLoop& loop) {
   return {low, high};
 }
 
-// Loops beside the trunk are arms (a hand may be several loops). Where there is no trunk, the
-// longest loop of a side is the leg and those further out are the arm.
-void add_side(const std::vector<SectionLoop>& loops, const SectionLoop* trunk, int side,
-              bool with_arms, BodySlice& slice) {
-  const double sign = side == 0 ? 1 : -1;
-  std::vector<const SectionLoop*> beside;
-  for (const auto& loop : loops) {
-    if (&loop != trunk && sign * centroid(loop).x() > 0) beside.push_back(&loop);
+std::size_t index_of_side(Limb limb) {
+  return limb == Limb::left_arm || limb == Limb::left_leg ? 0 : 1;
+}
+bool is_arm(Limb limb) { return limb == Limb::left_arm || limb == Limb::right_arm; }
+bool is_leg(Limb limb) { return limb == Limb::left_leg || limb == Limb::right_leg; }
+
+/// What most of the loop's vertices belong to.
+Limb limb_of(const SectionLoop& loop, const std::vector<Limb>& limbs) {
+  std::array<int, 5> votes{};
+  for (const auto& e : loop.edges) {
+    for (const int v : e) ++votes[std::size_t(limbs[std::size_t(v)])];
   }
-  const SectionLoop* leg = nullptr;
-  if (!trunk) {
-    for (const auto* loop : beside) {
-      if (!leg || loop->length > leg->length) leg = loop;
-    }
-    if (leg) slice.leg[std::size_t(side)] = centroid(*leg);
-  }
-  if (!with_arms) return;
-  double reach = trunk ? slice.trunk_side[std::size_t(side)] * 0.6 : 0;
-  if (leg) {
-    const auto [low, high] = x_range(*leg);
-    reach = std::max(std::abs(low), std::abs(high)) * 0.9;
-  }
-  Vec3 sum = Vec3::Zero();
-  double length = 0;
-  double inner = std::numeric_limits<double>::infinity();
-  for (const auto* loop : beside) {
-    const Vec3 middle = centroid(*loop);
-    if (loop == leg || std::abs(middle.x()) < reach) continue;
-    sum += loop->length * middle;
-    length += loop->length;
-    const auto [low, high] = x_range(*loop);
-    inner = std::min(inner, std::min(std::abs(low), std::abs(high)));
-  }
-  if (length > 0) {
-    slice.arm[std::size_t(side)] = sum / length;
-    slice.arm_inner[std::size_t(side)] = inner;
-  }
+  return Limb(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-BodySlice slice_at(const TriangleMesh& mesh, double z, bool with_arms) {
+/// Arms may be several loops each, fingers; legs are one, below them toes are left out. At the top
+/// of the thighs most vertices still count as trunk, so legs there go by the crotch.
+BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, const Vec3& crotch) {
   BodySlice slice;
   slice.z = z;
+  std::array<Vec3, 2> sum = {Vec3::Zero(), Vec3::Zero()};
+  std::array<double, 2> length = {0, 0}, leg_length = {0, 0};
+  slice.arm_inner.fill(std::numeric_limits<double>::infinity());
   const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
-  const SectionLoop* trunk = trunk_loop(loops);
+  const SectionLoop* trunk = nullptr;
+  for (const auto& loop : loops) {
+    const Limb limb = limb_of(loop, limbs.limb);
+    const Vec3 middle = centroid(loop);
+    if (is_arm(limb)) {
+      const std::size_t side = index_of_side(limb);
+      const auto [low, high] = x_range(loop);
+      sum[side] += loop.length * middle;
+      length[side] += loop.length;
+      slice.arm_inner[side] =
+          std::min(slice.arm_inner[side], std::min(std::abs(low), std::abs(high)));
+    } else if (z < crotch.z()) {
+      const auto [low, high] = x_range(loop);
+      if (!is_leg(limb) && low < crotch.x() && high > crotch.x() &&
+          (!trunk || loop.length > trunk->length))
+        trunk = &loop;
+      const std::size_t side =
+          is_leg(limb) ? index_of_side(limb) : std::size_t(middle.x() > crotch.x() ? 0 : 1);
+      if (loop.length <= leg_length[side]) continue;
+      leg_length[side] = loop.length;
+      slice.leg[side] = middle;
+    } else if (!trunk || loop.length > trunk->length) {
+      trunk = &loop;
+    }
+  }
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)})
+    if (length[side] > 0) slice.arm[side] = sum[side] / length[side];
   if (trunk) {
     slice.trunk = centroid(*trunk);
     slice.girth = hull_perimeter(trunk->points, Vec3::UnitZ());
     const auto [low, high] = x_range(*trunk);
     slice.trunk_side = {std::abs(high), std::abs(low)};
   }
-  for (const int side : {0, 1}) add_side(loops, trunk, side, with_arms, slice);
   return slice;
 }
 
 bool arms_apart(const BodySlice& slice) { return slice.trunk && slice.arm[0] && slice.arm[1]; }
+
+constexpr char kHowToStand[] =
+    "scan the person standing with the arms 15 to 60 degrees away from the trunk and the hands "
+    "free, or cut arm and trunk apart in the program that the scan came from, or make a body from "
+    "measures instead";
+
+/// A scan whose arms are told from the trunk.
+void require_arms(const ScanLimbs& limbs, double height) {
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+    const LimbChain& arm = limbs.arm[side];
+    const char* name = side == 0 ? "left" : "right";
+    if (!arm.found()) {
+      throw GeometryError(
+          fmt::format("found no {} arm that is free of the trunk (one that is hidden, cut off, or "
+                      "grown together with the trunk all along)",
+                      name),
+          kHowToStand);
+    }
+    if (arm.fold.z() < kLowestArmpit * height || arm.fold.z() > kHighestArmpit * height) {
+      throw GeometryError(
+          fmt::format("found the {0} arm parting from the body {1:.2f} m above the floor, expected "
+                      "the armpit at {2:.2f} to {3:.2f} m: {4}",
+                      name, arm.fold.z(), kLowestArmpit * height, kHighestArmpit * height,
+                      arm.fold.z() < kLowestArmpit * height
+                          ? "above that, arm and trunk are one surface"
+                          : "this is hardly a standing person with the arms lowered"),
+          kHowToStand);
+    }
+  }
+}
 
 // The slice between two heights with the largest (sign 1) or smallest (-1) girth.
 double extreme_girth(const std::vector<BodySlice>& slices, double low, double high, double sign) {
@@ -96,33 +138,27 @@ double extreme_girth(const std::vector<BodySlice>& slices, double low, double hi
 
 }  // namespace
 
-ScanSections slice_scan(const TriangleMesh& mesh) {
+ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
   ScanSections found;
   for (const auto& p : mesh.vertices) found.height = std::max(found.height, p.z());
   const double h = found.height;
-  for (int i = 0; i < kSliceCount; ++i) {
-    const double level = (i + 0.5) / kSliceCount;
-    found.slices.push_back(slice_at(mesh, level * h, level > 0.25));  // below, toes are loops too
-  }
+  require_arms(limbs, h);
+  found.legs_apart = limbs.leg[0].found() && limbs.leg[0].fold.z() > kLowestCrotch * h &&
+                     limbs.leg[0].fold.z() < kHighestCrotch * h;
+  // Adults 0.47, children less: only used when the legs touch.
+  const Vec3 crotch = found.legs_apart ? limbs.leg[0].fold : Vec3(0, 0, 0.47 * h);
+  for (int i = 0; i < kSliceCount; ++i)
+    found.slices.push_back(slice_at(mesh, (i + 0.5) / kSliceCount * h, limbs, crotch));
+  found.crotch = crotch.z();
+  found.crotch_x = crotch.x();
 
-  found.crotch = 0.47 * h;  // adults 0.47, children less: only used when the legs touch
-  found.legs_apart = false;
-  for (int i = int(0.65 * kSliceCount); i > int(0.3 * kSliceCount); --i) {
-    if (found.slices[std::size_t(i)].trunk) continue;
-    found.crotch = found.slices[std::size_t(i)].z;
-    found.legs_apart = true;
-    break;
-  }
-  for (int i = int(0.88 * kSliceCount); i > int(0.6 * kSliceCount); --i) {
+  found.armpit = 0.5 * (limbs.arm[0].fold.z() + limbs.arm[1].fold.z());
+  for (int i = int(kHighestArmpit * kSliceCount); i > int(kLowestArmpit * kSliceCount); --i) {
     if (!arms_apart(found.slices[std::size_t(i)])) continue;
-    found.armpit = found.slices[std::size_t(i)].z;
+    const double level = found.slices[std::size_t(i)].z;
+    // Raised arms bend down again beside the trunk: that is no armpit.
+    if (level > found.armpit - 0.03 * h) found.armpit = level;
     break;
-  }
-  if (found.armpit == 0) {
-    throw GeometryError(
-        "found no level with both arms apart from the trunk, expected "
-        "arms hanging 15 to 65 degrees away from it",
-        "scan in an A-pose, or make a body from measures instead");
   }
   found.chest = extreme_girth(found.slices, found.armpit - 0.07 * h, found.armpit - 0.02 * h, 1);
   found.hip = extreme_girth(found.slices, found.crotch + 0.01 * h, found.crotch + 0.10 * h, 1);

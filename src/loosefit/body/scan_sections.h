@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "loosefit/body/scan_limbs.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
@@ -10,7 +11,7 @@ namespace loosefit {
 /// What one horizontal cut of a standing body shows. Sides: index 0 left (+x), 1 right.
 struct BodySlice {
   double z = 0;
-  std::optional<Vec3> trunk;                  ///< centroid of the loop that spans x = 0
+  std::optional<Vec3> trunk;                  ///< centroid of the longest loop that is no limb's
   double girth = 0;                           ///< tape round the trunk loop
   std::array<double, 2> trunk_side = {0, 0};  ///< |x| reach of the trunk loop
   std::array<std::optional<Vec3>, 2> arm, leg;
@@ -22,12 +23,14 @@ struct ScanSections {
   double height = 0;
   std::vector<BodySlice> slices;  ///< upwards
   bool legs_apart = true;
+  double crotch_x = 0;  ///< middle between the legs
   double crotch = 0, armpit = 0, chest = 0, waist = 0, hip = 0, neck = 0;  ///< z [m]
 };
 
 inline constexpr int kSliceCount = 300;
 
-/// \throws GeometryError when no level has both arms apart from the trunk.
-ScanSections slice_scan(const TriangleMesh& mesh);
+/// Tells the loops of a level apart by the limb that their vertices belong to.
+/// \throws GeometryError when an arm was not found, or clings to the trunk below the ribs.
+ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs);
 
 }  // namespace loosefit

@@ -11,11 +11,6 @@
 namespace loosefit {
 namespace {
 
-const BodySlice& slice_near(const ScanSections& s, double z) {
-  const int i = int(z / s.height * kSliceCount);
-  return s.slices[std::size_t(std::clamp(i, 0, kSliceCount - 1))];
-}
-
 // The nearest slice at or below (above) this one that has what is wanted.
 template <class Get>
 Vec3 nearest_centre(const ScanSections& s, double z, Get get) {
@@ -30,45 +25,76 @@ Vec3 nearest_centre(const ScanSections& s, double z, Get get) {
   return Vec3(0, 0, z);
 }
 
-// Arm or not: below the armpit by the gap beside the trunk or leg, above it by the slanted plane
-// from armpit to acromion.
-bool belongs_to_arm(const ScanSections& s, const ArmLine& arm, std::size_t side, const Vec3& p) {
-  const double x = side == 0 ? p.x() : -p.x();
-  if (x <= 0) return false;
-  const Vec3 shoulder = arm.points.front();
-  if (p.z() > s.armpit) {
-    const BodySlice& below = slice_near(s, s.armpit);
-    const double from = 0.5 * (below.trunk_side[side] + below.arm_inner[side]);
-    const double to = std::abs(shoulder.x()) + 0.002 * s.height;
-    const double top = shoulder.z() + 0.022 * s.height;
-    const double share = std::clamp((p.z() - s.armpit) / (top - s.armpit), 0., 1.);
-    return p.z() < top + 0.03 * s.height && x > from + share * (to - from);
+constexpr double kArmLength = 0.440;     // shoulder to finger tips, share of the stature
+constexpr double kLargestCutOff = 0.03;  // share of the area of what an arm can cut off
+
+double distance_to(const std::vector<Vec3>& line, const Vec3& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec3 along = line[i] - line[i - 1];
+    const double share =
+        std::clamp(along.dot(p - line[i - 1]) / std::max(along.squaredNorm(), 1e-18), 0., 1.);
+    nearest = std::min(nearest, (line[i - 1] + share * along - p).norm());
   }
-  const BodySlice& slice = slice_near(s, p.z());
-  if (!slice.arm[side]) return false;
-  return x > slice.arm_inner[side] - 0.25 * 0.02;
+  return nearest;
+}
+
+// The shoulder is arm outside of the slanted plane from the armpit to the acromion.
+bool on_shoulder(const ScanSections& s, const LimbChain& chain, const ArmLine& arm, double sign,
+                 const Vec3& p) {
+  const double x = sign * p.x(), fold_x = sign * chain.fold.x();
+  const Vec3& shoulder = arm.points.front();
+  const double to = sign * shoulder.x() + 0.002 * s.height;
+  const double top = shoulder.z() + 0.022 * s.height, low = chain.fold.z();
+  if (p.z() < low || p.z() > top + 0.03 * s.height || !(top > low)) return false;
+  return x > fold_x + std::min(1., (p.z() - low) / (top - low)) * (to - fold_x);
+}
+
+// A hand that has grown together with a thigh: nearer to the arm's line than to the leg's, each by
+// its usual thickness.
+bool on_grown_hand(const ScanSections& s, const LimbChain& chain, const ArmLine& arm,
+                   std::size_t side, const Vec3& p) {
+  const double from_arm = distance_to(arm.points, p);
+  if (!chain.touches || from_arm > 0.05 * s.height) return false;
+  const Vec3 leg = p.z() < s.crotch ? leg_at(s, side, p.z()) : centre_at(s, p.z());
+  return from_arm / 0.022 < (p - leg).norm() / 0.055;
 }
 
 /// Per vertex +1 for the left arm, −1 for the right one, 0 for the rest of the body.
-std::vector<int> arm_sides(const ScanSections& s, const std::array<ArmLine, 2>& arms,
-                           const TriangleMesh& mesh) {
+std::vector<int> arm_sides(const ScanSections& s, const ScanLimbs& limbs,
+                           const std::array<ArmLine, 2>& arms, const TriangleMesh& mesh) {
   std::vector<int> sides(mesh.vertices.size(), 0);
-  for (std::size_t v = 0; v < sides.size(); ++v)
-    for (const std::size_t which : {std::size_t(0), std::size_t(1)})
-      if (belongs_to_arm(s, arms[which], which, mesh.vertices[v])) sides[v] = which == 0 ? 1 : -1;
-  // Tips of thumbs and fingers lie between slices: the rest of the body is one piece, and what is
-  // cut off from it by an arm belongs to that arm.
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    const Limb limb = limbs.limb[v];
+    const Vec3& p = mesh.vertices[v];
+    if (limb == Limb::left_arm || limb == Limb::right_arm) {
+      sides[v] = limb == Limb::left_arm ? 1 : -1;
+      continue;
+    }
+    for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+      const int sign = side == 0 ? 1 : -1;
+      if ((limb == Limb::core && on_shoulder(s, limbs.arm[side], arms[side], sign, p)) ||
+          on_grown_hand(s, limbs.arm[side], arms[side], side, p))
+        sides[v] = sign;
+    }
+  }
+  // What an arm cuts off from head and trunk belongs to it: the outside of the upper arm.
   TriangleMesh rest = mesh;
   std::erase_if(rest.triangles, [&](const Triangle& t) {
     return sides[t[0]] != 0 || sides[t[1]] != 0 || sides[t[2]] != 0;
   });
   const std::vector<Piece> pieces = connected_pieces(rest);
-  if (pieces.empty()) return sides;
+  double area = 0;
+  for (const Piece& piece : pieces) area += piece.area;
   std::vector<char> in_trunk(sides.size(), 0);
-  for (const int t : pieces.front().triangles)
-    for (const int v : rest.triangles[t]) in_trunk[v] = 1;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0 && pieces[i].area < kLargestCutOff * area) continue;
+    for (const int t : pieces[i].triangles)
+      for (const int v : rest.triangles[t]) in_trunk[v] = 1;
+  }
   for (std::size_t v = 0; v < sides.size(); ++v)
-    if (sides[v] == 0 && !in_trunk[v]) sides[v] = mesh.vertices[v].x() > 0 ? 1 : -1;
+    if (sides[v] == 0 && !in_trunk[v] && limbs.limb[v] == Limb::core)
+      sides[v] = mesh.vertices[v].x() > 0 ? 1 : -1;
   return sides;
 }
 
@@ -97,33 +123,37 @@ Vec3 ArmLine::at(double share) const {
   return points.back();
 }
 
-ArmLine arm_line(const ScanSections& s, int side) {
-  std::vector<Vec3> centres;  // downwards
-  int missing = 0;
-  for (int i = kSliceCount - 1; i >= 0 && missing < 3; --i) {
-    const BodySlice& slice = s.slices[std::size_t(i)];
-    if (slice.z > s.armpit) continue;
-    if (slice.arm[std::size_t(side)]) {
-      centres.push_back(*slice.arm[std::size_t(side)]);
-      missing = 0;
-    } else {
-      ++missing;
-    }
-  }
-  // The axis of the upper arm, from below the armpit's fold; the joint lies on it above the armpit.
-  const auto near = std::size_t(0.015 * kSliceCount), far = std::size_t(0.08 * kSliceCount);
-  if (centres.size() < 2 * far) {
-    throw GeometryError("found an arm of " + std::to_string(centres.size()) +
-                            " slices below the armpit, expected arms hanging beside the trunk",
-                        "scan in an A-pose, or make a body from measures instead");
-  }
-  Vec3 slope = (centres[near] - centres[far]) / (centres[near].z() - centres[far].z());
-  slope.y() = 0;  // the bend of the elbow would tip the axis backwards
-  const double joint_height = s.armpit + 0.033 * s.height;
+ArmLine arm_line(const ScanSections& s, const LimbChain& chain, int side) {
+  const double h = s.height, sign = side == 0 ? 1 : -1;
+  const double start = chain.rings.front().reach;
+  const auto ring_at = [&](double share) -> const LimbChain::Ring& {
+    for (const auto& ring : chain.rings)
+      if (ring.reach >= start + share * h) return ring;
+    return chain.rings.back();
+  };
+  const LimbChain::Ring& upper = ring_at(0.02);
+  const Vec3 axis = (ring_at(0.10).centre - upper.centre).normalized();
+  const double raised = degrees(std::atan2(sign * axis.x(), -axis.z()));
+  const double girth = ring_at(0.06).length;
   ArmLine arm;
-  arm.points.push_back(centres[near] + slope * (joint_height - centres[near].z()));
-  for (std::size_t i = near; i < centres.size(); i += 2) arm.points.push_back(centres[i]);
-  arm.points.push_back(centres.back());
+  arm.points.push_back(chain.fold +
+                       Vec3(sign * ((0.011 - 0.00038 * raised) * h + 0.17 * (0.17 * h - girth)),
+                            -0.003 * h, (0.34 - 0.0014 * raised) * girth));
+  // The last rings before a place where hand and thigh have grown together lean towards it.
+  const double end = chain.rings.back().reach - (chain.touches ? 0.03 * h : 0);
+  for (const auto& ring : chain.rings)
+    if (ring.reach >= start + 0.015 * h && ring.reach <= end) arm.points.push_back(ring.centre);
+  if (chain.touches) {
+    double length = 0;
+    for (std::size_t i = 1; i < arm.points.size(); ++i)
+      length += (arm.points[i] - arm.points[i - 1]).norm();
+    const std::size_t back = std::min<std::size_t>(arm.points.size() - 1, 12);
+    const Vec3 last = arm.points.back();
+    const Vec3 along = (last - arm.points[arm.points.size() - 1 - back]).normalized();
+    arm.points.push_back(last + std::max(0.02 * h, kArmLength * h - length) * along);
+  } else {
+    arm.points.push_back(chain.tip);
+  }
   return arm;
 }
 
@@ -157,9 +187,10 @@ Vec3 leg_at(const ScanSections& s, std::size_t side, double z) {
   return nearest_centre(s, z, [&](const BodySlice& slice) { return slice.leg[side]; });
 }
 
-void label_segments(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body& body) {
+void label_segments(const ScanSections& s, const ScanLimbs& limbs,
+                    const std::array<ArmLine, 2>& arms, Body& body) {
   const double neck_base = s.armpit + 0.5 * (s.neck - s.armpit) + 0.02 * s.height;
-  body.side = arm_sides(s, arms, body.surface);
+  body.side = arm_sides(s, limbs, arms, body.surface);
   for (std::size_t v = 0; v < body.surface.vertices.size(); ++v) {
     const Vec3& p = body.surface.vertices[v];
     Segment segment = Segment::torso;
@@ -169,7 +200,10 @@ void label_segments(const ScanSections& s, const std::array<ArmLine, 2>& arms, B
       segment = p.z() > 0.285 * s.height   ? Segment::thigh
                 : p.z() > 0.039 * s.height ? Segment::shank
                                            : Segment::foot;
-      body.side[v] = p.x() > 0 ? 1 : -1;
+      body.side[v] = limbs.limb[v] == Limb::left_leg    ? 1
+                     : limbs.limb[v] == Limb::right_leg ? -1
+                     : p.x() > s.crotch_x               ? 1
+                                                        : -1;
     } else if (p.z() > s.neck + 0.02 * s.height) {
       segment = Segment::head;
     } else if (p.z() > neck_base && std::abs(p.x()) < 0.045 * s.height) {

@@ -18,8 +18,11 @@ struct ArmLine {
   double wrist_share = 0.332 / 0.440;
 };
 
-/// \throws GeometryError when the arm's centre line is too short to be an arm.
-ArmLine arm_line(const ScanSections& sections, int side);
+/// Along the rings of the arm. The shoulder joint lies above and inside of the armpit; its place
+/// against the fold, as a share of the arm's girth and by how far the arm is raised, is that of the
+/// parametric body (women, men, children, slim and stout, 12° to 90°: within 30 mm). Where the hand
+/// has grown together with the thigh, hand and wrist lie straight on, at the arm's usual length.
+ArmLine arm_line(const ScanSections& sections, const LimbChain& arm, int side);
 
 /// Moves the wrist to the narrowest place between the middle of the forearm and the hand.
 void find_wrist(const TriangleMesh& mesh, ArmLine& arm);
@@ -29,7 +32,9 @@ Vec3 centre_at(const ScanSections& sections, double z);
 /// Leg centroid at a height; beside the trunk centre where the legs touch.
 Vec3 leg_at(const ScanSections& sections, std::size_t side, double z);
 
-/// Fills Body::segment and Body::side by level and by nearness to the arms' centre lines.
-void label_segments(const ScanSections& sections, const std::array<ArmLine, 2>& arms, Body& body);
+/// Fills Body::segment and Body::side: limbs by topology, their parts by the arms' centre lines and
+/// by level.
+void label_segments(const ScanSections& sections, const ScanLimbs& limbs,
+                    const std::array<ArmLine, 2>& arms, Body& body);
 
 }  // namespace loosefit
