@@ -131,8 +131,10 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   const ScanSections s = slice_scan(surface, limbs);
   tell_what_touches(s, limbs, made.warnings);
   std::array<ArmLine, 2> arms = {arm_line(s, limbs.arm[0], 0), arm_line(s, limbs.arm[1], 1)};
-  for (auto& arm : arms) find_wrist(surface, arm);
-  label_segments(s, limbs, arms, body);
+  for (auto& arm : arms) {
+    find_wrist(surface, arm);
+    find_elbow(arm);
+  }
   add_joints(s, arms, body);
 
   std::map<std::string, Vec3> place;
@@ -149,6 +151,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
     place["wrist" + under] = arm.wrist();
   }
   const double c7_height = 0.25 * (hps[0].z() + hps[1].z() + acromion[0].z() + acromion[1].z());
+  label_segments(s, limbs, arms, c7_height, body);
   const Vec3 c7 = place["c7"] = midline_point(surface, c7_height, 1);
   const Vec3 pit = place["neck_pit"] = midline_point(surface, c7_height - 0.008 * s.height, -1);
   place["back_waist"] = midline_point(surface, s.waist, 1);

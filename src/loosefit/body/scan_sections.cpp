@@ -51,7 +51,8 @@ Limb limb_of(const SectionLoop& loop, const std::vector<Limb>& limbs) {
 
 /// Arms may be several loops each, fingers; legs are one, below them toes are left out. At the top
 /// of the thighs most vertices still count as trunk, so legs there go by the crotch.
-BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, const Vec3& crotch) {
+BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, const Vec3& crotch,
+                   bool near_armpit) {
   BodySlice slice;
   slice.z = z;
   std::array<Vec3, 2> sum = {Vec3::Zero(), Vec3::Zero()};
@@ -83,6 +84,20 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
       trunk = &loop;
     }
   }
+  // At the armpit most vertices of an arm's loop still count as trunk.
+  for (const auto& loop : loops) {
+    if (!trunk || &loop == trunk || !near_armpit || limb_of(loop, limbs.limb) != Limb::core)
+      continue;
+    const Vec3 middle = centroid(loop);
+    const auto [trunk_low, trunk_high] = x_range(*trunk);
+    if (middle.x() > 0.6 * trunk_low && middle.x() < 0.6 * trunk_high) continue;
+    const auto [low, high] = x_range(loop);
+    const std::size_t side = middle.x() > 0 ? 0 : 1;
+    sum[side] += loop.length * middle;
+    length[side] += loop.length;
+    slice.arm_inner[side] =
+        std::min(slice.arm_inner[side], std::min(std::abs(low), std::abs(high)));
+  }
   for (const std::size_t side : {std::size_t(0), std::size_t(1)})
     if (length[side] > 0) slice.arm[side] = sum[side] / length[side];
   if (trunk) {
@@ -100,6 +115,16 @@ constexpr char kHowToStand[] =
     "scan the person standing with the arms 15 to 60 degrees away from the trunk and the hands "
     "free, or cut arm and trunk apart in the program that the scan came from, or make a body from "
     "measures instead";
+
+constexpr double kHanging = 60;  // arms raised less are apart from the trunk in level cuts [°]
+
+/// How far the upper arm is raised from hanging down [°].
+double raised_deg(const LimbChain& arm) {
+  const std::size_t last = arm.rings.size() - 1;
+  const Vec3 axis = arm.rings[std::min<std::size_t>(last, 16)].centre -
+                    arm.rings[std::min<std::size_t>(last, 3)].centre;
+  return degrees(std::atan2(std::hypot(axis.x(), axis.y()), -axis.z()));
+}
 
 /// A scan whose arms are told from the trunk.
 void require_arms(const ScanLimbs& limbs, double height) {
@@ -147,18 +172,26 @@ ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
                      limbs.leg[0].fold.z() < kHighestCrotch * h;
   // Adults 0.47, children less: only used when the legs touch.
   const Vec3 crotch = found.legs_apart ? limbs.leg[0].fold : Vec3(0, 0, 0.47 * h);
-  for (int i = 0; i < kSliceCount; ++i)
-    found.slices.push_back(slice_at(mesh, (i + 0.5) / kSliceCount * h, limbs, crotch));
+  for (int i = 0; i < kSliceCount; ++i) {
+    const double level = (i + 0.5) / kSliceCount;
+    found.slices.push_back(
+        slice_at(mesh, level * h, limbs, crotch, level > kLowestArmpit && level < kHighestArmpit));
+  }
   found.crotch = crotch.z();
   found.crotch_x = crotch.x();
 
   found.armpit = 0.5 * (limbs.arm[0].fold.z() + limbs.arm[1].fold.z());
-  for (int i = int(kHighestArmpit * kSliceCount); i > int(kLowestArmpit * kSliceCount); --i) {
-    if (!arms_apart(found.slices[std::size_t(i)])) continue;
-    const double level = found.slices[std::size_t(i)].z;
-    // Raised arms bend down again beside the trunk: that is no armpit.
-    if (level > found.armpit - 0.03 * h) found.armpit = level;
-    break;
+  const double raised = std::max(raised_deg(limbs.arm[0]), raised_deg(limbs.arm[1]));
+  if (raised > kHanging) {
+    // The armpit rises with the arm; levels of the trunk are counted from where it would be.
+    found.armpit -= 0.022 * h * (raised - kHanging) / (90 - kHanging);
+  } else {
+    for (int i = int(kHighestArmpit * kSliceCount); i > int(kLowestArmpit * kSliceCount); --i) {
+      if (!arms_apart(found.slices[std::size_t(i)])) continue;
+      const double level = found.slices[std::size_t(i)].z;
+      if (std::abs(level - found.armpit) < 0.04 * h) found.armpit = level;
+      break;
+    }
   }
   found.chest = extreme_girth(found.slices, found.armpit - 0.07 * h, found.armpit - 0.02 * h, 1);
   found.hip = extreme_girth(found.slices, found.crotch + 0.01 * h, found.crotch + 0.10 * h, 1);

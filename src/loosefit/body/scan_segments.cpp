@@ -44,7 +44,7 @@ bool on_shoulder(const ScanSections& s, const LimbChain& chain, const ArmLine& a
                  const Vec3& p) {
   const double x = sign * p.x(), fold_x = sign * chain.fold.x();
   const Vec3& shoulder = arm.points.front();
-  const double to = sign * shoulder.x() + 0.002 * s.height;
+  const double to = sign * shoulder.x() - 0.034 * s.height;
   const double top = shoulder.z() + 0.022 * s.height, low = chain.fold.z();
   if (p.z() < low || p.z() > top + 0.03 * s.height || !(top > low)) return false;
   return x > fold_x + std::min(1., (p.z() - low) / (top - low)) * (to - fold_x);
@@ -174,6 +174,19 @@ void find_wrist(const TriangleMesh& mesh, ArmLine& arm) {
   arm.wrist_share = best;
 }
 
+void find_elbow(ArmLine& arm) {
+  constexpr double kBent = 0.06;  // sagitta against the length from shoulder to wrist
+  arm.elbow_share = arm.wrist_share * 0.186 / 0.332;
+  const Vec3 shoulder = arm.points.front(), line = arm.wrist() - shoulder;
+  const Vec3 along = line.normalized();
+  double farthest = kBent * line.norm();
+  for (double share = 0.42; share < 0.66; share += 0.01) {
+    const Vec3 off = arm.at(share * arm.wrist_share) - shoulder;
+    const double sagitta = (off - along.dot(off) * along).norm();
+    if (sagitta > farthest) farthest = sagitta, arm.elbow_share = share * arm.wrist_share;
+  }
+}
+
 Vec3 centre_at(const ScanSections& s, double z) {
   return nearest_centre(s, z, [](const BodySlice& slice) -> std::optional<Vec3> {
     if (slice.trunk) return slice.trunk;
@@ -188,25 +201,29 @@ Vec3 leg_at(const ScanSections& s, std::size_t side, double z) {
 }
 
 void label_segments(const ScanSections& s, const ScanLimbs& limbs,
-                    const std::array<ArmLine, 2>& arms, Body& body) {
-  const double neck_base = s.armpit + 0.5 * (s.neck - s.armpit) + 0.02 * s.height;
+                    const std::array<ArmLine, 2>& arms, double c7_height, Body& body) {
+  const double h = s.height;
+  const Vec3 knee[2] = {leg_at(s, 0, 0.28 * h), leg_at(s, 1, 0.28 * h)};
+  const Vec3 ankle[2] = {leg_at(s, 0, 0.054 * h), leg_at(s, 1, 0.054 * h)};
   body.side = arm_sides(s, limbs, arms, body.surface);
   for (std::size_t v = 0; v < body.surface.vertices.size(); ++v) {
     const Vec3& p = body.surface.vertices[v];
+    const Limb limb = limbs.limb[v];
     Segment segment = Segment::torso;
     if (body.side[v] != 0) {
       segment = arm_segment(arms[body.side[v] > 0 ? 0 : 1], p);
-    } else if (p.z() < s.crotch) {
-      segment = p.z() > 0.285 * s.height   ? Segment::thigh
-                : p.z() > 0.039 * s.height ? Segment::shank
-                                           : Segment::foot;
-      body.side[v] = limbs.limb[v] == Limb::left_leg    ? 1
-                     : limbs.limb[v] == Limb::right_leg ? -1
-                     : p.x() > s.crotch_x               ? 1
-                                                        : -1;
-    } else if (p.z() > s.neck + 0.02 * s.height) {
+    } else if (p.z() <
+               s.crotch + 0.004 * h + std::min(0.085 * h, 0.85 * std::abs(p.x() - s.crotch_x))) {
+      const bool left = limb == Limb::left_leg || (limb != Limb::right_leg && p.x() > s.crotch_x);
+      const std::size_t side = left ? 0 : 1;
+      segment = p.z() > knee[side].z() + 0.45 * (p.y() - knee[side].y())    ? Segment::thigh
+                : p.z() > ankle[side].z() - 0.2 * (p.y() - ankle[side].y()) ? Segment::shank
+                                                                            : Segment::foot;
+      body.side[v] = left ? 1 : -1;
+    } else if (p.z() > c7_height + 0.034 * h + 0.65 * p.y()) {
       segment = Segment::head;
-    } else if (p.z() > neck_base && std::abs(p.x()) < 0.045 * s.height) {
+    } else if (p.z() > c7_height + 0.007 * h + 0.35 * p.y() - 0.3 * std::abs(p.x()) &&
+               std::abs(p.x()) < 0.058 * h) {
       segment = Segment::neck;
     }
     body.segment.push_back(segment);
