@@ -13,6 +13,9 @@
 namespace loosefit {
 namespace {
 
+constexpr double kAgree = 0.97;   // share of the vertices with the segment of the parametric body
+constexpr double kJoint = 0.045;  // [m]
+
 struct Person {
   double sex, age, height, chest, waist, hip;
 };
@@ -117,16 +120,58 @@ TEST(ScanBody, RepairsMixedOrientation) {
   EXPECT_NEAR(enclosed_volume(checked.mesh), enclosed_volume(known.surface), 1e-9);
 }
 
-TEST(ScanBody, RefusesAnOpenSurface) {
-  TriangleMesh mesh = person(kPeople[0]).surface;
-  mesh.triangles.resize(mesh.triangles.size() - 5);
+// Cuts out the faces whose corners lie within `radius` of a point.
+TriangleMesh with_hole(TriangleMesh mesh, const Vec3& at, double radius) {
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return (mesh.vertices[std::size_t(t[0])] - at).norm() < radius;
+  });
+  return mesh;
+}
+
+TEST(ScanBody, FillsSmallHolesAndRefusesWideOnes) {
+  const Body whole = person(kPeople[0]);
+  const Vec3 back = whole.landmarks.at("mid_back");
+  const CheckedSurface filled =
+      check_surface(with_hole(whole.surface, back, 0.015), {"hole.obj", "m", "z"});
+  EXPECT_TRUE(mentions(filled.warnings, "1 small hole filled"));
+  EXPECT_NEAR(enclosed_volume(filled.mesh), enclosed_volume(whole.surface), 2e-6);
+  TriangleMesh one_face = whole.surface;
+  one_face.triangles.pop_back();
+  EXPECT_TRUE(mentions(check_surface(one_face, {"hole.obj", "m", "z"}).warnings, "1 small hole"));
   try {
-    check_surface(mesh, {"open.obj", "m", "z"});
+    check_surface(with_hole(whole.surface, back, 0.06), {"open.obj", "m", "z"});
     FAIL() << "an open surface was accepted";
   } catch (const GeometryError& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("open.obj"), std::string::npos);
-    EXPECT_NE(text.find("holes"), std::string::npos) << text;
+    EXPECT_NE(text.find("1 hole that is too wide"), std::string::npos) << text;
+  }
+}
+
+TEST(ScanBody, StrayVerticesAndRepeatedFacesDoNotMatter) {
+  const TriangleMesh one = person(kPeople[0]).surface;
+  TriangleMesh mesh = one;
+  mesh.vertices.emplace_back(0, 0, 400);
+  for (std::size_t t = 0; t < 50; ++t) mesh.triangles.push_back(one.triangles[t * 7]);
+  const CheckedSurface checked = check_surface(mesh, {"scan.obj", "", "z"});
+  EXPECT_TRUE(mentions(checked.warnings, "50 repeated faces dropped"));
+  EXPECT_EQ(checked.mesh.triangles.size(), one.triangles.size());
+}
+
+TEST(ScanBody, TellsHowTheFileWasMoved) {
+  const TriangleMesh original = person(kPeople[0]).surface;
+  for (const bool backwards : {false, true}) {
+    TriangleMesh mesh = original;  // in a room, centimetres, y up
+    const double sign = backwards ? -1 : 1;
+    for (auto& p : mesh.vertices)
+      p = Vec3(sign * p.x() + 0.3, p.z() - 0.95, -sign * p.y() + 0.2) * 100;
+    const CheckedSurface checked = check_surface(mesh, {"scan.obj", "cm", "y"});
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += 997) {
+      const Vec3 room =
+          Vec3(mesh.vertices[v].x(), -mesh.vertices[v].z(), mesh.vertices[v].y()) / 100;
+      EXPECT_LT((checked.from_world * room - checked.mesh.vertices[v]).norm(), 1e-12);
+    }
+    EXPECT_NEAR(checked.from_world.translation().z(), 0.95, 0.02);
   }
 }
 
@@ -156,10 +201,74 @@ TEST(ScanBody, RefusesAnImpossibleSize) {
   EXPECT_THROW(check_surface(tiny, {"scan.obj", "", "z"}), InvalidInput);
 }
 
-TEST(ScanBody, RefusesHorizontalArms) {
-  const BodyParameters adult;
-  TriangleMesh mesh = body_model().build(adult, {radians(95), 0, 0}).surface;
-  EXPECT_THROW(body_from_scan(mesh, {"t-pose.obj", "m", "z"}), GeometryError);
+TEST(ScanBody, GuessesInchesAndAsksAboutImplausibleHeights) {
+  TriangleMesh inches = person(kPeople[0]).surface;
+  for (auto& p : inches.vertices) p /= 0.0254;
+  const CheckedSurface checked = check_surface(inches, {"scan.obj", "", "z"});
+  EXPECT_TRUE(mentions(checked.warnings, "taken as in"));
+  TriangleMesh small = person(kPeople[0]).surface;
+  for (auto& p : small.vertices) p *= 0.65 / 1.68;
+  try {
+    check_surface(small, {"scan.obj", "", "z"});
+    FAIL() << "a person of 0.65 m was believed";
+  } catch (const InvalidInput& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("0.65 m if these are m"), std::string::npos) << text;
+    EXPECT_NE(error.hint().find("units = "), std::string::npos) << error.hint();
+  }
+  EXPECT_NO_THROW(check_surface(small, {"scan.obj", "m", "z"}));  // the user knows
+}
+
+// Arms close, aside, horizontal; slim, stout, small: every limb is what it is.
+TEST(ScanBody, TellsLimbsApartInEveryPosture) {
+  const std::array<Person, 3> people = {{{0.5, 8, 1.28, 0.60, 0.54, 0.64},
+                                         {0, 45, 1.65, 1.15, 1.05, 1.20},
+                                         {1, 30, 1.80, 1.00, 0.86, 1.02}}};
+  for (const Person& p : people) {
+    BodySpec spec;
+    spec.sex = p.sex, spec.age = p.age, spec.height = p.height;
+    spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
+    const BodyFit fit = body_model().fit(spec);
+    for (const double raised : {12., 40., 90.}) {
+      const Body known = body_model().build(fit.parameters, {radians(raised), 0, 0});
+      const Body found = body_from_scan(as_scan(known), {"scan.obj", "", ""}).body;
+      std::size_t same = 0, wrong_limb = 0;
+      const auto leg = [](Segment s) { return s == Segment::shank || s == Segment::foot; };
+      const auto arm = [](Segment s) { return s == Segment::forearm || s == Segment::hand; };
+      for (std::size_t v = 0; v < known.segment.size(); ++v) {
+        same += known.segment[v] == found.segment[v];
+        wrong_limb += leg(known.segment[v]) !=
+                          (leg(found.segment[v]) || found.segment[v] == Segment::thigh) &&
+                      known.segment[v] != Segment::thigh && known.segment[v] != Segment::torso;
+        wrong_limb += arm(known.segment[v]) && found.side[v] != known.side[v];
+      }
+      EXPECT_EQ(wrong_limb, 0u) << p.height << " m, arms at " << raised;
+      EXPECT_GT(double(same), kAgree * double(known.segment.size())) << p.height << ' ' << raised;
+      const Vec3 move = found.surface.vertices[0] - known.surface.vertices[0];
+      for (const char* joint : {"shoulder_L", "shoulder_R", "hip_L", "hip_R"})
+        EXPECT_LT((found.joints.at(joint) - known.joints.at(joint) - move).norm(), kJoint)
+            << joint << ' ' << p.height << " m, arms at " << raised;
+      EXPECT_GT(found.joints.at("hip_L").x(), 0.04);
+      EXPECT_LT(found.joints.at("hip_R").x(), -0.04);
+    }
+  }
+}
+
+TEST(ScanBody, SaysWhatKeepsAnArmFromBeingFound) {
+  const Body known = person(kPeople[0]);
+  TriangleMesh mesh = known.surface;  // the left arm drawn into the trunk
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    if (known.side[v] > 0 && known.segment[v] != Segment::thigh &&
+        known.segment[v] != Segment::shank && known.segment[v] != Segment::foot)
+      mesh.vertices[v] =
+          known.joints.at("shoulder_L") + 0.02 * (mesh.vertices[v] - known.joints.at("shoulder_L"));
+  try {
+    body_from_scan(mesh, {"one-arm.obj", "m", "z"});
+    FAIL() << "a scan without a left arm was accepted";
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("no left arm"), std::string::npos) << error.what();
+    EXPECT_NE(error.hint().find("scan the person"), std::string::npos);
+  }
 }
 
 }  // namespace

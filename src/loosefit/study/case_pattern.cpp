@@ -3,6 +3,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/pattern/garment_size.h"
+#include "loosefit/study/carry_with_scan.h"
 
 namespace loosefit {
 namespace {
@@ -77,6 +78,7 @@ CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
     PatternFile file = read_garmentcode(wished.file);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
+    carry_with_scan(result.pattern, body, result.warnings);
     compare_girths(result, body);
     return result;
   }
