@@ -129,6 +129,8 @@ int rank(const Arguments& arguments) {
     folder->commit();
   }
   if (!arguments.quiet) {
+    if (folder && !folder->aside().empty())
+      fmt::print("what stood in the way: {}/{}\n", input, folder->aside());
     if (folder)
       fmt::print("written: {}\n", beside ? input : arguments.output);
     else

@@ -184,6 +184,14 @@ TEST_F(RunFolderTest, UpdateOfARunWithoutAMarkSetsAsideWhatIsInTheWay) {
   EXPECT_EQ(text("log.jsonl"), "log");
   EXPECT_EQ(folder.aside(), "replaced-1");
   EXPECT_EQ(text("replaced-1/summary.json"), "old");
+
+  RunFolder later = RunFolder::update(base / "run");
+  later.announce({"log.jsonl"});
+  write_text_file(later.path() / "log.jsonl", "new");
+  later.commit();
+  EXPECT_EQ(text("log.jsonl"), "new");
+  EXPECT_EQ(text("replaced-2/log.jsonl"), "log");
+  EXPECT_EQ(text("summary.json"), "new") << "our own by now";
 }
 
 TEST_F(RunFolderTest, HiddenFolderOfAProcessThatIsGoneIsRemoved) {

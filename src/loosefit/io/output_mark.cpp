@@ -121,6 +121,7 @@ OutputMark mark_of(const Json& json) {
   for (const auto& [kind, files] : json.at("sets").get_ref<const Json::object_t&>())
     mark.sets[unescaped(kind)] = digests_of(files);
   mark.folders = names_of<std::set<std::string>>(json.at("folders"));
+  mark.adopted = json.value("adopted", false);
   if (json.contains("pending")) mark.pending = pending_of(json.at("pending"));
   return mark;
 }
@@ -146,6 +147,7 @@ std::string OutputMark::text() const {
   json["sets"] = Json::object();
   for (const auto& [kind, files] : sets) json["sets"][escaped(kind)] = digests_json(files);
   json["folders"] = names_json(folders);
+  if (adopted) json["adopted"] = true;
   if (pending) json["pending"] = pending_json(*pending);
   return json.dump(1) + "\n";
 }

@@ -29,11 +29,13 @@ struct PendingCommit {
 };
 
 /// What kOutputMark holds: JSON with `format`, `version`, `sets` (kind → file → SHA-256), `folders`
-/// and, while files are being replaced, `pending`. Bytes of names outside printable ASCII are
-/// written as %XX.
+/// `adopted` and, while files are being replaced, `pending`. Bytes of names outside printable ASCII
+/// are written as %XX.
 struct OutputMark {
   std::map<std::string, FileDigests> sets;  ///< by the kind of output: "run", "body", …
   std::set<std::string> folders;            ///< folders that we made
+  /// The run was there without a mark, so it holds files of ours that are not in any set.
+  bool adopted = false;
   std::optional<PendingCommit> pending;
 
   bool holds(const std::string& kind) const { return sets.count(kind) > 0; }

@@ -94,6 +94,7 @@ Plan plan_of(const Replacement& wish, const OutputMark& before, const std::strin
   plan.after = before;
   plan.commit.kind = wish.kind;
   plan.commit.staging = staging;
+  plan.after.adopted = wish.set_aside;
   plan.after.sets[wish.kind];
   if (wish.whole) plan.after.sets[wish.kind].clear();
   std::vector<std::string> blocked;

@@ -75,6 +75,13 @@ bool RunFolder::has_mark_of_run() const {
   return mark && mark->holds("run");
 }
 
+/// In a run of which not every file of ours is known, no file can be told from a foreign one.
+bool RunFolder::sets_aside() const {
+  if (mode_ != Mode::update) return false;
+  const auto mark = read_output_mark(target_);
+  return !mark || !mark->holds("run") || mark->adopted;
+}
+
 void RunFolder::check_target() const {
   const bool there = is_there(target_);
   std::error_code error;
@@ -114,7 +121,7 @@ void RunFolder::announce(const std::vector<std::string>& planned) const {
   std::error_code error;
   if (!fs::is_directory(target_, error)) return;
   const auto mark = read_output_mark(target_);
-  if (mode_ == Mode::update && !(mark && mark->holds("run"))) return;  // set aside
+  if (sets_aside()) return;
   std::vector<std::string> names = in_the_way(target_, mark.value_or(OutputMark()), planned);
   std::erase_if(names, [this](const std::string& name) { return leave_edited_.count(name) > 0; });
   if (!names.empty()) throw FilesInTheWay(target_, names);
@@ -175,7 +182,7 @@ void RunFolder::commit() {
     wish.leave_edited = leave_edited_;
     try {
       check_target();  // much may have happened since
-      wish.set_aside = mode_ == Mode::update && !has_mark_of_run();
+      wish.set_aside = sets_aside();
       aside_ = replace_files(wish, staging_->from_target());
     } catch (const InvalidInput& error) {
       if (mode_ != Mode::whole) throw;

@@ -55,6 +55,7 @@ class RunFolder {
   RunFolder(std::filesystem::path target, std::string kind, Mode mode);
   void check_target() const;
   bool has_mark_of_run() const;
+  bool sets_aside() const;
   void become_target(const std::filesystem::path& target);
   [[noreturn]] void save_elsewhere(const std::string& message);
 
