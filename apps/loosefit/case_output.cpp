@@ -4,6 +4,7 @@
 
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
+#include "loosefit/base/text.h"
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/write_report.h"
@@ -97,6 +98,10 @@ void print_result(const CaseResult& result, const std::string& folder) {
              certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
              certificate.intersections_body, certificate.intersections_self,
              certificate.stop_reason);
+  if (certificate.worn())
+    fmt::print("worn: every limb goes through its opening, and no opening has left its place\n");
+  else
+    fmt::print("NOT WORN: {}\n", join(certificate.worn_reasons, "; "));
   if (const auto& unsettled = result.drape.unsettled)
     fmt::print("because {}\nhint: {}\n", unsettled->why, unsettled->hint);
   for (const auto& [level, mobility] : result.pattern.fit)

@@ -65,7 +65,7 @@ CaseResult drape_of(const std::string& input, const Arguments& arguments, Progre
   try {
     add_maps(result, arguments.allow_unsettled);
   } catch (const Error& error) {
-    if (result.drape.certificate.settled()) throw;
+    if (result.drape.certificate.holds()) throw;
     throw Error(input + ": " + error.what(), error.hint());  // which of several
   }
   return result;
@@ -137,7 +137,7 @@ int rank(const Arguments& arguments) {
       fmt::print("no files written: give a folder with -o\n");
   }
   const bool settled = std::all_of(results.begin(), results.end(), [](const CaseResult& result) {
-    return result.drape.certificate.settled();
+    return result.drape.certificate.holds();
   });
   return settled ? kGood : kNotSettled;
 }
@@ -185,7 +185,7 @@ void add_rank_command(CLI::App& app, int& exit_code) {
                       "folder for ranking-NAME.csv, .json and sewing-plan-NAME.svg, NAME that of "
                       "the scorecard (default: DIR, if it is one)");
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,
-                    "rank even by a drape that did not settle");
+                    "rank even by a drape that did not settle or is not worn");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no table");
   command->callback([arguments, &exit_code] { exit_code = rank(*arguments); });
 }

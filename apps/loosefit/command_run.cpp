@@ -8,6 +8,7 @@
 
 #include "case_output.h"
 #include "exit_code.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/run_log.h"
 #include "loosefit/render/render_pictures.h"
@@ -45,14 +46,17 @@ int run(const Arguments& arguments) {
                 .ranking = ranking ? &*ranking : nullptr},
                log);
   for (const std::string& warning : result.warnings) log.warning(warning);
-  log.end(result.drape.certificate.settled() ? "settled" : "not settled");
+  const Certificate& certificate = result.drape.certificate;
+  log.end(certificate.holds()     ? "settled"
+          : certificate.settled() ? "not worn: " + join(certificate.worn_reasons, "; ")
+                                  : "not settled");
   folder.commit();
   shown.clear();
   if (!arguments.quiet) {
     print_result(result, arguments.output);
     if (ranking) fmt::print("\n{}", ranking_text(*ranking));
   }
-  return result.drape.certificate.settled() ? kGood : kNotSettled;
+  return certificate.holds() ? kGood : kNotSettled;
 }
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
@@ -77,7 +81,7 @@ void add_run_commands(CLI::App& app, int& exit_code) {
   CLI::App* command = add_command(app, "run", "whole pipeline: body, garment, drape, maps, report",
                                   whole, exit_code);
   command->add_flag("--allow-unsettled", whole->options.allow_unsettled,
-                    "make maps even of a drape that did not settle");
+                    "make maps even of a drape that did not settle or is not worn");
   command->add_flag("!--no-pictures", whole->pictures, "write no PNG files (needs no display)");
 
   auto drape = std::make_shared<Arguments>();

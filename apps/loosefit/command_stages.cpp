@@ -55,7 +55,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   if (!arguments.quiet) print_result(result, arguments.folder);
   if (!arguments.quiet && !folder.aside().empty())
     fmt::print("what stood in the way: {}/{}\n", arguments.folder, folder.aside());
-  return result.drape.certificate.settled() ? kGood : kNotSettled;
+  return result.drape.certificate.holds() ? kGood : kNotSettled;
 }
 
 void add_stage(CLI::App& app, const std::string& name, const std::string& description,
@@ -69,7 +69,7 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
       ->check(CLI::IsMember(map_names()))
       ->allow_extra_args(false);
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,
-                    "make maps even of a drape that did not settle");
+                    "make maps even of a drape that did not settle or is not worn");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
   command->callback([arguments, output, &exit_code] { exit_code = redo(*arguments, output); });
 }

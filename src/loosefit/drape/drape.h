@@ -9,7 +9,7 @@
 
 namespace loosefit {
 
-/// Proof that a drape is at rest, or why it is not (design.md section 5).
+/// Proof that a drape is at rest and worn, or why it is not (design.md sections 5 and 8).
 struct Certificate {
   static constexpr double kAllowedResidual = 1e-3;
   double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
@@ -18,6 +18,12 @@ struct Certificate {
   int intersections_self = -1;
   std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
   int intersections_layers = 0;  ///< of intersections_self, those between two garments
+  /// Why it is not worn (drape/worn.h); of a drape of several garments those of each. Who only
+  /// drapes does not ask: empty then.
+  std::vector<std::string> worn_reasons = {};
+  bool worn() const { return worn_reasons.empty(); }
+  /// What maps and exit codes ask for.
+  bool holds() const { return settled() && worn(); }
   bool settled() const {
     return residual <= kAllowedResidual && intersections_body == 0 && intersections_self == 0;
   }

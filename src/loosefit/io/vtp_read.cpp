@@ -111,6 +111,8 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   certificate.intersections_self = static_cast<int>(crossings->GetComponent(1, 0));
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();
+  if (data->GetFieldData()->HasArray("worn_reasons"))  // absent before version 0.2
+    certificate.worn_reasons = strings(path, data->GetFieldData(), "worn_reasons");
 
   if (data->GetPointData()->HasArray("body_normal_force_N")) {
     vtkDataArray* force = need(path, data->GetPointData(), "body_normal_force_N", 1, points);

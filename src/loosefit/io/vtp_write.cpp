@@ -129,6 +129,8 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);
   add_array(field, "intersections", {c.intersections_body, c.intersections_self});
   add_strings(field, "stop_reason", {c.stop_reason});
+  add_array(field, "worn", {c.worn() ? 1 : 0});
+  add_strings(field, "worn_reasons", c.worn_reasons);
   add_strings(field, "panel_names", garment.panel_names);
   write(path, data);
 }

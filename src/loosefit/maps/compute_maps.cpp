@@ -140,7 +140,11 @@ double angle_deg(const Vec3& a, const Vec3& b) {
 }
 
 void require_settled(const Certificate& c) {
-  if (c.settled()) return;
+  if (c.holds()) return;
+  if (c.settled())
+    throw Error(
+        "the garment is not worn (" + join(c.worn_reasons, "; ") + ") and maps of it would mislead",
+        "--allow-unsettled makes maps all the same");
   throw Error("the drape is not settled (residual " + shortest(c.residual) +
                   ", intersections with body " + std::to_string(c.intersections_body) +
                   ", with itself " + std::to_string(c.intersections_self) +

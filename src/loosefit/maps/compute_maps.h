@@ -57,7 +57,7 @@ std::vector<PerformanceMap> compute_maps(
 /// Angle between two unit vectors in degrees as atan2(|a × b|, a · b), exact also near zero.
 double angle_deg(const Vec3& a, const Vec3& b);
 
-/// \throws Error saying why, unless the certificate says settled.
+/// \throws Error saying why, unless the certificate says settled and worn.
 void require_settled(const Certificate& certificate);
 
 }  // namespace loosefit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/text.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
@@ -62,11 +63,20 @@ std::string certificate_section(const CaseResult& result) {
   const Certificate& c = result.drape.certificate;
   const double tolerance = result.scenario.simulation.residual_tolerance;
   std::string text;
-  if (c.settled()) {
+  if (c.holds()) {
     text = "<strong>Settled.</strong> The net force left on the cloth is " +
            number(100 * c.residual, 2) +
            " % of its weight, and an exact test finds no triangle of the garment crossing the body "
-           "or another part of itself.";
+           "or another part of itself. <strong>Worn.</strong> Every limb goes through its opening, "
+           "and no opening has left "
+           "its place on the body.";
+  } else if (c.settled()) {
+    text = "<strong>" + std::string(result.sealed() ? "SEALED: " : "") +
+           "this garment is not worn: " + escaped(join(c.worn_reasons, "; ")) +
+           ".</strong> It is at rest, but not where it was made for. " +
+           (result.sealed() ? "No maps were made of it, because their numbers would mislead."
+                            : "The maps below were asked for all the same; do not rely on their "
+                              "numbers.");
   } else if (result.sealed()) {
     text =
         "<strong>SEALED: this drape is not at rest.</strong> No maps were made of it, because "
@@ -83,12 +93,12 @@ std::string certificate_section(const CaseResult& result) {
                       (result.under.empty() ? ""
                                             : fact("of these, between garments",
                                                    count_text(c.intersections_layers))) +
-                      fact("stopped:", c.stop_reason);
+                      fact("stopped:", c.stop_reason) +
+                      fact("worn:", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   if (result.drape.report.total().iterations > 0)
     facts += fact("iterations", std::to_string(result.drape.report.total().iterations));
   std::string html = element("h2", "Certificate");
-  html +=
-      element("div", text + element("ul", facts, "facts"), c.settled() ? "box good" : "box bad");
+  html += element("div", text + element("ul", facts, "facts"), c.holds() ? "box good" : "box bad");
   return html + residual_chart(result.drape.report.history, tolerance);
 }
 

@@ -15,7 +15,10 @@ double seconds_of(const CaseResult& result) {
 
 std::vector<std::string> row(const std::string& name, int donning, const Certificate& c,
                              double seconds) {
-  return {name, std::to_string(donning + 1), c.settled() ? "settled" : "not settled",
+  return {name, std::to_string(donning + 1),
+          c.holds()     ? "settled"
+          : c.settled() ? "not worn"
+                        : "not settled",
           number(c.residual, 2), fixed(seconds, 1)};
 }
 
@@ -39,11 +42,11 @@ std::string wear_section(const CaseResult& result) {
     table.add(cells);
   }
   std::string html = element("h2", "Postures and donnings");
-  html += element(
-      "p",
-      "The garment was put on, then followed the body with friction from the first "
-      "posture to each other one. Slip is that of the cloth on the skin since then. A "
-      "drape that is not settled, or in which a limb has left its opening, counts nowhere.");
+  html +=
+      element("p",
+              "The garment was put on, then followed the body with friction from the first "
+              "posture to each other one. Slip is that of the cloth on the skin since then. A "
+              "drape that is not settled, or in which the garment is not worn, counts nowhere.");
   html += table.html();
   if (wear.donnings.size() > 1) {
     Table how(

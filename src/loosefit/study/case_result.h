@@ -78,7 +78,7 @@ struct CaseState {
   std::vector<CaseMap> maps = {};
   std::map<Region, WrinkleDirection> wrinkles = {};
   std::vector<Site> sites = {};  ///< the case's sites in this drape; reference posture only
-  bool counts() const { return left_out.empty() && drape.certificate.settled(); }
+  bool counts() const { return left_out.empty() && drape.certificate.holds(); }
 };
 
 /// A case worn in several postures, after several donnings.
@@ -93,8 +93,8 @@ struct CaseWear {
   std::vector<CaseState> states;
 };
 
-/// Everything one case yields, stage by stage. A drape that is not settled is sealed: `maps` and
-/// `sites` stay empty unless they were asked for all the same.
+/// Everything one case yields, stage by stage. A drape that is not settled or not worn is sealed:
+/// `maps` and `sites` stay empty unless they were asked for all the same.
 struct CaseResult {
   Scenario scenario;
   CaseBody body;
@@ -113,7 +113,7 @@ struct CaseResult {
   double peak_memory_mb = 0;
   std::vector<std::string> warnings;
 
-  bool sealed() const { return !drape.certificate.settled() && maps.maps.empty(); }
+  bool sealed() const { return !drape.certificate.holds() && maps.maps.empty(); }
   const Garment& mesh() const { return garment.finest(); }
 };
 

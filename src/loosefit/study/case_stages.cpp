@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -126,6 +127,7 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
                     "body {}, with itself {}",
                     certificate.stop_reason, certificate.residual, certificate.intersections_body,
                     certificate.intersections_self));
+  if (!certificate.worn()) all.push_back("not worn: " + join(certificate.worn_reasons, "; "));
   add("settle", result.repeat_warnings);
   if (result.scenario.simulation.repeats > 1 && result.repeats.empty())
     all.push_back("settle: no spread over repeats: it takes two drapes from different starts");

@@ -38,8 +38,8 @@ std::vector<Site> same_sites(const CaseResult& result, const std::vector<Site>& 
 
 /// Stage "repeats": drapes again from other starts, `at_once` side by side, as often as the
 /// scenario's `repeats` asks beyond the first, and gathers the spread of every area mean and every
-/// site value in result.repeats. A repeat that does not settle is left out and named in
-/// result.repeat_warnings; there is no spread of fewer than two.
+/// site value in result.repeats. A repeat that does not settle or is not worn is left out and named
+/// in result.repeat_warnings; there is no spread of fewer than two.
 void repeat_drapes(CaseResult& result, int at_once, Progress& progress);
 
 /// Drops spreads of maps and sites that `result`, an earlier output taken up again, has not now.

@@ -11,6 +11,7 @@
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/check_worn.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -148,7 +149,7 @@ void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
 void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
                   Progress& progress) {
   result.wear = plan_wear(result.scenario);
-  if (result.wear.postures.empty() || !result.drape.certificate.settled()) return;
+  if (result.wear.postures.empty() || !result.drape.certificate.holds()) return;
   if (result.wear.postures.size() > 1) progress.stage("body");
   pose_wearers(result.body, result.wear, progress);
   if (result.wear.postures.size() > 1) {

@@ -13,7 +13,7 @@ namespace loosefit {
 /// they are draped side by side, `at_once` at a time, with as many times the time budget each;
 /// unless that ends one, the bits do not depend on how many. Does not throw when one fails to
 /// settle: that state says why and does not count. Nothing happens when result.drape itself is not
-/// settled.
+/// settled and worn.
 void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
                   Progress& progress);
 

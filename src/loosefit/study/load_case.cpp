@@ -9,6 +9,7 @@
 #include "loosefit/io/vtp.h"
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
+#include "loosefit/study/check_worn.h"
 #include "loosefit/study/recall_summary.h"
 #include "loosefit/study/wear_states.h"
 
@@ -45,10 +46,10 @@ void check_body(const std::filesystem::path& path, const Body& body) {
                      "the body that scenario.toml of the run makes with this version", kMakeAgain);
 }
 
-/// Postures and donnings; none were made when the first drape is not settled.
+/// Postures and donnings; none were made when the first drape is not settled and worn.
 void recall_wear(const std::filesystem::path& folder, CaseResult& result, Progress& progress) {
   result.wear = plan_wear(result.scenario);
-  if (!result.drape.certificate.settled()) return;
+  if (!result.drape.certificate.holds()) return;
   pose_wearers(result.body, result.wear, progress);
   const CaseWear& wear = result.wear;
   const auto is_there = [](const std::filesystem::path& file) {
@@ -97,6 +98,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
     result.under[l].drape =
         read_drape(folder / under_folder(l) / "drape.vtp", result.under[l].mesh());
+  check_worn(result);
   clock.stage("body");
   recall_wear(folder, result, clock);
   clock.stop();

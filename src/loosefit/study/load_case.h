@@ -8,10 +8,10 @@ namespace loosefit {
 /// An earlier output taken up again: body, pattern and garment are made anew from its scenario.toml
 /// (the same bits), positions and certificate come from its drape.vtp, those of other postures and
 /// donnings from the files of write_case_files, seconds of draping and the spread over repeats from
-/// its summary.json. What a killed process left half replaced is repaired first. Maps and sites are
-/// empty. \throws IoError, InvalidInput when a file is
-/// missing, damaged, or does not belong to the scenario: another mesh, or skin more than 10 µm from
-/// the body.vtp of the run.
+/// its summary.json. Whether it is worn is asked anew. What a killed process left half replaced is
+/// repaired first. Maps and sites are empty. \throws IoError, InvalidInput when a file is missing,
+/// damaged, or does not belong to the scenario: another mesh, or skin more than 10 µm from the
+/// body.vtp of the run.
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace loosefit

@@ -6,9 +6,11 @@
 #include <set>
 
 #include "loosefit/base/side_by_side.h"
+#include "loosefit/base/text.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/check_worn.h"
 #include "loosefit/study/spread_keys.h"
 
 namespace loosefit {
@@ -37,7 +39,7 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
-/// What one drape has given; nothing when it did not settle.
+/// What one drape has given; nothing when it did not settle or is not worn.
 struct Repeat {
   std::optional<Samples> samples;
   std::vector<std::string> warnings;
@@ -62,6 +64,12 @@ Repeat drape_again(const CaseResult& result, int repeat, double budget, Progress
   for (const std::string& warning : warnings_since(result.body, other.body)) tell(warning);
   if (!other.drape.certificate.settled()) {
     tell(fmt::format("did not settle ({}); left out", other.drape.certificate.stop_reason));
+    return made;
+  }
+  check_worn(other);
+  if (!other.drape.certificate.worn()) {
+    tell(fmt::format("is not worn ({}); left out",
+                     join(other.drape.certificate.worn_reasons, "; ")));
     return made;
   }
   other.maps = make_maps(other, false);
@@ -94,7 +102,7 @@ void repeat_drapes(CaseResult& result, int at_once, Progress& progress) {
   progress.stage("repeats");
   at_once = std::min(at_once, repeats - 1);
   std::vector<Repeat> made(repeats);
-  if (result.drape.certificate.settled()) gather(result, made[0].samples.emplace());
+  if (result.drape.certificate.holds()) gather(result, made[0].samples.emplace());
   std::vector<SideJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
     jobs.push_back({fmt::format("repeat {}", repeat + 1), [&, repeat](Progress& own) {

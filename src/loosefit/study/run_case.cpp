@@ -8,6 +8,7 @@
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/check_worn.h"
 #include "loosefit/study/drape_states.h"
 #include "loosefit/study/drapes_at_once.h"
 
@@ -41,11 +42,12 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
     const auto session = std::make_shared<DrapeSession>(cloth_layers(result),
                                                         drape_options(scenario.simulation), clock);
     take_drape(put_on(*session, result.body), result);  // dress, settle
+    check_worn(result);
     at_once = drapes_at_once();
     drape_states(result, session, at_once, clock);  // postures, donnings
   }
 
-  const bool open = result.drape.certificate.settled() || options.allow_unsettled;
+  const bool open = result.drape.certificate.holds() || options.allow_unsettled;
   if (open && !options.only_drape) {
     clock.stage("maps");
     add_maps(result, options.allow_unsettled);

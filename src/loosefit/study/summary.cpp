@@ -226,6 +226,8 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"donning", s.donning + 1},
         {"counts", s.counts()},
         {"settled", c.settled()},
+        {"worn", c.worn()},
+        {"worn_reasons", c.worn_reasons},
         {"residual", c.residual},
         {"intersections", {{"body", c.intersections_body}, {"self", c.intersections_self}}},
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
@@ -246,6 +248,8 @@ std::string summary_json(const CaseResult& result) {
   const Certificate& certificate = result.drape.certificate;
   Json json;
   json["settled"] = certificate.settled();
+  json["worn"] = certificate.worn();
+  json["worn_reasons"] = certificate.worn_reasons;
   json["sealed"] = result.sealed();
   json["residual"] = certificate.residual;
   json["residual_max"] = certificate.residual_max;

@@ -9,26 +9,11 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
-#include "loosefit/drape/worn_limbs.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {
-void check_worn(const CaseResult& result, CaseState& state) {
-  if (!state.drape.certificate.settled()) return;
-  const Body& body = *result.wear.bodies[state.posture];
-  const auto as_before = [&](const Garment& garment, const Drape& now, const Drape& first) {
-    return limbs_through_openings(garment.triangles, now.positions, body) ==
-           limbs_through_openings(garment.triangles, first.positions, result.body.body);
-  };
-  bool worn = as_before(result.mesh(), state.drape, result.drape);
-  for (std::size_t l = 0; l < result.under.size(); ++l)
-    worn = worn && as_before(result.under[l].mesh(), state.under[l], result.under[l].drape);
-  if (!worn)
-    state.left_out =
-        "an arm or the trunk has left the opening it went through, or gone through the cloth";
-}
 
 CaseWear plan_wear(const Scenario& scenario) {
   CaseWear wear;
@@ -80,7 +65,8 @@ std::vector<std::string> wear_warnings(const CaseResult& result) {
   std::vector<std::string> all;
   const CaseWear& wear = result.wear;
   if (!wear.postures.empty() && wear.states.empty())
-    all.push_back("postures: none taken and nothing put on again: the first drape is not settled");
+    all.push_back(
+        "postures: none taken and nothing put on again: the first drape is not settled and worn");
   for (const CaseState& s : wear.states) {
     if (s.counts()) continue;
     const std::string where =

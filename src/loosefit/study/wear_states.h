@@ -18,10 +18,6 @@ CaseWear plan_wear(const Scenario& scenario);
 /// Side by side, a thread each. \throws Cancelled
 void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress);
 
-/// Marks a settled state as left out when limbs no longer go through the openings that they go
-/// through in result.drape (drape/worn_limbs.h).
-void check_worn(const CaseResult& result, CaseState& state);
-
 /// Worn garment, pressure and slip of every state that counts. \pre result.maps
 void map_states(CaseResult& result);
 

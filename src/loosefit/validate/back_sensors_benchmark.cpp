@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include "loosefit/base/progress_part.h"
+#include "loosefit/base/text.h"
 #include "loosefit/study/case_stages.h"
+#include "loosefit/study/check_worn.h"
 #include "loosefit/validate/catalogue.h"
 
 namespace loosefit {
@@ -97,10 +99,12 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
                   fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
     result.drape = drape_garment(result.garment, material, result.body.path,
                                  drape_options(result.scenario.simulation, repeat), part);
-    if (!result.drape.certificate.settled()) {
-      study.warnings.push_back(fmt::format("{} child: drape {} did not settle ({}), left out.",
-                                           child.name, repeat + 1,
-                                           result.drape.certificate.stop_reason));
+    check_worn(result);
+    if (const Certificate& c = result.drape.certificate; !c.holds()) {
+      study.warnings.push_back(
+          fmt::format("{} child: drape {} {} ({}), left out.", child.name, repeat + 1,
+                      c.settled() ? "is not worn" : "did not settle",
+                      c.settled() ? join(c.worn_reasons, "; ") : c.stop_reason));
       continue;
     }
     result.maps = make_maps(result, false);

@@ -1,0 +1,104 @@
+#include "loosefit/drape/limb_lines.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+namespace loosefit {
+namespace {
+
+constexpr double kChest = 0.6;  ///< of the way from hip to neck, where limbs begin: a neckline may
+                                ///< slip past the neck's own joint
+constexpr double kAbove = 0.5;  ///< of the way from hip to neck, beyond the neck: over the crown
+constexpr double kHand = 0.5;   ///< of the forearm's length, beyond the wrist
+constexpr double kFoot = 1.5;  ///< of the shank's length, beyond the ankle: hems reach to the floor
+
+/// Of the discs' middles, so that a limb in the very middle does not meet all spokes at once [m].
+const Vec3 kOff(1.3e-4, 1.7e-4, 1.1e-4);
+
+/// +1 or −1 where the way from p to q goes through the triangle, 0 where it does not.
+int crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto volume = [](const Vec3& u, const Vec3& v, const Vec3& w) { return u.dot(v.cross(w)); };
+  const bool from = volume(a - p, b - p, c - p) > 0, to = volume(a - q, b - q, c - q) > 0;
+  if (from == to) return 0;
+  const Vec3 way = q - p;
+  const bool ab = volume(way, a - p, b - p) > 0, bc = volume(way, b - p, c - p) > 0,
+             ca = volume(way, c - p, a - p) > 0;
+  if (ab != bc || bc != ca) return 0;
+  return from ? 1 : -1;
+}
+
+LimbNumbers normal_form(LimbNumbers n) {
+  const auto how_many = [&](int value) { return std::count(n.begin(), n.end(), value); };
+  const int most = *std::max_element(n.begin(), n.end(),
+                                     [&](int a, int b) { return how_many(a) < how_many(b); });
+  for (int& k : n) k -= most;
+  const auto first = std::find_if(n.begin(), n.end(), [](int k) { return k != 0; });
+  if (first != n.end() && *first < 0)
+    for (int& k : n) k = -k;
+  return n;
+}
+
+}  // namespace
+
+LimbLines limb_lines(const Body& body) {
+  const auto& at = body.joints;
+  LimbLines lines;
+  for (const std::string side : {"_L", "_R"})
+    for (const char* joint : {"shoulder", "elbow", "wrist", "hip", "knee", "ankle"})
+      if (!at.count(joint + side)) return lines;
+  if (!at.count("neck")) return lines;
+  const Vec3 neck = at.at("neck"), hip = 0.5 * (at.at("hip_L") + at.at("hip_R"));
+  const Vec3 chest = hip + kChest * (neck - hip);
+  lines[kHead] = {chest, neck, neck + kAbove * (neck - hip)};
+  for (const auto& [side, arm, leg] : {std::tuple(std::string("_L"), kLeftArm, kLeftLeg),
+                                       {std::string("_R"), kRightArm, kRightLeg}}) {
+    const Vec3 elbow = at.at("elbow" + side), wrist = at.at("wrist" + side);
+    const Vec3 knee = at.at("knee" + side), ankle = at.at("ankle" + side);
+    lines[arm] = {chest, at.at("shoulder" + side), elbow, wrist, wrist + kHand * (wrist - elbow)};
+    lines[leg] = {chest, hip, at.at("hip" + side), knee, ankle, ankle + kFoot * (ankle - knee)};
+  }
+  return lines;
+}
+
+LimbNumbers limbs_through(const std::vector<int>& loop, const std::vector<Vec3>& x,
+                          const LimbLines& lines) {
+  Vec3 middle = kOff;
+  for (int v : loop) middle += x[v] / static_cast<double>(loop.size());
+  LimbNumbers numbers{};
+  for (int limb = 0; limb < kLimbs; ++limb)
+    for (std::size_t i = 0; i + 1 < lines[limb].size(); ++i)
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        numbers[limb] += crossing(lines[limb][i], lines[limb][i + 1], middle, x[loop[k]],
+                                  x[loop[(k + 1) % loop.size()]]);
+  return normal_form(numbers);
+}
+
+LimbNumbers round_limb(Limb limb) {
+  LimbNumbers numbers{};
+  numbers[limb] = 1;
+  return numbers;
+}
+
+std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles) {
+  std::set<std::pair<int, int>> edges;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
+  std::multimap<int, int> next;  // two where openings meet in a corner
+  for (const auto& [a, b] : edges)
+    if (!edges.count({b, a})) next.emplace(a, b);
+  std::vector<std::vector<int>> loops;
+  while (!next.empty()) {
+    std::vector<int>& loop = loops.emplace_back();
+    for (auto at = next.begin(); at != next.end();) {
+      loop.push_back(at->first);
+      const int to = at->second;
+      next.erase(at);
+      at = to == loop.front() ? next.end() : next.find(to);
+    }
+  }
+  return loops;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,34 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "loosefit/body/body.h"
+
+namespace loosefit {
+
+/// The ends of a person, and the order in which limbs are counted.
+enum Limb { kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kLimbs };
+
+/// The middle of each limb, from the chest to beyond its end [m]. Empty lines for a body without
+/// joints.
+using LimbLines = std::array<std::vector<Vec3>, kLimbs>;
+LimbLines limb_lines(const Body& body);
+
+/// How often each limb goes through a closed curve: signed crossings of its line with the disc
+/// between the curve and its middle, less the number that most limbs have, the first that is not
+/// zero positive. All lines begin in the chest, so the numbers do not depend on the side on which
+/// the chest lies: a curve round the trunk has both legs, one round the neck the head alone, one
+/// below both shoulders the same as one round the trunk, one round nothing zeros.
+using LimbNumbers = std::array<int, kLimbs>;
+LimbNumbers limbs_through(const std::vector<int>& loop, const std::vector<Vec3>& x,
+                          const LimbLines& lines);
+
+inline constexpr LimbNumbers kRoundNothing = {0, 0, 0, 0, 0};
+inline constexpr LimbNumbers kRoundNeck = {1, 0, 0, 0, 0};
+inline constexpr LimbNumbers kRoundTrunk = {0, 0, 0, 1, 1};
+LimbNumbers round_limb(Limb limb);
+
+/// Closed chains of the edges that belong to one triangle, each from its least vertex.
+std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles);
+
+}  // namespace loosefit

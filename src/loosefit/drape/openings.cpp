@@ -1,0 +1,237 @@
+#include "loosefit/drape/openings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "loosefit/drape/limb_lines.h"
+#include "loosefit/geometry/box.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
+constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
+constexpr double kAlike = 0.25;   ///< relative difference of girth between two of a pair
+constexpr double kOpenFront = 0.6;  ///< of the garment's height, over which an open front runs
+
+struct Pair {
+  int left, right;
+};
+
+/// The connected piece of cloth to which each vertex belongs.
+std::vector<int> pieces(const Garment& garment) {
+  std::vector<int> of(garment.vertex_count);
+  std::iota(of.begin(), of.end(), 0);
+  const auto root = [&of](int v) {
+    while (of[v] != v) v = of[v] = of[of[v]];
+    return v;
+  };
+  for (const Triangle& t : garment.triangles)
+    for (int k = 1; k < 3; ++k)
+      of[std::max(root(t[0]), root(t[k]))] = std::min(root(t[0]), root(t[k]));
+  for (int v = 0; v < garment.vertex_count; ++v) of[v] = root(v);
+  return of;
+}
+
+/// Flat length of every edge at the rim.
+std::map<std::pair<int, int>, double> flat_lengths(const Garment& garment) {
+  std::map<std::pair<int, int>, double> length;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      length[{garment.triangles[t][k], garment.triangles[t][(k + 1) % 3]}] =
+          (garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k]).norm();
+  return length;
+}
+
+/// Label that most vertices' pieces have.
+std::string panel_label(const std::vector<int>& loop, const Garment& garment,
+                        const Pattern& pattern) {
+  std::map<std::string, int> votes;
+  for (int v : loop) {
+    const int panel = pattern.find_panel(garment.panel_names[garment.vertex_panel[v]]);
+    if (panel >= 0) ++votes[pattern.panels[panel].label];
+  }
+  const auto most = std::max_element(
+      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == votes.end() ? std::string() : most->first;
+}
+
+/// Tells what the openings `of` one piece of cloth are for.
+class Uses {
+ public:
+  Uses(std::vector<Opening>& all, std::vector<int> of, const std::vector<Vec3>& placed,
+       const Box3& box)
+      : all_(all), of_(std::move(of)), placed_(placed), box_(box) {
+    width_ = std::max(1e-9, box_.max().x() - box_.min().x());
+    height_ = std::max(1e-9, box_.max().z() - box_.min().z());
+    middle_ = 0.5 * (box_.min().x() + box_.max().x());
+  }
+
+  void tell(const std::vector<std::string>& labels) {
+    sort_out();
+    const std::size_t middles = middle_ones_.size(), pairs = pairs_.size();
+    if (middles == 2 && pairs == 0 && !open_front_ && of_.size() == 2) {
+      use(middle_ones_[0], at_waist(middle_ones_[0]) ? OpeningUse::waist : OpeningUse::upper);
+      use(middle_ones_[1], OpeningUse::hem);
+    } else if (middles == 0 && pairs == 0 && of_.size() == 2) {
+      for (int i : of_) use(i, OpeningUse::limb);
+    } else if (middles == 2 && pairs == 1 && of_.size() == 4) {
+      use(middle_ones_[0], OpeningUse::neck);
+      use(middle_ones_[1], OpeningUse::hem);
+      arms(pairs_[0]);
+    } else if (middles == 1 && pairs == 1 && of_.size() == 3) {
+      const bool below = height_of(pairs_[0]) < all_[middle_ones_[0]].placed.z();
+      if (below && labels[pairs_[0].left] != "arm") {
+        use(middle_ones_[0], OpeningUse::waist);
+        legs(pairs_[0]);
+      }
+    } else if (middles == 1 && pairs == 2 && of_.size() == 5) {
+      use(middle_ones_[0], OpeningUse::neck);
+      arms(pairs_[0]);
+      legs(pairs_[1]);
+    } else if (open_front_ && pairs == 1 && middles == 0) {
+      arms(pairs_[0]);
+    }
+    for (const Pair& pair : pairs_) {  // whatever the rest is
+      if (labels[pair.left] == "arm") arms(pair);
+      if (labels[pair.left] == "leg") legs(pair);
+    }
+  }
+
+ private:
+  void use(int opening, OpeningUse what) { all_[opening].use = what; }
+  void arms(const Pair& p) {
+    use(p.left, OpeningUse::left_arm), use(p.right, OpeningUse::right_arm);
+  }
+  void legs(const Pair& p) {
+    use(p.left, OpeningUse::left_leg), use(p.right, OpeningUse::right_leg);
+  }
+  bool at_waist(int opening) const { return all_[opening].at_waist; }
+  double beside(int opening) const { return all_[opening].placed.x() - middle_; }
+  double height_of(const Pair& p) const {
+    return 0.5 * (all_[p.left].placed.z() + all_[p.right].placed.z());
+  }
+
+  bool runs_from_top_to_bottom(const Opening& opening) const {
+    double low = box_.max().z(), high = box_.min().z();
+    for (int v : opening.loop) {
+      low = std::min(low, placed_[v].z());
+      high = std::max(high, placed_[v].z());
+    }
+    return high - low > kOpenFront * height_;
+  }
+
+  void sort_out() {
+    std::vector<int> left, right;
+    for (int i : of_) {
+      if (beside(i) > kBeside * width_)
+        left.push_back(i);
+      else if (beside(i) < -kBeside * width_)
+        right.push_back(i);
+      else if (of_.size() > 2 && runs_from_top_to_bottom(all_[i]))
+        open_front_ = true;
+      else
+        middle_ones_.push_back(i);
+    }
+    const double near = kBeside * std::max(width_, height_);
+    for (int l : left)
+      for (int r : right) {
+        const Opening &a = all_[l], &b = all_[r];
+        if (std::abs(beside(l) + beside(r)) < near &&
+            std::abs(a.placed.z() - b.placed.z()) < near &&
+            std::abs(a.girth - b.girth) < kAlike * std::max(a.girth, b.girth))
+          pairs_.push_back({l, r});
+      }
+    const auto higher = [this](int a, int b) { return all_[a].placed.z() > all_[b].placed.z(); };
+    std::stable_sort(middle_ones_.begin(), middle_ones_.end(), higher);
+    std::stable_sort(pairs_.begin(), pairs_.end(),
+                     [this](const Pair& a, const Pair& b) { return height_of(a) > height_of(b); });
+  }
+
+  std::vector<Opening>& all_;
+  std::vector<int> of_;
+  const std::vector<Vec3>& placed_;
+  Box3 box_;
+  double width_ = 1, height_ = 1, middle_ = 0;
+  std::vector<int> middle_ones_;  ///< the highest first
+  std::vector<Pair> pairs_;       ///< the highest first
+  bool open_front_ = false;
+};
+
+}  // namespace
+
+std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& pattern) {
+  std::vector<Vec3> sum(garment.vertex_count, Vec3::Zero());
+  std::vector<int> count(garment.vertex_count, 0);
+  std::set<std::pair<int, int>> seen;  // (vertex, panel)
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const int k = garment.triangle_panel[t];
+    const int found = pattern.find_panel(garment.panel_names[k]);
+    if (found < 0) return {};
+    const Panel& panel = pattern.panels[found];
+    for (int c = 0; c < 3; ++c) {
+      const int v = garment.triangles[t][c];
+      if (!seen.emplace(v, k).second) continue;
+      const Vec2& uv = garment.triangle_uv[t][c];
+      sum[v] += panel.rotation * Vec3(uv.x(), uv.y(), 0) + panel.translation;
+      ++count[v];
+    }
+  }
+  for (int v = 0; v < garment.vertex_count; ++v) sum[v] /= std::max(1, count[v]);
+  return sum;
+}
+
+std::vector<int> labelled_vertices(const Garment& garment, const Pattern& pattern,
+                                   const std::string& label) {
+  std::set<int> found;
+  for (const Garment::EdgeChain& chain : garment.edge_chains) {
+    const int panel = pattern.find_panel(garment.panel_names[chain.panel]);
+    if (panel < 0 || chain.edge >= static_cast<int>(pattern.panels[panel].edges.size())) continue;
+    if (pattern.panels[panel].edges[chain.edge].label == label)
+      found.insert(chain.vertices.begin(), chain.vertices.end());
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern) {
+  const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
+  const auto lengths = flat_lengths(garment);
+  const std::vector<int> piece = pieces(garment);
+  const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
+                         chest = labelled_vertices(garment, pattern, "strapless_top");
+  std::vector<Opening> openings;
+  std::vector<std::string> labels;
+  std::map<int, std::vector<int>> of_piece;
+  for (std::vector<int>& loop : boundary_loops(garment.triangles)) {
+    Opening opening;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      opening.girth += lengths.at({loop[i], loop[(i + 1) % loop.size()]});
+      if (!placed.empty()) opening.placed += placed[loop[i]] / static_cast<double>(loop.size());
+    }
+    if (opening.girth < kNoHand) continue;
+    // Half of the rim: a label also marks the ends of its neighbours.
+    const auto on = [&loop](const std::vector<int>& marked) {
+      const auto hits = std::count_if(loop.begin(), loop.end(), [&](int v) {
+        return std::binary_search(marked.begin(), marked.end(), v);
+      });
+      return 2 * static_cast<std::size_t>(hits) > loop.size();
+    };
+    opening.at_waist = on(waist);
+    opening.at_chest = on(chest);
+    labels.push_back(panel_label(loop, garment, pattern));
+    of_piece[piece[loop.front()]].push_back(static_cast<int>(openings.size()));
+    opening.loop = std::move(loop);
+    openings.push_back(std::move(opening));
+  }
+  if (placed.empty()) return openings;
+  Box3 box;
+  for (const Vec3& p : placed) box.extend(p);
+  for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
+  return openings;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,50 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/garment/garment.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// What an opening of a garment was made for.
+enum class OpeningUse {
+  unknown,   ///< an unusual cut: it is only asked that it stays where it was put on
+  limb,      ///< of a tube for whatever limb it is on: stocking, arm band
+  neck,      ///< of a garment that hangs on the shoulders
+  left_arm,  ///< cuff or armhole
+  right_arm,
+  left_leg,
+  right_leg,
+  waist,  ///< of what hangs on the hips
+  upper,  ///< of a tube round the trunk: waist of a skirt, or top of a strapless dress
+  hem     ///< round trunk or both legs
+};
+
+/// A closed edge of a garment that a limb may go through.
+struct Opening {
+  OpeningUse use = OpeningUse::unknown;
+  std::vector<int> loop;       ///< vertices in order
+  double girth = 0;            ///< of the flat pieces [m]
+  Vec3 placed = Vec3::Zero();  ///< its middle where the pattern places the pieces [m]
+  bool at_waist = false;       ///< an edge is labelled "lower_interface"
+  bool at_chest = false;       ///< an edge is labelled "strapless_top"
+};
+
+/// The openings, in the order of their first vertices. What each was made for is told by how they
+/// lie to each other where the pattern places its pieces, whatever wearer that was made for, and
+/// by the labels of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are
+/// arms, a pair below a single opening are legs, a second pair below the first are legs too, two
+/// in the middle alone are the ends of a tube. An edge that runs from top to bottom is an open
+/// front. Holes that no hand goes through (8 cm) are left out.
+std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern);
+
+/// Vertices where the pattern places the pieces, seams at the mean of their sides [m]. Empty when
+/// the pattern lacks a piece.
+std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& pattern);
+
+/// Vertices on all edges of the garment with this GarmentCode label.
+std::vector<int> labelled_vertices(const Garment& garment, const Pattern& pattern,
+                                   const std::string& label);
+
+}  // namespace loosefit

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/geometry/closest_point_tree.h"
+
+namespace loosefit {
+
+/// Heights on a person as if standing upright: a point goes back with the skin next to it, so that
+/// a waistband is at the waist whether its wearer stands, sits or bends. All heights in metres
+/// above the soles.
+class RestLevels {
+ public:
+  /// Keeps a reference to the body.
+  explicit RestLevels(const Body& body);
+  /// Of a point of cloth; arms and hands are passed over, for they hang beside everything.
+  double of(const Vec3& p) const;
+  /// Mean over vertices.
+  double of(const std::vector<int>& vertices, const std::vector<Vec3>& x) const;
+  /// Distance from the skin, arms and hands included [m].
+  double distance(const Vec3& p) const;
+
+  double height = 0;                                 ///< stature
+  double chest = 0, waist = 0, hip = 0, crotch = 0;  ///< hip: where it is widest
+
+ private:
+  Vec3 in_rest(int vertex, const Vec3& p) const;
+  const Body& body_;
+  ClosestPointTree tree_;
+  double soles_ = 0;
+};
+
+/// Where on a person a height is: "the chest", "the waist", "the hips", "the thighs", "the knees",
+/// "the calves", "the feet", "below the soles".
+std::string level_name(double level, const RestLevels& levels);
+
+}  // namespace loosefit

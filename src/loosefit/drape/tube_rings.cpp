@@ -1,0 +1,72 @@
+#include "loosefit/drape/tube_rings.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "loosefit/drape/limb_lines.h"
+
+namespace loosefit {
+namespace {
+
+/// Steps over edges from the opening to each vertex.
+std::vector<int> steps_from(const Garment& garment, const std::vector<int>& opening) {
+  std::vector<std::vector<int>> next(garment.vertex_count);
+  for (const Triangle& t : garment.triangles)
+    for (int k = 0; k < 3; ++k) {
+      next[t[k]].push_back(t[(k + 1) % 3]);
+      next[t[k]].push_back(t[(k + 2) % 3]);
+    }
+  std::vector<int> steps(garment.vertex_count, -1), front = opening;
+  for (int v : front) steps[v] = 0;
+  for (int k = 1; !front.empty(); ++k) {
+    std::vector<int> reached;
+    for (int v : front)
+      for (int to : next[v])
+        if (steps[to] < 0) steps[to] = k, reached.push_back(to);
+    front = std::move(reached);
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vector<int>& opening,
+                                         double widest) {
+  const std::vector<int> steps = steps_from(garment, opening);
+  std::map<std::pair<int, int>, double> flat;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      flat[std::minmax(garment.triangles[t][k], garment.triangles[t][(k + 1) % 3])] =
+          (garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k]).norm();
+  std::set<int> other_rims;
+  for (const std::vector<int>& loop : boundary_loops(garment.triangles))
+    if (std::find(loop.begin(), loop.end(), opening.front()) == loop.end())
+      other_rims.insert(loop.begin(), loop.end());
+
+  const int farthest = *std::max_element(steps.begin(), steps.end());
+  std::vector<std::vector<int>> rings;
+  for (int reach = 1; reach < farthest; ++reach) {
+    const auto in = [&](int v) { return steps[v] >= 0 && steps[v] <= reach; };
+    std::vector<Triangle> band;
+    for (const Triangle& t : garment.triangles)
+      if (in(t[0]) && in(t[1]) && in(t[2])) band.push_back(t);
+    std::vector<int> far;
+    int rims = 0;
+    double length = 0;
+    for (const std::vector<int>& loop : boundary_loops(band)) {
+      if (steps[loop.front()] == 0 && steps[loop.back()] == 0) continue;
+      ++rims;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (other_rims.count(loop[i])) return rings;
+        length += flat.at(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+      }
+      far = loop;
+    }
+    if (length > widest) return rings;
+    if (rims == 1) rings.push_back(far);  // a corner that is cut off makes two
+  }
+  return rings;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// Why a garment at x [m] is not worn by `body`: sentences that a tailor understands ("the
+/// waistband has slid to the knees", "the left sleeve is empty"); none where it is. Asked are
+///
+/// * limbs through openings: neck, cuffs, waist and hem (drape/openings.h) go round what they were
+///   made for; a cuff beyond the hand counts when its sleeve has the arm in it;
+/// * levels: a waist has not slid down from where it was made for by more than half the way from
+///   waist to crotch (12 cm on a man of 1.75 m: from the waist to the upper hips, beyond which no
+///   hip bone holds it), nor below the widest hip by more than a quarter of that way; collars are
+///   above the breast, armholes at the shoulders. What a waist was made for is the level at which
+///   the pattern places it, not above the waist nor below the upper hips; a tube for the trunk may
+///   be made for the chest. Neck openings on the shoulders, hems and cuffs may lie where they like;
+/// * an opening of an unusual cut, and cloth without openings, has not gone down by more than twice
+///   that way since the pattern was placed;
+/// * it touches the body somewhere (within 10 mm), unless it lies `over_others`, which may bear it.
+///
+/// A body without joints is only asked for the touch.
+std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
+                                      const std::vector<Vec3>& x, const Body& body,
+                                      bool over_others = false);
+
+}  // namespace loosefit
