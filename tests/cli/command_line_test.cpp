@@ -5,6 +5,7 @@
 
 #include "loosefit/io/text_file.h"
 #include "support/run_program.h"
+#include "support/trunk_tubes.h"
 
 // The contract of the command line: exit codes, one error line with a place, folders left alone.
 namespace loosefit {
@@ -49,6 +50,28 @@ TEST_F(CommandLine, WrongUsageIsCodeTwo) {
   expect_refused(loosefit("dance"), "");
   expect_refused(loosefit("run"), "");
   expect_refused(loosefit("run a b c -o d"), "");
+}
+
+TEST_F(CommandLine, AGarmentThatIsNotWornIsCodeOneAndNamedInWords) {
+  file("tube.json", support::tube_file(42, 42, 22, 50));
+  const std::string scenario = file(
+      "case.toml", "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n[garment]\npattern = \"" +
+                       (base / "tube.json").string() +
+                       "\"\n[output]\npreset_sites = false\n[simulation]\n"
+                       "edge_length = 0.05\ntime_budget = 60\n");
+  const std::string out = (base / "out").string(), words = "the waistband has slid to the thighs";
+  const ProgramRun run = loosefit("run " + scenario + " -o " + out + " --no-pictures");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("\nsettled:"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("NOT WORN: " + words), std::string::npos) << run.output;
+  for (const char* name : {"log.jsonl", "report.html", "summary.json"})
+    EXPECT_NE(read_text_file(out + "/" + name, 50000000).find(words), std::string::npos) << name;
+  EXPECT_FALSE(fs::exists(out + "/sites.csv"));
+  const ProgramRun rank = loosefit("rank " + out + " -m imu-inclination");
+  EXPECT_NE(rank.exit_code, 0);
+  EXPECT_NE(rank.output.find(words), std::string::npos) << rank.output;
+  EXPECT_EQ(loosefit("map " + out + " --allow-unsettled").exit_code, 1);
+  EXPECT_TRUE(fs::exists(out + "/sites.csv"));
 }
 
 TEST_F(CommandLine, MissingScenarioFile) {

@@ -15,12 +15,14 @@ Body stick_figure() {
     body.joints["shoulder" + side] = Vec3(0.2 * sign, 0, 1.35);
     body.joints["elbow" + side] = Vec3(0.4 * sign, 0, 1.35);
     body.joints["wrist" + side] = Vec3(0.6 * sign, 0, 1.35);
+    body.joints["knee" + side] = Vec3(0.1 * sign, 0, 0.5);
+    body.joints["ankle" + side] = Vec3(0.1 * sign, 0, 0.1);
   }
   return body;
 }
 
 /// A sleeve of 10 cm on the left arm, moved by `shift`.
-std::vector<int> sleeve(const Vec3& shift) {
+std::vector<LimbNumbers> sleeve(const Vec3& shift) {
   const Garment tube = testing::tube_garment(0.3, 0.1, 12, 4);
   std::vector<Vec3> x;
   for (const Vec2& p : tube.vertex_uv) {
@@ -31,12 +33,8 @@ std::vector<int> sleeve(const Vec3& shift) {
 }
 
 TEST(WornLimbs, TellWhichLimbGoesThroughWhichOpening) {
-  const std::vector<int> on = sleeve(Vec3::Zero());
-  ASSERT_EQ(on.size(), 6u) << "two openings, three limbs";
-  EXPECT_EQ(on[0], 0);
-  EXPECT_EQ(std::abs(on[1]), 1);
-  EXPECT_EQ(on[2], 0);
-  EXPECT_EQ(on[1], -on[4]) << "in at one, out at the other";
+  const std::vector<LimbNumbers> both(2, round_limb(kLeftArm));
+  EXPECT_EQ(sleeve(Vec3::Zero()), both) << "in at one, out at the other";
 }
 
 TEST(WornLimbs, DoNotChangeWhileTheSleeveSlidesAlongTheArm) {
@@ -44,12 +42,14 @@ TEST(WornLimbs, DoNotChangeWhileTheSleeveSlidesAlongTheArm) {
 }
 
 TEST(WornLimbs, ChangeWhenTheArmHasLeftTheSleeve) {
-  EXPECT_EQ(sleeve(Vec3(0, 0, -0.2)), std::vector<int>(6, 0)) << "hangs empty below";
-  EXPECT_EQ(sleeve(Vec3(0.5, 0, 0)), std::vector<int>(6, 0)) << "slid off the hand";
+  EXPECT_EQ(sleeve(Vec3(0, 0, -0.2)), std::vector<LimbNumbers>(2, kRoundNothing))
+      << "hangs empty below";
+  EXPECT_EQ(sleeve(Vec3(0.5, 0, 0)), std::vector<LimbNumbers>(2, kRoundNothing))
+      << "slid off the hand";
 }
 
 /// A collar round the neck, 2 cm high, from height z.
-std::vector<int> collar(double z) {
+std::vector<LimbNumbers> collar(double z) {
   const Garment tube = testing::tube_garment(0.4, 0.02, 12, 1);
   std::vector<Vec3> x;
   for (const Vec2& p : tube.vertex_uv) {
@@ -60,10 +60,41 @@ std::vector<int> collar(double z) {
 }
 
 TEST(WornLimbs, DoNotChangeWhenANecklineSlipsPastTheJointOfTheNeck) {
-  const std::vector<int> low = collar(1.37);
-  EXPECT_EQ(low, collar(1.41));
-  EXPECT_EQ(std::abs(low[0]), 1) << "the trunk goes through it";
-  EXPECT_EQ(low[1], 0) << "the arms do not";
+  EXPECT_EQ(collar(1.37), collar(1.41));
+  EXPECT_EQ(collar(1.37), std::vector<LimbNumbers>(2, kRoundNeck));
+}
+
+/// A wide ring round an upright axis, at height z.
+LimbNumbers ring(double z, double radius, double x = 0) {
+  std::vector<Vec3> points;
+  std::vector<int> loop;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 2 * kPi * i / 24;
+    points.emplace_back(x + radius * std::cos(a), radius * std::sin(a), z);
+    loop.push_back(i);
+  }
+  return limbs_through(loop, points, limb_lines(stick_figure()));
+}
+
+TEST(WornLimbs, ARingBelowBothShouldersGoesRoundTheTrunkWhateverItWasMadeFor) {
+  EXPECT_EQ(ring(1.3, 0.3), kRoundTrunk);
+  EXPECT_EQ(ring(1.0, 0.2), kRoundTrunk);
+  EXPECT_EQ(ring(0.3, 0.2), kRoundTrunk) << "round both legs";
+  EXPECT_EQ(ring(-0.3, 0.3), kRoundTrunk) << "round both feet, below the soles";
+  EXPECT_EQ(ring(0.3, 0.05, 0.1), round_limb(kLeftLeg));
+  EXPECT_EQ(ring(1.5, 0.3), kRoundNeck);
+  EXPECT_EQ(ring(2.4, 0.3), kRoundNothing) << "above the head";
+}
+
+TEST(WornLimbs, ANecklineOverOneShoulderHasThatArmToo) {
+  std::vector<Vec3> points;
+  std::vector<int> loop;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 2 * kPi * i / 24, x = 0.15 + 0.2 * std::cos(a);
+    points.emplace_back(x, 0.15 * std::sin(a), 1.39 - 0.3 * x);
+    loop.push_back(i);
+  }
+  EXPECT_EQ(limbs_through(loop, points, limb_lines(stick_figure())), (LimbNumbers{1, 1, 0, 0, 0}));
 }
 
 TEST(WornLimbs, AreNotKnownWithoutJoints) {

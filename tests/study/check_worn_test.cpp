@@ -1,0 +1,113 @@
+#include "loosefit/study/check_worn.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/io/vtp.h"
+#include "loosefit/study/case_files.h"
+#include "loosefit/study/case_stages.h"
+#include "loosefit/study/load_case.h"
+#include "loosefit/study/run_case.h"
+#include "support/trunk_tubes.h"
+
+namespace loosefit {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CheckWorn : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  /// A tube round the trunk of a woman, cut by support::tube_file, as the whole pipeline sees it.
+  CaseResult tube(double top, double bottom, double height, double above_floor,
+                  const std::string& more = "", bool allow = false) const {
+    const fs::path file = folder_ / "tube.json";
+    write_text_file(file.string(), support::tube_file(top, bottom, height, above_floor));
+    const std::string text =
+        "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n"
+        "[garment]\npattern = \"" +
+        file.string() +
+        "\"\n"
+        "[output]\nmaps = [\"distance\"]\npreset_sites = false\n"
+        "[simulation]\nedge_length = 0.04\ntime_budget = 60\n" +
+        more;
+    Progress silent;
+    RunOptions options;
+    options.allow_unsettled = allow;
+    return run_case(parse_scenario(text, "case.toml"), silent, options);
+  }
+  void store(const CaseResult& result) const {
+    write_case_files(folder_, result);
+    write_summary_file(folder_, result);
+  }
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     (std::string("check-worn-") +
+                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {
+  const CaseResult result = tube(34, 56, 45, 60);
+  const Certificate& c = result.drape.certificate;
+  ASSERT_TRUE(c.settled()) << c.stop_reason;
+  EXPECT_EQ(c.worn_reasons, std::vector<std::string>{});
+  EXPECT_FALSE(result.sealed());
+  EXPECT_FALSE(result.maps.maps.empty());
+}
+
+TEST_F(CheckWorn, ATubeRoundTheThighsIsSealedNamedAndJudgedAgainWhenItIsRead) {
+  const CaseResult result = tube(42, 42, 22, 50);
+  const Certificate& c = result.drape.certificate;
+  ASSERT_TRUE(c.settled()) << c.stop_reason;
+  ASSERT_EQ(c.worn_reasons, std::vector<std::string>{"the waistband has slid to the thighs"});
+  EXPECT_TRUE(result.sealed());
+  EXPECT_TRUE(result.maps.maps.empty());
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings.back().find("slid to the thighs"), std::string::npos);
+  store(result);
+  const auto summary =
+      nlohmann::json::parse(read_text_file((folder_ / "summary.json").string(), 50000000));
+  EXPECT_EQ(summary["settled"], true);
+  EXPECT_EQ(summary["worn"], false);
+  EXPECT_EQ(summary["worn_reasons"][0], c.worn_reasons[0]);
+  EXPECT_EQ(read_drape_vtp(folder_ / "drape.vtp").drape.certificate.worn_reasons, c.worn_reasons);
+
+  // As an earlier version stored it: nothing said of being worn.
+  Drape old = result.drape;
+  old.certificate.worn_reasons.clear();
+  write_drape_vtp(folder_ / "drape.vtp", result.mesh(), old);
+  Progress silent;
+  CaseResult again = load_case(folder_, silent);
+  EXPECT_EQ(again.drape.certificate.worn_reasons, c.worn_reasons);
+  try {
+    add_maps(again, false);
+    ADD_FAILURE() << "maps of what is not worn";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("slid to the thighs"), std::string::npos);
+  }
+  add_maps(again, true);
+  EXPECT_FALSE(again.maps.maps.empty());
+}
+
+TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
+  const CaseResult result =
+      tube(42, 42, 22, 50, "repeats = 3\n[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n",
+           true);
+  EXPECT_TRUE(result.wear.states.empty());
+  EXPECT_TRUE(result.repeats.empty());
+  int named = 0;
+  for (const std::string& text : result.repeat_warnings)
+    named += text.find("is not worn (the waistband has slid to the thighs); left out") !=
+             std::string::npos;
+  EXPECT_EQ(named, 2);
+}
+
+}  // namespace
+}  // namespace loosefit

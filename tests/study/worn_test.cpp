@@ -1,0 +1,163 @@
+#include "loosefit/drape/worn.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loosefit/drape/openings.h"
+#include "loosefit/dress/dress.h"
+#include "loosefit/garment/hierarchy.h"
+#include "loosefit/io/garmentcode.h"
+#include "support/shirt_on_body.h"
+#include "support/trunk_tubes.h"
+#include "support/worn_shirt.h"
+
+namespace loosefit {
+namespace {
+
+using Reasons = std::vector<std::string>;
+
+const Body& woman() {
+  static const Body body = support::standing(support::adult_parameters(), 40);
+  return body;
+}
+
+/// A garment with its cut.
+struct Sewn {
+  Pattern pattern;
+  GarmentHierarchy levels;
+  explicit Sewn(Pattern cut)
+      : pattern(std::move(cut)), levels(build_hierarchy(pattern, 0.03, support::knit())) {}
+  const Garment& mesh() const { return levels.finest(); }
+  Reasons on(const std::vector<Vec3>& x, const Body& body = woman()) const {
+    return why_not_worn(mesh(), pattern, x, body);
+  }
+};
+
+const Sewn& shirt() {
+  static const Sewn made(support::shirt_for(woman(), 0.2));
+  return made;
+}
+const Sewn& trousers() {
+  static const Sewn made(
+      parse_garmentcode(support::trousers_file(52, 24, 66, 26, 10), "t").pattern);
+  return made;
+}
+
+std::vector<Vec3> moved(std::vector<Vec3> x, const Vec3& way) {
+  for (Vec3& p : x) p += way;
+  return x;
+}
+
+std::vector<OpeningUse> uses(const Sewn& garment) {
+  std::vector<OpeningUse> all;
+  for (const Opening& o : garment_openings(garment.mesh(), garment.pattern)) all.push_back(o.use);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Where the pattern places the pieces, nearer to the body, before and behind the body, the seams
+/// drawn up to the middle, and so much lower.
+std::vector<Vec3> round_the_body(const Sewn& garment, double down) {
+  std::vector<Vec3> x = placed_by_pattern(garment.mesh(), garment.pattern);
+  for (Vec3& p : x) p = Vec3(p.x(), 0.5 * p.y(), p.z() - down);
+  return x;
+}
+
+TEST(Openings, AreToldByHowTheyLieToEachOther) {
+  EXPECT_EQ(uses(shirt()), (std::vector<OpeningUse>{OpeningUse::neck, OpeningUse::left_arm,
+                                                    OpeningUse::right_arm, OpeningUse::hem}));
+  EXPECT_EQ(uses(trousers()), (std::vector<OpeningUse>{OpeningUse::left_leg, OpeningUse::right_leg,
+                                                       OpeningUse::waist}));
+  const Sewn skirt(parse_garmentcode(support::tube_file(36, 50, 45, 60), "s").pattern);
+  EXPECT_EQ(uses(skirt), (std::vector<OpeningUse>{OpeningUse::upper, OpeningUse::hem}));
+}
+
+TEST(Openings, KeepTheirUseWhereverThePatternIsPlaced) {
+  Pattern high = shirt().pattern;
+  for (Panel& panel : high.panels) panel.translation += Vec3(0.4, 0.1, 3);
+  EXPECT_EQ(uses(Sewn(high)), uses(shirt()));
+}
+
+TEST(Worn, AShirtAsItIsPutOn) {
+  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  EXPECT_EQ(shirt().on(x), Reasons{});
+  EXPECT_EQ(shirt().on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
+}
+
+TEST(Worn, NotAShirtThatHasFallen) {
+  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const Reasons low = shirt().on(moved(x, {0, 0, -0.4}));
+  EXPECT_EQ(low, (Reasons{"the neck opening lies below both shoulders", "the left sleeve is empty",
+                          "the right sleeve is empty"}))
+      << "worn as a skirt";
+  const Reasons high = shirt().on(moved(x, {0, 0, 3}));
+  ASSERT_FALSE(high.empty());
+  EXPECT_EQ(high.front(), "the garment touches the body nowhere");
+  EXPECT_NE(std::find(high.begin(), high.end(), "the head is not through the neck opening"),
+            high.end());
+}
+
+TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
+  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const Vec3 shoulder = woman().joints.at("shoulder_L");
+  for (Vec3& p : x)  // swung down before the trunk
+    if (p.x() > shoulder.x() + 0.04) p = Vec3(shoulder.x() + 0.04, p.y() - 0.5, p.z() - 0.3);
+  EXPECT_EQ(shirt().on(x), Reasons{"the left sleeve is empty"});
+}
+
+TEST(Worn, ASleeveThatIsLongerThanItsArm) {
+  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const Vec3 elbow = woman().joints.at("elbow_L"), wrist = woman().joints.at("wrist_L");
+  const Vec3 along = (wrist - elbow).normalized();
+  for (Vec3& p : x) {
+    const double beyond = (p - elbow).dot(along) - 0.05;
+    if (p.x() > 0.2 && beyond > 0) p += beyond * along;  // twice as long from the forearm on
+  }
+  EXPECT_EQ(shirt().on(x), Reasons{});
+}
+
+TEST(Worn, TrousersAtTheWaistAndNotRoundTheKnees) {
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0)), Reasons{});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.05)), Reasons{}) << "on the upper hips";
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5)),
+            Reasons{"the waistband has slid to the knees"});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.92)),
+            Reasons{"the waistband has slid to the feet"});
+}
+
+TEST(Worn, TheBoundIsHalfTheWayFromWaistToCrotch) {
+  double held = 0, gone = 0.5;
+  while (gone - held > 0.002) {
+    const double down = 0.5 * (held + gone);
+    (trousers().on(round_the_body(trousers(), down)).empty() ? held : gone) = down;
+  }
+  const Body& body = woman();
+  const double waist =
+      0.5 * (body.landmarks.at("back_waist").z() + body.landmarks.at("front_waist").z());
+  const double top = 1.02;  // of the trousers [m]
+  EXPECT_NEAR(top - held, waist - 0.5 * (waist - body.landmarks.at("crotch").z()), 0.02);
+}
+
+TEST(Worn, LevelsGoAlongWithAPosture) {
+  const Body sitting = body_model().build(support::adult_parameters(), {radians(40), 0, 1});
+  const double waist =
+      0.5 * (sitting.landmarks.at("back_waist").z() + sitting.landmarks.at("front_waist").z());
+  const Sewn skirt(parse_garmentcode(support::tube_file(40, 46, 12, 92), "s").pattern);
+  std::vector<Vec3> x = placed_by_pattern(skirt.mesh(), skirt.pattern);
+  const Vec3 back = sitting.landmarks.at("back_waist"), front = sitting.landmarks.at("front_waist");
+  const double y = 0.5 * (back.y() + front.y());
+  for (Vec3& p : x) p = Vec3(p.x(), y + 0.5 * p.y(), p.z() + waist - 1.04);
+  EXPECT_EQ(skirt.on(x, sitting), Reasons{}) << "at the waist of a sitter, lower than the pattern";
+}
+
+TEST(Worn, NothingIsAskedOfABodyWithoutJointsButTheTouch) {
+  Body statue = woman();
+  statue.joints.clear();
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5), statue), Reasons{});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), -3), statue),
+            Reasons{"the garment touches the body nowhere"});
+}
+
+}  // namespace
+}  // namespace loosefit
