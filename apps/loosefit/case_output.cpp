@@ -93,19 +93,23 @@ void write_output(const std::filesystem::path& folder, CaseResult& result,
 
 void print_result(const CaseResult& result, const std::string& folder) {
   const Certificate& certificate = result.drape.certificate;
-  for (const std::string& warning : result.warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : result.warnings)
+    fmt::print("warning: {}\n", terminal_line(warning));
   fmt::print("{}: residual {:.2e}, intersections body {} self {} ({})\n",
              certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
              certificate.intersections_body, certificate.intersections_self,
-             certificate.stop_reason);
+             terminal_line(certificate.stop_reason));
   if (certificate.worn())
-    fmt::print("worn: every limb goes through its opening, and no opening has left its place\n");
+    fmt::print("worn: every limb goes through its opening, and no opening has left its place
+");
   else
-    fmt::print("NOT WORN: {}\n", join(certificate.worn_reasons, "; "));
+    fmt::print("NOT WORN: {}
+", terminal_line(join(certificate.worn_reasons, "; ")));
   if (const auto& unsettled = result.drape.unsettled)
-    fmt::print("because {}\nhint: {}\n", unsettled->why, unsettled->hint);
+    fmt::print("because {}\nhint: {}\n", terminal_line(unsettled->why),
+               terminal_line(unsettled->hint));
   for (const auto& [level, mobility] : result.pattern.fit)
-    fmt::print("fit {:8} {:+.3f}\n", level, mobility);
+    fmt::print("fit {:8} {:+.3f}\n", terminal_line(level), mobility);
   if (!result.maps.maps.empty())
     fmt::print("{:24} {:>10} {:>10} {:>10}\n", "map", "p5", "median", "p95");
   for (const CaseMap& map : result.maps.maps)
@@ -120,7 +124,7 @@ void print_result(const CaseResult& result, const std::string& folder) {
   }
   fmt::print("seconds: {}total {:.1f}; peak memory {:.0f} MB\n", stages, total,
              result.peak_memory_mb);
-  fmt::print("written: {}\n", folder);
+  fmt::print("written: {}\n", terminal_line(folder));
 }
 
 }  // namespace loosefit

@@ -44,7 +44,7 @@ double sex_of(const std::string& text) {
     used = 0;
   }
   if (used != text.size() || !(value >= 0 && value <= 1)) {
-    throw InvalidInput({"", 0, "--sex"}, "\"" + text + "\"",
+    throw InvalidInput({"", 0, "--sex"}, "\"" + printable(text) + "\"",
                        "female, male or a number from 0 to 1");
   }
   return value;
@@ -83,7 +83,7 @@ void write_body(const std::string& folder, const Body& body, const BodyFit& fit)
   write_body_vtp(path("body.vtp"), body);
   write_body_json(path("body.json"), body, fit);
   files.commit();
-  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", folder);
+  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(folder));
 }
 
 void run(Wish wish) {
@@ -124,7 +124,8 @@ void run(Wish wish) {
   }
   fmt::print("volume {:.1f} l, about {:.1f} kg\n", 1000 * body.measured.at("volume"),
              body.measured.at("mass"));
-  for (const auto& warning : fit.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const auto& warning : fit.warnings)
+    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   if (!wish.out.empty()) write_body(wish.out, body, fit);
 }
 

@@ -10,6 +10,7 @@
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
+#include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/body/body_data.h"
 #include "loosefit/io/material_file.h"
@@ -21,11 +22,11 @@ namespace {
 /// Runs one check; prints its finding, or the error and the way out.
 bool report(const std::string& what, const std::function<std::string()>& check) {
   try {
-    fmt::print("ok       {:12} {}\n", what, check());
+    fmt::print("ok       {:12} {}\n", what, terminal_line(check()));
     return true;
   } catch (const Error& e) {
-    fmt::print("missing  {:12} {}\n", what, e.what());
-    if (!e.hint().empty()) fmt::print("         {:12} {}\n", "", e.hint());
+    fmt::print("missing  {:12} {}\n", what, terminal_line(e.what()));
+    if (!e.hint().empty()) fmt::print("         {:12} {}\n", "", terminal_line(e.hint()));
     return false;
   }
 }

@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "loosefit/base/text.h"
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/io/material_file.h"
+#include "loosefit/io/material_origin.h"
 
 namespace loosefit {
 namespace {
@@ -80,11 +82,15 @@ void show_curves(const Material& m) {
 void show_material(const std::string& name) {
   const bool file = std::filesystem::path(name).extension() == ".toml";
   const MaterialCard card = file ? read_material_file(name) : load_material(name);
-  fmt::print("# {}\n# source: {}\n# status: {}\n", card.title, card.material.source, card.status);
+  fmt::print("# {}\n# source: {}\n# status: {}\n", terminal_line(card.title),
+             terminal_line(card.material.source), terminal_line(card.status));
   show_bending(card.material);
   show_kes(card.kes);
   show_curves(card.material);
-  for (const std::string& note : card.notes) fmt::print("# note: {}\n", note);
+  for (const std::string& note : card.notes) fmt::print("# note: {}\n", terminal_line(note));
+  for (const ConstantInUse& c : constants_in_use(card))
+    if (c.from != "card " + card.material.name)
+      fmt::print("# {} from {}\n", c.key, terminal_line(c.from));
   fmt::print("{}", material_toml(card.material));
 }
 

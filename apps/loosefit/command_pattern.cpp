@@ -157,8 +157,8 @@ void print_pieces(const Pattern& pattern) {
     for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
     const double area = signed_area(outline);
     total += area;
-    fmt::print("{:<18} {:>10.1f} {:>11.1f} {:>10.1f} {:>7}\n", panel.name, 1000 * (high - low).x(),
-               1000 * (high - low).y(), 1e4 * area, panel.edges.size());
+    fmt::print("{:<18} {:>10.1f} {:>11.1f} {:>10.1f} {:>7}\n", terminal_line(panel.name),
+               1000 * (high - low).x(), 1000 * (high - low).y(), 1e4 * area, panel.edges.size());
   }
   fmt::print("{} pieces, {:.4f} m2\n\n", pattern.panels.size(), total);
 }
@@ -170,13 +170,14 @@ void print_seams(const Pattern& pattern) {
     const Stitch& stitch = pattern.stitches[s];
     const auto side = [&](const Stitch::Side& end) {
       const Panel& panel = pattern.panels[end.panel];
-      return std::make_pair(panel.name + "." + panel.edges[end.edge].name,
+      return std::make_pair(terminal_line(panel.name + "." + panel.edges[end.edge].name),
                             1000 * EdgePath(panel, end.edge).length());
     };
     const auto [first, length_a] = side(stitch.first);
     const auto [second, length_b] = side(stitch.second);
-    fmt::print("{:>2} {:<18} {:<32} {:<32} {:>11.2f} {:>9.3f}{}\n", s + 1, stitch.name, first,
-               second, length_a, length_b - length_a, stitch.right_wrong ? "  right to wrong" : "");
+    fmt::print("{:>2} {:<18} {:<32} {:<32} {:>11.2f} {:>9.3f}{}\n", s + 1,
+               terminal_line(stitch.name), first, second, length_a, length_b - length_a,
+               stitch.right_wrong ? "  right to wrong" : "");
   }
 }
 
@@ -194,8 +195,9 @@ void print_sizes() {
 void run(const Wish& wish) {
   if (wish.list_sizes) return print_sizes();
   const Made made = make(wish);
-  for (const std::string& warning : made.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}\n\n", made.pattern.name);
+  for (const std::string& warning : made.warnings)
+    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+  fmt::print("{}\n\n", terminal_line(made.pattern.name));
   print_girths(made);
   print_pieces(made.pattern);
   print_seams(made.pattern);
@@ -210,7 +212,7 @@ void run(const Wish& wish) {
   write_garmentcode(folder.path() / "pattern.json", made.pattern);
   write_pattern_svg(folder.path() / "pattern.svg", made.pattern);
   folder.commit();
-  fmt::print("\nwrote {}/pattern.json, pattern.svg\n", wish.out);
+  fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ int rank(const Arguments& arguments) {
     if (folder && !folder->aside().empty())
       fmt::print("what stood in the way: {}/{}\n", input, folder->aside());
     if (folder)
-      fmt::print("written: {}\n", beside ? input : arguments.output);
+      fmt::print("written: {}\n", terminal_line(beside ? input : arguments.output));
     else
       fmt::print("no files written: give a folder with -o\n");
   }

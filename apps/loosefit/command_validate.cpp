@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "exit_code.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/validate/run_validation.h"
@@ -64,7 +65,9 @@ int validate(const Arguments& arguments) {
     folder->commit();
   }
   shown.clear();
-  if (folder) fmt::print("wrote validation.html and validation.json into {}\n", arguments.output);
+  if (folder)
+    fmt::print("wrote validation.html and validation.json into {}\n",
+               terminal_line(arguments.output));
   fmt::print("{}\n", verdict_line(validation));
   return validation.pass() ? kGood : kGateMissed;
 }

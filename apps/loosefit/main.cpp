@@ -18,8 +18,10 @@
 #include "command_validate.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/solver/pin_blas.h"
+#include "usage_error.h"
 
 namespace loosefit {
 namespace {
@@ -33,8 +35,8 @@ void hold_standard_streams() {
 }
 
 int failed(int code, const std::string& message, const std::string& hint = {}) {
-  std::string text = "error: " + message + "\n";
-  if (!hint.empty()) text += "hint: " + hint + "\n";
+  std::string text = "error: " + terminal_line(message) + "\n";
+  if (!hint.empty()) text += "hint: " + terminal_line(hint) + "\n";
   std::fputs(text.c_str(), stderr);  // fmt would throw when nobody can read it
   return code;
 }
@@ -61,7 +63,8 @@ int run_command_line(int count, char** arguments) {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    return failed(kBadInput, e.what(), "loosefit --help, or loosefit COMMAND --help");
+    const UsageError error = explain_usage(app, {arguments + 1, arguments + count}, e);
+    return failed(kBadInput, error.message, error.hint);
   }
   return exit_code;
 }

@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "loosefit/base/text.h"
+
 namespace loosefit {
 namespace {
 
@@ -56,19 +58,20 @@ void TerminalProgress::update(double fraction, const std::string& note) {
   if (terminal_)
     draw(fraction, note);
   else
-    fmt::print(stderr, "{:6.1f} s  {} {:3.0f} %  {}\n", seconds(), stage_, 100 * fraction, note);
+    fmt::print(stderr, "{:6.1f} s  {} {:3.0f} %  {}\n", seconds(), stage_, 100 * fraction,
+               terminal_line(note));
 }
 
 void TerminalProgress::draw(double fraction, const std::string& note) {
   fmt::print(stderr, "\r\033[K{:9} [{}] {:3.0f} %  {:.0f} s  {}", stage_, bar(fraction),
-             100 * fraction, seconds(), note.substr(0, 36));
+             100 * fraction, seconds(), terminal_line(note.substr(0, 36)));
   std::fflush(stderr);
   drawn_ = true;
 }
 
 void TerminalProgress::line(const std::string& text) {
   clear();
-  if (!quiet_) fmt::print(stderr, "{}\n", text);
+  if (!quiet_) fmt::print(stderr, "{}\n", terminal_line(text));
 }
 
 void TerminalProgress::clear() {

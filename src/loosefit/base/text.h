@@ -21,6 +21,16 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 /// Shortest decimal text that reads back to the same double: "0.1", "1e-06", "nan".
 std::string shortest(double value);
 
+/// Text for a terminal: control characters, invisible ones that turn or hide text (bidirectional
+/// marks, zero-width spaces), and bytes that are not UTF-8 escaped (`\x1b`); all else as it is.
+/// Line ends are escaped too, so that the text stays on its line.
+std::string terminal_line(const std::string& text);
+/// The same of several lines: line ends stay.
+std::string terminal_text(const std::string& text);
+/// The same for XML and HTML, where no escape exists: U+FFFD in place of what may not stand there;
+/// tabs and line ends stay.
+std::string without_controls(const std::string& text);
+
 /// Text for an error message: control characters and bytes outside ASCII escaped, long text cut.
 std::string printable(const std::string& text, std::size_t limit = 60);
 

@@ -189,14 +189,14 @@ std::vector<ConfigReader> ConfigReader::tables(const std::string& key) {
   return readers;
 }
 
-void ConfigReader::finish() const {
-  for (const auto& [key, node] : table_->members) {
-    if (asked_.count(key)) continue;
-    const std::vector<std::string> known(asked_.begin(), asked_.end());
-    throw error(key, "an unknown key", path_.empty() ? "a known section" : "a key of " + path_,
-                did_you_mean(key, known));
-  }
+void ConfigReader::only(const std::vector<std::string>& known) const {
+  for (const auto& [key, node] : table_->members)
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw error(key, "an unknown key", path_.empty() ? "a known section" : "a key of " + path_,
+                  did_you_mean(key, known));
 }
+
+void ConfigReader::finish() const { only({asked_.begin(), asked_.end()}); }
 
 std::vector<std::string> ConfigReader::keys() const {
   std::vector<std::string> names;

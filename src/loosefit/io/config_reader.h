@@ -51,6 +51,9 @@ class ConfigReader {
   /// `[[key]]`; none when absent.
   std::vector<ConfigReader> tables(const std::string& key);
 
+  /// \throws InvalidInput for the first key that is none of `known`, with a did-you-mean. To be
+  /// asked before a key is required: who misspells it is told of the slip, not of the lack.
+  void only(const std::vector<std::string>& known) const;
   /// \throws InvalidInput for the first key that was never asked for, with a did-you-mean.
   void finish() const;
 

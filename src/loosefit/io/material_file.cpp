@@ -12,35 +12,6 @@
 namespace loosefit {
 namespace {
 
-struct Constant {
-  const char* key;
-  double Material::*value;
-  NumberRange range;
-  bool required = true;  // of a card
-};
-
-// The one table from which reading, writing and documentation follow.
-const std::vector<Constant>& constants() {
-  static const std::vector<Constant> kTable = {
-      {"areal_density", &Material::areal_density, {0.01, 5, "kg/m²"}},
-      {"thickness", &Material::thickness, {5e-5, 0.005, "metres"}},
-      {"stiffness_warp", &Material::stiffness_warp, {1, 1e6, "N/m"}},
-      {"stiffness_weft", &Material::stiffness_weft, {1, 1e6, "N/m"}},
-      {"poisson", &Material::poisson, {-0.9, 0.9, "a number"}},
-      {"stiffness_shear", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
-      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}, false},
-      {"bending_warp", &Material::bending_warp, {1e-8, 1e-3, "N m"}},
-      {"bending_weft", &Material::bending_weft, {1e-8, 1e-3, "N m"}},
-      {"bending_poisson", &Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
-      {"bending_hysteresis_warp", &Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
-      {"bending_hysteresis_weft", &Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
-      {"friction_body", &Material::friction_body, {0, 3, "a coefficient"}},
-      {"friction_self", &Material::friction_self, {0, 3, "a coefficient"}},
-      {"damping", &Material::damping, {0, 10, "seconds"}},
-  };
-  return kTable;
-}
-
 void refuse_bending_in_other_units(ConfigReader& table) {
   for (const char* key : {"bending_warp", "bending_weft"}) {
     const auto any = table.optional_number(key, {});
@@ -83,6 +54,9 @@ void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::
     throw table.error("youngs_modulus", fmt::format("E h = {:g} N/m", sheet),
                       "E h from 1 to 1e6 N/m", "check the units: Pa and metres");
   m.stiffness_warp = m.stiffness_weft = sheet;
+  card.how["stiffness_warp"] = card.how["stiffness_weft"] = "youngs_modulus × elastic_thickness";
+  if (!set.count("stiffness_shear"))
+    card.how["stiffness_shear"] = "youngs_modulus × elastic_thickness / (2 (1 + poisson))";
   if (!set.count("stiffness_shear")) m.stiffness_shear = sheet / (2 * (1 + m.poisson));
   set.insert({"stiffness_warp", "stiffness_weft", "stiffness_shear"});
   const double plate = sheet * *h * *h / (12 * (1 - m.poisson * m.poisson));
@@ -92,7 +66,50 @@ void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::
       *modulus, *h, sheet, plate, m.bending_warp, m.bending_warp / plate));
 }
 
+// All that a card lacks, at once.
+void refuse_gaps(const ConfigReader& table, const MaterialCard& card) {
+  std::vector<std::string> lacking, wanted;
+  const auto lack = [&](const std::string& key, const std::string& what) {
+    lacking.push_back(key);
+    wanted.push_back(what);
+  };
+  if (card.material.source.empty()) lack("source", "where the numbers come from");
+  for (const MaterialConstant& c : material_constants())
+    if (c.required && !card.stated.count(c.key))
+      lack(c.key, fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high));
+  if (lacking.empty()) return;
+  const std::string hint = "a card states every constant";
+  if (lacking.size() == 1) throw table.error(lacking[0], wanted[0], hint);
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < lacking.size(); ++i)
+    list.push_back(lacking[i] + " (" + wanted[i] + ")");
+  throw InvalidInput({table.file(), 0, join(lacking)}, "nothing", "all of them",
+                     hint + ": " + join(list));
+}
+
 }  // namespace
+
+// The one table from which reading, writing and documentation follow.
+const std::vector<MaterialConstant>& material_constants() {
+  static const std::vector<MaterialConstant> kTable = {
+      {"areal_density", &Material::areal_density, {0.01, 5, "kg/m²"}},
+      {"thickness", &Material::thickness, {5e-5, 0.005, "metres"}},
+      {"stiffness_warp", &Material::stiffness_warp, {1, 1e6, "N/m"}},
+      {"stiffness_weft", &Material::stiffness_weft, {1, 1e6, "N/m"}},
+      {"poisson", &Material::poisson, {-0.9, 0.9, "a number"}},
+      {"stiffness_shear", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
+      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}, false},
+      {"bending_warp", &Material::bending_warp, {1e-8, 1e-3, "N m"}},
+      {"bending_weft", &Material::bending_weft, {1e-8, 1e-3, "N m"}},
+      {"bending_poisson", &Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
+      {"bending_hysteresis_warp", &Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
+      {"bending_hysteresis_weft", &Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
+      {"friction_body", &Material::friction_body, {0, 3, "a coefficient"}},
+      {"friction_self", &Material::friction_self, {0, 3, "a coefficient"}},
+      {"damping", &Material::damping, {0, 10, "seconds"}},
+  };
+  return kTable;
+}
 
 std::vector<std::string> material_names() {
   std::vector<std::string> names;
@@ -126,38 +143,41 @@ MaterialCard read_material_file(const std::filesystem::path& path) {
   card.title = table.text("title", card.material.name);
   card.status = table.text("status", "not stated");
   card.material.source = table.text("source", "");
-  if (card.material.source.empty()) throw table.error("source", "where the numbers come from");
-  const std::set<std::string> set = read_material_constants(table, card);
-  for (const Constant& c : constants()) {
-    const std::string key = c.key;
-    if (set.count(key) || !c.required) continue;
-    throw table.error(key, fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
-                      "a card states every constant");
-  }
+  card.stated = read_material_constants(table, card);
   table.finish();
+  refuse_gaps(table, card);
   return card;
 }
 
 std::set<std::string> read_material_constants(ConfigReader& table, MaterialCard& card) {
   refuse_bending_in_other_units(table);
   Material& m = card.material;
-  std::set<std::string> set = read_material_kes(table, m, card.kes);
-  for (const Constant& c : constants()) {
+  const std::map<std::string, std::string> converted = read_material_kes(table, m, card.kes);
+  std::set<std::string> set;
+  for (const auto& entry : converted) set.insert(entry.first);
+  for (const MaterialConstant& c : material_constants()) {
     const auto value = table.optional_number(c.key, c.range);
     if (!value) continue;
     m.*c.value = *value;
     set.insert(c.key);
   }
+  for (const std::string& key : set) {
+    const auto conversion = converted.find(key);
+    card.how[key] = conversion == converted.end() ? "" : conversion->second;
+  }
   read_isotropic_pair(table, card, set);
   drop_replaced_curves(set, card);
-  for (const char* direction : read_material_curves(table, m))
+  for (const char* direction : read_material_curves(table, m)) {
     set.insert(std::string("stiffness_") + direction);
+    card.how[std::string("stiffness_") + direction] =
+        std::string("initial slope of curve.") + direction;
+  }
   return set;
 }
 
 std::vector<std::string> material_keys() {
   std::vector<std::string> keys;
-  for (const Constant& c : constants()) keys.emplace_back(c.key);
+  for (const MaterialConstant& c : material_constants()) keys.emplace_back(c.key);
   return keys;
 }
 
@@ -168,7 +188,7 @@ std::string material_toml(const Material& material) {
            (value == &Material::stiffness_weft && !material.curve_weft.empty()) ||
            (value == &Material::stiffness_shear && !material.curve_shear.empty());
   };
-  for (const Constant& c : constants())
+  for (const MaterialConstant& c : material_constants())
     if (!has_curve(c.value)) text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
   return text + material_curves_toml(material);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "loosefit/base/text.h"
+
 namespace loosefit {
 namespace {
 
@@ -56,27 +58,74 @@ double in_si(const std::string& quantity, double figure, double load) {
   return quantity == "2HB" ? si / 2 : si;
 }
 
+/// The conversion of one figure in words.
+std::string conversion(const std::string& key, const std::string& quantity, double figure,
+                       double load) {
+  const KesUnit& unit = kes_unit(quantity);
+  std::string text = fmt::format("kes.{} = {} {}", key, shortest(figure), unit.unit);
+  if (quantity == "EMT")
+    return text + fmt::format(": {} gf/cm × {} / ({} / 100)", shortest(load),
+                              shortest(kes_unit("F").factor), shortest(figure));
+  text += fmt::format(" × {:.6g}", unit.factor);
+  return quantity == "2HB" ? text + " / 2" : text;
+}
+
+std::vector<std::string> directed_quantities() {
+  std::vector<std::string> names;
+  for (const Constant& c : constants())
+    if (*c.direction && (names.empty() || names.back() != c.quantity))
+      names.emplace_back(c.quantity);
+  for (const Told& t : kTold)
+    if (t.directed) names.emplace_back(t.quantity);
+  return names;
+}
+
+/// A figure is one number, that of a direction has a key of its own.
+void check_shapes(const ConfigReader& kes, const ConfigNode& table) {
+  const std::vector<std::string> directed = directed_quantities();
+  for (const auto& [key, node] : table.members) {
+    const std::size_t end = std::min(key.find("_warp"), key.find("_weft"));
+    const std::string quantity = key.substr(0, end);
+    const bool known = std::any_of(kes_units().begin(), kes_units().end(),
+                                   [&](const KesUnit& unit) { return unit.quantity == quantity; });
+    if (!known) continue;
+    const bool takes = std::find(directed.begin(), directed.end(), quantity) != directed.end();
+    if (end != std::string::npos && !takes)
+      throw kes.error(key, "a key of its own", quantity + " alone, for both directions",
+                      quantity + " has no warp and weft; give the mean of the two");
+    if (node.kind == ConfigNode::Kind::integer || node.kind == ConfigNode::Kind::number) continue;
+    throw kes.error(key, "one number in " + kes_unit(quantity).unit,
+                    takes && end == std::string::npos
+                        ? fmt::format("{0} stands for both directions; where they differ give "
+                                      "{0}_warp and {0}_weft",
+                                      quantity)
+                        : std::string());
+  }
+}
+
 }  // namespace
 
-std::set<std::string> read_material_kes(ConfigReader& table, Material& material,
-                                        std::vector<KesFigure>& figures) {
-  std::set<std::string> set;
+std::map<std::string, std::string> read_material_kes(ConfigReader& table, Material& material,
+                                                     std::vector<KesFigure>& figures) {
+  std::map<std::string, std::string> set;
   if (!table.has("kes")) return set;
   ConfigReader kes = table.table("kes");
+  check_shapes(kes, *table.node("kes"));
   const NumberRange positive{1e-9, 1e6, "a figure above 0"};
   const double load = kes.number("EMT_load", kOuterWearLoad, positive);
-  if (kes.has("EMT_load")) figures.push_back({"EMT_load", kes_unit("F"), load});
-
-  const auto tell = [&](const std::string& key, const std::string& quantity) {
-    const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
-    const auto figure = kes.optional_number(key, range);
-    if (!figure) return figure;
+  const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),
                                    [&](const KesFigure& f) { return f.key == key; });
     if (same == figures.end())
-      figures.push_back({key, kes_unit(quantity), *figure});
+      figures.push_back({key, kes_unit(quantity), figure});
     else
-      same->value = *figure;
+      same->value = figure;
+  };
+  if (kes.has("EMT_load")) put("EMT_load", "F", load);
+  const auto tell = [&](const std::string& key, const std::string& quantity) {
+    const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
+    const auto figure = kes.optional_number(key, range);
+    if (figure) put(key, quantity, *figure);
     return figure;
   };
 
@@ -90,6 +139,7 @@ std::set<std::string> read_material_kes(ConfigReader& table, Material& material,
     }
     const auto figure = tell(key, quantity);
     if (!figure || has_curve(table, c.si_key)) continue;
+    set[c.si_key] = conversion(key, quantity, *figure, load);
     const double si = in_si(quantity, *figure, load);
     const std::string told = fmt::format("{} {}", *figure, kes_unit(quantity).unit);
     if (!(si >= c.range.low && si <= c.range.high))
@@ -101,10 +151,10 @@ std::set<std::string> read_material_kes(ConfigReader& table, Material& material,
         throw table.error(c.si_key, fmt::format("{}", *given),
                           fmt::format("{:.6g}, which is kes.{} = {}", si, key, told),
                           "leave out one of the two, or correct it");
+      if (*given != si) set.erase(c.si_key);
       continue;
     }
     material.*c.value = si;
-    set.insert(c.si_key);
   }
   for (const Told& t : kTold) {
     const std::string quantity = t.quantity;

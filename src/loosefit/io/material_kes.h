@@ -1,5 +1,5 @@
 #pragma once
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,9 +23,12 @@ struct KesFigure {
 /// B, 2HB (HB = 2HB/2), G, T, W and EMT (secant stiffness load/EMT) are constants of a material:
 /// where `table` does not give the SI constant it is converted; where it does, the two must agree
 /// within rounding. EMT and G leave a direction alone whose curve `table` gives.
-/// Returns the SI keys that were set from KES figures; appends the figures to `figures`.
-/// \throws InvalidInput that names both keys when they disagree.
-std::set<std::string> read_material_kes(ConfigReader& table, Material& material,
-                                        std::vector<KesFigure>& figures);
+/// Returns, for each SI key that a KES figure gave, the conversion
+/// in words: "kes.B = 0.045 gf cm2/cm × 9.80665e-05". Puts the figures into `figures`, in place of
+/// those of the same key.
+/// \throws InvalidInput that names both keys when they disagree, and the keys per direction where a
+/// figure is not one number.
+std::map<std::string, std::string> read_material_kes(ConfigReader& table, Material& material,
+                                                     std::vector<KesFigure>& figures);
 
 }  // namespace loosefit

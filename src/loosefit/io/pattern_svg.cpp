@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "loosefit/base/text.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
@@ -264,7 +265,7 @@ std::string pattern_svg(const Pattern& pattern, const SheetMarks& marks) {
 
 std::string svg_escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : without_controls(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')

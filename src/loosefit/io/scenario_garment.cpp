@@ -91,6 +91,16 @@ ScenarioGarment read_garment_section(ConfigReader table) {
 }
 
 Attachment read_attachment_section(ConfigReader table) {
+  std::vector<std::string> known = {"kind", "name", "panel"};
+  const ConfigNode* kind = table.node("kind");
+  const bool only_board = kind && kind->text == "board", only_cable = kind && kind->text == "cable";
+  if (!only_cable)
+    for (const char* key :
+         {"at", "size", "radius", "angle_deg", "mass", "bending", "membrane_factor"})
+      known.push_back(key);
+  if (!only_board)
+    for (const char* key : {"path", "width", "linear_density", "bending"}) known.push_back(key);
+  table.only(known);
   Attachment a;
   a.name = required_text(table, "name", "a name");
   a.panel = required_text(table, "panel", "the name of a panel of the pattern");

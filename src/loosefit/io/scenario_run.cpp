@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario_sections.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/maps/compute_maps.h"
@@ -19,7 +20,7 @@ MaterialCard read_material_section(ConfigReader table) {
     table.choice("name", name, names);
     card = load_material(name);
   }
-  read_material_constants(table, card);
+  read_own_constants(table, card);
   table.finish();
   return card;
 }

@@ -38,6 +38,7 @@ BodyAddress read_anatomy(ConfigReader& table) {
 }
 
 FootprintShape read_footprint(ConfigReader table) {
+  table.only({"radius", "size", "length", "girth"});
   FootprintShape shape;
   int given = 0;
   for (const char* key : {"radius", "size", "length", "girth"}) given += table.has(key);
@@ -101,6 +102,8 @@ std::string place_text(const SiteSpec& site) {
 }  // namespace
 
 SiteSpec read_site_section(ConfigReader table) {
+  table.only({"name", "landmark", "panel", "at", "segment", "side", "ratios", "angle_deg",
+              "footprint", "board"});
   SiteSpec site;
   if (!table.has("name")) throw table.error("name", "a name");
   site.name = table.text("name", "");

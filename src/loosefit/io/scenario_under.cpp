@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario_sections.h"
 
 // [[under]], and garments as text.
@@ -37,7 +38,7 @@ std::string under_toml(const ScenarioUnder& under) {
   if (under.friction) text += "friction = " + shortest(*under.friction) + "\n";
   return text + garment_toml(under.garment, "under") +
          "\n[under.material]\nname = " + toml_quoted(under.material.key) + "\n" +
-         material_toml(under.material.material);
+         own_constants_toml(under.material) + material_toml(under.material.material);
 }
 
 }  // namespace loosefit

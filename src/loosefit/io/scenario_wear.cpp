@@ -10,6 +10,7 @@
 namespace loosefit {
 
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body) {
+  table.only({"list", "reference"});
   std::vector<std::string> list = table.choices("list", {}, posture_names());
   if (list.empty()) {
     for (const char* key : {"list", "reference"})

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario_sections.h"
 
 namespace loosefit {
@@ -106,7 +107,7 @@ std::string scenario_toml(const Scenario& scenario) {
   const Material& material = scenario.material.material;
   std::string text = body_text(scenario.body) + "\n" + garment_toml(scenario.garment) +
                      "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
-                     material_toml(material);
+                     own_constants_toml(scenario.material) + material_toml(material);
   for (const ScenarioUnder& under : scenario.under) text += "\n" + under_toml(under);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);

@@ -43,6 +43,7 @@ FootprintShape read_footprint(ConfigReader& table) {
   FootprintShape footprint;
   for (const auto& [name, kind] : kShapes)
     if (name == shape) footprint.kind = kind;
+  table.only({"shape", "radius", "width", "length", "axis"});
   const NumberRange half{5e-4, 0.2, "metres"}, whole{1e-3, 1, "metres"};
   if (footprint.kind == Kind::disc) footprint.radius = required(table, "radius", half);
   if (footprint.kind == Kind::line) footprint.length = required(table, "length", whole);
@@ -94,6 +95,7 @@ void read_ramps(ConfigReader& table, Criterion& criterion) {
 }
 
 Criterion read_criterion(ConfigReader& table, const std::map<std::string, double>& parameters) {
+  table.only({"metric", "unit", "good", "fail", "reason", "reason_above", "source"});
   Criterion criterion;
   criterion.metric = required_text(table, "metric", "the name of a metric");
   const MetricName* metric = find_metric(criterion.metric);
@@ -150,6 +152,7 @@ Scorecard read_scorecard_file(const std::filesystem::path& path) {
 Scorecard parse_scorecard(const std::string& text, const std::string& file) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader table(root, file);
+  table.only({"title", "about", "pass", "regions", "footprint", "sensor", "criterion"});
   Scorecard card;
   card.name = std::filesystem::path(file).stem().string();
   card.title = required_text(table, "title", "what the sensor is");

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdint>
 
+#include "loosefit/base/text.h"
+
 namespace loosefit {
 
 std::string escaped(const std::string& text) {
   std::string safe;
   safe.reserve(text.size());
-  for (char c : text) switch (c) {
+  for (char c : without_controls(text)) switch (c) {
       case '&':
         safe += "&amp;";
         break;

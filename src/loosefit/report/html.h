@@ -4,7 +4,8 @@
 
 namespace loosefit {
 
-/// Text safe inside elements and quoted attributes.
+/// Text safe inside elements and quoted attributes; control characters and what is not UTF-8 are
+/// replaced by U+FFFD.
 std::string escaped(const std::string& text);
 
 /// RFC 4648 base64 with padding.

@@ -255,7 +255,7 @@ std::string ranking_json(const RankingTable& table) {
                {"left_out", table.scorecard.left_out}, {"notes", ranking_notes(table)}};
   Json& sites = json["sites"] = Json::array();
   for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> ranking_files(const std::string& scorecard) {

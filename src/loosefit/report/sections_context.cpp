@@ -2,7 +2,9 @@
 
 #include <set>
 
+#include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/material_origin.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
@@ -49,18 +51,15 @@ Table garment_table(const CaseResult& result) {
   table.add({"flat area", number(garment.area) + " m²"});
   table.add({"mass", number(1000 * garment.mass) + " g"});
   table.add({"cloth", m.name});
-  table.add({"areal density", number(1000 * m.areal_density) + " g/m²"});
-  table.add({"thickness", number(1000 * m.thickness) + " mm"});
-  table.add(
-      {"membrane warp, weft", number(m.stiffness_warp) + ", " + number(m.stiffness_weft) + " N/m"});
-  table.add({"shear", number(m.stiffness_shear) + " N/m"});
-  table.add({"Poisson ratio", number(m.poisson)});
-  table.add({"bending warp, weft",
-             number(1e6 * m.bending_warp) + ", " + number(1e6 * m.bending_weft) + " µN m"});
   table.add({"bending length", number(1000 * bending_length(m)) + " mm"});
-  table.add(
-      {"friction on skin, on itself", number(m.friction_body) + ", " + number(m.friction_self)});
   return table;
+}
+
+std::string constants_table(const MaterialCard& card) {
+  Table table({"Constant", "value", "unit", "from"});
+  for (const ConstantInUse& c : constants_in_use(card))
+    table.add({c.key, shortest(c.value), c.unit, c.from});
+  return table.html();
 }
 
 Table time_table(const CaseResult& result) {
@@ -103,6 +102,10 @@ std::string provenance_section(const CaseResult& result) {
                   element("div", cloth) +
                       element("div", time_table(result).html() + "<p></p>" + library.html()),
                   "columns");
+  html += element("h3", "Constants of the cloth") + constants_table(result.scenario.material);
+  for (std::size_t l = 0; l < result.under.size(); ++l)
+    html += element("h3", "Constants of the cloth under it, " + std::to_string(l + 1)) +
+            constants_table(result.scenario.under[l].material);
   html += element("h3", "Scenario, every default written out");
   return html + "<details><summary>scenario.toml</summary><pre>" +
          escaped(scenario_toml(result.scenario)) + "</pre></details>\n";

@@ -48,7 +48,8 @@ Spread spread_at(const std::string& file, const std::string& key, const Json& en
   const auto number = [&](const char* name) {
     if (entry.is_object() && entry.contains(name) && entry[name].is_number())
       return entry[name].get<double>();
-    throw InvalidInput({file, 0, "repeats." + key}, printable(entry.dump().substr(0, 60)),
+    throw InvalidInput({file, 0, "repeats." + key},
+                       printable(entry.dump(-1, ' ', false, Json::error_handler_t::replace), 60),
                        "mean, deviation and count as numbers", kMakeAgain);
   };
   const Spread spread{number("mean"), number("deviation"),

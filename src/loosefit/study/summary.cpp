@@ -5,6 +5,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/address_columns.h"
+#include "loosefit/io/material_origin.h"
 
 namespace loosefit {
 namespace {
@@ -77,13 +78,16 @@ Json fit_json(const CasePattern& pattern, const CaseMaps& maps) {
   return json;
 }
 
-Json material_json(const Material& material) {
-  return {{"name", material.name},
-          {"source", material.source},
-          {"bending_length_m", bending_length(material)}};
+Json material_json(const MaterialCard& card) {
+  Json json = {{"name", card.material.name},
+               {"source", card.material.source},
+               {"bending_length_m", bending_length(card.material)}};
+  for (const ConstantInUse& c : constants_in_use(card))
+    json["constants"][c.key] = {{"value", c.value}, {"unit", c.unit}, {"from", c.from}};
+  return json;
 }
 
-Json garment_json(const CasePattern& pattern, const Garment& garment, const Material& material,
+Json garment_json(const CasePattern& pattern, const Garment& garment, const MaterialCard& material,
                   const Drape& drape) {
   double force = 0;
   for (double f : drape.body_normal_force) force += f;
@@ -99,14 +103,14 @@ Json garments_json(const CaseResult& result) {
   for (std::size_t l = 0; l < result.under.size(); ++l) {
     const CaseUnder& under = result.under[l];
     const ScenarioUnder& wished = result.scenario.under[l];
-    Json entry = garment_json(under.pattern, under.mesh(), wished.material.material, under.drape);
+    Json entry = garment_json(under.pattern, under.mesh(), wished.material, under.drape);
     entry["fit"] = fit_json(under.pattern, under.maps);
     entry["maps"] = maps_json(under.maps.maps);
     if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
     json.push_back(std::move(entry));
   }
   json.push_back(
-      garment_json(result.pattern, result.mesh(), result.scenario.material.material, result.drape));
+      garment_json(result.pattern, result.mesh(), result.scenario.material, result.drape));
   return json;
 }
 
@@ -266,7 +270,7 @@ std::string summary_json(const CaseResult& result) {
   json["body"] = body_json(result.body);
   json["fit"] = fit_json(result.pattern, result.maps);
   json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
-  json["material"] = material_json(result.scenario.material.material);
+  json["material"] = material_json(result.scenario.material);
   if (!result.under.empty()) json["garments"] = garments_json(result);
   json["maps"] = maps_json(result.maps.maps);
   if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);

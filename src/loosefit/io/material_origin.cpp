@@ -1,0 +1,130 @@
+#include "loosefit/io/material_origin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+/// What makes one cloth another; friction, damping and Poisson's ratio are seldom measured.
+const char* const kMechanical[] = {"areal_density",  "thickness",       "stiffness_warp",
+                                   "stiffness_weft", "stiffness_shear", "bending_warp",
+                                   "bending_weft"};
+
+const std::vector<CurvePoint>* curve_of(const Material& m, double Material::*value) {
+  return value == &Material::stiffness_warp    ? &m.curve_warp
+         : value == &Material::stiffness_weft  ? &m.curve_weft
+         : value == &Material::stiffness_shear ? &m.curve_shear
+                                               : nullptr;
+}
+
+bool same(const Material& a, const Material& b, double Material::*value) {
+  const std::vector<CurvePoint>*p = curve_of(a, value), *q = curve_of(b, value);
+  if (p && q &&
+      !std::equal(p->begin(), p->end(), q->begin(), q->end(),
+                  [](const CurvePoint& x, const CurvePoint& y) {
+                    return x.strain == y.strain && x.force == y.force;
+                  }))
+    return false;
+  return a.*value == b.*value;
+}
+
+std::string card_name(const MaterialCard& card) {
+  return std::filesystem::path(card.key).stem().string();
+}
+
+std::vector<std::string> in_order(const MaterialCard& card, bool own) {
+  std::vector<std::string> keys;
+  for (const std::string& key : material_keys())
+    if (card.own.keys.count(key) == (own ? 1u : 0u)) keys.push_back(key);
+  return keys;
+}
+
+void name_after_constants(MaterialCard& card) {
+  Material& m = card.material;
+  const OwnConstants& own = card.own;
+  const bool all = std::all_of(std::begin(kMechanical), std::end(kMechanical),
+                               [&](const char* key) { return own.keys.count(key) > 0; });
+  const std::string of_scenario = own.source.empty() ? "the scenario" : own.source;
+  if (!own.keys.empty()) {
+    const std::string changed = join(in_order(card, true)), rest = join(in_order(card, false));
+    if (all) {
+      m.name = "own constants";
+      m.source = of_scenario;
+      if (!rest.empty()) m.source += "; inherited from card " + card_name(card) + ": " + rest;
+    } else {
+      m.name = card_name(card) + ", changed: " + changed;
+      m.source =
+          changed + ": " + of_scenario + "; the others: card " + card_name(card) + ", " + m.source;
+    }
+  }
+  if (!own.title.empty()) m.name = own.title;
+}
+
+std::string unit_of(const NumberRange& range) {
+  if (range.what.rfind("a ", 0) == 0) return "-";
+  if (range.what == "metres") return "m";
+  return range.what == "seconds" ? "s" : range.what;
+}
+
+}  // namespace
+
+void read_own_constants(ConfigReader& table, MaterialCard& card) {
+  const MaterialCard plain = card;
+  card.kes.clear();
+  const std::set<std::string> set = read_material_constants(table, card);
+  OwnConstants& own = card.own;
+  own.kes = card.kes;
+  for (const KesFigure& f : plain.kes)
+    if (std::none_of(own.kes.begin(), own.kes.end(),
+                     [&](const KesFigure& o) { return o.key == f.key; }))
+      card.kes.push_back(f);
+  own.title = table.text("title", "");
+  own.source = table.text("source", "");
+  // A resolved scenario writes out what it took from the card as well.
+  const std::vector<std::string> given = table.choices("given", {}, material_keys());
+  const bool resolved = table.has("given") || set.size() == material_keys().size();
+  for (const MaterialConstant& c : material_constants()) {
+    if (!set.count(c.key)) continue;
+    const bool named = std::find(given.begin(), given.end(), c.key) != given.end();
+    if (!resolved || named || !same(card.material, plain.material, c.value))
+      own.keys.insert(c.key);
+    else if (const auto how = plain.how.find(c.key); how != plain.how.end())
+      card.how[c.key] = how->second;
+  }
+  name_after_constants(card);
+}
+
+std::string own_constants_toml(const MaterialCard& card) {
+  const OwnConstants& own = card.own;
+  std::string text;
+  if (!own.title.empty()) text += "title = " + toml_quoted(own.title) + "\n";
+  if (!own.source.empty()) text += "source = " + toml_quoted(own.source) + "\n";
+  std::vector<std::string> keys;
+  for (const std::string& key : in_order(card, true)) keys.push_back(toml_quoted(key));
+  if (!keys.empty()) text += "given = [" + join(keys) + "]\n";
+  for (const KesFigure& f : own.kes) text += fmt::format("kes.{} = {}\n", f.key, shortest(f.value));
+  return text;
+}
+
+std::vector<ConstantInUse> constants_in_use(const MaterialCard& card) {
+  std::vector<ConstantInUse> all;
+  for (const MaterialConstant& c : material_constants()) {
+    const std::string of_card =
+        card.stated.count(c.key)
+            ? (card.own.keys.empty() ? "card " : "inherited from card ") + card_name(card)
+            : "default";
+    ConstantInUse use{c.key, card.material.*c.value, unit_of(c.range),
+                      card.own.keys.count(c.key) ? "scenario" : of_card};
+    if (const auto how = card.how.find(c.key); how != card.how.end() && !how->second.empty())
+      use.from += ": " + how->second;
+    all.push_back(std::move(use));
+  }
+  return all;
+}
+
+}  // namespace loosefit
