@@ -244,7 +244,8 @@ TEST(ScenarioErrors, SitesThatCannotBe) {
   EXPECT_NE(site(here + "footprint = {}\n").find("found nothing"), std::string::npos);
   EXPECT_NE(site(here + "footprint = { girth = false }\n").find("expected true"),
             std::string::npos);
-  EXPECT_NE(site(here + "footprint = { raduis = 0.01 }\n").find("expected one of radius"),
+  EXPECT_NE(site(here + "footprint = { raduis = 0.01 }\n")
+                .find("site[0].footprint.raduis: found an unknown key"),
             std::string::npos);
   EXPECT_NE(site(here + "footprint = { length = 0.1 }\nboard = { mass = 0.01 }\n")
                 .find("site[0].board: found a table, expected no board under a line"),

@@ -66,6 +66,9 @@ void ClothRun::make_model(double stiffness_share, bool with_friction) {
   integrator_.reset();
   model_ = std::make_unique<ClothModel>(parts, share * layer_friction(layers_), options_);
   model_->set_field(body_->field);
+  std::vector<const Garment*> garments;
+  for (int l = 0; l < layers(); ++l) garments.push_back(&level_garment(l));
+  free_fall_ = std::make_unique<FreeFall>(garments);
 }
 
 void ClothRun::keep_cloth_in_field() {
@@ -85,6 +88,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   settle.max_iterations =
       kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
   settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
+  const Box3 body_box = bounds(body_->body.surface.vertices);
   settle.watch = [&](int iteration, double residual) {
     progress_.check_cancelled();
     report_.history.push_back({seconds(), level_, iterations_ + iteration, residual});
@@ -95,6 +99,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
                                                      std::to_string(residual));
     if (is_finest() && !preparing && (!lowest_ || residual < kWorthKeeping * lowest_->residual))
       keep(lowest_, residual);
+    if (falling_.empty()) falling_ = free_fall_->falling(x_, body_box);
     return over(iteration);
   };
   keep_cloth_in_field();
@@ -152,6 +157,7 @@ void ClothRun::refine() {
 }
 
 std::string ClothRun::how_it_ended() const {
+  if (!falling_.empty()) return falling_;
   // A loose tolerance may have been met when the time was up: that is not why it stopped.
   const bool cut_short = is_late() && last_.residual > options_.residual_tolerance;
   return cut_short ? "time budget" : last_.text();
@@ -192,6 +198,7 @@ Drape ClothRun::finish(const std::string& given_up) {
     std::vector<const Garment*> garments;
     for (int l = 0; l < layers(); ++l) garments.push_back(&level_garment(l));
     drape.unsettled = explain_unsettled(*model_, garments, x_, *body_, drape.certificate);
+    if (!falling_.empty()) drape.unsettled->why = falling_;
   }
   report_.contacts_self = model_->self().active(x_);
   report_.contacts_body = 0;

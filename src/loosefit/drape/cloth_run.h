@@ -7,6 +7,7 @@
 
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/free_fall.h"
 #include "loosefit/drape/posed_body.h"
 #include "loosefit/solver/integrator.h"
 
@@ -57,7 +58,8 @@ class ClothRun {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  bool is_late() const { return seconds() > options_.time_budget; }
+  /// Also when what falls freely has made all further work vain.
+  bool is_late() const { return !falling_.empty() || seconds() > options_.time_budget; }
   /// Time or iterations are used up.
   bool over(int more_iterations = 0) const {
     return is_late() || iterations_ + more_iterations > most_iterations_;
@@ -116,6 +118,8 @@ class ClothRun {
   /// Those whose field the cloth has left: states that are kept may still ask it.
   std::vector<std::shared_ptr<const PosedBody>> outgrown_;
   std::unique_ptr<ClothModel> model_;
+  std::unique_ptr<FreeFall> free_fall_;     ///< of the garments of this level
+  std::string falling_;                     ///< what falls past the body, in words; else empty
   std::unique_ptr<Integrator> integrator_;  ///< of model_
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
   SettleOutcome last_;

@@ -118,11 +118,8 @@ std::string hint_for(const Certificate& c) {
   if (c.stop_reason.starts_with("time budget")) return "raise simulation.time_budget";
   if (c.stop_reason.starts_with("iteration limit")) return "raise simulation.max_iterations";
   if (c.intersections_body > 0)
-    return "a smaller simulation.edge_length follows the skin more closely, a looser garment.fit "
-           "or "
-           "arms farther from the trunk leave it more room";
-  return "another start may do: simulation.start_perturbation = 0.001, or another "
-         "body.dress_posture";
+    return "a smaller simulation.edge_length follows the skin more closely";
+  return "another start may do: simulation.start_perturbation = 0.001";
 }
 
 }  // namespace

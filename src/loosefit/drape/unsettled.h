@@ -40,7 +40,7 @@ struct CutTriangle {
 /// Why a drape is not settled.
 struct Unsettled {
   std::string why;           ///< one line: what is out of balance or cuts, where, and which forces
-  std::string hint;          ///< what to try
+  std::string hint;          ///< what to try, by keys that every case has
   double times_allowed = 0;  ///< residual over that of a certificate [–]
   int vertices_of_most = 0;  ///< fewest vertices that carry 90 % of ‖F‖²
   double lagging_share = 0;  ///< of ‖F‖² that friction in flux makes, not a force on a vertex

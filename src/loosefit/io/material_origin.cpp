@@ -49,9 +49,11 @@ void name_after_constants(MaterialCard& card) {
   const OwnConstants& own = card.own;
   const bool all = std::all_of(std::begin(kMechanical), std::end(kMechanical),
                                [&](const char* key) { return own.keys.count(key) > 0; });
-  const std::string of_scenario = own.source.empty() ? "the scenario" : own.source;
+  const std::string of_scenario = own.source.empty() ? "constants of the scenario" : own.source;
   if (!own.keys.empty()) {
-    const std::string changed = join(in_order(card, true)), rest = join(in_order(card, false));
+    std::vector<std::string> inherited = in_order(card, false);
+    std::erase_if(inherited, [&](const std::string& key) { return !card.stated.count(key); });
+    const std::string changed = join(in_order(card, true)), rest = join(inherited);
     if (all) {
       m.name = "own constants";
       m.source = of_scenario;

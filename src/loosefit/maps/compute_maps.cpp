@@ -145,11 +145,12 @@ void require_settled(const Certificate& c) {
     throw Error(
         "the garment is not worn (" + join(c.worn_reasons, "; ") + ") and maps of it would mislead",
         "--allow-unsettled makes maps all the same");
-  throw Error("the drape is not settled (residual " + shortest(c.residual) +
-                  ", intersections with body " + std::to_string(c.intersections_body) +
-                  ", with itself " + std::to_string(c.intersections_self) +
-                  "; stopped: " + c.stop_reason + ") and maps of it would mislead",
-              "a longer time budget may settle it; --allow-unsettled makes maps all the same");
+  throw Error(
+      "the drape is not settled (residual " + shortest(c.residual) + ", intersections with body " +
+          std::to_string(c.intersections_body) + ", with itself " +
+          std::to_string(c.intersections_self) + "; stopped: " + c.stop_reason +
+          ") and maps of it would mislead",
+      "summary.json tells why in settle.unsettled; --allow-unsettled makes maps all the same");
 }
 
 std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,

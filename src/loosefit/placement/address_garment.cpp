@@ -10,6 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/placement/footprint_unfold.h"
+#include "loosefit/placement/ray.h"
 
 namespace loosefit {
 namespace {
@@ -22,6 +23,10 @@ constexpr double kCloseEnough = 1e-4;  // [m]
 constexpr int kRounds = 8;
 
 Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
+
+std::string far_off(double gap) {
+  return fmt::format("the cloth hangs {:.0f} mm off the skin there", 1e3 * gap);
+}
 
 std::string place_text(const Vec2& p) {
   const auto round = [](double x) { return shortest(std::round(x * 1e4) / 1e4 + 0.0); };
@@ -144,9 +149,33 @@ GarmentOverSkin::Over GarmentOverSkin::over(const ClosestPoint& skin) const {
     best.miss = missed.norm();
     target += missed;
   }
-  best.covered = facing && best.miss <= (at_free_edge(best.point) ? kNearMiss : kInnerMiss) &&
-                 (at(garment_, best.point, positions_) - skin.point).norm() <= kCoverReach;
+  const double gap = (at(garment_, best.point, positions_) - skin.point).norm();
+  const bool over =
+      best.miss <= kNearMiss || (best.miss <= kInnerMiss && !at_free_edge(best.point) &&
+                                 is_below_cloth(skin.point, normal.normalized()));
+  if (!over)
+    best.why_not = fmt::format("the garment ends {:.0f} mm away from it", 1e3 * best.miss);
+  else if (gap > kCoverReach)
+    best.why_not = far_off(gap);
+  else if (!facing)
+    best.why_not = "only cloth that is turned over lies there";
+  best.covered = best.why_not.empty();
   return best;
+}
+
+bool GarmentOverSkin::is_below_cloth(const Vec3& skin, const Vec3& normal) const {
+  const auto above = ray_crossings({positions_, garment_.triangles}, skin, normal);
+  return std::any_of(above.begin(), above.end(),
+                     [](const RayCrossing& c) { return c.distance <= kCoverReach; });
+}
+
+std::string off_skin(const Garment& garment, const std::vector<Vec3>& positions,
+                     const WornGarment& worn, const GarmentPoint& point) {
+  Vec3 skin = Vec3::Zero();
+  for (int k = 0; k < 3; ++k)
+    skin += point.barycentric[k] * worn.partners[garment.triangles[point.triangle][k]].exact.point;
+  const double gap = (at(garment, point, positions) - skin).norm();
+  return gap > kCoverReach ? far_off(gap) : std::string();
 }
 
 double angle_in_pattern(const Garment& garment, const std::vector<Vec3>& positions,

@@ -26,6 +26,11 @@ GarmentPoint pattern_point(const Garment& garment, const std::string& panel, con
 /// Farther from the skin than this a garment does not cover it [m].
 inline constexpr double kCoverReach = 0.15;
 
+/// Why a point of the garment covers no skin, in words; empty where it does: where it is within
+/// kCoverReach of its partner.
+std::string off_skin(const Garment& garment, const std::vector<Vec3>& positions,
+                     const WornGarment& worn, const GarmentPoint& point);
+
 /// Which place of a worn garment lies over which place of the skin, in both directions. Keeps
 /// references to all that it is given.
 class GarmentOverSkin {
@@ -43,8 +48,10 @@ class GarmentOverSkin {
   struct Over {
     GarmentPoint point;
     double miss = 0;  ///< its partner to the skin point [m]
-    /// Faces as the skin; miss below 15 mm, or 60 mm away from free edges; gap ≤ kCoverReach.
+    /// Faces as the skin; gap ≤ kCoverReach; miss below 15 mm or, where the cloth bridges a furrow,
+    /// below 60 mm: away from free edges, and the ray along the skin's normal meets cloth.
     bool covered = false;
+    std::string why_not;  ///< in words when it is not covered
   };
   Over over(const ClosestPoint& skin) const;
 
@@ -52,6 +59,7 @@ class GarmentOverSkin {
   GarmentPoint over_by_vertices(const Vec3& target, const Vec3& skin, const Vec3& normal,
                                 bool facing) const;
   bool at_free_edge(const GarmentPoint& point) const;
+  bool is_below_cloth(const Vec3& skin, const Vec3& normal) const;
   const Garment& garment_;
   const std::vector<Vec3>& positions_;
   const Body& body_;

@@ -7,6 +7,7 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/rank.h"
 #include "loosefit/placement/site_search.h"
+#include "loosefit/placement/sites.h"
 #include "loosefit/placement/tolerance.h"
 
 namespace loosefit {
@@ -36,6 +37,7 @@ struct RankingTable {
   std::vector<std::string> sample_names;  ///< per sample: wearer, and donning if there are several
   SearchConstraints constraints;          ///< as searched, regions filled in
   std::vector<std::string> notes;         ///< beside those of the ranking
+  std::vector<UncoveredSite> uncovered;   ///< given places without skin under them; not ranked
 };
 
 }  // namespace loosefit

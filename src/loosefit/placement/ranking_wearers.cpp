@@ -128,6 +128,27 @@ std::vector<WearerSamples> Wearers::at(const std::vector<Site>& sites) const {
   return all;
 }
 
+std::vector<std::string> Wearers::not_covering(const std::vector<Site>& sites) const {
+  std::vector<std::string> why(sites.size());
+  for (std::size_t k = 0; k < probes_.size(); ++k) {
+    const std::vector<Site> here = k == 0 ? sites : on(k, sites);
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (why[i].empty() && !here[i].not_covering.empty())
+        why[i] = here[i].not_covering +
+                 (probes_.size() > 1 ? " (" + printable(wearers_[k].name) + ")" : "");
+  }
+  return why;
+}
+
+bool Wearers::cover(const PatternPlace& place) const {
+  const std::string& panel = first().ground().garment.panel_names[place.panel];
+  for (const SensorProbe& probe : probes_) {
+    const auto there = &probe == &first() ? place : probe.find(panel, place.at);
+    if (there && !probe.covers(*there)) return false;
+  }
+  return true;
+}
+
 WearerSamples Wearers::at(const PatternPlace& place, const FootprintShape& shape,
                           double turn) const {
   WearerSamples all = first().at(place, shape, turn);

@@ -39,6 +39,11 @@ class Wearers {
   /// Of sites of the first wearer, in their order. \throws InvalidInput when another wearer has no
   /// such site, or the garment no cloth at its place.
   std::vector<WearerSamples> at(const std::vector<Site>& sites) const;
+  /// Per site of the first wearer why it covers no skin, of whoever comes first; empty where it
+  /// does on all. \throws as above.
+  std::vector<std::string> not_covering(const std::vector<Site>& sites) const;
+  /// Whether a place of the pattern covers skin on all.
+  bool cover(const PatternPlace& place) const;
   /// Of a sensor at a place of the pattern; `turn` is the angle of its axis. A wearer whose garment
   /// has no cloth there has samples without metrics: the place is then not rated.
   WearerSamples at(const PatternPlace& place, const FootprintShape& shape, double turn) const;

@@ -26,6 +26,12 @@ std::optional<PatternPlace> SensorProbe::find(const std::string& panel, const Ve
   return locator_.find(static_cast<int>(named - names.begin()), at);
 }
 
+bool SensorProbe::covers(const PatternPlace& place) const {
+  return off_skin(ground_.garment, ground_.positions, ground_.worn,
+                  {place.triangle, place.barycentric})
+      .empty();
+}
+
 WearerSamples SensorProbe::at(const Site& site) const {
   SensorPatch patch{site.footprint,
                     ground_.garment.triangle_panel[site.point.triangle],

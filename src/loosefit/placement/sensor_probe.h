@@ -39,6 +39,9 @@ class SensorProbe {
   /// A place by panel and coordinates; nothing where this garment has no cloth.
   std::optional<PatternPlace> find(const std::string& panel, const Vec2& at) const;
 
+  /// Whether there is skin under a place.
+  bool covers(const PatternPlace& place) const;
+
   /// The sensor of a site where the site is.
   WearerSamples at(const Site& site) const;
   /// A disc, rectangle or line at a place; `turn` is the angle of its axis.

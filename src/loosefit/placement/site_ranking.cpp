@@ -60,7 +60,17 @@ class Table {
 
   void add_given() {
     std::vector<std::string> left_out;
-    add(sites_with_sensor(ground_, wish_.sites, wish_.scorecard, left_out));
+    std::vector<Site> all = sites_with_sensor(ground_, wish_.sites, wish_.scorecard, left_out);
+    const std::vector<std::string> why = wearers_.not_covering(all);
+    std::vector<Site> covering;
+    table_.uncovered = wish_.uncovered;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (why[i].empty())
+        covering.push_back(std::move(all[i]));
+      else
+        table_.uncovered.push_back({all[i].name, all[i].preset, why[i]});
+    }
+    add(covering);
     if (!left_out.empty())
       table_.notes.push_back("lines round the body, which this sensor is not, are left out: " +
                              join(left_out));
@@ -82,6 +92,7 @@ class Table {
     SearchField field;
     field.metrics = [this](const PatternPlace& place) { return measured(place); };
     field.along = [this](const PatternPlace& place) { return probe_.along(place); };
+    field.covers = [this](const PatternPlace& place) { return wearers_.cover(place); };
     field.positions = ground_.positions;
     field.regions = ground_.worn.regions;
     field.progress = wish_.progress;

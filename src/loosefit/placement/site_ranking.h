@@ -13,10 +13,11 @@ namespace loosefit {
 /// What is to be ranked.
 struct RankingWish {
   Scorecard scorecard;
-  std::vector<Site> sites;        ///< given places, on the first wearer
-  int best = 0;                   ///< search for so many more
-  SearchConstraints constraints;  ///< without regions: those of the scorecard
-  SearchOptions search;           ///< its `best` is set from above
+  std::vector<Site> sites;                    ///< given places, on the first wearer
+  std::vector<UncoveredSite> uncovered = {};  ///< given ones that its garment does not cover
+  int best = 0;                               ///< search for so many more
+  SearchConstraints constraints;              ///< without regions: those of the scorecard
+  SearchOptions search;                       ///< its `best` is set from above
   RankOptions rank;
   /// Judge by the criteria that the states can tell when some need more postures or donnings; the
   /// scores are then upper bounds and the table says so.
@@ -25,7 +26,8 @@ struct RankingWish {
 };
 
 /// Ranks the given sites together with the best places found by search_sites (named best_1, …).
-/// Every donning of every wearer is one sample. A found place is that of one garment in the same
+/// Places that cover no skin on some wearer are not ranked but listed apart. Every donning of every
+/// wearer is one sample. A found place is that of one garment in the same
 /// cut for all wearers; its direction is that on the first. Every site with a score above 0 has a
 /// tolerance, but for girths and where wearers have sites of their own.
 /// \throws InvalidInput as search_sites and rank_sites; without wearers; for a search with a girth

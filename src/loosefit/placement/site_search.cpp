@@ -43,6 +43,7 @@ class Admission {
         borders_(garment) {}
 
   bool admits(const PatternPlace& place, SearchResult& counts) const {
+    if (field_.covers && !field_.covers(place)) return ++counts.uncovering, false;
     if (!constraints_.regions.empty() && !over(place, constraints_.regions))
       return ++counts.elsewhere, false;
     return clear(place, counts);
@@ -95,15 +96,19 @@ std::vector<SiteScore> scored(const std::vector<PatternPlace>& places, const Sea
 std::string shortfall(const SearchResult& result, int wanted) {
   const int found = static_cast<int>(result.sites.size());
   if (found >= wanted) return {};
-  const int ruled_out = result.elsewhere + result.near_seam + result.near_edge + result.kept_out;
+  const int ruled_out =
+      result.uncovering + result.elsewhere + result.near_seam + result.near_edge + result.kept_out;
   const int left = result.candidates - ruled_out - result.not_rated - result.failing;
+  const std::string uncovering =
+      result.uncovering ? fmt::format(" {} cover no skin,", result.uncovering) : "";
   return fmt::format(
-      "{} of {} sites: of {} places looked at, {} lie over other regions, {} too near to seams, {} "
+      "{} of {} sites: of {} places looked at,{} {} lie over other regions, {} too near to seams, "
+      "{} "
       "to edges, {} where nothing may be, {} cannot be rated, {} fail; the spacing leaves {} of "
       "the "
       "other {}",
-      found, wanted, result.candidates, result.elsewhere, result.near_seam, result.near_edge,
-      result.kept_out, result.not_rated, result.failing, found, left);
+      found, wanted, result.candidates, uncovering, result.elsewhere, result.near_seam,
+      result.near_edge, result.kept_out, result.not_rated, result.failing, found, left);
 }
 
 }  // namespace

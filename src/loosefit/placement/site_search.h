@@ -39,6 +39,8 @@ struct SearchField {
   std::vector<Vec3> positions;
   /// Per garment vertex: body region under it; may be empty when no regions are named.
   std::vector<Region> regions;
+  /// Whether there is skin under a place; empty: everywhere. Other places are no candidates.
+  std::function<bool(const PatternPlace&)> covers = {};
   /// Told the share of the candidates that is measured; may throw to stop the search.
   std::function<void(double)> progress = {};
 };
@@ -53,8 +55,8 @@ struct FoundSite {
 struct SearchResult {
   std::vector<FoundSite> sites;  ///< best first
   /// What became of the candidates; each is counted at the first reason that rules it out.
-  int candidates = 0, elsewhere = 0, near_seam = 0, near_edge = 0, kept_out = 0, not_rated = 0,
-      failing = 0;
+  int candidates = 0, uncovering = 0, elsewhere = 0, near_seam = 0, near_edge = 0, kept_out = 0,
+      not_rated = 0, failing = 0;
   /// Why there are fewer sites than wanted, in words; empty when there are enough.
   std::string shortfall;
 };

@@ -28,13 +28,9 @@ struct Finder {
                                                  : skin_tree->query(points.at(spec.landmark));
   }
 
-  /// Nothing when the garment does not cover the place; `nearest` is then where it comes nearest.
-  std::optional<GarmentPoint> find(const SiteSpec& spec,
-                                   std::optional<GarmentPoint>& nearest) const {
-    if (!spec.panel.empty()) return pattern_point(garment, spec.panel, spec.at);
-    const GarmentOverSkin::Over over = over_skin.over(skin(spec));
-    nearest = over.point;
-    return over.covered ? nearest : std::nullopt;
+  GarmentOverSkin::Over find(const SiteSpec& spec) const {
+    if (spec.panel.empty()) return over_skin.over(skin(spec));
+    return {pattern_point(garment, spec.panel, spec.at), 0, true, {}};
   }
 
   /// Long axis of the segment towards the trunk; zero where it is not known.
@@ -53,6 +49,7 @@ struct Finder {
     site.panel = garment.panel_names[garment.triangle_panel[site.point.triangle]];
     site.at = pattern_place(garment, site.point);
     site.position = at(garment, site.point, positions);
+    site.not_covering = off_skin(garment, positions, worn, site.point);
     const BodyPartner partner = over_skin.under(site.point);
     site.body_point = partner.exact.point;
     site.anatomy = points.addresses().address(partner.exact);
@@ -90,13 +87,13 @@ std::string address_key(const SiteSpec& spec) {
 
 /// What stands where the site cannot be: the garment ends before.
 InvalidInput not_covered(const Finder& finder, const SiteSpec& spec, std::size_t i,
-                         const std::optional<GarmentPoint>& nearest) {
+                         const GarmentPoint& nearest) {
   const std::string where =
       spec.landmark.empty() ? spec.anatomy->str() : '"' + printable(spec.landmark) + '"';
   std::string hint;
-  if (nearest) {
+  if (nearest.triangle >= 0) {
     Site site;
-    site.point = *nearest;
+    site.point = nearest;
     finder.describe(site);
     hint = "the nearest place that it covers is panel " + site.panel + ", at = [" +
            shortest(std::round(site.at.x() * 1e3) / 1e3 + 0.0) + ", " +
@@ -130,20 +127,23 @@ void check_sites(const Garment& garment, const Body& body, const std::vector<Sit
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
                              const Body& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,
-                             const std::vector<SiteSpec>& wished, bool with_presets) {
+                             const std::vector<SiteSpec>& wished, bool with_presets,
+                             std::vector<UncoveredSite>* uncovered) {
   check_sites(garment, body, wished);
   const Finder finder{garment, positions, body, worn, maps};
   std::vector<Site> sites;
   const auto add = [&](const SiteSpec& spec, std::optional<std::size_t> index) {
-    std::optional<GarmentPoint> nearest;
-    const auto point = finder.find(spec, nearest);
-    if (!point) {
-      if (index) throw not_covered(finder, spec, *index, nearest);
+    const GarmentOverSkin::Over over = finder.find(spec);
+    if (!over.covered) {
+      if (uncovered)
+        uncovered->push_back({spec.name, !index, over.why_not});
+      else if (index)
+        throw not_covered(finder, spec, *index, over.point);
       return;
     }
     Site site;
     site.name = spec.name;
-    site.point = *point;
+    site.point = over.point;
     site.angle = spec.angle;
     site.shape = spec.footprint;
     site.preset = !index;

@@ -50,7 +50,15 @@ struct Site {
   /// Direction of the body segment's long axis (towards the trunk, on the trunk upwards) in the
   /// pattern, as `angle`; 0, the grain, where the body has no such axis [rad].
   double segment_angle = 0;
-  bool preset = false;  ///< not asked for by name: one of preset_sites
+  bool preset = false;            ///< not asked for by name: one of preset_sites
+  std::string not_covering = {};  ///< why there is no skin under it (off_skin); empty: there is
+};
+
+/// A place of the body that the garment does not cover.
+struct UncoveredSite {
+  std::string name;
+  bool preset = false;
+  std::string why;  ///< "the garment ends 243 mm away from it"
 };
 
 /// Named points of one body: its landmarks, those of address_landmarks(), and presets. Keeps a
@@ -102,15 +110,16 @@ Vec3 site_point(const Body& body, const std::string& landmark);
 std::vector<SiteSpec> preset_sites(const Body& body);
 
 /// Finds each site on the draped garment and averages every map over its footprint. A landmark or
-/// anatomical address goes to the garment point over it (GarmentOverSkin); a preset site that the
-/// garment does not cover is left out, a wished one is an error. Every site has both addresses.
-/// \throws InvalidInput with a key as check_sites: unknown panel or landmark, point outside its
-/// panel, bad anatomical address, skin that the garment does not cover (with the nearest place that
-/// it does).
+/// anatomical address goes to the garment point over it (GarmentOverSkin). What the garment does
+/// not cover goes into `uncovered`; without that a preset is left out, and a wished one is an
+/// error. Every site has both addresses. \throws InvalidInput with a key as check_sites: unknown
+/// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
+/// not cover (with the nearest place that it does).
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
                              const Body& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,
-                             const std::vector<SiteSpec>& wished, bool with_presets = true);
+                             const std::vector<SiteSpec>& wished, bool with_presets = true,
+                             std::vector<UncoveredSite>* uncovered = nullptr);
 
 /// The same sensors in another drape of the same garment (other posture, repeat): pattern place and
 /// footprint are kept, everything that depends on drape and body is made anew.

@@ -71,17 +71,18 @@ std::vector<std::string> text_row(const RankingTable& table, const RankedSite& s
     std::vector<std::string> row = {"-", printable(site.name),
                                     fmt::format("<= {:.2f}", score.bound)};
     if (many) row.insert(row.end(), {"", "", "", ""});
-    row.push_back(score.reason);
+    row.push_back(terminal_line(score.reason));
     return row;
   }
-  std::vector<std::string> row = {std::to_string(site.rank) + (shared(site, ranking) ? "=" : ""),
-                                  printable(site.name), fmt::format("{:.2f}", score.robust)};
+  std::vector<std::string> row = {rank_text(site, ranking), printable(site.name),
+                                  fmt::format("{:.2f}", score.robust)};
   if (many)
     row.insert(row.end(),
                {range(site.robust_interval, 2), fmt::format("{:.2f}", score.median),
                 fmt::format("{:.0f} %", 100 * score.passing), range(site.rank_interval, 0)});
   const std::string sample = worst_sample(table, site);
-  row.push_back(sample.empty() ? score.reason : score.reason + " (" + printable(sample) + ")");
+  row.push_back(terminal_line(score.reason) +
+                (sample.empty() ? "" : " (" + printable(sample) + ")"));
   return row;
 }
 
@@ -205,7 +206,30 @@ std::vector<std::string> ranking_notes(const RankingTable& table) {
     notes.push_back("scores are upper bounds: not looked at: " + join(left_out));
   }
   notes.insert(notes.end(), table.notes.begin(), table.notes.end());
+  std::vector<std::string> presets, own;
+  for (const UncoveredSite& site : table.uncovered)
+    (site.preset ? presets : own)
+        .push_back(site.preset ? site.name : site.name + " (" + site.why + ")");
+  if (!own.empty()) notes.push_back("not covered by the garment, so not ranked: " + join(own));
+  if (!presets.empty())
+    notes.push_back("presets that the garment does not cover: " + join(presets));
   return notes;
+}
+
+std::string rank_text(const RankedSite& site, const Ranking& ranking) {
+  // Sites that fail altogether are not better or worse than each other.
+  if (!site.score.rated() || site.score.robust <= 0) return "-";
+  return std::to_string(site.rank) + (shared(site, ranking) ? "=" : "");
+}
+
+std::string ranking_verdict(const RankingTable& table) {
+  if (table.ranking.sites.empty()) return {};
+  const RankedSite& first = table.ranking.sites.front();
+  const SiteScore& score = first.score;
+  if (!score.rated()) return "no site can be rated: " + first.name + " is " + score.reason;
+  if (score.robust >= table.scorecard.pass) return {};
+  return fmt::format("no site passes: {}, the nearest to it, scores {:.2f} of {:g}: {}", first.name,
+                     score.robust, table.scorecard.pass, score.reason);
 }
 
 std::string ranking_text(const RankingTable& table) {
@@ -217,14 +241,18 @@ std::string ranking_text(const RankingTable& table) {
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
   const int samples = table.ranking.samples;
-  std::string text = fmt::format("{}: {} {}, passes from {:g}\n", table.scorecard.title, samples,
-                                 samples == 1 ? "sample" : "samples", table.scorecard.pass);
+  std::string text =
+      fmt::format("{}: {} {}, passes from {:g}\n", terminal_line(table.scorecard.title), samples,
+                  samples == 1 ? "sample" : "samples", table.scorecard.pass);
+  if (const std::string verdict = ranking_verdict(table); !verdict.empty())
+    text += terminal_line(verdict) + "\n";
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) line += fmt::format("{:{}}  ", row[c], width[c]);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
-  for (const std::string& note : ranking_notes(table)) text += "note: " + note + "\n";
+  for (const std::string& note : ranking_notes(table))
+    text += "note: " + terminal_line(note) + "\n";
   return text;
 }
 
@@ -253,6 +281,10 @@ std::string ranking_json(const RankingTable& table) {
                {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
                {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
                {"left_out", table.scorecard.left_out}, {"notes", ranking_notes(table)}};
+  json["verdict"] = ranking_verdict(table);
+  json["uncovered"] = Json::array();
+  for (const UncoveredSite& site : table.uncovered)
+    json["uncovered"].push_back({{"name", site.name}, {"preset", site.preset}, {"why", site.why}});
   Json& sites = json["sites"] = Json::array();
   for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

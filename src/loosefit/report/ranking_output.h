@@ -8,6 +8,13 @@
 
 namespace loosefit {
 
+/// One sentence when no site passes, with the one that comes nearest, or when none can be rated;
+/// else empty.
+std::string ranking_verdict(const RankingTable& table);
+
+/// "2=" of a shared rank; "-" of a site that is not rated or fails altogether.
+std::string rank_text(const RankedSite& site, const Ranking& ranking);
+
 /// For the terminal: one line per site with scores, intervals, rank interval and the limiting
 /// reason; notes below. "2=" is a rank that is shared. An unrated site shows the bound of its
 /// score.

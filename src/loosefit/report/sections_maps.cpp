@@ -115,7 +115,15 @@ std::string site_section(const CaseResult& result) {
     }
     table.add(row);
   }
+  std::string bare;
+  for (const UncoveredSite& site : result.uncovered_sites)
+    if (!site.preset)
+      bare += element("li", escaped(site.name + " is not covered by the garment: " + site.why));
+  for (const Site& site : result.sites)
+    if (!site.not_covering.empty())
+      bare += element("li", escaped(site.name + " has no skin under it: " + site.not_covering));
   return element("h2", "Sensor sites") + table.html() +
+         (bare.empty() ? bare : element("ul", bare)) +
          element("p",
                  "Mean over a disc of " + number(1000 * kFootprintRadius, 2) +
                      " mm radius on the cloth, in brackets the value that 95 % of the disc stay "

@@ -74,19 +74,19 @@ std::string ranking_section(const RankingTable* table) {
       rows.add({site.name, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", score.reason});
       continue;
     }
-    const bool shared = std::count_if(sites.begin(), sites.end(), [&](const RankedSite& other) {
-                          return other.rank == site.rank;
-                        }) > 1;
     const int worst = score.robust_sample;
     const bool many = table->sample_names.size() > 1 && worst >= 0 &&
                       worst < static_cast<int>(table->sample_names.size());
-    rows.add({site.name, std::to_string(site.rank) + (shared ? "=" : ""), fixed(score.robust, 2),
+    const std::string rank = rank_text(site, table->ranking);
+    rows.add({site.name, rank == "-" ? "–" : rank, fixed(score.robust, 2),
               interval_text(site.robust_interval, 2), fixed(score.median, 2),
               fixed(100 * score.passing, 0) + " %", interval_text(site.rank_interval, 0),
               many ? score.reason + " (" + table->sample_names[worst] + ")" : score.reason});
   }
   std::string html = element("h2", "Where to put it: " + escaped(table->scorecard.title));
   if (!table->scorecard.about.empty()) html += element("p", escaped(table->scorecard.about));
+  if (const std::string verdict = ranking_verdict(*table); !verdict.empty())
+    html += element("p", escaped(verdict + "."), "box warn");
   html += score_chart(*table) + rows.html();
   std::string notes;
   for (const std::string& note : ranking_notes(*table)) notes += element("li", escaped(note));

@@ -55,7 +55,9 @@ void write_case_files(const std::filesystem::path& folder, const CaseResult& res
   write_states(folder, result);
   write_garmentcode(folder / "pattern.json", result.pattern.pattern);
   write_text_file((folder / "scenario.toml").string(), scenario_toml(result.scenario));
-  if (!maps.empty()) write_text_file((folder / "sites.csv").string(), sites_csv(result.sites));
+  if (!maps.empty())
+    write_text_file((folder / "sites.csv").string(),
+                    sites_csv(result.sites, result.uncovered_sites));
 }
 
 void write_summary_file(const std::filesystem::path& folder, const CaseResult& result) {

@@ -1,9 +1,14 @@
 #include "loosefit/study/case_layers.h"
 
 #include "loosefit/base/error.h"
+#include "loosefit/study/unsettled_advice.h"
 
 namespace loosefit {
 namespace {
+
+void advise(const Scenario& scenario, Drape& drape) {
+  if (drape.unsettled) drape.unsettled->hint = unsettled_advice(scenario, drape);
+}
 
 /// An error about a garment of [[under]], told with its section.
 InvalidInput in_under(const InvalidInput& error, const Scenario& scenario, std::size_t layer) {
@@ -57,6 +62,7 @@ void take_drape(const Drape& all, CaseResult& result) {
   const int last = static_cast<int>(layers.size()) - 1;
   for (int l = 0; l < last; ++l) result.under[l].drape = drape_of_layer(all, layers, l);
   result.drape = drape_of_layer(all, layers, last);
+  advise(result.scenario, result.drape);
 }
 
 void take_drape(const Drape& all, const CaseResult& result, CaseState& state) {
@@ -65,6 +71,7 @@ void take_drape(const Drape& all, const CaseResult& result, CaseState& state) {
   state.under.clear();
   for (int l = 0; l < last; ++l) state.under.push_back(drape_of_layer(all, layers, l));
   state.drape = drape_of_layer(all, layers, last);
+  advise(result.scenario, state.drape);
 }
 
 std::filesystem::path under_folder(int layer) {

@@ -1,6 +1,10 @@
 #include "loosefit/study/case_pattern.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/pattern/garment_size.h"
 #include "loosefit/study/carry_with_scan.h"
@@ -55,6 +59,40 @@ void name_the_cuff(CasePattern& result, const Body& body, double sleeve_length) 
   }
 }
 
+/// Panels that are sewn to each other, directly or through others, the largest group first.
+std::vector<std::vector<std::string>> sewn_groups(const Pattern& pattern) {
+  std::vector<int> group(pattern.panels.size());
+  std::iota(group.begin(), group.end(), 0);
+  for (const Stitch& stitch : pattern.stitches) {
+    const int from = group[stitch.second.panel], to = group[stitch.first.panel];
+    std::replace(group.begin(), group.end(), from, to);
+  }
+  std::map<int, std::vector<std::string>> named;
+  for (std::size_t p = 0; p < group.size(); ++p)
+    named[group[p]].push_back(printable(pattern.panels[p].name));
+  std::vector<std::vector<std::string>> groups;
+  for (auto& entry : named) groups.push_back(std::move(entry.second));
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return groups;
+}
+
+/// Said before the simulation, which will drop what the body does not hold.
+void warn_of_unsewn(CasePattern& result) {
+  const auto groups = sewn_groups(result.pattern);
+  if (groups.size() < 2) return;
+  const std::string falls = "; what the body does not hold falls off";
+  if (groups.front().size() == 1) {
+    result.warnings.push_back("no panel is sewn to another" + falls);
+    return;
+  }
+  for (std::size_t g = 1; g < groups.size(); ++g)
+    result.warnings.push_back((groups[g].size() == 1
+                                   ? "panel " + groups[g][0] + " is sewn to nothing"
+                                   : "panels " + join(groups[g]) + " are sewn to no other panel") +
+                              falls);
+}
+
 }  // namespace
 
 ShirtMeasures shirt_measures(const Body& body) {
@@ -79,6 +117,7 @@ CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
     carry_with_scan(result.pattern, body, result.warnings);
+    warn_of_unsewn(result);
     compare_girths(result, body);
     return result;
   }

@@ -105,6 +105,7 @@ struct CaseResult {
   std::vector<CaseUnder> under;  ///< the innermost first
   CaseWear wear;                 ///< empty for one posture and one donning
   std::vector<Site> sites;
+  std::vector<UncoveredSite> uncovered_sites;
   /// Only with repeats > 1: key of summary.json ("maps.distance_mm.area_mean") → spread over all
   /// drapes that settled, of what each of them has.
   std::map<std::string, Spread> repeats;

@@ -89,14 +89,16 @@ CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettl
       result.scenario, allow_unsettled);
 }
 
-std::vector<Site> make_sites(const CaseResult& result) {
+std::vector<Site> make_sites(const CaseResult& result, std::vector<UncoveredSite>* uncovered) {
+  std::vector<UncoveredSite> unused;
   return find_sites(result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
                     plain_maps(result.maps.maps), result.scenario.sites,
-                    result.scenario.output.preset_sites);
+                    result.scenario.output.preset_sites, uncovered ? uncovered : &unused);
 }
 
 void add_sites(CaseResult& result) {
-  result.sites = make_sites(result);
+  result.uncovered_sites.clear();
+  result.sites = make_sites(result, &result.uncovered_sites);
   for (CaseState& s : result.wear.states)
     if (s.posture == 0 && s.counts())
       s.sites = revisit_sites(result.sites, result.mesh(), s.drape.positions, result.body.body,
@@ -120,6 +122,9 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
     add(fmt::format("pattern of under {}", l + 1), result.under[l].pattern.warnings);
     add(fmt::format("material of under {}", l + 1), result.scenario.under[l].material.notes);
   }
+  for (const UncoveredSite& site : result.uncovered_sites)
+    if (!site.preset)
+      all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);
   const Certificate& certificate = result.drape.certificate;
   if (!certificate.settled())
     all.push_back(

@@ -24,9 +24,11 @@ CaseMap summed_up(PerformanceMap map, const WornGarment& worn);
 /// calibrated orientation error over the postures of the first donning beside the other maps.
 void add_maps(CaseResult& result, bool allow_unsettled);
 
-/// Stage "placement": preset sites and those of the scenario, with what the maps say there.
+/// Stage "placement": preset sites and those of the scenario, with what the maps say there; those
+/// that the garment does not cover into `uncovered`.
 /// \throws InvalidInput naming a site whose panel or landmark is unknown.
-std::vector<Site> make_sites(const CaseResult& result);
+std::vector<Site> make_sites(const CaseResult& result,
+                             std::vector<UncoveredSite>* uncovered = nullptr);
 
 /// The same into result.sites, and what these sensors, sewn where they are, meet in the other
 /// donnings.

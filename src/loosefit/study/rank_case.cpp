@@ -33,9 +33,11 @@ bool has(const std::vector<Site>& sites, const std::string& name) {
   return std::any_of(sites.begin(), sites.end(), [&](const Site& s) { return s.name == name; });
 }
 
-/// Sites that all wearers have; the rest goes and is named. `wearers` hold those of each.
+/// Sites that all wearers have; the rest goes and is named. `wearers` hold those of each, `bare`
+/// what the garment of each does not cover.
 std::vector<Site> common(const std::vector<Site>& sites, const std::vector<RankingWearer>& wearers,
-                         std::vector<std::string>& notes) {
+                         const std::vector<std::vector<UncoveredSite>>& bare,
+                         std::vector<UncoveredSite>& uncovered, std::vector<std::string>& notes) {
   std::vector<Site> kept;
   std::vector<std::string> gone;
   for (const Site& site : sites) {
@@ -47,6 +49,13 @@ std::vector<Site> common(const std::vector<Site>& sites, const std::vector<Ranki
     } else if (site.preset) {
       gone.push_back(site.name);
     } else {
+      const std::vector<UncoveredSite>& theirs = bare[lacking - wearers.begin()];
+      const auto named = std::find_if(theirs.begin(), theirs.end(),
+                                      [&](const UncoveredSite& u) { return u.name == site.name; });
+      if (named != theirs.end()) {
+        uncovered.push_back({site.name, false, named->why + " (" + printable(lacking->name) + ")"});
+        continue;
+      }
       throw InvalidInput(
           {"", 0, "site"},
           "\"" + printable(site.name) + "\", which " + printable(lacking->name) + " does not have",
@@ -114,19 +123,21 @@ RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& w
                        "give every scenario the pattern.json of one run as [garment] pattern");
   std::deque<SiteMeter> meters;
   std::vector<RankingWearer> wearers;
+  std::vector<std::vector<UncoveredSite>> bare;
   for (const RankedRun& run : runs) {
     const CaseResult& result = *run.result;
     meters.push_back(meter_of(result));
     wearers.push_back({run.name,
                        {result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
                         meters.back()}});
-    if (with_sites && !same) wearers.back().sites = make_sites(result);
+    bare.emplace_back();
+    if (with_sites && !same) wearers.back().sites = make_sites(result, &bare.back());
   }
   RankingWish whole = wish;
   std::vector<std::string> notes = notes_on(runs, same);
   if (with_sites) {
-    whole.sites = make_sites(first);
-    if (!same) whole.sites = common(whole.sites, wearers, notes);
+    whole.sites = make_sites(first, &whole.uncovered);
+    if (!same) whole.sites = common(whole.sites, wearers, bare, whole.uncovered, notes);
     wearers.front().sites.clear();
   }
   RankingTable table = make_ranking(wearers, whole);

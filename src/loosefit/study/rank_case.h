@@ -25,6 +25,7 @@ bool same_pieces(const Pattern& a, const Pattern& b);
 /// run. `with_sites` ranks the sites of the first run's scenario, and its presets where they are
 /// reported: in garments with the same pieces the sensors stay where they are sewn in the first;
 /// otherwise each run finds its own by their names, and what some run lacks is left out and noted.
+/// What a garment does not cover is listed apart and not ranked.
 /// \throws InvalidInput as make_ranking; without runs; for wished sites that a run lacks.
 RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
                         bool with_sites);

@@ -8,7 +8,7 @@
 
 namespace loosefit {
 
-std::string sites_csv(const std::vector<Site>& sites) {
+std::string sites_csv(const std::vector<Site>& sites, const std::vector<UncoveredSite>& uncovered) {
   std::set<std::string> arrays;
   for (const Site& site : sites)
     for (const auto& entry : site.values) arrays.insert(entry.first);
@@ -19,6 +19,8 @@ std::string sites_csv(const std::vector<Site>& sites) {
     row.push_back(array);
     row.push_back(array + "_worst");
   }
+  row.insert(row.end(), {"covered", "why_not_covered"});
+  const std::size_t columns = row.size();
   std::string text = csv_line(row);
   for (const Site& site : sites) {
     row = {csv_field(site.name), csv_field(name(site.region)), csv_field(site.panel)};
@@ -31,6 +33,16 @@ std::string sites_csv(const std::vector<Site>& sites) {
       row.push_back(value == site.values.end() ? "" : csv_field(value->second.mean));
       row.push_back(value == site.values.end() ? "" : csv_field(value->second.worst));
     }
+    row.push_back(site.not_covering.empty() ? "yes" : "no");
+    row.push_back(csv_field(site.not_covering));
+    text += csv_line(row);
+  }
+  for (const UncoveredSite& site : uncovered) {
+    if (site.preset) continue;
+    row.assign(columns, "");
+    row.front() = csv_field(site.name);
+    row[columns - 2] = "no";
+    row.back() = csv_field(site.why);
     text += csv_line(row);
   }
   return text;

@@ -121,7 +121,9 @@ Json site_json(const Site& site) {
                {"position_m", {site.position.x(), site.position.y(), site.position.z()}},
                {"region", name(site.region)},
                {"angle_deg", degrees(site.angle)},
-               {"body_address", nullptr}};
+               {"body_address", nullptr},
+               {"covered", site.not_covering.empty()}};
+  if (!site.not_covering.empty()) json["why_not_covered"] = site.not_covering;
   if (site.anatomy)
     json["body_address"] = {
         {"segment", name(site.anatomy->segment)},
@@ -278,6 +280,8 @@ std::string summary_json(const CaseResult& result) {
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
+  for (const UncoveredSite& site : result.uncovered_sites)
+    json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
   for (const auto& [key, spread] : result.repeats)
     json["repeats"][key] = {
         {"mean", spread.mean}, {"deviation", spread.deviation}, {"count", spread.count}};

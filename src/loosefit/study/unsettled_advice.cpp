@@ -1,0 +1,61 @@
+#include "loosefit/study/unsettled_advice.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kFinest = 0.003;  ///< simulation.edge_length [m]
+
+bool cuts(const Unsettled& unsettled, const char* part) {
+  return std::any_of(unsettled.cuts.begin(), unsettled.cuts.end(), [&](const CutTriangle& c) {
+    return c.body && c.with.find(part) != std::string::npos;
+  });
+}
+
+std::string more_room(const ScenarioGarment& garment) {
+  if (!garment.file.empty()) return "a pattern with more room there";
+  if (!garment.size.empty()) return "a larger garment.size";
+  return "a looser garment.fit";
+}
+
+std::string against_falling(const Scenario& scenario, const std::string& reason) {
+  if (reason.find("sewn to nothing") != std::string::npos)
+    return "sew what falls to the rest with a stitch in the pattern, or leave it out";
+  return scenario.garment.file.empty()
+             ? "another garment.fit or garment.size may stay on the body"
+             : "place the panels of the pattern file round the body where "
+               "they are worn, and sew them";
+}
+
+std::string against_cuts(const Scenario& scenario, const Unsettled& unsettled) {
+  std::vector<std::string> ways;
+  if (scenario.simulation.edge_length > kFinest)
+    ways.push_back("a smaller simulation.edge_length, which follows the skin more closely");
+  ways.push_back(more_room(scenario.garment));
+  const bool arms = cuts(unsettled, "arm") || cuts(unsettled, "torso");
+  if (scenario.body.file.empty() && scenario.postures.empty() && arms)
+    ways.push_back("arms farther from the trunk (body.posture)");
+  return "what may help: " + join(ways, "; ");
+}
+
+}  // namespace
+
+std::string unsettled_advice(const Scenario& scenario, const Drape& drape) {
+  const Certificate& c = drape.certificate;
+  const std::string& reason = c.stop_reason;
+  if (reason.find("freely") != std::string::npos) return against_falling(scenario, reason);
+  if (reason.starts_with("time budget")) return "raise simulation.time_budget";
+  if (reason.starts_with("iteration limit")) return "raise simulation.max_iterations";
+  if (c.intersections_body > 0 && drape.unsettled) return against_cuts(scenario, *drape.unsettled);
+  std::string text = scenario.simulation.start_perturbation > 0
+                         ? "another start may do: another simulation.seed"
+                         : "another start may do: simulation.start_perturbation = 0.001";
+  if (scenario.body.file.empty()) text += ", or another body.dress_posture";
+  return text;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "loosefit/drape/drape.h"
+#include "loosefit/io/scenario.h"
+
+namespace loosefit {
+
+/// What to try when a drape of this case is not settled: only keys that the case can have. A scan
+/// has no posture, a pattern file no fit, a garment of a size another size.
+std::string unsettled_advice(const Scenario& scenario, const Drape& drape);
+
+}  // namespace loosefit
