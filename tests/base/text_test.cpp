@@ -35,5 +35,22 @@ TEST(Printable, EscapesAndCuts) {
   EXPECT_EQ(printable(std::string(100, 'x'), 5), "xxxxx...");
 }
 
+TEST(TerminalText, ControlsAndBrokenBytesAreEscaped) {
+  EXPECT_EQ(terminal_line("µN m, K² – 5 ‰ … 漢字 😀"), "µN m, K² – 5 ‰ … 漢字 😀");
+  EXPECT_EQ(terminal_line("a\x1b[31m\r\n\t\x7f"), "a\\x1b[31m\\x0d\\n\\x09\\x7f");
+  EXPECT_EQ(terminal_line("\xc2\x9b"
+                          "31m"),
+            "\\xc2\\x9b31m")
+      << "C1: CSI in one character";
+  EXPECT_EQ(terminal_line("a\u202eb\u200bc\ufeff"),
+            "a\\xe2\\x80\\xaeb\\xe2\\x80\\x8bc\\xef\\xbb\\xbf");
+  // Not UTF-8: a lone byte, a cut sequence, overlong, a surrogate, beyond U+10FFFF.
+  for (const char* broken : {"\xff", "\xe2\x80", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+    EXPECT_EQ(terminal_line(broken).find_first_not_of("\\x0123456789abcdef"), std::string::npos)
+        << terminal_line(broken);
+  EXPECT_EQ(terminal_text("a\nb\x1b"), "a\nb\\x1b");
+  EXPECT_EQ(without_controls("a\n\x1b\xff"), "a\n\ufffd\ufffd");
+}
+
 }  // namespace
 }  // namespace loosefit

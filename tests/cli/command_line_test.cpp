@@ -124,6 +124,7 @@ TEST_F(CommandLine, PicturesWithoutADisplayAreRefusedBeforeAnyWork) {
       loosefit("run " + file("case.toml", "") + " -o " + (base / "out").string(), "-u DISPLAY");
   expect_refused(run, "display");
   EXPECT_NE(run.output.find("xvfb-run"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("--no-pictures"), std::string::npos) << run.output;
   EXPECT_FALSE(fs::exists(base / "out"));
 }
 
@@ -270,6 +271,36 @@ TEST_F(CommandLine, InterruptedValidationLeavesNothingBehind) {
   EXPECT_EQ(run.exit_code, 124) << run.output;
   EXPECT_NE(run.output.find("interrupted"), std::string::npos) << run.output;
   EXPECT_TRUE(fs::is_empty(base));
+}
+
+TEST_F(CommandLine, SlipsInCommandsAndOptionsGetAGuess) {
+  const auto guess = [](const std::string& arguments, const std::string& name) {
+    const ProgramRun run = loosefit(arguments);
+    expect_refused(run, "found \"");
+    EXPECT_NE(run.output.find("hint: did you mean \"" + name + "\"?"), std::string::npos)
+        << run.output;
+  };
+  guess("rnu", "run");
+  guess("material lsit", "list");
+  guess("run case.toml --ouput out", "--output");
+  guess("run case.toml -o out --no-picture", "--no-pictures");
+  guess("pattern --fit-chets=0.3", "--fit-chest");
+  const ProgramRun far = loosefit("dance");
+  EXPECT_NE(far.output.find("hint: known: run, drape"), std::string::npos) << far.output;
+}
+
+TEST_F(CommandLine, NamesNeverReachTheTerminalRaw) {
+  expect_refused(run_program("bash -c \"" + std::string(LOOSEFIT_BINARY) + " $'dance\\x1b[31m'\""),
+                 "dance\\x1b[31m");
+  for (const std::string& key :
+       {std::string("\"a\\u001b[31m\" = 1\n"),
+        std::string("[body]\nfile = \"a\\u001b[2J\\nb.obj\"\n"),
+        std::string("[[site]]\nname = \"\\u001b[2J\"\nlandmark = \"x\"\n")}) {
+    const ProgramRun run =
+        loosefit("drape " + file("case.toml", key) + " -o " + (base / "out").string());
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_EQ(run.output.find('\x1b'), std::string::npos) << run.output;
+  }
 }
 
 }  // namespace

@@ -284,5 +284,43 @@ TEST(LoadMaterial, UnknownNameGetsAGuess) {
   }
 }
 
+TEST(Kes, WrongShapesNameTheKeysThatHaveIt) {
+  const std::string pair = refusal("[kes]\nEMT = [5, 6]\n");
+  EXPECT_NE(pair.find("m.toml:2: kes.EMT: found an array of 2, expected one number in %"),
+            std::string::npos)
+      << pair;
+  EXPECT_NE(pair.find("EMT_warp and EMT_weft"), std::string::npos) << pair;
+  for (const char* quantity : {"B", "2HB", "LT", "WT", "RT"}) {
+    const std::string q = quantity;
+    const std::string no = refusal("[kes]\n" + q + " = { warp = 1, weft = 2 }\n");
+    EXPECT_NE(no.find(q + "_warp and " + q + "_weft"), std::string::npos) << no;
+  }
+  const std::string text = refusal("[kes]\nEMT_warp = \"5 %\"\n");
+  EXPECT_NE(text.find("one number in %"), std::string::npos) << text;
+  const std::string shear = refusal("[kes]\nG_warp = 0.5\n");
+  EXPECT_NE(shear.find("kes.G_warp: found a key of its own, expected G alone"), std::string::npos)
+      << shear;
+}
+
+TEST(Kes, ACardTellsAllThatItLacksAtOnce) {
+  try {
+    own_card("title = \"own\"\npoisson = 0\n[kes]\nW = 12\nT = 0.5\nB = 0.045\nEMT = 3\n");
+    FAIL() << "no source, shear, friction, damping";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find(
+                  "source, stiffness_shear, friction_body, friction_self, damping: found nothing"),
+              std::string::npos)
+        << e.what();
+    EXPECT_NE(e.hint().find("friction_body (a coefficient from 0 to 3)"), std::string::npos)
+        << e.hint();
+  }
+  try {
+    own_card("sourse = \"own\"\n");
+    FAIL() << "a misspelt key";
+  } catch (const InvalidInput& e) {
+    EXPECT_EQ(e.hint(), "did you mean \"source\"?") << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -300,5 +300,24 @@ TEST(ScenarioErrors, TextThatIsNotToml) {
   EXPECT_THROW(read_scenario("/tmp"), IoError);
 }
 
+TEST(ScenarioErrors, SlipsAreNamedBeforeWhatIsThenMissing) {
+  const auto expect_slip = [](const std::string& text, const std::string& key,
+                              const std::string& hint) {
+    const std::string told = refusal(text);
+    EXPECT_NE(told.find(key + ": found an unknown key"), std::string::npos) << told;
+    EXPECT_NE(told.find(hint), std::string::npos) << told;
+  };
+  expect_slip("[[site]]\nnmae = \"s\"\nlandmark = \"c7\"\n", "site[0].nmae", "\"name\"");
+  expect_slip("[[site]]\nname = \"s\"\nlandmrk = \"c7\"\n", "site[0].landmrk", "\"landmark\"");
+  expect_slip("[[site]]\nname = \"s\"\nlandmark = \"c7\"\nfootprint = { raduis = 0.01 }\n",
+              "site[0].footprint.raduis", "\"radius\"");
+  expect_slip("[[attachment]]\nkind = \"board\"\nname = \"x\"\npanle = \"back\"\n",
+              "attachment[0].panle", "\"panel\"");
+  expect_slip("[[attachment]]\nkind = \"cable\"\nname = \"x\"\npanel = \"back\"\nradius = 1\n",
+              "attachment[0].radius", "known: ");
+  expect_slip("[postures]\nlits = [\"standing\"]\nreference = \"standing\"\n", "postures.lits",
+              "\"list\"");
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -199,5 +199,15 @@ TEST(ScorecardFile, DamagedOnesAreRefusedOrSound) {
   EXPECT_GT(accepted, 100);
 }
 
+TEST(ScorecardFile, SlipsAreNamedBeforeWhatIsThenMissing) {
+  try {
+    parse_scorecard("titel = \"x\"\n", "card.toml");
+    FAIL() << "a misspelt title";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("titel: found an unknown key"), std::string::npos)
+        << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace loosefit

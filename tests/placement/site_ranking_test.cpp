@@ -298,5 +298,23 @@ TEST_F(SiteRanking, SegmentDirectionFollowsTheCut) {
   EXPECT_NEAR(std::abs(std::remainder(across.along(1234) + kPi / 2, 2 * kPi)), 0, 1e-2);
 }
 
+TEST_F(SiteRanking, PlacesWithoutSkinUnderThemAreListedApart) {
+  for (Vec3& p : positions_)
+    if (p.x() > 0) p.x() += 0.2;  // one half of the tube stands off
+  worn_ = relate(tube_, positions_, body_);
+  meter_ = std::make_unique<SiteMeter>(tube_, material_,
+                                       std::vector<WornState>{{0, 0, positions_, body_, worn_}});
+  const double turn = 2 * kPi * kRadius;
+  wish_.sites = sites({{"off", "tube", {0.01 * turn, 0.2}}, {"on", "tube", {0.5 * turn, 0.2}}});
+  wish_.uncovered = {{"wrist", false, "the garment ends 300 mm away from it"}};
+  wish_.best = 5;
+  const RankingTable table = make_ranking(ground(), wish_);
+  for (const RankedSite& site : table.ranking.sites) EXPECT_NE(site.name, "off");
+  for (const RankedPlace& place : table.places) EXPECT_LT(place.position.x(), 0.14);
+  ASSERT_EQ(table.uncovered.size(), 2u);
+  EXPECT_EQ(table.uncovered[0].name, "wrist");
+  EXPECT_EQ(table.uncovered[1].name, "off");
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -228,5 +228,38 @@ TEST(Ray, HitsTheTriangleItPassesAndNoOther) {
       ray_crossings(one, {0.5, 0.25, -2}, Vec3(0, 0, 1), [](int) { return false; }).empty());
 }
 
+TEST_F(Sites, SkinBelowAHemThatStandsOffIsNotCovered) {
+  // The lowest 60 mm stand off at a level: 50 mm below them there is no cloth over the skin.
+  drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
+    const double a = uv.x() / kTube, out = std::max(0.0, 0.06 - uv.y());
+    return Vec3((kTube + out) * std::cos(a), (kTube + out) * std::sin(a),
+                0.41 + std::max(0.0, uv.y() - 0.06));
+  });
+  worn_ = relate(garment_, drape_.positions, body_);
+  maps_ = compute_maps(garment_, drape_, worn_);
+  body_.landmarks["under"] = {0, -kRadius, 0.36};
+  body_.landmarks["edge"] = {0, -kRadius, 0.40};
+  std::vector<UncoveredSite> uncovered;
+  const std::vector<Site> sites =
+      find_sites(garment_, drape_.positions, body_, worn_, maps_,
+                 {{"under", "", {}, "under"}, {"edge", "", {}, "edge"}}, false, &uncovered);
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites[0].name, "edge");
+  ASSERT_EQ(uncovered.size(), 1u);
+  EXPECT_EQ(uncovered[0].name, "under");
+  EXPECT_FALSE(uncovered[0].preset);
+  EXPECT_EQ(uncovered[0].why, "the garment ends 50 mm away from it");
+}
+
+TEST_F(Sites, ClothFarFromTheSkinCoversNone) {
+  EXPECT_EQ(find({{"mine", "tube", {0.1, 0.2}}}).at(0).not_covering, "");
+  for (Vec3& p : drape_.positions) p.x() += 0.3;
+  worn_ = relate(garment_, drape_.positions, body_);
+  maps_ = compute_maps(garment_, drape_, worn_);
+  EXPECT_NE(find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering.find("310 mm off the skin"),
+            std::string::npos)
+      << find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering;
+}
+
 }  // namespace
 }  // namespace loosefit

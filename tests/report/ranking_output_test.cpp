@@ -67,8 +67,8 @@ TEST(RankingText, OneSampleHasNoColumnsOfSpread) {
   t.sample_names = {"only"};
   const auto text = lines(ranking_text(t));
   EXPECT_EQ(text[0], "Plain sensor: 1 sample, passes from 0.5");
-  EXPECT_EQ(text[1], "rank  site  score  limited by");
-  EXPECT_EQ(text[2], "1     a     0.40   lifts off: 0.4, good from 1, fails at 0");
+  EXPECT_EQ(text[2], "rank  site  score  limited by");
+  EXPECT_EQ(text[3], "1     a     0.40   lifts off: 0.4, good from 1, fails at 0");
 }
 
 TEST(RankingText, OfAPartSaysThatScoresAreBounds) {
@@ -134,6 +134,46 @@ TEST(RankingFiles, AreWrittenOrRefused) {
   EXPECT_EQ(read("sewing-plan-plain.svg"), sewing_plan_svg(table(), shirt));
   std::filesystem::remove_all(folder);
   EXPECT_THROW(write_ranking(folder, table(), shirt), IoError);
+}
+
+TEST(RankingText, WhereNothingPassesOneSentenceSaysSo) {
+  RankingTable t = table();
+  t.scorecard.criteria[0].limit = {1, 0.9};
+  t.sites = {{"a", {{{"contact_ratio", 0.2}}}}, {"b", {{{"contact_ratio", 0.4}}}}};
+  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.sample_names = {"only"};
+  const auto text = lines(ranking_text(t));
+  EXPECT_EQ(
+      text[1],
+      "no site passes: b, the nearest to it, scores 0.00 of 0.5: lifts off: 0.4, good from 1, "
+      "fails at 0.9");
+  EXPECT_EQ(text[3].substr(0, 9), "-     b  ") << "no rank, shared or not, for what fails";
+  EXPECT_EQ(text[4].substr(0, 9), "-     a  ");
+  EXPECT_EQ(nlohmann::json::parse(ranking_json(t))["verdict"], text[1]);
+  EXPECT_EQ(ranking_verdict(table()), "");
+}
+
+TEST(RankingText, UncoveredSitesAreListedApart) {
+  RankingTable t = table();
+  t.uncovered = {{"mine", false, "the garment ends 243 mm away from it"}, {"wrist_L", true, "x"}};
+  const std::string text = ranking_text(t);
+  EXPECT_NE(text.find("note: not covered by the garment, so not ranked: mine (the garment ends 243 "
+                      "mm away from it)\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("note: presets that the garment does not cover: wrist_L\n"),
+            std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(ranking_json(t))["uncovered"][0]["name"], "mine");
+}
+
+TEST(RankingText, NamesFromFilesCannotMoveTheCursor) {
+  RankingTable t = table();
+  t.scorecard.title = "sensor\x1b[2J";
+  t.notes = {"note\nof two lines"};
+  t.uncovered = {{"site\x1b[31m", false, "far"}};
+  const std::string text = ranking_text(t);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_NE(text.find("note: note\\nof two lines\n"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -173,5 +173,33 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,,\n"), std::string::npos) << csv;
 }
 
+TEST(Summary, ClothIsNamedAfterItsConstants) {
+  CaseResult result = small_result();
+  result.scenario = parse_scenario("[material]\nthickness = 0.0004\n", "");
+  const auto json = nlohmann::json::parse(summary_json(result))["material"];
+  EXPECT_EQ(json["name"], "paper-cotton, changed: thickness");
+  EXPECT_EQ(json["constants"]["thickness"]["value"], 0.0004);
+  EXPECT_EQ(json["constants"]["thickness"]["unit"], "m");
+  EXPECT_EQ(json["constants"]["thickness"]["from"], "scenario");
+  EXPECT_EQ(json["constants"]["poisson"]["from"], "inherited from card paper-cotton");
+  EXPECT_EQ(json["constants"].size(), material_keys().size());
+}
+
+TEST(Summary, UncoveredSitesAreTold) {
+  CaseResult result = small_result();
+  result.sites[0].not_covering = "the cloth hangs 200 mm off the skin there";
+  result.uncovered_sites = {{"wrist_L", true, "far"}, {"mine", false, "the garment ends"}};
+  const auto json = nlohmann::json::parse(summary_json(result));
+  EXPECT_EQ(json["sites"]["a, \"b\""]["covered"], false);
+  EXPECT_EQ(json["uncovered_sites"]["mine"]["why"], "the garment ends");
+  EXPECT_EQ(json["uncovered_sites"]["wrist_L"]["preset"], true);
+  const std::string csv = sites_csv(result.sites, result.uncovered_sites);
+  EXPECT_NE(csv.find(",covered,why_not_covered\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",no,the cloth hangs 200 mm off the skin there\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nmine,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",no,the garment ends\n"), std::string::npos) << csv;
+  EXPECT_EQ(csv.find("wrist_L"), std::string::npos) << "presets are many";
+}
+
 }  // namespace
 }  // namespace loosefit

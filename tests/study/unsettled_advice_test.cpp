@@ -1,0 +1,71 @@
+#include "loosefit/study/unsettled_advice.h"
+
+#include <gtest/gtest.h>
+
+namespace loosefit {
+namespace {
+
+Drape cut_by(const std::string& part) {
+  Drape drape;
+  drape.certificate.stop_reason = "converged, but 3 triangle pairs cut the body";
+  drape.certificate.intersections_body = 3;
+  drape.unsettled.emplace();
+  CutTriangle cut;
+  cut.with = part;
+  cut.body = true;
+  drape.unsettled->cuts = {cut};
+  return drape;
+}
+
+std::string advice(const Scenario& scenario, const std::string& part = "left upper arm") {
+  return unsettled_advice(scenario, cut_by(part));
+}
+
+bool has(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
+
+TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
+  Scenario scenario = default_scenario();
+  EXPECT_TRUE(has(advice(scenario), "garment.fit"));
+  EXPECT_TRUE(has(advice(scenario), "body.posture"));
+  EXPECT_FALSE(has(advice(scenario, "left shank"), "arms"));
+  scenario.garment.size = "women-38";
+  EXPECT_FALSE(has(advice(scenario), "garment.fit"));
+  EXPECT_TRUE(has(advice(scenario), "garment.size"));
+  scenario.garment.size.clear();
+  scenario.garment.file = "/tmp/trousers.json";
+  EXPECT_FALSE(has(advice(scenario), "garment."));
+  scenario.body.file = "/tmp/scan.obj";
+  EXPECT_FALSE(has(advice(scenario), "posture"));
+  scenario.simulation.edge_length = 0.003;
+  EXPECT_FALSE(has(advice(scenario), "edge_length")) << "there is no smaller one";
+}
+
+TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
+  Drape drape = cut_by("torso");
+  drape.certificate.intersections_body = 0;
+  Scenario scenario = default_scenario();
+  EXPECT_TRUE(has(unsettled_advice(scenario, drape), "start_perturbation = 0.001"));
+  EXPECT_TRUE(has(unsettled_advice(scenario, drape), "body.dress_posture"));
+  scenario.body.file = "/tmp/scan.obj";
+  scenario.simulation.start_perturbation = 0.001;
+  EXPECT_FALSE(has(unsettled_advice(scenario, drape), "posture"));
+  EXPECT_TRUE(has(unsettled_advice(scenario, drape), "simulation.seed"));
+}
+
+TEST(UnsettledAdvice, MoreTimeDoesNotHelpWhatFalls) {
+  Drape drape = cut_by("torso");
+  Scenario scenario = default_scenario();
+  scenario.garment.file = "/tmp/trousers.json";
+  drape.certificate.stop_reason = "the cloth falls freely: it touches the body nowhere";
+  EXPECT_TRUE(has(unsettled_advice(scenario, drape), "place the panels"));
+  drape.certificate.stop_reason =
+      "panel belt is sewn to nothing that stays on the body and falls freely";
+  EXPECT_TRUE(has(unsettled_advice(scenario, drape), "stitch"));
+  drape.certificate.stop_reason = "time budget";
+  EXPECT_EQ(unsettled_advice(scenario, drape), "raise simulation.time_budget");
+}
+
+}  // namespace
+}  // namespace loosefit
