@@ -165,12 +165,13 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   const std::string csv = sites_csv(result.sites);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "name,region,panel,u_m,v_m,x_m,y_m,z_m,angle_deg,body_segment,body_side,body_x_percent,"
-            "body_y_percent,body_z_percent,distance_mm,distance_mm_worst");
+            "body_y_percent,body_z_percent,distance_mm,distance_mm_worst,covered,why_not_covered");
   EXPECT_NE(
-      csv.find("\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,6.5,8\n"),
+      csv.find(
+          "\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,6.5,8,yes,\n"),
       std::string::npos)
       << csv;
-  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,,\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,,,yes,\n"), std::string::npos) << csv;
 }
 
 TEST(Summary, ClothIsNamedAfterItsConstants) {
