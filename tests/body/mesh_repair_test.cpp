@@ -86,7 +86,9 @@ TEST(MeshRepair, AFilledHoleClosesTheSurfaceAsItWas) {
       const EdgeReport edges = inspect_edges(mesh);
       EXPECT_EQ(edges.open + edges.crowded, 0) << missing << ' ' << count;
       EXPECT_EQ(orient_consistently(mesh), Orientation::consistent);
-      if (count < 4) EXPECT_NEAR(enclosed_volume(mesh), 1, 1e-12);
+      if (count < 4) {
+        EXPECT_NEAR(enclosed_volume(mesh), 1, 1e-12);
+      }
     }
   }
 }

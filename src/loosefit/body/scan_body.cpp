@@ -65,6 +65,22 @@ double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) 
   return 0.019 * height * (abduction - 25) / 16;
 }
 
+// Where the arm is usually fullest or, where trunk and arm are one there, below. The rings of the
+// arm go round the arm alone, if a little aslant.
+double upper_arm_girth(const TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
+                       const LimbChain& arm) {
+  constexpr double kAboveElbow = 0.8, kAslant = 1.3;
+  double widest = 0;
+  for (const auto& ring : arm.rings)
+    if (ring.centre.z() < arm.parted.z() || &ring == &arm.rings.back())
+      widest = std::max(widest, ring.length);
+  for (double t = 0.3; t < kAboveElbow; t += 0.05) {
+    const double girth = girth_round(mesh, shoulder + t * (elbow - shoulder), elbow - shoulder);
+    if (girth < kAslant * widest) return girth;
+  }
+  return widest;
+}
+
 void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body& body) {
   const char* names[2] = {"_L", "_R"};
   for (std::size_t side = 0; side < 2; ++side) {
@@ -106,6 +122,13 @@ void tell_what_touches(const ScanSections& s, const ScanLimbs& limbs,
   }
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
     const LimbChain& arm = limbs.arm[side];
+    if (arm.fold.z() > arm.parted.z()) {
+      warnings.push_back(fmt::format(
+          "the {} arm and the trunk are one surface down to {:.2f} m above the floor: the armpit "
+          "is "
+          "taken at {:.2f} m, 0.745 of the height, and the chest is what lies between the arms",
+          side == 0 ? "left" : "right", arm.parted.z(), arm.fold.z()));
+    }
     if (!arm.touches) continue;
     warnings.push_back(fmt::format(
         "the {} hand has grown together with the body {:.2f} m above the floor: wrist and hand are "
@@ -184,12 +207,12 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   const ArmLine& arm = arms[0];
   const Vec3 shoulder = arm.points.front(), elbow = arm.elbow(), wrist = arm.wrist();
   m["height"] = s.height;
-  m["chest"] = trunk_girth(surface, s.chest);
+  m["chest"] = s.chest_girth;
   m["waist"] = trunk_girth(surface, s.waist);
   m["hip"] = trunk_girth(surface, s.hip);
   m["mid_neck"] = trunk_girth(surface, s.neck);
   m["neck"] = neck_base_girth(hps[0], hps[1], c7, pit);
-  m["upper_arm"] = girth_round(surface, shoulder + 0.3 * (elbow - shoulder), elbow - shoulder);
+  m["upper_arm"] = upper_arm_girth(surface, shoulder, elbow, limbs.arm[0]);
   m["forearm"] = girth_round(surface, elbow + 0.25 * (wrist - elbow), wrist - elbow);
   m["wrist"] =
       girth_round(surface, wrist, arm.at(arm.wrist_share + 0.02) - arm.at(arm.wrist_share - 0.04));

@@ -203,7 +203,25 @@ LimbChain chain_of(const LoopTree& tree, int top, int other, const TriangleMesh&
   return chain;
 }
 
+constexpr double kLowFold = 0.725, kUsualFold = 0.745;  // shares of the stature
+
+void raise_fold(LimbChain& arm, double height) {
+  arm.parted = arm.fold;
+  if (!arm.found() || arm.fold.z() > kLowFold * height || raised_deg(arm) > 45) return;
+  const std::size_t last = arm.rings.size() - 1;
+  const Vec3 axis = arm.rings[std::min<std::size_t>(last, 16)].centre -
+                    arm.rings[std::min<std::size_t>(last, 3)].centre;
+  arm.fold += axis / axis.z() * (kUsualFold * height - arm.fold.z());
+}
+
 }  // namespace
+
+double raised_deg(const LimbChain& arm) {
+  const std::size_t last = arm.rings.size() - 1;
+  const Vec3 axis = arm.rings[std::min<std::size_t>(last, 16)].centre -
+                    arm.rings[std::min<std::size_t>(last, 3)].centre;
+  return degrees(std::atan2(std::hypot(axis.x(), axis.y()), -axis.z()));
+}
 
 ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
   const double step = kStep * height;
@@ -266,6 +284,7 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
       }
     }
   }
+  for (auto& arm : found.arm) raise_fold(arm, height);
   return found;
 }
 

@@ -16,10 +16,12 @@ struct LimbChain {
     double length = 0;  ///< round the limb [m]
     double reach = 0;   ///< way over the skin from the crown [m]
   };
-  std::vector<Ring> rings;   ///< empty when the limb was not found
-  Vec3 fold = Vec3::Zero();  ///< where it parts from the trunk: armpit, crotch
-  Vec3 tip = Vec3::Zero();   ///< its farthest point
-  bool touches = false;      ///< its end is grown together with something else
+  std::vector<Ring> rings;     ///< empty when the limb was not found
+  Vec3 fold = Vec3::Zero();    ///< armpit, crotch
+  Vec3 parted = Vec3::Zero();  ///< where the surface parts; of arms grown together with the trunk
+                               ///< this lies below the fold
+  Vec3 tip = Vec3::Zero();     ///< its farthest point
+  bool touches = false;        ///< its end is grown together with something else
   bool found() const { return !rings.empty(); }
 };
 
@@ -33,7 +35,12 @@ struct ScanLimbs {
   std::array<LimbChain, 2> arm, leg;
 };
 
+/// How far an upper arm is raised from hanging down [°].
+double raised_deg(const LimbChain& arm);
+
 /// `mesh` closed, z up, facing -y, floor at z = 0. What is not found has an empty chain.
+/// Hanging arms that part from the trunk lower than any armpit lies have grown together with it:
+/// their fold is put where armpits usually are, 0.745 of the stature, along the inside of the arm.
 ScanLimbs find_limbs(const TriangleMesh& mesh, double height);
 
 }  // namespace loosefit

@@ -13,7 +13,7 @@ namespace loosefit {
 namespace {
 
 // Shares of the stature between which folds of standing people lie.
-constexpr double kLowestArmpit = 0.62, kHighestArmpit = 0.88;
+constexpr double kLowestArmpit = 0.60, kHighestArmpit = 0.88;
 constexpr double kLowestCrotch = 0.38, kHighestCrotch = 0.56;
 
 Vec3 centroid(const SectionLoop& loop) {
@@ -47,6 +47,21 @@ Limb limb_of(const SectionLoop& loop, const std::vector<Limb>& limbs) {
     for (const int v : e) ++votes[std::size_t(limbs[std::size_t(v)])];
   }
   return Limb(std::max_element(votes.begin(), votes.end()) - votes.begin());
+}
+
+/// The points of a section of the trunk that are not on arms which have grown together with it.
+std::vector<Vec3> without_grown_arms(std::vector<Vec3> points, const ScanLimbs& limbs) {
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+    const LimbChain& arm = limbs.arm[side];
+    const double sign = side == 0 ? 1 : -1, rise = arm.fold.z() - arm.parted.z();
+    if (rise <= 0) continue;
+    std::erase_if(points, [&](const Vec3& p) {
+      const double share = (p.z() - arm.parted.z()) / rise;
+      return share > 0 && share < 1 &&
+             sign * p.x() > sign * (arm.parted.x() + share * (arm.fold.x() - arm.parted.x()));
+    });
+  }
+  return points;
 }
 
 /// Arms may be several loops each, fingers; legs are one, below them toes are left out. At the top
@@ -102,7 +117,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
     if (length[side] > 0) slice.arm[side] = sum[side] / length[side];
   if (trunk) {
     slice.trunk = centroid(*trunk);
-    slice.girth = hull_perimeter(trunk->points, Vec3::UnitZ());
+    slice.girth = hull_perimeter(without_grown_arms(trunk->points, limbs), Vec3::UnitZ());
     const auto [low, high] = x_range(*trunk);
     slice.trunk_side = {std::abs(high), std::abs(low)};
   }
@@ -118,14 +133,6 @@ constexpr char kHowToStand[] =
 
 constexpr double kHanging = 60;  // arms raised less are apart from the trunk in level cuts [°]
 
-/// How far the upper arm is raised from hanging down [°].
-double raised_deg(const LimbChain& arm) {
-  const std::size_t last = arm.rings.size() - 1;
-  const Vec3 axis = arm.rings[std::min<std::size_t>(last, 16)].centre -
-                    arm.rings[std::min<std::size_t>(last, 3)].centre;
-  return degrees(std::atan2(std::hypot(axis.x(), axis.y()), -axis.z()));
-}
-
 /// A scan whose arms are told from the trunk.
 void require_arms(const ScanLimbs& limbs, double height) {
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
@@ -138,12 +145,12 @@ void require_arms(const ScanLimbs& limbs, double height) {
                       name),
           kHowToStand);
     }
-    if (arm.fold.z() < kLowestArmpit * height || arm.fold.z() > kHighestArmpit * height) {
+    if (arm.parted.z() < kLowestArmpit * height || arm.parted.z() > kHighestArmpit * height) {
       throw GeometryError(
           fmt::format("found the {0} arm parting from the body {1:.2f} m above the floor, expected "
                       "the armpit at {2:.2f} to {3:.2f} m: {4}",
-                      name, arm.fold.z(), kLowestArmpit * height, kHighestArmpit * height,
-                      arm.fold.z() < kLowestArmpit * height
+                      name, arm.parted.z(), kLowestArmpit * height, kHighestArmpit * height,
+                      arm.parted.z() < kLowestArmpit * height
                           ? "above that, arm and trunk are one surface"
                           : "this is hardly a standing person with the arms lowered"),
           kHowToStand);
@@ -180,12 +187,14 @@ ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
   found.crotch = crotch.z();
   found.crotch_x = crotch.x();
 
+  const bool grown = limbs.arm[0].fold.z() > limbs.arm[0].parted.z() ||
+                     limbs.arm[1].fold.z() > limbs.arm[1].parted.z();
   found.armpit = 0.5 * (limbs.arm[0].fold.z() + limbs.arm[1].fold.z());
   const double raised = std::max(raised_deg(limbs.arm[0]), raised_deg(limbs.arm[1]));
   if (raised > kHanging) {
     // The armpit rises with the arm; levels of the trunk are counted from where it would be.
     found.armpit -= 0.022 * h * (raised - kHanging) / (90 - kHanging);
-  } else {
+  } else if (!grown) {
     for (int i = int(kHighestArmpit * kSliceCount); i > int(kLowestArmpit * kSliceCount); --i) {
       if (!arms_apart(found.slices[std::size_t(i)])) continue;
       const double level = found.slices[std::size_t(i)].z;
@@ -197,6 +206,8 @@ ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
   found.hip = extreme_girth(found.slices, found.crotch + 0.01 * h, found.crotch + 0.10 * h, 1);
   found.waist = extreme_girth(found.slices, found.hip + 0.05 * h, found.chest - 0.05 * h, -1);
   found.neck = extreme_girth(found.slices, found.armpit + 0.08 * h, found.armpit + 0.13 * h, -1);
+  const int level = std::clamp(int(found.chest / h * kSliceCount), 0, kSliceCount - 1);
+  found.chest_girth = found.slices[std::size_t(level)].girth;
   return found;
 }
 

@@ -46,6 +46,10 @@ bool on_shoulder(const ScanSections& s, const LimbChain& chain, const ArmLine& a
   const Vec3& shoulder = arm.points.front();
   const double to = sign * shoulder.x() - 0.034 * s.height;
   const double top = shoulder.z() + 0.022 * s.height, low = chain.fold.z();
+  if (p.z() < low && p.z() > chain.parted.z()) {  // grown together with the trunk
+    const double share = (p.z() - chain.parted.z()) / (low - chain.parted.z());
+    return x > sign * chain.parted.x() + share * (fold_x - sign * chain.parted.x());
+  }
   if (p.z() < low || p.z() > top + 0.03 * s.height || !(top > low)) return false;
   return x > fold_x + std::min(1., (p.z() - low) / (top - low)) * (to - fold_x);
 }
