@@ -189,7 +189,7 @@ TEST(ScanBody, RefusesTwoPeopleAndDropsCrumbs) {
   EXPECT_THROW(check_surface(add(one, one, 1, 0.05), {"two.obj", "m", "z"}), GeometryError);
   const CheckedSurface checked = check_surface(add(one, one, 0.02, 0.6), {"crumb.obj", "m", "z"});
   EXPECT_EQ(checked.mesh.vertices.size(), one.vertices.size());
-  EXPECT_TRUE(mentions(checked.warnings, "1 small separate pieces dropped"));
+  EXPECT_TRUE(mentions(checked.warnings, "1 small separate piece dropped"));
 }
 
 TEST(ScanBody, RefusesAnImpossibleSize) {

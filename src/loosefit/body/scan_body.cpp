@@ -237,7 +237,13 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   return made;
 } catch (const GeometryError& error) {  // of a tape or section, which does not know the file
   if (!error.place().file.empty()) throw;
-  throw GeometryError(error.at({options.file, 0, ""}));
+  if (!error.hint().empty()) throw GeometryError(error.at({options.file, 0, ""}));
+  throw GeometryError({options.file, 0, ""},
+                      std::string("a place where a tape does not close round the limb or trunk (") +
+                          error.what() + ")",
+                      "a standing person whose arms are free of the trunk",
+                      "look for folds, gaps and surfaces that pass through each other at the "
+                      "shoulders, or make a body from measures instead");
 }
 
 }  // namespace loosefit

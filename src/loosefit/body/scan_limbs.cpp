@@ -205,9 +205,21 @@ LimbChain chain_of(const LoopTree& tree, int top, int other, const TriangleMesh&
 
 constexpr double kLowFold = 0.725, kUsualFold = 0.745;  // shares of the stature
 
-void raise_fold(LimbChain& arm, double height) {
+/// Whether a level cut just below where armpits usually are shows the arm beside the trunk.
+bool apart_at_armpit(const TriangleMesh& mesh, double sign, double height) {
+  const auto loops = plane_section(mesh, Vec3(0, 0, (kUsualFold - 0.01) * height), Vec3::UnitZ());
+  const SectionLoop* trunk = trunk_loop(loops);
+  return std::any_of(loops.begin(), loops.end(), [&](const SectionLoop& loop) {
+    return &loop != trunk && loop.length > 0.08 * height &&
+           sign * centre_of(loop).x() > 0.06 * height;
+  });
+}
+
+void raise_fold(const TriangleMesh& mesh, LimbChain& arm, double sign, double height) {
   arm.parted = arm.fold;
-  if (!arm.found() || arm.fold.z() > kLowFold * height || raised_deg(arm) > 45) return;
+  if (!arm.found() || arm.fold.z() > kLowFold * height || raised_deg(arm) > 45 ||
+      apart_at_armpit(mesh, sign, height))
+    return;
   const std::size_t last = arm.rings.size() - 1;
   const Vec3 axis = arm.rings[std::min<std::size_t>(last, 16)].centre -
                     arm.rings[std::min<std::size_t>(last, 3)].centre;
@@ -284,7 +296,8 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
       }
     }
   }
-  for (auto& arm : found.arm) raise_fold(arm, height);
+  raise_fold(mesh, found.arm[0], 1, height);
+  raise_fold(mesh, found.arm[1], -1, height);
   return found;
 }
 
