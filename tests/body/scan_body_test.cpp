@@ -253,6 +253,7 @@ TEST(ScanBody, TellsLimbsApartInEveryPosture) {
       for (const char* joint : {"shoulder_L", "shoulder_R", "hip_L", "hip_R"})
         EXPECT_LT((found.joints.at(joint) - known.joints.at(joint) - move).norm(), joint_off)
             << joint << ' ' << p.height << " m, arms at " << raised;
+      EXPECT_NEAR(found.measured.at("upper_arm"), known.measured.at("upper_arm"), 0.03) << raised;
       EXPECT_GT(found.joints.at("hip_L").x(), 0.04);
       EXPECT_LT(found.joints.at("hip_R").x(), -0.04);
     }

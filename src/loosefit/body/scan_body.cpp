@@ -68,11 +68,11 @@ double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) 
 // Where the arm is usually fullest or, where trunk and arm are one there, below. The rings of the
 // arm go round the arm alone, if a little aslant.
 double upper_arm_girth(const TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
-                       const LimbChain& arm) {
+                       const LimbChain& arm, double stature) {
   constexpr double kAboveElbow = 0.8, kAslant = 1.3;
   double widest = 0;
   for (const auto& ring : arm.rings)
-    if (ring.centre.z() < arm.parted.z() || &ring == &arm.rings.back())
+    if (ring.reach >= arm.rings.front().reach + 0.03 * stature)
       widest = std::max(widest, ring.length);
   for (double t = 0.3; t < kAboveElbow; t += 0.05) {
     const double girth = girth_round(mesh, shoulder + t * (elbow - shoulder), elbow - shoulder);
@@ -212,7 +212,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   m["hip"] = trunk_girth(surface, s.hip);
   m["mid_neck"] = trunk_girth(surface, s.neck);
   m["neck"] = neck_base_girth(hps[0], hps[1], c7, pit);
-  m["upper_arm"] = upper_arm_girth(surface, shoulder, elbow, limbs.arm[0]);
+  m["upper_arm"] = upper_arm_girth(surface, shoulder, elbow, limbs.arm[0], s.height);
   m["forearm"] = girth_round(surface, elbow + 0.25 * (wrist - elbow), wrist - elbow);
   m["wrist"] =
       girth_round(surface, wrist, arm.at(arm.wrist_share + 0.02) - arm.at(arm.wrist_share - 0.04));
