@@ -100,11 +100,9 @@ void print_result(const CaseResult& result, const std::string& folder) {
              certificate.intersections_body, certificate.intersections_self,
              terminal_line(certificate.stop_reason));
   if (certificate.worn())
-    fmt::print("worn: every limb goes through its opening, and no opening has left its place
-");
+    fmt::print("worn: every limb goes through its opening, and no opening has left its place\n");
   else
-    fmt::print("NOT WORN: {}
-", terminal_line(join(certificate.worn_reasons, "; ")));
+    fmt::print("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));
   if (const auto& unsettled = result.drape.unsettled)
     fmt::print("because {}\nhint: {}\n", terminal_line(unsettled->why),
                terminal_line(unsettled->hint));

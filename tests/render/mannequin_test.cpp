@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/body/surface_topology.h"
 #include "support/body_fixture.h"
@@ -148,7 +149,7 @@ TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
     const Vec3 axis = (body.joints.at("neck") - hips).normalized();
     const std::vector<Vec3> positions = tube_round(tube, hips, axis);
     TriangleMesh form = mannequin(body, tube, positions);
-    weld(form, 1e-9);
+    weld_seams(form, 1e-9);
     std::map<std::pair<int, int>, int> faces;
     for (const Triangle& t : form.triangles)
       for (int k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
