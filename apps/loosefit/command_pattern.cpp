@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/one_line.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/measures_file.h"
@@ -24,6 +27,8 @@ namespace {
 
 struct Wish {
   std::string file, size, body, scenario, out;
+  std::string kind = shirt_kinds().front();
+  bool kind_given = false;
   bool list_sizes = false;
   std::map<std::string, std::optional<double>> measures, fit;
 };
@@ -51,7 +56,15 @@ std::map<std::string, double ShirtFit::*> fit_fields() {
           {"neck-ease", &ShirtFit::neck_ease},
           {"scye-ease", &ShirtFit::scye_ease},
           {"shoulder-follow", &ShirtFit::shoulder_follow},
-          {"cap-ease", &ShirtFit::cap_ease}};
+          {"cap-ease", &ShirtFit::cap_ease},
+          {"sleeve-length", &ShirtFit::sleeve_length}};
+}
+
+/// The name in a scenario of what an option sets: "fit-chest" and "neck-ease" are chest, neck_ease.
+std::string scenario_name(std::string option) {
+  if (option.starts_with("fit-")) option.erase(0, 4);
+  std::replace(option.begin(), option.end(), '-', '_');
+  return option;
 }
 
 bool any(const std::map<std::string, std::optional<double>>& wishes) {
@@ -65,22 +78,59 @@ struct Made {
   Pattern pattern;
   std::optional<ShirtMeasures> body;
   std::optional<ShirtDraftReport> draft;
+  std::optional<double> cuff_on;  ///< girth of the arm where a short sleeve ends [m]
   std::vector<std::string> warnings;
 };
+
+/// Measures that the user gave over those of a body; their keys go into `asked`.
+void override_measures(const Wish& wish, ShirtMeasures& measures, std::set<std::string>& asked) {
+  for (const auto& [name, field] : measure_fields())
+    if (const auto& value = wish.measures.at(name)) {
+      measures.*field = *value;
+      asked.insert("measures." + scenario_name(name));
+    }
+  if (const auto& slope = wish.measures.at("shoulder-slope-deg")) {
+    measures.shoulder_slope = radians(*slope);
+    asked.insert("measures.shoulder_slope");
+  }
+}
+
+/// What a scenario with these options would ask for.
+ScenarioGarment garment_of(const Wish& wish) {
+  ScenarioGarment garment;
+  garment.pattern = wish.kind;
+  garment.fit = usual_fit(wish.kind);
+  garment.size = wish.size;
+  garment.adapt = shirt_fit_names();
+  const auto given = [&](const std::string& option) {
+    std::erase(garment.adapt, scenario_name(option));
+  };
+  for (const auto& [name, field] : fit_fields())
+    if (const auto& value = wish.fit.at(name)) garment.fit.*field = *value, given(name);
+  garment.fit.waist = wish.fit.at("fit-waist");
+  if (garment.fit.waist) given("fit-waist");
+  return garment;
+}
 
 Made make(const Wish& wish) {
   Made made;
   const int sources = !wish.file.empty() + !wish.size.empty() + !wish.scenario.empty();
-  if (sources > 1 || (sources == 1 && any(wish.fit)))
+  const bool fixed = !wish.file.empty() || !wish.scenario.empty();
+  if (sources > 1 || (sources == 1 && any(wish.fit)) || (fixed && wish.kind_given))
     throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
                        "one of --file, --size, --scenario, or measures with a fit");
-  ShirtMeasures measures;
-  if (!wish.body.empty()) measures = read_measures(wish.body);
-  for (const auto& [name, field] : measure_fields())
-    if (const auto& value = wish.measures.at(name)) measures.*field = *value;
-  if (const auto& slope = wish.measures.at("shoulder-slope-deg"))
-    measures.shoulder_slope = radians(*slope);
+  const ScenarioGarment garment = garment_of(wish);
+  if (!wish.size.empty() && !garment_size(wish.size))
+    throw InvalidInput({{}, 0, "--size"}, '"' + printable(wish.size) + '"', "a garment size",
+                       did_you_mean(wish.size, garment_size_names()));
   const bool has_body = !wish.body.empty() || any(wish.measures);
+  ShirtMeasures measures;
+  std::set<std::string> asked;
+  if (!wish.body.empty())
+    measures = read_measures(wish.body);
+  else if (wish.scenario.empty() && wish.size.empty() && (wish.file.empty() || has_body))
+    measures = shirt_measures(make_body(default_scenario().body).body);
+  override_measures(wish, measures, asked);
 
   if (!wish.file.empty()) {
     PatternFile file = read_garmentcode(wish.file);
@@ -89,19 +139,8 @@ Made make(const Wish& wish) {
     if (has_body) made.body = measures;
     return made;
   }
-  made.draft.emplace();
-  if (!wish.size.empty()) {
-    const auto size = garment_size(wish.size);
-    if (!size)
-      throw InvalidInput({{}, 0, "--size"}, '"' + printable(wish.size) + '"', "a garment size",
-                         did_you_mean(wish.size, garment_size_names()));
-    made.pattern = draft_shirt(size->body, size->fit, &*made.draft);
-    made.body = has_body ? measures : size->body;
-    return made;
-  }
   if (!wish.scenario.empty()) {
     const Scenario scenario = read_scenario(wish.scenario);
-    made.draft.reset();
     try {
       const Body body = make_body(scenario.body).body;
       CasePattern result = make_pattern(scenario.garment, body);
@@ -113,12 +152,15 @@ Made make(const Wish& wish) {
     }
     return made;
   }
-  ShirtFit fit;
-  for (const auto& [name, field] : fit_fields())
-    if (const auto& value = wish.fit.at(name)) fit.*field = *value;
-  fit.waist = wish.fit.at("fit-waist");
-  made.pattern = draft_shirt(measures, fit, &*made.draft);
-  made.body = measures;
+  AdaptedShirt shirt = draft_garment(garment, measures, asked);
+  made.pattern = std::move(shirt.pattern);
+  made.warnings = std::move(shirt.notes);
+  made.draft = shirt.report;
+  if (wish.size.empty())
+    made.body = measures;
+  else
+    made.body = has_body ? measures : garment_size(wish.size)->body;
+  if (shirt.fit.sleeve_length < 1) made.cuff_on = arm_girth_at(*made.body, shirt.fit.sleeve_length);
   return made;
 }
 
@@ -140,8 +182,9 @@ void print_girths(const Made& made) {
       fmt::print("{:<10} {:>9} {:>11.4f} {:>8}\n", level, "", girth->second, "");
       continue;
     }
-    const double body = *made.body.*body_girth.at(level);
-    fmt::print("{:<10} {:>9.4f} {:>11.4f} {:>+8.4f}\n", level, body, girth->second,
+    const bool cuff = std::string(level) == "wrist" && made.cuff_on;
+    const double body = cuff ? *made.cuff_on : *made.body.*body_girth.at(level);
+    fmt::print("{:<10} {:>9.4f} {:>11.4f} {:>+8.4f}\n", cuff ? "cuff" : level, body, girth->second,
                girth->second / body - 1);
   }
   fmt::print("\n");
@@ -221,17 +264,26 @@ void add_pattern_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "pattern", "draft the shirt from measures, a body or a size, or read a pattern file");
   auto wish = std::make_shared<Wish>();
+  command
+      ->add_option_function<std::string>(
+          "--pattern",
+          [wish](const std::string& kind) { wish->kind = kind, wish->kind_given = true; },
+          join(shirt_kinds()) + "; default " + shirt_kinds().front())
+      ->check(CLI::IsMember(shirt_kinds()));
   command->add_option("--file", wish->file, "GarmentCode specification JSON instead of the draft");
   command->add_option("--size", wish->size, "garment size, e.g. child-142, women-38, men-M");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
-  command->add_option("--body", wish->body, "body.json of `loosefit body`, or JSON with measures");
+  command->add_option("--body", wish->body,
+                      "body.json of `loosefit body`, or JSON with measures; default: the body of a "
+                      "scenario without [body]");
   command->add_option("--scenario", wish->scenario, "body and garment of a scenario file");
   for (const auto& [name, field] : measure_fields())
     command->add_option("--" + name, wish->measures[name], "of the body [m]");
   command->add_option("--shoulder-slope-deg", wish->measures["shoulder-slope-deg"],
                       "of the body [degrees]");
   for (const auto& [name, field] : fit_fields()) wish->fit[name];
-  const char* mobility = "body-garment mobility: garment girth / body girth - 1";
+  const char* mobility =
+      "body-garment mobility: garment girth / body girth - 1; as [garment.fit] of a scenario";
   for (const char* name : {"fit-chest", "fit-waist", "fit-hip", "fit-sleeve", "fit-wrist"})
     command->add_option(std::string("--") + name, wish->fit[name], mobility);
   command->add_option("--neck-ease", wish->fit["neck-ease"], "share added to the neck width");
@@ -239,6 +291,8 @@ void add_pattern_command(CLI::App& app) {
   command->add_option("--shoulder-follow", wish->fit["shoulder-follow"],
                       "share of a loose chest that widens the shoulders");
   command->add_option("--cap-ease", wish->fit["cap-ease"], "cap longer than the armhole, share");
+  command->add_option("--sleeve-length", wish->fit["sleeve-length"],
+                      "from the shoulder point to the hem of the sleeve, as a share of the arm");
   command->add_option("-o,--output", wish->out, "folder for pattern.json and pattern.svg");
   command->callback([wish] { run(*wish); });
 }

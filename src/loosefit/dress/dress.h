@@ -7,7 +7,8 @@
 
 namespace loosefit {
 
-/// Whether the garment has the panels and edges of the built-in shirt (pattern/shirt_draft.h).
+/// Whether the garment has all parts of the built-in shirt (pattern/shirt_parts.h), whatever its
+/// panels are called.
 bool is_shirt(const Garment& garment);
 
 /// First positions of a shirt round a body [m]: seen from the front every panel is laid out flat

@@ -40,7 +40,7 @@ void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector
 /// vertex that the chain shares with it.
 class Panel2d {
  public:
-  Panel2d(const Garment& g, const std::string& name) : g_(g), name_(name) {}
+  Panel2d(const Garment& g, const std::string& part) : g_(g), part_(part) {}
   void lay(const std::string& edge, const std::string& first_neighbour,
            const std::vector<Vec2>& line) {
     const auto* chain = chain_of(edge);
@@ -53,13 +53,13 @@ class Panel2d {
 
  private:
   const Garment::EdgeChain* chain_of(const std::string& edge) const {
-    const auto* chain = g_.find_chain(name_, edge);
+    const auto* chain = g_.find_part(part_, edge);
     if (!chain || chain->vertices.size() < 2)
-      throw GeometryError("pattern: panel " + name_ + " has no edge " + edge);
+      throw GeometryError("pattern: the " + part_ + " of the shirt has no edge " + edge);
     return chain;
   }
   const Garment& g_;
-  std::string name_;
+  std::string part_;
 };
 
 }  // namespace
@@ -68,10 +68,10 @@ bool is_shirt(const Garment& garment) {
   for (const char* panel : {"front", "back"})
     for (const char* edge :
          {"hem", "side_L", "side_R", "armhole_L", "armhole_R", "shoulder_L", "shoulder_R", "neck"})
-      if (!garment.find_chain(panel, edge)) return false;
+      if (!garment.find_part(panel, edge)) return false;
   for (const char* panel : {"sleeve_L_front", "sleeve_L_back", "sleeve_R_front", "sleeve_R_back"})
     for (const char* edge : {"top", "cuff", "under", "cap"})
-      if (!garment.find_chain(panel, edge)) return false;
+      if (!garment.find_part(panel, edge)) return false;
   return garment.panel_names.size() == 6;
 }
 
@@ -83,7 +83,7 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
   std::vector<int> sheets(g.vertex_count, 0);  // bit 0: front, bit 1: back
   std::vector<Vec2> place(g.vertex_count, Vec2::Zero());
   for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
-    const std::string& name = g.panel_names[p];
+    const std::string& name = g.panel_parts[p];
     Panel2d panel(g, name);
     const bool is_back = name.find("back") != std::string::npos;
     if (name == "front" || name == "back") {
@@ -108,7 +108,8 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const ShirtRoom&
     const auto layout = lay_flat(g, p, panel.outline);
     // Seen from the front the outside of a front panel faces us: counter-clockwise in (x, z).
     if (count_turned_over(g, p, layout, is_back ? -1 : 1) > 0)
-      throw NoRoom("panel " + name + " cannot be laid over the body without folding over");
+      throw NoRoom("panel " + g.panel_names[p] +
+                   " cannot be laid over the body without folding over");
     for (const auto& [v, q] : layout) {
       place[v] = q;
       sheets[v] |= is_back ? 2 : 1;

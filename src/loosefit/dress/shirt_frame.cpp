@@ -47,7 +47,7 @@ double flat_length(const Garment& g, const Garment::EdgeChain& chain) {
 double flat_height(const Garment& g) {
   double lower = 1e9, upper = -1e9;
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
-    if (g.panel_names[g.triangle_panel[t]] == "front")
+    if (g.panel_parts[g.triangle_panel[t]] == "front")
       for (const Vec2& p : g.triangle_uv[t]) {
         lower = std::min(lower, p[1]);
         upper = std::max(upper, p[1]);
@@ -145,7 +145,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   half.armpit = armpit + bisector * (0.6 * clearance / std::sin(angle / 2));
 
   // Cuff: as far along the arm as the sleeve is long, beyond the wrist if need be.
-  const auto* top = g.find_chain(side > 0 ? "sleeve_L_front" : "sleeve_R_front", "top");
+  const auto* top = g.find_part(side > 0 ? "sleeve_L_front" : "sleeve_R_front", "top");
   const double length = top ? flat_length(g, *top) : 0.55;
   const double upper_arm = (elbow3 - shoulder3).norm(), forearm = (wrist3 - elbow3).norm();
   const Vec2 fore = (wrist - elbow).normalized();
@@ -204,7 +204,7 @@ ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline
   ShirtFrame frame{half_frame(shirt, body, outline, clearance, +1),
                    half_frame(shirt, body, outline, clearance, -1),
                    {}};
-  const auto* neck = shirt.find_chain("front", "neck");
+  const auto* neck = shirt.find_part("front", "neck");
   frame.front_neck = front_neckline(frame.left.neck, frame.right.neck,
                                     neck ? flat_length(shirt, *neck) : 0, chin_height(body));
   return frame;

@@ -17,8 +17,9 @@ struct Garment {
       triangle_uv;                  ///< pattern coordinates of the corners [m]: u weft, v warp
   std::vector<int> triangle_panel;  ///< index into panel_names
   std::vector<std::string> panel_names;
-  std::vector<int> vertex_panel;  ///< lowest panel index touching the vertex
-  std::vector<Vec2> vertex_uv;    ///< pattern position in that panel [m]
+  std::vector<std::string> panel_parts;  ///< Panel::part of each; empty: of no draft
+  std::vector<int> vertex_panel;         ///< lowest panel index touching the vertex
+  std::vector<Vec2> vertex_uv;           ///< pattern position in that panel [m]
 
   std::vector<double> vertex_mass;  ///< lumped: fabric, attachments, seams [kg]
   std::vector<double>
@@ -32,6 +33,7 @@ struct Garment {
     int panel = 0;
     int edge = 0;      ///< index into Panel::edges
     std::string name;  ///< PanelEdge::name
+    std::string part;  ///< PanelEdge::part
     std::vector<int> vertices;
   };
   std::vector<EdgeChain> edge_chains;  ///< every edge of every panel
@@ -41,6 +43,8 @@ struct Garment {
 
   /// Chain of `panel`/`edge` by name; nullptr if there is none.
   const EdgeChain* find_chain(const std::string& panel, const std::string& edge) const;
+  /// The same by what panel and edge are in the draft (Panel::part), whatever they are called.
+  const EdgeChain* find_part(const std::string& panel, const std::string& edge) const;
 };
 
 }  // namespace loosefit

@@ -118,6 +118,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
   const std::vector<int> sign = panel_signs(pattern);
   for (int p = 0; p < panels; ++p) {
     g.panel_names.push_back(pattern.panels[p].name);
+    g.panel_parts.push_back(pattern.panels[p].part);
     for (std::size_t i = 0; i < meshes[p].vertices.size(); ++i) {
       const int v = sewn.vertex_of[p][i];
       if (g.vertex_panel[v] >= 0) continue;
@@ -141,7 +142,8 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
       g.triangle_panel.push_back(p);
     }
     for (std::size_t e = 0; e < meshes[p].edge_vertices.size(); ++e) {
-      Garment::EdgeChain chain{p, static_cast<int>(e), pattern.panels[p].edges[e].name, {}};
+      const PanelEdge& edge = pattern.panels[p].edges[e];
+      Garment::EdgeChain chain{p, static_cast<int>(e), edge.name, edge.part, {}};
       for (const int i : meshes[p].edge_vertices[e]) chain.vertices.push_back(sewn.vertex_of[p][i]);
       g.edge_chains.push_back(chain);
     }

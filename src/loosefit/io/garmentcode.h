@@ -7,6 +7,11 @@
 
 namespace loosefit {
 
+/// Key of "properties" that tells by which draft of ours a pattern was made; readers of other
+/// programs pass over it.
+inline constexpr const char* kDraftKey = "loosefit_draft";
+inline constexpr const char* kShirtDraft = "shirt 1";  ///< pattern/shirt_draft.h
+
 /// A pattern read from a file and what had to be assumed for it.
 struct PatternFile {
   Pattern pattern;
@@ -20,6 +25,9 @@ struct PatternFile {
 /// outside); right_wrong, darts, gathers; panel_order or its rule. y-up file frame → our frame.
 /// Missing keys that have a usual value are warnings. Consecutive edges of one panel with the same
 /// extra key "name" are one seam unit (our writer splits chains of curves).
+/// A pattern that our draft made is known by its mark and by how it is sewn (Panel::part), whatever
+/// its panels are called. Keys that are not read are told in the warnings. Files of other kinds
+/// (DXF, SVG, meshes, …) are refused by their kind.
 /// `file` only appears in messages.
 /// \throws InvalidInput with file and line (syntax) or JSON path, GeometryError for outlines that
 ///         cannot be cloth.
@@ -29,7 +37,8 @@ PatternFile read_garmentcode(const std::filesystem::path& path);
 
 /// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
 /// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
-/// \throws GeometryError for an invalid pattern.
+/// What is written and read again is written as the same bytes. \throws GeometryError for an
+/// invalid pattern.
 std::string garmentcode_text(const Pattern& pattern);
 /// \throws IoError if the file cannot be written.
 void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern);

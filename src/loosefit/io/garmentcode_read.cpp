@@ -3,14 +3,17 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/file_kind.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/io/garmentcode_steps.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {
 namespace {
@@ -239,6 +242,86 @@ std::vector<std::string> read_panel_order(const Node& pattern, const Pattern& pa
   return order;
 }
 
+constexpr const char* kExpected = "GarmentCode JSON (NAME_specification.json)";
+
+/// Files that hold garments in other forms are told by their kind instead of their first bad
+/// letter.
+void refuse_other_kinds(const std::string& text, const std::string& file) {
+  const std::string kind = kind_of_file(text);
+  if (kind.empty()) return;
+  throw InvalidInput(
+      {file, 0, {}}, kind, kExpected,
+      kind.find("mesh") != std::string::npos
+          ? "a mesh has no flat pieces; a scanned body is read by body.file"
+          : "patterns are read from GarmentCode JSON only; `loosefit pattern -o DIR` "
+            "writes such a file");
+}
+
+/// Keys that are neither read nor known to mean nothing here, each once for the whole file.
+class LeftOut {
+ public:
+  void note(const Node& node, std::initializer_list<const char*> known) {
+    if (!node.value.is_object()) return;
+    for (const auto& [key, value] : node.value.items())
+      if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
+        if (keys_.insert(key).second) shown_.push_back(printable(key));
+  }
+  void tell(std::vector<std::string>& warnings) const {
+    constexpr std::size_t kMost = 12;
+    if (shown_.empty()) return;
+    std::vector<std::string> first(shown_.begin(), shown_.begin() + std::min(kMost, shown_.size()));
+    warnings.push_back("keys not read: " + join(first) +
+                       (shown_.size() > kMost ? fmt::format(" and {} more", shown_.size() - kMost)
+                                              : std::string()));
+  }
+
+ private:
+  std::set<std::string> keys_;
+  std::vector<std::string> shown_;
+};
+
+void tell_left_out(const Node& root, std::vector<std::string>& warnings) {
+  LeftOut left_out;
+  left_out.note(root, {"pattern", "properties"});
+  if (root.has("properties"))
+    left_out.note(root.at("properties"), {"curvature_coords", "normalize_panel_translation",
+                                          "normalized_edge_loops", "units_in_meter", kDraftKey});
+  const Node pattern = root.at("pattern"), panels = pattern.at("panels");
+  left_out.note(pattern, {"panels", "stitches", "panel_order"});
+  for (const auto& [name, value] : panels.value.items()) {
+    const Node panel{value, panels.path, panels.file};
+    left_out.note(panel, {"label", "translation", "rotation", "vertices", "edges"});
+    const Node edges = panel.at("edges");
+    for (std::size_t i = 0; i < edges.value.size(); ++i)
+      left_out.note(edges.item(i), {"endpoints", "curvature", "label", "name"});
+  }
+  left_out.tell(warnings);
+}
+
+/// Which draft made the pattern: by our mark, or by the names of all of its parts in files of
+/// versions that wrote none. Only what is still sewn like the draft counts.
+void note_draft(const Node& root, PatternFile& file) {
+  std::string mark;
+  if (root.has("properties")) mark = root.at("properties").optional_text(kDraftKey);
+  if (!mark.empty() && mark != kShirtDraft) {
+    file.warnings.push_back(
+        fmt::format("properties.{}: \"{}\" is of another version; the garment "
+                    "is put on as its panels are placed",
+                    kDraftKey, printable(mark)));
+    return;
+  }
+  Pattern noted = file.pattern;
+  if (!note_shirt_parts(noted)) {
+    if (!mark.empty())
+      file.warnings.push_back(
+          fmt::format("properties.{}: the pattern is sewn in another way than "
+                      "this draft; it is put on as its panels are placed",
+                      kDraftKey));
+    return;
+  }
+  if (!mark.empty() || called_like_shirt_parts(noted)) file.pattern = std::move(noted);
+}
+
 Json parse_json(const std::string& text, const std::string& file) {
   try {
     return Json::parse(text);
@@ -258,6 +341,7 @@ Json parse_json(const std::string& text, const std::string& file) {
 
 PatternFile parse_garmentcode(const std::string& text, const std::string& file) {
   PatternFile result;
+  refuse_other_kinds(text, file);
   const Json json = parse_json(text, file);
   const Node root{json, "", file};
   const FileRules rules = read_rules(root.object(), result.warnings);
@@ -292,10 +376,15 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
     throw GeometryError(file + ": " + e.what(), e.hint());
   }
   set_panel_order(result.pattern, order);
+  note_draft(root, result);
+  tell_left_out(root, result.warnings);
   return result;
 }
 
 PatternFile read_garmentcode(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InvalidInput({path.string(), 0, {}}, "a folder", kExpected);
   PatternFile result =
       parse_garmentcode(read_text_file(path.string(), kLargestFile), path.string());
   result.pattern.name = path.stem().string();

@@ -11,6 +11,7 @@
 #include "loosefit/pattern/curve.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {
 namespace {
@@ -28,6 +29,9 @@ struct Part {
 
 /// Rounding noise of the unit change would print as 25.919999999999998.
 double tidy(double x) { return std::round(x * 1e9) / 1e9 + 0.0; }
+
+/// Of a chord; coarser than what reading and writing again changes.
+double tidy_share(double x) { return std::round(x * 1e12) / 1e12 + 0.0; }
 
 void add_cuts(std::vector<double>& cuts, const std::vector<double>& more) {
   for (const double f : more)
@@ -76,7 +80,9 @@ Json curvature_of(const Part& part, const std::string& where) {
                         "different end points");
   const auto relative = [&](const Vec2& p) {
     const Vec2 d = p - part.start;
-    return Json::array({d.dot(chord) / squared, (chord.x() * d.y() - chord.y() * d.x()) / squared});
+    const double along = d.dot(chord) / squared,
+                 across = (chord.x() * d.y() - chord.y() * d.x()) / squared;
+    return Json::array({tidy_share(along), tidy_share(across)});
   };
   Json params = Json::array();
   if (part.curve.kind == EdgeCurve::Kind::circle) {
@@ -172,14 +178,16 @@ std::string garmentcode_text(const Pattern& pattern) {
       stitches.push_back(item);
     }
   }
+  const std::string mark =
+      has_shirt_parts(pattern) ? fmt::format(",\n    \"{}\": \"{}\"", kDraftKey, kShirtDraft) : "";
   Json order = Json::array();
   for (const int p : pattern.panel_order) order.push_back(pattern.panels[p].name);
   return fmt::format(
       "{{\n  \"pattern\": {{\n    \"panels\": {{{}\n    }},\n    \"stitches\": {},\n"
       "    \"panel_order\": {}\n  }},\n  \"properties\": {{\n"
       "    \"curvature_coords\": \"relative\",\n    \"normalize_panel_translation\": false,\n"
-      "    \"normalized_edge_loops\": true,\n    \"units_in_meter\": {:g}\n  }}\n}}\n",
-      panels, list_lines(stitches, "    "), order.dump(), kPerMetre);
+      "    \"normalized_edge_loops\": true,\n    \"units_in_meter\": {:g}{}\n  }}\n}}\n",
+      panels, list_lines(stitches, "    "), order.dump(), kPerMetre, mark);
 }
 
 void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern) {

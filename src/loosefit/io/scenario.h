@@ -10,6 +10,7 @@
 #include "loosefit/garment/attachment.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/pattern/shirt_kinds.h"
 #include "loosefit/placement/sites.h"
 
 namespace loosefit {
@@ -30,10 +31,13 @@ struct ScenarioBody {
 
 /// [garment]: the shirt draft or a pattern file.
 struct ScenarioGarment {
-  std::string pattern = "long-sleeve-shirt";
+  std::string pattern = shirt_kinds().front();
   std::string file;  ///< pattern file instead of the draft; absolute
   std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
-  ShirtFit fit{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
+  ShirtFit fit = usual_fit(shirt_kinds().front());
+  /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
+  /// otherwise (pattern/shirt_adapt.h).
+  std::vector<std::string> adapt;
 };
 
 /// [[under]]: a garment worn under that of [garment].

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "loosefit/io/scenario_sections.h"
 #include "loosefit/pattern/garment_size.h"
+#include "loosefit/pattern/shirt_adapt.h"
 
 namespace loosefit {
 namespace {
@@ -57,29 +60,47 @@ Cable read_cable(ConfigReader& table) {
 
 bool names_a_file(const std::string& pattern) {
   return pattern.find('/') != std::string::npos ||
-         std::filesystem::path(pattern).extension() == ".json";
+         !std::filesystem::path(pattern).extension().empty();
+}
+
+/// Names of the fit that give way: those that the user did not give, or the ones of `adapt`.
+std::vector<std::string> read_adapt(ConfigReader& table, const std::set<std::string>& given) {
+  std::vector<std::string> rest;
+  for (const std::string& name : shirt_fit_names())
+    if (!given.count(name)) rest.push_back(name);
+  if (!table.has("adapt")) return rest;
+  const std::vector<std::string> wished = table.choices("adapt", {}, shirt_fit_names());
+  std::vector<std::string> in_order;
+  for (const std::string& name : shirt_fit_names())
+    if (std::find(wished.begin(), wished.end(), name) != wished.end()) in_order.push_back(name);
+  return in_order;
 }
 
 }  // namespace
 
 ScenarioGarment read_garment_keys(ConfigReader& table) {
   ScenarioGarment garment;
+  if (table.has("file"))
+    throw table.error("file", "an unknown key", "a key of garment",
+                      "a pattern file is named by pattern = \"PATH\"");
   garment.pattern = table.text("pattern", garment.pattern);
   if (names_a_file(garment.pattern)) {
     garment.file = existing_file(table, "pattern");
     garment.pattern = std::filesystem::path(garment.file).filename().string();
-    for (const char* key : {"fit", "size"})
+    for (const char* key : {"fit", "size", "adapt"})
       if (table.has(key))
-        throw table.error(key, "no fit or size beside a pattern file",
+        throw table.error(key, std::string("no ") + key + " beside a pattern file",
                           "a pattern file is taken at the size it has");
   } else {
-    garment.pattern = table.choice("pattern", garment.pattern, {"long-sleeve-shirt", "t-shirt"});
-    if (garment.pattern == "t-shirt") garment.fit.wrist = 0.12, garment.fit.sleeve_length = 0.36;
+    garment.pattern = table.choice("pattern", garment.pattern, shirt_kinds());
+    garment.fit = usual_fit(garment.pattern);
     garment.size = table.choice("size", "", garment_size_names());
     if (!garment.size.empty() && table.has("fit"))
       throw table.error("fit", "either fit or size",
                         "a size fixes the garment; a fit follows the body");
+    const std::vector<std::string> given = table.table("fit").keys();
     garment.fit = read_fit(table.table("fit"), garment.fit);
+    garment.adapt = read_adapt(table, {given.begin(), given.end()});
   }
   return garment;
 }

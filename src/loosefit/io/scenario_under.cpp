@@ -21,6 +21,9 @@ std::string garment_toml(const ScenarioGarment& garment, const std::string& sect
   std::string text = "pattern = " + toml_quoted(named ? garment.pattern : garment.file) + "\n";
   if (section == "garment") text = "[garment]\n" + text;
   if (!named) return text;
+  std::vector<std::string> adapt;
+  for (const std::string& name : garment.adapt) adapt.push_back(toml_quoted(name));
+  text += "adapt = [" + join(adapt) + "]\n";
   if (!garment.size.empty()) return text + "size = " + toml_quoted(garment.size) + "\n";
   const ShirtFit& fit = garment.fit;
   text += "\n[" + section + ".fit]\nchest = " + shortest(fit.chest) + "\n";

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "loosefit/pattern/shirt_kinds.h"
+
 namespace loosefit {
 namespace {
 
@@ -29,7 +31,7 @@ constexpr const char* kChild =
     "scaled; garment: finished long-sleeve shirt 140/146, chest 86, waist 84, hem 86, length 54, "
     "sleeve 49, upper arm 32, cuff 18 (recalled and judgement, within 3 cm)";
 
-const ShirtFit kRegular{.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
+const ShirtFit kRegular = usual_fit("long-sleeve-shirt");
 // Finished girth / body girth − 1.
 const ShirtFit kChildFit{.chest = 86.0 / 71 - 1,
                          .waist = 84.0 / 61 - 1,

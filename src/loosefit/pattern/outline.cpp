@@ -114,4 +114,10 @@ int find_edge(const Panel& panel, const std::string& name) {
   return -1;
 }
 
+int find_edge_part(const Panel& panel, const std::string& part) {
+  for (std::size_t e = 0; e < panel.edges.size(); ++e)
+    if (panel.edges[e].part == part) return static_cast<int>(e);
+  return -1;
+}
+
 }  // namespace loosefit

@@ -42,5 +42,7 @@ bool inside_polygon(const std::vector<Vec2>& polygon, const Vec2& p);
 Vec2 closest_on_polygon(const std::vector<Vec2>& polygon, const Vec2& p);
 /// Index of an edge by name, -1 if there is none.
 int find_edge(const Panel& panel, const std::string& name);
+/// The same by PanelEdge::part.
+int find_edge_part(const Panel& panel, const std::string& part);
 
 }  // namespace loosefit

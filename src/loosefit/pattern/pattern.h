@@ -24,6 +24,7 @@ struct PanelEdge {
   std::string
       name;  ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
   std::string label;  ///< GarmentCode label, may be empty
+  std::string part;   ///< what it is in the draft that made the pattern; empty without one
 };
 
 /// A flat piece. x is weft, y is warp (grain). The outline runs counter-clockwise seen from the
@@ -31,6 +32,7 @@ struct PanelEdge {
 struct Panel {
   std::string name;
   std::string label;                 ///< GarmentCode: body, arm, leg or empty
+  std::string part;                  ///< as PanelEdge::part: "front", "sleeve_L_back", …
   std::vector<Vec2> vertices;        ///< [m]
   std::vector<PanelEdge> edges;      ///< one closed loop in order
   Vec3 translation = Vec3::Zero();   ///< placement in our frame (z up, facing -y) [m]
@@ -56,6 +58,8 @@ struct Pattern {
 
   /// Index of a panel by name, -1 if there is none.
   int find_panel(const std::string& panel_name) const;
+  /// Index of the panel that is this part of a draft, -1 if there is none.
+  int find_part(const std::string& part) const;
 };
 
 }  // namespace loosefit

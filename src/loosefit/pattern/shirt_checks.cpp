@@ -4,33 +4,44 @@
 
 #include <cmath>
 
-#include "loosefit/base/error.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/shirt_refusal.h"
 
 namespace loosefit {
 namespace {
 
 void in_range(const std::string& key, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return;  // false for NaN too
-  throw InvalidInput(InputPlace{{}, 0, key}, fmt::format("{:.6g}{}", value, unit),
-                     fmt::format("{:g} to {:g}{}", low, high, unit));
+  throw ShirtRefusal({InputPlace{{}, 0, key}, fmt::format("{:.6g}{}", value, unit),
+                      fmt::format("{:g} to {:g}{}", low, high, unit)},
+                     ShirtRule::range);
 }
 
 }  // namespace
 
+const std::vector<ShirtMeasure>& shirt_measure_list() {
+  using M = ShirtMeasures;
+  static const std::vector<ShirtMeasure> kList = {
+      {"chest", &M::chest, 0.35, 2.2, " m"},
+      {"waist", &M::waist, 0.30, 2.2, " m"},
+      {"hip", &M::hip, 0.35, 2.2, " m"},
+      {"neck", &M::neck, 0.15, 0.80, " m"},
+      {"upper_arm", &M::upper_arm, 0.08, 0.90, " m"},
+      {"wrist", &M::wrist, 0.06, 0.40, " m"},
+      {"shoulder_breadth", &M::shoulder_breadth, 0.15, 0.80, " m"},
+      {"shoulder_slope", &M::shoulder_slope, 0.0, radians(45), " rad"},
+      {"scye_depth", &M::scye_depth, 0.05, 0.35, " m"},
+      {"hps_to_waist", &M::hps_to_waist, 0.15, 0.80, " m"},
+      {"hps_to_hem", &M::hps_to_hem, 0.20, 1.60, " m"},
+      {"arm_length", &M::arm_length, 0.15, 1.0, " m"},
+  };
+  return kList;
+}
+
 void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
-  in_range("measures.chest", m.chest, 0.35, 2.2, " m");
-  in_range("measures.waist", m.waist, 0.30, 2.2, " m");
-  in_range("measures.hip", m.hip, 0.35, 2.2, " m");
-  in_range("measures.neck", m.neck, 0.15, 0.80, " m");
-  in_range("measures.upper_arm", m.upper_arm, 0.08, 0.90, " m");
-  in_range("measures.wrist", m.wrist, 0.06, 0.40, " m");
-  in_range("measures.shoulder_breadth", m.shoulder_breadth, 0.15, 0.80, " m");
-  in_range("measures.shoulder_slope", m.shoulder_slope, 0.0, radians(45), " rad");
-  in_range("measures.scye_depth", m.scye_depth, 0.05, 0.35, " m");
-  in_range("measures.hps_to_waist", m.hps_to_waist, 0.15, 0.80, " m");
-  in_range("measures.hps_to_hem", m.hps_to_hem, 0.20, 1.60, " m");
-  in_range("measures.arm_length", m.arm_length, 0.15, 1.0, " m");
+  for (const ShirtMeasure& measure : shirt_measure_list())
+    in_range(std::string("measures.") + measure.name, m.*measure.field, measure.low, measure.high,
+             measure.unit);
   in_range("fit.chest", fit.chest, -0.5, 2.0, "");
   if (fit.waist) in_range("fit.waist", *fit.waist, -0.5, 3.0, "");
   in_range("fit.hip", fit.hip, -0.5, 2.0, "");
@@ -45,65 +56,73 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
 
 void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
   // A flat cap is slightly longer than the girth, so the girth may at most reach the armhole.
-  throw InvalidInput(InputPlace{{}, 0, "fit.sleeve"}, fmt::format("{:.4g}", fit.sleeve),
-                     fmt::format("below about {:.2f} for the deepest armhole of {:.3f} m that "
-                                 "chest {:.3f} m at fit {:.3g} allows",
-                                 armhole * (1 + fit.cap_ease) * 0.97 / m.upper_arm - 1, armhole,
-                                 m.chest, fit.chest),
-                     "narrow the sleeve, loosen the chest or raise fit.scye_ease");
+  throw ShirtRefusal({InputPlace{{}, 0, "fit.sleeve"}, fmt::format("{:.4g}", fit.sleeve),
+                      fmt::format("below about {:.2f} for the deepest armhole of {:.3f} m that "
+                                  "chest {:.3f} m at fit {:.3g} allows",
+                                  armhole * (1 + fit.cap_ease) * 0.97 / m.upper_arm - 1, armhole,
+                                  m.chest, fit.chest),
+                      "narrow the sleeve, loosen the chest or raise fit.scye_ease"},
+                     ShirtRule::sleeve_width);
 }
 
 void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shoulder_y,
                         double underarm_y) {
   constexpr double kLeast = 0.03;  // between two levels of the torso [m]
   if (underarm_y > shoulder_y - kLeast)
-    throw InvalidInput(
-        InputPlace{{}, 0, "measures.shoulder_slope"}, fmt::format("{:.4g} rad", m.shoulder_slope),
-        "a slope that leaves the garment's shoulder 0.03 m above the underarm",
-        "a chest this loose drops the shoulder too far; lower fit.chest or fit.shoulder_follow");
-  const auto level = [&](const char* key, double value, double low, double high) {
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.shoulder_slope"}, fmt::format("{:.4g} rad", m.shoulder_slope),
+         "a slope that leaves the garment's shoulder 0.03 m above the underarm",
+         "a chest this loose drops the shoulder too far; lower fit.chest or fit.shoulder_follow"},
+        ShirtRule::shoulder_level, underarm_y - (shoulder_y - kLeast));
+  const auto level = [&](ShirtRule rule, const char* key, double value, double low, double high) {
     if (value >= low && value <= high) return;
-    throw InvalidInput(InputPlace{{}, 0, key}, fmt::format("{:.4g} m", value),
-                       high < 10
-                           ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", low, high)
-                           : fmt::format("at least {:.3f} m, below the underarm", low));
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, key}, fmt::format("{:.4g} m", value),
+         high < 10 ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", low, high)
+                   : fmt::format("at least {:.3f} m, below the underarm", low)},
+        rule, value < low ? low - value : high - value);
   };
-  level("measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
+  level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
   if (fit.waist)
-    level("measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast, m.hps_to_hem - kLeast);
+    level(ShirtRule::waist_level, "measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast,
+          m.hps_to_hem - kLeast);
 }
 
 void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit,
                           double shoulder_x, double under_length) {
   const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
   if (shoulder_x < neck_x + 0.02)
-    throw InvalidInput(
-        InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
-        fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
-                    "fit {:.3g}",
-                    5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
-        "the shoulder seam must be at least 20 mm long");
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
+         fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
+                     "fit {:.3g}",
+                     5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
+         "the shoulder seam must be at least 20 mm long"},
+        ShirtRule::neck, neck_x + 0.02 - shoulder_x);
   const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]
   if (under_length < least && fit.sleeve_length < 1)
-    throw InvalidInput(
-        InputPlace{{}, 0, "fit.sleeve_length"}, fmt::format("{:.4g}", fit.sleeve_length),
-        fmt::format("at least {:.2f} for this armhole and sleeve",
-                    fit.sleeve_length + (least - under_length) / m.arm_length + 0.005));
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "fit.sleeve_length"}, fmt::format("{:.4g}", fit.sleeve_length),
+         fmt::format("at least {:.2f} for this armhole and sleeve",
+                     fit.sleeve_length + (least - under_length) / m.arm_length + 0.005)},
+        ShirtRule::sleeve_length, least - under_length);
   if (under_length < least)
-    throw InvalidInput(InputPlace{{}, 0, "measures.arm_length"},
-                       fmt::format("{:.4g} m", m.arm_length),
-                       fmt::format("at least {:.3f} m for this armhole and sleeve",
-                                   m.arm_length + least - under_length));
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.arm_length"}, fmt::format("{:.4g} m", m.arm_length),
+         fmt::format("at least {:.3f} m for this armhole and sleeve",
+                     m.arm_length + least - under_length)},
+        ShirtRule::sleeve_length, least - under_length);
   for (const Panel& panel : shirt.panels) {
     const std::vector<Vec2> outline = outline_polygon(panel);
     if (first_self_crossing(outline).first < 0 && signed_area(outline) > 0) continue;
     const bool torso = panel.label == "body";
-    throw InvalidInput(InputPlace{{}, 0, torso ? "fit.chest" : "fit.wrist"},
-                       fmt::format("{:.4g}", torso ? fit.chest : fit.wrist),
-                       fmt::format("a fit whose {} piece has a simple outline", panel.name),
-                       torso ? "check that hem and waist lie below the underarm and the girths of "
-                               "chest, waist and hip belong to one body"
-                             : "the wrist is too narrow for this upper arm, or too wide");
+    throw ShirtRefusal({InputPlace{{}, 0, torso ? "fit.chest" : "fit.wrist"},
+                        fmt::format("{:.4g}", torso ? fit.chest : fit.wrist),
+                        fmt::format("a fit whose {} piece has a simple outline", panel.name),
+                        torso ? "check that hem and waist lie below the underarm and the girths of "
+                                "chest, waist and hip belong to one body"
+                              : "the wrist is too narrow for this upper arm, or too wide"},
+                       torso ? ShirtRule::torso_outline : ShirtRule::sleeve_outline);
   }
 }
 

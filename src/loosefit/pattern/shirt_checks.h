@@ -3,7 +3,18 @@
 
 namespace loosefit {
 
-/// Ranges of every size and fit. \throws InvalidInput naming key, value and range.
+/// A measure with its name and the range of people [m, rad].
+struct ShirtMeasure {
+  const char* name;
+  double ShirtMeasures::*field;
+  double low, high;
+  const char* unit;  ///< for messages: " m", " rad"
+};
+const std::vector<ShirtMeasure>& shirt_measure_list();
+
+// All of these throw ShirtRefusal.
+
+/// Ranges of every size and fit; names key, value and range.
 void check_shirt_input(const ShirtMeasures& measures, const ShirtFit& fit);
 /// No cap can be drafted: says how far the sleeve may be widened for this armhole length [m].
 [[noreturn]] void throw_sleeve_too_wide(const ShirtMeasures& measures, const ShirtFit& fit,

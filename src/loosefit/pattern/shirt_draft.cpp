@@ -24,7 +24,7 @@ struct Draft {
 Panel panel_of(const std::string& name, const std::string& label,
                const std::vector<std::pair<std::string, CurveChain>>& loop) {
   Panel panel;
-  panel.name = name;
+  panel.name = panel.part = name;
   panel.label = label;
   const int n = static_cast<int>(loop.size());
   for (int i = 0; i < n; ++i) {
@@ -35,7 +35,7 @@ Panel panel_of(const std::string& name, const std::string& label,
     edge.end = (i + 1) % n;
     edge.curves = chain.curves;
     edge.knots.assign(chain.knots.begin(), chain.knots.end() - 1);
-    edge.name = edge_name;
+    edge.name = edge.part = edge_name;
     panel.edges.push_back(edge);
   }
   return panel;
@@ -94,17 +94,18 @@ void sew(Pattern& pattern, const std::string& name, const std::string& panel_a,
   pattern.stitches.push_back(stitch);
 }
 
+Draft draft_at(const ShirtMeasures& m, const ShirtFit& fit, double depth, double drop) {
+  Draft d{draft_torso_half(m, fit, depth, true, drop),
+          draft_torso_half(m, fit, depth, false, drop),
+          {}};
+  d.cap = fit_caps((1 + fit.cap_ease) * d.front.armhole.length(),
+                   (1 + fit.cap_ease) * d.back.armhole.length(), (1 + fit.sleeve) * m.upper_arm);
+  return d;
+}
+
 /// Moves underarm and shoulder point until the cap is neither flat nor steep; girths stay.
 Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& report) {
-  const double girth = (1 + fit.sleeve) * m.upper_arm;
-  const auto at = [&](double depth, double drop) {
-    Draft d{draft_torso_half(m, fit, depth, true, drop),
-            draft_torso_half(m, fit, depth, false, drop),
-            {}};
-    d.cap = fit_caps((1 + fit.cap_ease) * d.front.armhole.length(),
-                     (1 + fit.cap_ease) * d.back.armhole.length(), girth);
-    return d;
-  };
+  const auto at = [&](double depth, double drop) { return draft_at(m, fit, depth, drop); };
   const double first = m.scye_depth + fit.scye_ease;
   double depth = first, drop = 0;
   Draft d = at(depth, drop);
@@ -127,6 +128,10 @@ Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& rep
 }
 
 }  // namespace
+
+bool sleeve_fits_armhole(const ShirtMeasures& m, const ShirtFit& fit) {
+  return draft_at(m, fit, m.scye_depth + fit.scye_ease + kDeepest, 0).cap.has_value();
+}
 
 double arm_girth_at(const ShirtMeasures& m, double share) {
   constexpr double kAboveElbow = 0.5;
@@ -191,10 +196,10 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
 std::map<std::string, double> shirt_girths(const Pattern& shirt, double hps_to_waist) {
   std::map<std::string, double> girths;
   const auto width = [&](const char* panel, const char* edge_a, const char* edge_b, auto&& point) {
-    const int p = shirt.find_panel(panel);
+    const int p = shirt.find_part(panel);
     if (p < 0) return 0.0;
     const Panel& piece = shirt.panels[p];
-    const int a = find_edge(piece, edge_a), b = find_edge(piece, edge_b);
+    const int a = find_edge_part(piece, edge_a), b = find_edge_part(piece, edge_b);
     return a < 0 || b < 0 ? 0.0 : (point(piece, a) - point(piece, b)).norm();
   };
   const auto add = [&](const std::string& name, double front, double back) {
@@ -222,14 +227,14 @@ std::map<std::string, double> shirt_girths(const Pattern& shirt, double hps_to_w
   add("waist", width("front", "side_L", "side_R", at_waist),
       width("back", "side_L", "side_R", at_waist));
   const auto length = [&](const char* panel, const char* edge) {
-    const int p = shirt.find_panel(panel);
-    const int e = p < 0 ? -1 : find_edge(shirt.panels[p], edge);
+    const int p = shirt.find_part(panel);
+    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], edge);
     return e < 0 ? 0.0 : EdgePath(shirt.panels[p], e).length();
   };
   add("hip", length("front", "hem"), length("back", "hem"));
   const auto cap_width = [&](const char* panel) {
-    const int p = shirt.find_panel(panel);
-    const int e = p < 0 ? -1 : find_edge(shirt.panels[p], "cap");
+    const int p = shirt.find_part(panel);
+    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], "cap");
     if (e < 0) return 0.0;
     const PanelEdge& cap = shirt.panels[p].edges[e];
     return std::abs(shirt.panels[p].vertices[cap.end].x() -

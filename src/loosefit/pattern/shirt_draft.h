@@ -66,9 +66,12 @@ struct ShirtPlacement {
 /// girths exactly (patterns.md section 6). Pieces: front, back, sleeve_L_front, sleeve_L_back,
 /// sleeve_R_front, sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve
 /// edges top, cuff, under, cap. \throws InvalidInput when a size or fit is outside its range, or no
-/// sleeve fits the armhole.
+/// sleeve fits the armhole (ShirtRefusal, shirt_refusal.h).
 Pattern draft_shirt(const ShirtMeasures& measures, const ShirtFit& fit = {},
                     ShirtDraftReport* report = nullptr, const ShirtPlacement& placement = {});
+
+/// Whether a sleeve of the asked girth fits the armhole when it is cut as deep as the draft goes.
+bool sleeve_fits_armhole(const ShirtMeasures& measures, const ShirtFit& fit);
 
 /// Girths of a shirt with the edge names above, measured on its pieces [m]: chest, hip (hem),
 /// sleeve, wrist, waist (at `hps_to_waist` below the high point shoulder). Missing pieces are left

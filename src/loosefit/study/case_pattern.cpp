@@ -110,6 +110,27 @@ ShirtMeasures shirt_measures(const Body& body) {
           .arm_length = measure(body, "arm_length")};
 }
 
+AdaptedShirt draft_garment(const ScenarioGarment& wished, const ShirtMeasures& body,
+                           const std::set<std::string>& asked) {
+  ShirtFit fit = wished.fit;
+  ShirtMeasures measures = body;
+  std::set<std::string> yielding;
+  for (const std::string& key : all_shirt_measures())
+    if (!asked.count(key)) yielding.insert(key);
+  for (const std::string& name : wished.adapt) yielding.insert("fit." + name);
+  if (const auto size = garment_size(wished.size)) {
+    measures = size->body;
+    fit = size->fit;
+    if (wished.fit.sleeve_length < 1) {
+      fit.sleeve_length = wished.fit.sleeve_length;
+      fit.wrist = fit.sleeve;
+    }
+  }
+  AdaptedShirt shirt = draft_adapted_shirt(measures, fit, yielding);
+  shirt.pattern.name = wished.pattern;
+  return shirt;
+}
+
 CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
   CasePattern result;
   if (!wished.file.empty()) {
@@ -121,22 +142,12 @@ CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
     compare_girths(result, body);
     return result;
   }
-  ShirtFit fit = wished.fit;
-  ShirtMeasures measures;
-  if (const auto size = garment_size(wished.size)) {
-    measures = size->body;
-    fit = size->fit;
-    if (wished.fit.sleeve_length < 1) {
-      fit.sleeve_length = wished.fit.sleeve_length;
-      fit.wrist = fit.sleeve;
-    }
-  } else {
-    measures = shirt_measures(body);
-  }
-  result.pattern = draft_shirt(measures, fit);
-  result.pattern.name = wished.pattern;
+  AdaptedShirt shirt =
+      draft_garment(wished, wished.size.empty() ? shirt_measures(body) : ShirtMeasures{});
+  result.pattern = std::move(shirt.pattern);
+  result.warnings = std::move(shirt.notes);
   compare_girths(result, body);
-  if (fit.sleeve_length < 1) name_the_cuff(result, body, fit.sleeve_length);
+  if (shirt.fit.sleeve_length < 1) name_the_cuff(result, body, shirt.fit.sleeve_length);
   return result;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "loosefit/body/body.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pattern/pattern.h"
+#include "loosefit/pattern/shirt_adapt.h"
 
 namespace loosefit {
 
@@ -14,8 +16,15 @@ struct CasePattern {
   Pattern pattern;
   std::map<std::string, double> girths;  ///< of the garment per level [m]: chest, waist, hip, …
   std::map<std::string, double> fit;     ///< BGM per level, garment girth / body girth − 1
-  std::vector<std::string> warnings;     ///< of reading a pattern file
+  std::vector<std::string> warnings;     ///< of reading a pattern file, or of adapting the draft
 };
+
+/// The draft of a garment without a file for a body of these measures, for scenarios and for the
+/// command line alike. What nobody asked for gives way (pattern/shirt_adapt.h): the names
+/// `wished.adapt` of the fit, and measures that are not in `asked` ("measures.neck", …). A size
+/// brings measures and fit of its own.
+AdaptedShirt draft_garment(const ScenarioGarment& wished, const ShirtMeasures& body,
+                           const std::set<std::string>& asked = {});
 
 /// Drafts the shirt to the body's measures and the wished fit, or to a garment size, or reads the
 /// pattern file. \throws InvalidInput, GeometryError for what cannot be drafted or sewn.
