@@ -14,19 +14,21 @@
 namespace loosefit {
 namespace {
 
-/// A slim boy of 1.35 m.
-const ShirtMeasures kBoy{.chest = .640,
-                         .waist = .560,
-                         .hip = .680,
-                         .neck = .300,
-                         .upper_arm = .195,
-                         .wrist = .135,
-                         .shoulder_breadth = .300,
-                         .shoulder_slope = radians(22),
-                         .scye_depth = .115,
-                         .hps_to_waist = .320,
-                         .hps_to_hem = .470,
-                         .arm_length = .430};
+constexpr int kPeople = 40;
+
+/// The parametric boy of 9.5 years and 1.35 m.
+const ShirtMeasures kBoy{.chest = .7180,
+                         .waist = .5930,
+                         .hip = .7001,
+                         .neck = .3767,
+                         .upper_arm = .2308,
+                         .wrist = .1072,
+                         .shoulder_breadth = .2942,
+                         .shoulder_slope = .3913,
+                         .scye_depth = .1260,
+                         .hps_to_waist = .3683,
+                         .hps_to_hem = .4978,
+                         .arm_length = .4083};
 
 std::set<std::string> all_but(const std::set<std::string>& asked) {
   std::set<std::string> keys = all_shirt_measures();
@@ -58,7 +60,7 @@ class People {
   }
   ShirtMeasures next() {
     const auto names = garment_size_names();
-    ShirtMeasures m = garment_size(names[random_() % names.size()])->body;
+    ShirtMeasures m = coin() ? kBoy : garment_size(names[random_() % names.size()])->body;
     const double size = uniform(0.65, 1.25), girth = uniform(0.8, 1.5);
     const double odd = ++count_ % 8 == 0 ? 0.35 : 0.15;
     const auto about = [&](double& value, double scale) {
@@ -98,7 +100,7 @@ TEST(AdaptedShirt, BoyWithALooseTShirtGetsALongerSleeve) {
 TEST(AdaptedShirt, WhatCanBeDraftedIsDraftedAsItIs) {
   People people;
   int drafted = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 24; ++i) {
     const ShirtMeasures m = people.next();
     const ShirtFit fit = usual_fit(i % 2 ? "t-shirt" : "long-sleeve-shirt");
     Pattern plain;
@@ -112,13 +114,13 @@ TEST(AdaptedShirt, WhatCanBeDraftedIsDraftedAsItIs) {
     EXPECT_TRUE(same(plain, shirt.pattern)) << i;
     EXPECT_TRUE(shirt.notes.empty()) << shirt.notes[0];
   }
-  EXPECT_GT(drafted, 15);
+  EXPECT_GT(drafted, 8);
 }
 
 TEST(AdaptedShirt, DefaultsAreDraftedForEverybody) {
   People people;
   int refused = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < kPeople; ++i) {
     const ShirtMeasures m = people.next();
     const ShirtFit fit = usual_fit(i % 2 ? "t-shirt" : "long-sleeve-shirt");
     try {
@@ -135,14 +137,14 @@ TEST(AdaptedShirt, DefaultsAreDraftedForEverybody) {
       ADD_FAILURE() << i << ": " << error.what();
     }
   }
-  EXPECT_GT(refused, 20) << "of the plain draft";
+  EXPECT_GT(refused, kPeople / 10) << "of the plain draft";
 }
 
 // Whoever is refused is told of a value that he gave.
 TEST(AdaptedShirt, OnlyWhatWasAskedForIsRefused) {
   People people;
   int refused = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < kPeople; ++i) {
     const ShirtMeasures m = people.next();
     ShirtFit fit = usual_fit(i % 2 ? "t-shirt" : "long-sleeve-shirt");
     std::set<std::string> asked;
@@ -177,15 +179,15 @@ TEST(AdaptedShirt, OnlyWhatWasAskedForIsRefused) {
       EXPECT_TRUE(asked.count(key.substr(4))) << i << ": " << error.what();
     }
   }
-  EXPECT_GT(refused, 5);
-  EXPECT_LT(refused, 75);
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, kPeople / 2);
 }
 
 TEST(AdaptedShirt, ChangesSteadilyWithTheBody) {
   ShirtFit fit = usual_fit("t-shirt");
   double before = -1;
   int adapted = 0;
-  for (double chest = 0.0; chest < 0.6; chest += 0.01) {
+  for (double chest = 0.0; chest < 0.6; chest += 0.02) {
     fit.chest = chest;
     const double length = draft_adapted_shirt(kBoy, fit, all_but({"chest"})).fit.sleeve_length;
     adapted += length > 0.361;
@@ -193,7 +195,7 @@ TEST(AdaptedShirt, ChangesSteadilyWithTheBody) {
     if (before >= 0) EXPECT_LT(std::abs(length - before), 0.04) << chest;
     before = length;
   }
-  EXPECT_GT(adapted, 10);
+  EXPECT_GT(adapted, 5);
 }
 
 TEST(AdaptedShirt, MeasuresBeyondPeopleAreTakenAtTheirEndUnlessGiven) {

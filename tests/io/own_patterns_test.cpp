@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+#include <regex>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/pattern/garment_size.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/shirt_parts.h"
+#include "support/mutate.h"
+
+// Patterns that our draft made, as files: the same bytes again, and known for what they are.
+namespace loosefit {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kSource = LOOSEFIT_SOURCE_DIR;
+const std::string kShared = kSource + "/../shared/garments/";
+
+std::string shirt_text() { return garmentcode_text(draft_shirt({})); }
+
+Pattern parsed(const std::string& text) { return parse_garmentcode(text, "p.json").pattern; }
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
+  std::mt19937 random(11);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * double(random() % 100001) / 1e5;
+  };
+  const std::vector<std::string> names = garment_size_names();
+  int drafted = 0;
+  for (int i = 0; i < 60; ++i) {
+    ShirtMeasures body = garment_size(names[random() % names.size()])->body;
+    for (double* value : {&body.chest, &body.waist, &body.hip, &body.arm_length, &body.hps_to_hem})
+      *value *= uniform(0.93, 1.07);
+    ShirtFit fit;
+    fit.chest = uniform(0, 0.3), fit.hip = uniform(0, 0.3), fit.wrist = uniform(0.1, 0.4);
+    fit.sleeve_length = i % 3 == 0 ? uniform(0.4, 0.9) : 1;
+    if (i % 2) fit.waist = uniform(0, 0.3);
+    std::string text;
+    try {
+      text = garmentcode_text(draft_shirt(body, fit, nullptr, {0, uniform(0.2, 1.2)}));
+    } catch (const InvalidInput&) {
+      continue;
+    }
+    ++drafted;
+    const PatternFile again = parse_garmentcode(text, "p.json");
+    EXPECT_TRUE(again.warnings.empty()) << again.warnings[0];
+    EXPECT_TRUE(has_shirt_parts(again.pattern));
+    ASSERT_EQ(garmentcode_text(again.pattern), text) << i;
+  }
+  EXPECT_GT(drafted, 40);
+  for (const std::string& name : names) {
+    const GarmentSize size = *garment_size(name);
+    const std::string text = garmentcode_text(draft_shirt(size.body, size.fit));
+    ASSERT_EQ(garmentcode_text(parsed(text)), text) << name;
+  }
+}
+
+TEST(OwnPatterns, WhatWasReadFromOthersIsWrittenAndReadAsTheSameBytes) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(kSource + "/tests/data/patterns"))
+    files.push_back(entry.path());
+  if (fs::exists(kShared))
+    for (const auto& entry : fs::directory_iterator(kShared))
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename());
+    const Pattern pattern = read_garmentcode(file).pattern;
+    EXPECT_FALSE(has_shirt_parts(pattern));
+    const std::string text = garmentcode_text(pattern);
+    EXPECT_EQ(garmentcode_text(parsed(text)), text);
+  }
+}
+
+TEST(OwnPatterns, PartsAreFoundByTheSeams) {
+  const Pattern shirt = draft_shirt({});
+  Pattern blank = shirt;
+  for (Panel& panel : blank.panels) {
+    panel.part.clear(), panel.name = "piece " + panel.name;
+    for (PanelEdge& edge : panel.edges) edge.part.clear();
+  }
+  std::swap(blank.panels[0].name, blank.panels[1].name);
+  ASSERT_TRUE(note_shirt_parts(blank));
+  for (std::size_t p = 0; p < 6; ++p) {
+    EXPECT_EQ(blank.panels[p].part, shirt.panels[p].part);
+    for (std::size_t e = 0; e < shirt.panels[p].edges.size(); ++e)
+      EXPECT_EQ(blank.panels[p].edges[e].part, shirt.panels[p].edges[e].part);
+  }
+  Pattern open = shirt;
+  open.stitches.pop_back();
+  EXPECT_FALSE(note_shirt_parts(open)) << "a sleeve that is not closed";
+  Pattern crossed = shirt;
+  std::swap(crossed.stitches[0].second, crossed.stitches[1].second);
+  EXPECT_FALSE(note_shirt_parts(crossed)) << "a side sewn to a shoulder";
+}
+
+TEST(OwnPatterns, AreKnownWithOtherNames) {
+  std::string text = shirt_text();
+  for (const char* name : {"front", "back", "sleeve_L_front", "sleeve_R_back"})
+    text = replaced(text, std::string("\"") + name + "\"", std::string("\"my ") + name + " 2\"");
+  const PatternFile file = parse_garmentcode(text, "p.json");
+  EXPECT_TRUE(file.warnings.empty());
+  EXPECT_TRUE(has_shirt_parts(file.pattern));
+  EXPECT_EQ(file.pattern.find_panel("front"), -1);
+  EXPECT_EQ(file.pattern.panels[0].name, "my front 2");
+  EXPECT_EQ(shirt_girths(file.pattern, .4), shirt_girths(parsed(shirt_text()), .4));
+}
+
+TEST(OwnPatterns, NamesAloneDoNotMakeAShirt) {
+  // The mark is there, but somebody has sewn a piece elsewhere.
+  std::string text = shirt_text();
+  const std::size_t last = text.rfind(",\n      [{", text.find("panel_order"));
+  ASSERT_NE(last, std::string::npos);
+  text.erase(last, text.find("\n    ],", last) - last);
+  const PatternFile file = parse_garmentcode(text, "p.json");
+  EXPECT_FALSE(has_shirt_parts(file.pattern));
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("loosefit_draft"), std::string::npos) << file.warnings[0];
+
+  // Sewn like a shirt and called front and back, but with neither mark nor our edges.
+  std::string foreign = replaced(shirt_text(), "\"loosefit_draft\"", "\"other_draft\"");
+  EXPECT_TRUE(has_shirt_parts(parsed(foreign))) << "a file of ours without a mark";
+  foreign = replaced(foreign, "\"name\":\"hem\"", "\"name\":\"lower\"");
+  EXPECT_FALSE(has_shirt_parts(parsed(foreign)));
+}
+
+TEST(OwnPatterns, OtherKeysAreToldAsNotRead) {
+  std::string text = shirt_text();
+  text =
+      replaced(text, "\"properties\": {", "\"parameters\": {\"length\": 3},\n  \"properties\": {");
+  const auto warnings = parse_garmentcode(text, "p.json").warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "keys not read: parameters");
+}
+
+TEST(OwnPatterns, KeysThatTheExamplesNameExist) {
+  const std::string text = read_text_file(kSource + "/examples/patterns/README.md", 100000);
+  const std::regex assignment("`([a-z_]+ = [^`]+)`");
+  int found = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), assignment), end; it != end; ++it, ++found)
+    EXPECT_NO_THROW(parse_scenario("[garment]\n" + (*it)[1].str(), kSource + "/examples/x.toml"))
+        << (*it)[1];
+  EXPECT_GT(found, 0);
+  EXPECT_EQ(text.find("file ="), std::string::npos);
+}
+
+TEST(OwnPatterns, DamagedFilesAreReadOrRefused) {
+  std::vector<std::string> texts = {shirt_text()};
+  for (const char* name : {"gpg_tee.json", "gpg_skirt_4_panels.json"})
+    if (fs::exists(kShared + name)) texts.push_back(read_text_file(kShared + name, 1 << 20));
+  int refused = 0;
+  constexpr unsigned kTries = 1500;
+  for (unsigned seed = 0; seed < kTries; ++seed) {
+    const std::string text = Mutator(seed)(texts[seed % texts.size()]);
+    try {
+      const Pattern pattern = parsed(text);
+      has_shirt_parts(pattern);
+      if (seed % 10 == 0) garmentcode_text(pattern);
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 300);
+  EXPECT_LT(refused, static_cast<int>(kTries));
+}
+
+}  // namespace
+}  // namespace loosefit
