@@ -102,6 +102,29 @@ INSTANTIATE_TEST_SUITE_P(Bodies, DressShirt,
                                            DressCase{true, 25, -0.05}, DressCase{true, 25, 0.45},
                                            DressCase{true, 42, -0.05}, DressCase{true, 42, 0.45}));
 
+TEST(DressShirtParts, CountAndNamesDoNot) {
+  const Body body = standing(support::adult_parameters(), 40);
+  const Pattern pattern = shirt_for(body, 0.1);
+  const Garment shirt = assemble(pattern, kEdge, Material{});
+  Pattern renamed = pattern;
+  for (Panel& panel : renamed.panels) panel.name = "piece of " + panel.name;
+  std::swap(renamed.panels[0].name, renamed.panels[1].name);
+  const Garment other = assemble(renamed, kEdge, Material{});
+  ASSERT_TRUE(is_shirt(other));
+  EXPECT_EQ(dress_shirt(other, body), dress_shirt(shirt, body));
+
+  // Of somebody else, who calls panels and edges as we do.
+  Pattern foreign = pattern;
+  for (Panel& panel : foreign.panels) {
+    panel.part.clear();
+    for (PanelEdge& edge : panel.edges) edge.part.clear();
+  }
+  const Garment unknown = assemble(foreign, kEdge, Material{});
+  EXPECT_FALSE(is_shirt(unknown));
+  EXPECT_EQ(dress_layers({{&unknown, &foreign}}, body),
+            dress_as_placed(unknown, foreign, body.surface));
+}
+
 TEST(DressShirtErrors, HangingArmsAreRefusedWithTheAngle) {
   const Body open = standing(support::adult_parameters(), 25);
   const Garment shirt = assemble(shirt_for(open, 0.15), kEdge, Material{});

@@ -160,7 +160,7 @@ TEST(OwnPatterns, DamagedFilesAreReadOrRefused) {
   for (const char* name : {"gpg_tee.json", "gpg_skirt_4_panels.json"})
     if (fs::exists(kShared + name)) texts.push_back(read_text_file(kShared + name, 1 << 20));
   int refused = 0;
-  constexpr unsigned kTries = 1500;
+  constexpr unsigned kTries = 2400;
   for (unsigned seed = 0; seed < kTries; ++seed) {
     const std::string text = Mutator(seed)(texts[seed % texts.size()]);
     try {

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/study/case_body.h"
+#include "loosefit/study/case_pattern.h"
+#include "support/run_program.h"
+
+namespace loosefit {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PatternCommand : public testing::Test {
+ protected:
+  fs::path base = fs::temp_directory_path() / ("loosefit-pattern-" + std::to_string(getpid()));
+  void SetUp() override {
+    fs::remove_all(base);
+    fs::create_directories(base);
+  }
+  void TearDown() override { fs::remove_all(base); }
+  std::string file(const std::string& name, const std::string& text) const {
+    write_text_file((base / name).string(), text);
+    return (base / name).string();
+  }
+  ProgramRun pattern(const std::string& arguments) const {
+    return run_program(std::string(LOOSEFIT_BINARY) + " pattern " + arguments);
+  }
+  /// The pattern.json that the command writes.
+  std::string written(const std::string& arguments) const {
+    const fs::path out = base / "out";
+    fs::remove_all(out);
+    const ProgramRun run = pattern(arguments + " -o " + out.string());
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return run.exit_code == 0 ? read_text_file((out / "pattern.json").string(), 1 << 24) : "";
+  }
+};
+
+TEST_F(PatternCommand, HasTheDefaultsOfAScenario) {
+  const Body body = make_body(default_scenario().body).body;
+  const auto of_run = [&](const std::string& garment) {
+    const Scenario scenario = parse_scenario("[garment]\n" + garment, "case.toml");
+    return garmentcode_text(make_pattern(scenario.garment, body).pattern);
+  };
+  EXPECT_EQ(written(""), of_run(""));
+  EXPECT_EQ(written("--pattern t-shirt"), of_run("pattern = \"t-shirt\""));
+  EXPECT_EQ(written("--fit-chest 0.2 --sleeve-length 0.8"),
+            of_run("fit = { chest = 0.2, sleeve_length = 0.8 }"));
+  EXPECT_EQ(written("--pattern t-shirt --size men-M"),
+            of_run("pattern = \"t-shirt\"\nsize = \"men-M\""));
+}
+
+TEST_F(PatternCommand, DraftsForTheBodyOfAFileAsForThatOfAScenario) {
+  const std::string person = "--sex male --age 40 --height 1.8 ";
+  const ProgramRun made = run_program(std::string(LOOSEFIT_BINARY) + " body " + person + "-o " +
+                                      (base / "him").string());
+  ASSERT_EQ(made.exit_code, 0) << made.output;
+  const std::string scenario =
+      file("case.toml", "[body]\nsex = \"male\"\nage = 40\nheight = 1.8\n");
+  EXPECT_EQ(written("--body " + (base / "him/body.json").string()),
+            written("--scenario " + scenario));
+}
+
+TEST_F(PatternCommand, RefusesAMeasureThatWasGivenAndAdaptsOneThatWasNot) {
+  const ProgramRun given = pattern("--arm-length 0.15 --sleeve-length 1");
+  EXPECT_EQ(given.exit_code, 2);
+  EXPECT_NE(given.output.find("error: measures.arm_length: found 0.15 m"), std::string::npos)
+      << given.output;
+  const ProgramRun adapted = pattern("--pattern t-shirt --arm-length 0.3");
+  EXPECT_EQ(adapted.exit_code, 0) << adapted.output;
+  EXPECT_NE(adapted.output.find("warning: fit.sleeve_length: 0."), std::string::npos)
+      << adapted.output;
+}
+
+TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
+  const ProgramRun run = pattern("--file " + file("shirt.dxf", "  0\nSECTION\n  2\nBLOCKS\n"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.output.find("shirt.dxf: found a DXF file, expected GarmentCode JSON"),
+            std::string::npos)
+      << run.output;
+  EXPECT_NE(run.output.find("hint: patterns are read from GarmentCode JSON"), std::string::npos);
+  const ProgramRun scenario =
+      pattern("--scenario " + file("case.toml", "[garment]\npattern = \"shirt.dxf\"\n"));
+  EXPECT_EQ(scenario.exit_code, 2);
+  EXPECT_NE(scenario.output.find("found a DXF file"), std::string::npos) << scenario.output;
+}
+
+TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {
+  Pattern shirt = draft_shirt({});
+  shirt.panels[0].name = "a\x1b[2Jb\nc";
+  shirt.panels[1].edges[0].name = "hem\x1b]0;x\x07";
+  shirt.stitches[0].name = "side\rx";
+  const std::string text = garmentcode_text(shirt);
+  const ProgramRun read = pattern("--file " + file("p.json", text));
+  EXPECT_EQ(read.exit_code, 0) << read.output;
+  EXPECT_NE(read.output.find("a\\x1b[2Jb\\x0ac"), std::string::npos) << read.output;
+  // The same names in an error: a seam that is sewn twice.
+  std::string twice = text;
+  const std::size_t first = twice.find("\"stitches\": [") + 13;
+  twice.insert(first, twice.substr(first, twice.find("}],", first) + 3 - first));
+  const ProgramRun refused = pattern("--file " + file("q.json", twice));
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  for (const std::string& output : {read.output, refused.output})
+    for (const char c : output)
+      ASSERT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << output;
+  EXPECT_EQ(refused.output.rfind("error: ", 0), 0u) << refused.output;
+}
+
+}  // namespace
+}  // namespace loosefit
