@@ -121,8 +121,16 @@ TEST(DressShirtParts, CountAndNamesDoNot) {
   }
   const Garment unknown = assemble(foreign, kEdge, Material{});
   EXPECT_FALSE(is_shirt(unknown));
-  EXPECT_EQ(dress_layers({{&unknown, &foreign}}, body),
-            dress_as_placed(unknown, foreign, body.surface));
+  const auto outcome = [&](const auto& dress) -> std::pair<std::vector<Vec3>, std::string> {
+    try {
+      return {dress(), ""};
+    } catch (const Error& error) {
+      return {{}, error.what()};
+    }
+  };
+  const auto placed = outcome([&] { return dress_as_placed(unknown, foreign, body.surface); });
+  EXPECT_EQ(outcome([&] { return dress_layers({{&unknown, &foreign}}, body); }), placed);
+  EXPECT_NE(placed.first, dress_shirt(shirt, body));
 }
 
 TEST(DressShirtErrors, HangingArmsAreRefusedWithTheAngle) {
