@@ -15,7 +15,7 @@ namespace loosefit {
 namespace {
 
 constexpr int kMostRounds = 60;  // every round moves a value towards its end
-constexpr int kHalvings = 20;
+constexpr int kHalvings = 16;
 constexpr double kBeyond = 1e-6;      // further than needed [m]
 constexpr double kVisible = 0.002;    // smaller changes are not told
 constexpr double kFirstSleeve = 0.0;  // sleeves become no tighter than the arm at first
@@ -126,9 +126,12 @@ class Adapter {
     return true;
   }
 
-  /// Moves a value that yields towards `end`, just far enough for `holds`, or to the end.
-  bool move(const std::string& key, double end, const std::function<bool()>& holds) {
+  /// Moves a value that yields towards `end`, just far enough for `quick`, or to the end. Where
+  /// that holds already, and yet the rule is broken, only drafting can tell.
+  bool move(const std::string& key, double end, const std::function<bool()>& quick) {
     if (!yields(key) || std::abs(value(key) - end) < 1e-9) return false;
+    const bool tells = !quick();
+    const auto holds = [&] { return tells ? quick() : drafts(); };
     double &now = value(key), bad = now, good = end;
     now = end;
     if (holds())
@@ -139,6 +142,9 @@ class Adapter {
     now = good;
     why_.insert({key, rule_});
     return true;
+  }
+  bool move(const std::string& key, double end) {
+    return move(key, end, [] { return true; });
   }
 
   bool drafts() const {
@@ -188,12 +194,11 @@ class Adapter {
         return set("fit.sleeve_length", fit.sleeve_length + missing / m.arm_length, 0.25, 1) ||
                follow_less(missing);
       case ShirtRule::torso_outline:
-        return move("fit.shoulder_follow", 0, [&] { return drafts(); }) ||
-               move("fit.scye_ease", 0, [&] { return drafts(); });
+        return move("fit.shoulder_follow", 0) || move("fit.scye_ease", 0);
       case ShirtRule::sleeve_outline: {
         // A straight tube never crosses itself.
         const double tube = (1 + fit.sleeve) * m.upper_arm / arm_girth_at(m, fit.sleeve_length) - 1;
-        return move("fit.wrist", tube, [&] { return drafts(); });
+        return move("fit.wrist", tube);
       }
       case ShirtRule::waist_level:
       case ShirtRule::range:
@@ -235,7 +240,7 @@ class Adapter {
       case ShirtRule::sleeve_length:
         return set("measures.arm_length", m.arm_length + missing / fit.sleeve_length, 0.15, 1);
       case ShirtRule::torso_outline:
-        return move("measures.shoulder_breadth", 0.15, [&] { return drafts(); });
+        return move("measures.shoulder_breadth", 0.15);
       case ShirtRule::sleeve_outline:
         return false;
     }
