@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "loosefit/base/one_line.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/base/text.h"

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/base/one_line.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/measures_file.h"
