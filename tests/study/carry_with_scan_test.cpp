@@ -12,7 +12,7 @@ struct Fitting {
   Pattern pattern;
 
   Fitting(const Vec3& place, bool turned) {
-    Eigen::Isometry3d& motion = body.from_world;
+    RigidMotion& motion = body.from_world;
     if (turned) motion.linear() << -1, 0, 0, 0, -1, 0, 0, 0, 1;
     motion.translation() = -(motion.linear() * place);
     for (const double x : {-0.25, 0.25})
@@ -31,7 +31,7 @@ struct Fitting {
     const Vec2& v = p.vertices[vertex];
     return p.rotation * Vec3(v.x(), v.y(), 0) + p.translation;
   }
-  void move_pattern(const Eigen::Isometry3d& by) {
+  void move_pattern(const RigidMotion& by) {
     for (Panel& panel : pattern.panels) {
       panel.translation = by * panel.translation;
       panel.rotation = by.linear() * panel.rotation;

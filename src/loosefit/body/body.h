@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/body/rigid_motion.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
@@ -40,7 +41,7 @@ struct Body {
   std::vector<Eigen::Matrix<double, 3, 4>> pose_from_rest;
   /// The world of a scan's file (in metres, z up; a file with y up turned by (x, −z, y)) → this
   /// frame: turns about z and a shift. Nothing for people from measures.
-  Eigen::Isometry3d from_world = Eigen::Isometry3d::Identity();
+  RigidMotion from_world = RigidMotion::Identity();
 };
 
 /// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace loosefit {
 struct CheckedSurface {
   TriangleMesh mesh;
   /// The file's world, in metres and with z up, → this frame (scan_frame.h).
-  Eigen::Isometry3d from_world = Eigen::Isometry3d::Identity();
+  RigidMotion from_world = RigidMotion::Identity();
   std::vector<std::string> warnings;
 };
 

@@ -161,7 +161,7 @@ Vec3 shift_to_origin(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Eigen::Isometry3d stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
+RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
                                      std::vector<std::string>& warnings) {
   stand_up(mesh, options, warnings);
   const Box box = box_of(mesh.vertices);
@@ -172,7 +172,7 @@ Eigen::Isometry3d stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& opti
   face_forward(mesh, turned, warnings);
   const Vec3 shift = shift_to_origin(mesh);
   for (auto& p : mesh.vertices) p += shift;
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  RigidMotion motion = RigidMotion::Identity();
   motion.linear() = turned;
   motion.translation() = shift;
   return motion;

@@ -1,8 +1,8 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
+#include "loosefit/body/rigid_motion.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit {
@@ -20,7 +20,7 @@ struct ScanOptions {
 /// \return the rigid motion from the file's world (in metres; a file with y up turned by
 /// (x, y, z) → (x, −z, y)) to our frame: turns about z and a shift.
 /// \throws InvalidInput when no or more than one unit makes it a person, or for unknown options.
-Eigen::Isometry3d stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
+RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
                                      std::vector<std::string>& warnings);
 
 }  // namespace loosefit

@@ -25,7 +25,7 @@ double common_share(const Box& pattern, const Box& body) {
   return least;
 }
 
-Box box_of_panels(const Pattern& pattern, const Eigen::Isometry3d& motion) {
+Box box_of_panels(const Pattern& pattern, const RigidMotion& motion) {
   Box box;
   for (const Panel& panel : pattern.panels)
     for (const Vec2& v : panel.vertices)
@@ -37,13 +37,13 @@ Box box_of_panels(const Pattern& pattern, const Eigen::Isometry3d& motion) {
 
 void carry_with_scan(Pattern& pattern, const Body& body, std::vector<std::string>& warnings) {
   constexpr double kRound = 0.5;
-  const Eigen::Isometry3d& motion = body.from_world;
-  if (motion.isApprox(Eigen::Isometry3d::Identity(), 1e-12)) return;
+  const RigidMotion& motion = body.from_world;
+  if (motion.isApprox(RigidMotion::Identity(), 1e-12)) return;
   Box person;
   for (const Vec3& p : body.surface.vertices) person.take(p);
   const double moved = common_share(box_of_panels(pattern, motion), person);
   const double unmoved =
-      common_share(box_of_panels(pattern, Eigen::Isometry3d::Identity()), person);
+      common_share(box_of_panels(pattern, RigidMotion::Identity()), person);
   if (moved < kRound && unmoved >= kRound) {
     warnings.push_back(
         "the panels are not round the scan in the coordinates of its file: they are taken as "
