@@ -98,7 +98,7 @@ TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {
   const std::string text = garmentcode_text(shirt);
   const ProgramRun read = pattern("--file " + file("p.json", text));
   EXPECT_EQ(read.exit_code, 0) << read.output;
-  EXPECT_NE(read.output.find("a\\x1b[2Jb\\x0ac"), std::string::npos) << read.output;
+  EXPECT_NE(read.output.find("a\\x1b[2Jb\\nc"), std::string::npos) << read.output;
   // The same names in an error: a seam that is sewn twice.
   std::string twice = text;
   const std::size_t first = twice.find("\"stitches\": [") + 13;
