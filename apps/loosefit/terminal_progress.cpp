@@ -63,8 +63,13 @@ void TerminalProgress::update(double fraction, const std::string& note) {
 }
 
 void TerminalProgress::draw(double fraction, const std::string& note) {
+  std::string shown = terminal_line(note);
+  if (std::size_t end = 36; shown.size() > end) {
+    while ((shown[end] & 0xc0) == 0x80) --end;  // not within a character of UTF-8
+    shown.resize(end);
+  }
   fmt::print(stderr, "\r\033[K{:9} [{}] {:3.0f} %  {:.0f} s  {}", stage_, bar(fraction),
-             100 * fraction, seconds(), terminal_line(note.substr(0, 36)));
+             100 * fraction, seconds(), shown);
   std::fflush(stderr);
   drawn_ = true;
 }

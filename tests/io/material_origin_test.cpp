@@ -62,7 +62,8 @@ TEST(MaterialOrigin, ResolvedScenarioTellsTheSame) {
   for (const std::string& section :
        {std::string(kSheet), std::string("name = \"wool\"\ndamping = 0.02\nthickness = 0.0006\n"),
         std::string("name = \"wool-measured\"\nstiffness_weft = 900\n"),
-        std::string("title = \"t\"\n"), std::string()}) {
+        std::string("title = \"t\"\n"), std::string("source = \"s\"\nthickness = 0.0006\n"),
+        std::string("title = \"t\"\nsource = \"s\"\n"), std::string()}) {
     SCOPED_TRACE(section);
     const Scenario first = parse_scenario("[material]\n" + section, "m.toml");
     const std::string text = scenario_toml(first);
@@ -76,6 +77,18 @@ TEST(MaterialOrigin, ResolvedScenarioTellsTheSame) {
       EXPECT_EQ(a[i].value, b[i].value) << a[i].key;
     }
   }
+}
+
+TEST(MaterialOrigin, OwnSourceStandsEvenWhereEveryFigureIsThatOfTheCard) {
+  const std::string all = material_toml(load_material("denim").material);
+  const MaterialCard own =
+      card("name = \"denim\"\ntitle = \"my cloth\"\nsource = \"own KES-F, lab 2026\"\n" + all);
+  EXPECT_EQ(own.material.name, "my cloth");
+  EXPECT_EQ(own.material.source.rfind("own KES-F, lab 2026", 0), 0u) << own.material.source;
+  EXPECT_EQ(from(own, "thickness"), "scenario");
+  const MaterialCard noted = card("source = \"checked by us\"\n");
+  EXPECT_EQ(noted.material.source.rfind("checked by us; all constants: card paper-cotton", 0), 0u)
+      << noted.material.source;
 }
 
 // Scenarios that were resolved without `given` state every constant of the card.

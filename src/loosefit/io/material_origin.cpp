@@ -64,6 +64,8 @@ void name_after_constants(MaterialCard& card) {
           changed + ": " + of_scenario + "; the others: card " + card_name(card) + ", " + m.source;
     }
   }
+  if (own.keys.empty() && !own.source.empty())
+    m.source = own.source + "; all constants: card " + card_name(card) + ", " + m.source;
   if (!own.title.empty()) m.name = own.title;
 }
 
@@ -87,9 +89,11 @@ void read_own_constants(ConfigReader& table, MaterialCard& card) {
       card.kes.push_back(f);
   own.title = table.text("title", "");
   own.source = table.text("source", "");
-  // A resolved scenario writes out what it took from the card as well.
+  // A resolved scenario writes out what it took from the card as well; those of earlier versions
+  // did so without `given`, and knew neither title nor source.
   const std::vector<std::string> given = table.choices("given", {}, material_keys());
-  const bool resolved = table.has("given") || set.size() == material_keys().size();
+  const bool resolved = table.has("given") || (set.size() == material_keys().size() &&
+                                               own.title.empty() && own.source.empty());
   for (const MaterialConstant& c : material_constants()) {
     if (!set.count(c.key)) continue;
     const bool named = std::find(given.begin(), given.end(), c.key) != given.end();
@@ -108,7 +112,7 @@ std::string own_constants_toml(const MaterialCard& card) {
   if (!own.source.empty()) text += "source = " + toml_quoted(own.source) + "\n";
   std::vector<std::string> keys;
   for (const std::string& key : in_order(card, true)) keys.push_back(toml_quoted(key));
-  if (!keys.empty()) text += "given = [" + join(keys) + "]\n";
+  if (!text.empty() || !keys.empty()) text += "given = [" + join(keys) + "]\n";
   for (const KesFigure& f : own.kes) text += fmt::format("kes.{} = {}\n", f.key, shortest(f.value));
   return text;
 }
