@@ -143,10 +143,16 @@ TEST(RankingText, WhereNothingPassesOneSentenceSaysSo) {
   t.ranking = rank_sites(t.sites, t.scorecard);
   t.sample_names = {"only"};
   const auto text = lines(ranking_text(t));
+  EXPECT_EQ(text[1],
+            "no site passes: all score 0 of 0.5; b: lifts off: 0.4, good from 1, fails at 0.9");
+  t.scorecard.criteria[0].limit = {1, 0.3};
+  t.ranking = rank_sites(t.sites, t.scorecard);
   EXPECT_EQ(
-      text[1],
-      "no site passes: b, the nearest to it, scores 0.00 of 0.5: lifts off: 0.4, good from 1, "
-      "fails at 0.9");
+      lines(ranking_text(t))[1].rfind("no site passes: b, the nearest to it, scores 0.14 of", 0),
+      0u)
+      << ranking_text(t);
+  t.scorecard.criteria[0].limit = {1, 0.9};
+  t.ranking = rank_sites(t.sites, t.scorecard);
   EXPECT_EQ(text[3].substr(0, 9), "-     b  ") << "no rank, shared or not, for what fails";
   EXPECT_EQ(text[4].substr(0, 9), "-     a  ");
   EXPECT_EQ(nlohmann::json::parse(ranking_json(t))["verdict"], text[1]);

@@ -108,12 +108,42 @@ void stand_up(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::s
   }
 }
 
-// Shoulders are wider than the chest is deep.
+/// Angle from x to the horizontal direction in which the surface spreads most [rad], −π/2 to π/2:
+/// principal axis of its triangles. 0 where no direction stands out.
+double spread_direction(const TriangleMesh& mesh) {
+  constexpr double kOutstanding = 1.3;  // ratio of the variances along and across
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[std::size_t(t[0])], &b = mesh.vertices[std::size_t(t[1])],
+               &c = mesh.vertices[std::size_t(t[2])];
+    const double share = triangle_area(a, b, c);
+    const Eigen::Vector2d middle = ((a + b + c) / 3).head<2>();
+    mean += share * middle, moment += share * middle * middle.transpose(), area += share;
+  }
+  if (!(area > 0)) return 0;
+  mean /= area;
+  const Eigen::Matrix2d variance = moment / area - mean * mean.transpose();
+  const double sum = variance.trace(), difference = variance(0, 0) - variance(1, 1);
+  const double apart = std::hypot(difference, 2 * variance(0, 1));
+  if (!(sum + apart > kOutstanding * (sum - apart))) return difference < 0 ? kPi / 2 : 0;
+  return 0.5 * std::atan2(2 * variance(0, 1), difference);
+}
+
+/// Shoulders and arms are wider than the chest is deep: what spreads most comes to lie along x.
 void turn_across(TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
-  const Box box = box_of(mesh.vertices);
-  if (box.upper.y() - box.lower.y() <= box.upper.x() - box.lower.x()) return;
-  turn(mesh, turned, about_z(0, 1));
-  warnings.push_back("the surface is wider along depth than along x: turned by 90 degrees");
+  constexpr double kStraight = 5;  // that a person may stand askew [degrees]
+  const double angle = degrees(spread_direction(mesh));
+  if (std::abs(angle) < kStraight) return;
+  if (std::abs(angle) > 90 - kStraight) {
+    turn(mesh, turned, about_z(0, 1));
+    warnings.push_back("the surface is wider along depth than along x: turned by 90 degrees");
+    return;
+  }
+  turn(mesh, turned, about_z(std::cos(radians(angle)), -std::sin(radians(angle))));
+  warnings.push_back(
+      fmt::format("the person stands askew: turned by {:.0f} degrees about the vertical", -angle));
 }
 
 // Toes stick out in front of the ankles.
@@ -162,7 +192,7 @@ Vec3 shift_to_origin(const TriangleMesh& mesh) {
 }  // namespace
 
 RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
-                                     std::vector<std::string>& warnings) {
+                               std::vector<std::string>& warnings) {
   stand_up(mesh, options, warnings);
   const Box box = box_of(mesh.vertices);
   const double scale = metres_per_unit(box.upper.z() - box.lower.z(), options, warnings);

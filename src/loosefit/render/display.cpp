@@ -13,7 +13,8 @@ namespace loosefit {
 namespace {
 constexpr const char* kHint =
     "start it with: xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" loosefit …   (package "
-    "xvfb), or run without pictures: loosefit run … --no-pictures";
+    "xvfb); loosefit run --no-pictures does without pictures, loosefit map makes maps and sites "
+    "anew";
 
 /// An X server listens on a file socket or on its abstract twin.
 bool listens(const std::string& number, bool abstract) {

@@ -43,6 +43,11 @@ const char* word(Tolerance::End end) {
                                           : "reach";
 }
 
+/// Sites that fail altogether are not better or worse than each other.
+bool fails_or_unrated(const RankedSite& site) {
+  return !site.score.rated() || site.score.robust <= 0;
+}
+
 bool shared(const RankedSite& site, const Ranking& ranking) {
   return std::count_if(ranking.sites.begin(), ranking.sites.end(),
                        [&](const RankedSite& other) { return other.rank == site.rank; }) > 1;
@@ -132,7 +137,7 @@ Json site_json(const RankingTable& table, const RankedSite& site) {
   const SiteScore& score = site.score;
   const bool rated = score.rated();
   Json json = {{"name", site.name},
-               {"rank", rated ? Json(site.rank) : Json(nullptr)},
+               {"rank", fails_or_unrated(site) ? Json(nullptr) : Json(site.rank)},
                {"rank_interval", interval_json(site.rank_interval)},
                {"tied_with", site.tied_with},
                {"score_robust", rated ? Json(score.robust) : Json(nullptr)},
@@ -171,7 +176,7 @@ std::vector<std::string> csv_row(const RankingTable& table, const RankedSite& si
   const RankedPlace& place = table.places[site.index];
   const SiteScore& score = site.score;
   const auto rated = [&](double v) { return score.rated() ? csv_field(v) : std::string(); };
-  std::vector<std::string> row = {score.rated() ? std::to_string(site.rank) : "",
+  std::vector<std::string> row = {fails_or_unrated(site) ? "" : std::to_string(site.rank),
                                   csv_field(site.name), rated(score.robust), rated(score.median),
                                   rated(score.passing)};
   for (const auto& interval : {site.robust_interval, site.median_interval, site.rank_interval}) {
@@ -217,8 +222,7 @@ std::vector<std::string> ranking_notes(const RankingTable& table) {
 }
 
 std::string rank_text(const RankedSite& site, const Ranking& ranking) {
-  // Sites that fail altogether are not better or worse than each other.
-  if (!site.score.rated() || site.score.robust <= 0) return "-";
+  if (fails_or_unrated(site)) return "-";
   return std::to_string(site.rank) + (shared(site, ranking) ? "=" : "");
 }
 
@@ -228,6 +232,9 @@ std::string ranking_verdict(const RankingTable& table) {
   const SiteScore& score = first.score;
   if (!score.rated()) return "no site can be rated: " + first.name + " is " + score.reason;
   if (score.robust >= table.scorecard.pass) return {};
+  if (score.robust <= 0 && table.ranking.sites.size() > 1)
+    return fmt::format("no site passes: all score 0 of {:g}; {}: {}", table.scorecard.pass,
+                       first.name, score.reason);
   return fmt::format("no site passes: {}, the nearest to it, scores {:.2f} of {:g}: {}", first.name,
                      score.robust, table.scorecard.pass, score.reason);
 }

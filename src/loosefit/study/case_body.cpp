@@ -94,7 +94,9 @@ Drape put_on(DrapeSession& session, CaseBody& body) try {
   try {
     return session.put_on(body.path);
   } catch (const NoRoom& even_so) {
-    throw GeometryError(std::string(even_so.what()) + ", even with the arms wide apart");
+    throw GeometryError(std::string(even_so.what()) + ", even with the arms wide apart",
+                        "a garment so wide finds no room between arms and trunk: a smaller "
+                        "garment.fit, or a smaller size, can be put on");
   }
 }
 
