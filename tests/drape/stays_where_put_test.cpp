@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/worn.h"
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 
@@ -42,9 +43,13 @@ class StaysWherePut : public ::testing::TestWithParam<Wearer> {
   /// Height of the highest point of the garment at rest [m].
   double top(const Pattern& pattern, Material material = {}) const {
     material.bending_warp = material.bending_weft = 5e-6;
-    const Drape d = drape(build_hierarchy(pattern, 0.03, material), material);
+    const GarmentHierarchy garment = build_hierarchy(pattern, 0.03, material);
+    const Drape d = drape(garment, material);
     EXPECT_TRUE(d.certificate.settled()) << pattern.name << ": " << d.certificate.stop_reason
                                          << (d.unsettled ? d.unsettled->why : "");
+    EXPECT_EQ(why_not_worn(garment.finest(), pattern, d.positions, body),
+              std::vector<std::string>{})
+        << pattern.name;
     double highest = 0;
     for (const Vec3& p : d.positions) highest = std::max(highest, p.z());
     return highest;
