@@ -8,6 +8,7 @@
 #include "loosefit/dress/dress.h"
 #include "loosefit/garment/hierarchy.h"
 #include "loosefit/io/garmentcode.h"
+#include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 #include "support/trunk_tubes.h"
 #include "support/worn_shirt.h"
@@ -157,6 +158,134 @@ TEST(Worn, NothingIsAskedOfABodyWithoutJointsButTheTouch) {
   EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5), statue), Reasons{});
   EXPECT_EQ(trousers().on(round_the_body(trousers(), -3), statue),
             Reasons{"the garment touches the body nowhere"});
+}
+
+/// Two equal pieces before and behind the body, sewn at both sides: `neck` and `hem` flat widths
+/// [m].
+Pattern two_panels(double neck, double hem, double length, double x, double top) {
+  using namespace testing_support;
+  Pattern pattern;
+  for (const bool back : {false, true})
+    pattern.panels.push_back(placed(
+        polygon_panel(
+            back ? "back" : "front",
+            {{-hem / 2, -length}, {hem / 2, -length}, {neck / 2, 0}, {0, -0.03}, {-neck / 2, 0}}),
+        back, x, top));
+  pattern.stitches = {stitch(0, 1, 1, 4), stitch(0, 4, 1, 1)};
+  return pattern;
+}
+
+double neck_height(const Body& body) { return body.landmarks.at("hps_L").z(); }
+
+TEST(Worn, APonchoOnTheShouldersButNotBelowThem) {
+  const Sewn poncho(two_panels(0.30, 1.10, 0.55, 0, neck_height(woman()) + 0.02));
+  const std::vector<Vec3> x = round_the_body(poncho, 0.02);
+  EXPECT_EQ(poncho.on(x), Reasons{});
+  EXPECT_EQ(poncho.on(moved(x, {0, 0, -0.45})),
+            Reasons{"the neck opening lies below both shoulders"});
+  EXPECT_FALSE(poncho.on(moved(x, {0.6, 0, 0})).empty()) << "beside the head";
+}
+
+TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
+  const Body& body = woman();
+  const Vec3 knee = body.joints.at("knee_L"), hip = body.joints.at("hip_L");
+  const double top = 0.3 * knee.z() + 0.7 * hip.z();
+  const Sewn stocking(two_panels(0.18, 0.14, 0.4, 0.5 * (knee.x() + hip.x()), top));
+  const std::vector<Vec3> x = moved(round_the_body(stocking, 0), {0, knee.y(), 0});
+  EXPECT_EQ(stocking.on(x), Reasons{});
+  EXPECT_EQ(stocking.on(moved(x, {0.4, -0.1, 0})).back(),
+            "an opening made for the left leg goes round no part of the body");
+  EXPECT_EQ(stocking.on(moved(x, {-2 * knee.x(), 0, 0})),
+            Reasons{"an opening made for the left leg goes round the right leg"});
+}
+
+TEST(Worn, ATubeThatIsPlacedRoundNothingGoesRoundWhateverIsInBothEnds) {
+  const Body& body = woman();
+  const Vec3 knee = body.joints.at("knee_L");
+  const Sewn far(two_panels(0.20, 0.18, 0.3, 3, knee.z() + 0.1));
+  const std::vector<Vec3> x = round_the_body(far, 0);
+  EXPECT_EQ(far.on(moved(x, {knee.x() - 3, knee.y(), 0})), Reasons{});
+  EXPECT_EQ(far.on(moved(x, {knee.x() - 2.7, knee.y(), 0})).back(),
+            "nothing goes through both ends of a tube");
+}
+
+TEST(Worn, ATankTopOnTheShoulders) {
+  using namespace testing_support;
+  for (const double length : {0.45, 0.65}) {
+    const Sewn top(dress(levels_of(woman()), 1.15, length));
+    const std::vector<Vec3> x = round_the_body(top, 0.01);
+    EXPECT_EQ(top.on(x), Reasons{}) << length;
+    const Reasons low = top.on(moved(x, {0, 0, -0.4}));
+    EXPECT_NE(std::find(low.begin(), low.end(), "the neck opening lies below both shoulders"),
+              low.end())
+        << length;
+  }
+}
+
+/// The shirt cut open along the middle of its front, without labels on its edges.
+struct Jacket {
+  Pattern pattern = shirt().pattern;
+  Garment mesh = shirt().mesh();
+  Jacket() {
+    for (Panel& panel : pattern.panels)
+      for (PanelEdge& edge : panel.edges) edge.label.clear();
+    const std::vector<Vec3> flat = placed_by_pattern(mesh, pattern);
+    const Garment whole = mesh;
+    mesh.triangles.clear(), mesh.triangle_uv.clear(), mesh.triangle_panel.clear();
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+      const Triangle& c = whole.triangles[t];
+      const Vec3 middle = (flat[c[0]] + flat[c[1]] + flat[c[2]]) / 3;
+      if (middle.y() < 0 && std::abs(middle.x()) < 0.03) continue;
+      mesh.triangles.push_back(c);
+      mesh.triangle_uv.push_back(whole.triangle_uv[t]);
+      mesh.triangle_panel.push_back(whole.triangle_panel[t]);
+    }
+  }
+  Reasons on(const std::vector<Vec3>& x) const { return why_not_worn(mesh, pattern, x, woman()); }
+};
+
+TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
+  const Jacket jacket;
+  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  EXPECT_EQ(jacket.on(x), Reasons{});
+  EXPECT_EQ(jacket.on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
+  const double shoulder = woman().joints.at("shoulder_L").x(),
+               wrist = woman().joints.at("wrist_L").x();
+  for (Vec3& p : x) {  // the cuffs stay where they are
+    const double along = (std::abs(p.x()) - shoulder) / (wrist - 0.05 - shoulder);
+    p.z() -= 0.35 * std::clamp(1 - along, 0.0, 1.0);
+  }
+  const Reasons slid = jacket.on(x);
+  EXPECT_NE(std::find(slid.begin(), slid.end(), "the back of the neck has slid off the shoulders"),
+            slid.end());
+}
+
+TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
+  using namespace testing_support;
+  const Body child = support::standing(support::slim_child_parameters(), 40);
+  const double share = child.measured.at("height") / woman().measured.at("height");
+  Pattern shawl;  // a front piece that hangs from the neck to the waist
+  shawl.panels = {
+      placed(rectangle_panel("front", 0.3, 0.35), false, -0.15, neck_height(woman()) - 0.35)};
+  const Sewn made(shawl);
+  std::vector<Vec3> on_woman = placed_by_pattern(made.mesh(), made.pattern);
+  double skin = 0;
+  for (const Vec3& p : woman().surface.vertices) skin = std::min(skin, p.y());
+  for (Vec3& p : on_woman) p.y() = skin;
+  std::vector<Vec3> on_child = on_woman;
+  for (Vec3& p : on_child) p *= share;
+  const auto sunk = [](const Reasons& reasons) {
+    return std::any_of(reasons.begin(), reasons.end(), [](const std::string& r) {
+      return r.find("below where it was put on") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(sunk(made.on(on_woman)));
+  EXPECT_FALSE(sunk(made.on(on_child, child)));
+  EXPECT_TRUE(sunk(made.on(moved(on_child, {0, 0, -0.5}), child)));
+  EXPECT_TRUE(sunk(made.on(moved(on_woman, {0, 0, -0.5}))));
+  Pattern high = shawl;
+  high.panels[0].translation.z() += 3;
+  EXPECT_FALSE(sunk(Sewn(high).on(on_woman))) << "wherever the pattern is placed";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr double kChest = 0.6;  ///< of the way from hip to neck, where limbs begin: a neckline may
                                 ///< slip past the neck's own joint
 constexpr double kAbove = 0.5;  ///< of the way from hip to neck, beyond the neck: over the crown
-constexpr double kHand = 0.5;   ///< of the forearm's length, beyond the wrist
+constexpr double kHand = 0.8;   ///< of the forearm's length, from the wrist to past the fingertips
 constexpr double kFoot = 1.5;  ///< of the shank's length, beyond the ankle: hems reach to the floor
 
 /// Of the discs' middles, so that a limb in the very middle does not meet all spokes at once [m].
@@ -42,8 +42,9 @@ LimbNumbers normal_form(LimbNumbers n) {
 
 }  // namespace
 
-LimbLines limb_lines(const Body& body) {
-  const auto& at = body.joints;
+LimbLines limb_lines(const Body& body) { return limb_lines(body.joints); }
+
+LimbLines limb_lines(const std::map<std::string, Vec3>& at) {
   LimbLines lines;
   for (const std::string side : {"_L", "_R"})
     for (const char* joint : {"shoulder", "elbow", "wrist", "hip", "knee", "ankle"})
@@ -56,7 +57,15 @@ LimbLines limb_lines(const Body& body) {
                                        {std::string("_R"), kRightArm, kRightLeg}}) {
     const Vec3 elbow = at.at("elbow" + side), wrist = at.at("wrist" + side);
     const Vec3 knee = at.at("knee" + side), ankle = at.at("ankle" + side);
-    lines[arm] = {chest, at.at("shoulder" + side), elbow, wrist, wrist + kHand * (wrist - elbow)};
+    // Straight on through the hand's joint, be that in the palm or at the fingertips.
+    const auto hand = at.find("hand" + side);
+    Vec3 along = wrist - elbow;
+    const double reach = kHand * along.norm();
+    double known = 0;
+    if (hand != at.end() && (hand->second - wrist).norm() > 1e-3)
+      along = hand->second - wrist, known = along.norm();
+    const Vec3 tip = wrist + std::max(reach, known) * along.normalized();
+    lines[arm] = {chest, at.at("shoulder" + side), elbow, wrist, tip};
     lines[leg] = {chest, hip, at.at("hip" + side), knee, ankle, ankle + kFoot * (ankle - knee)};
   }
   return lines;

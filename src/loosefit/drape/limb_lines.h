@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "loosefit/body/body.h"
@@ -13,6 +15,8 @@ enum Limb { kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kLimbs };
 /// joints.
 using LimbLines = std::array<std::vector<Vec3>, kLimbs>;
 LimbLines limb_lines(const Body& body);
+/// The same of joints alone.
+LimbLines limb_lines(const std::map<std::string, Vec3>& joints);
 
 /// How often each limb goes through a closed curve: signed crossings of its line with the disc
 /// between the curve and its middle, less the number that most limbs have, the first that is not

@@ -223,7 +223,8 @@ std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pat
     opening.at_waist = on(waist);
     opening.at_chest = on(chest);
     labels.push_back(panel_label(loop, garment, pattern));
-    of_piece[piece[loop.front()]].push_back(static_cast<int>(openings.size()));
+    opening.piece = piece[loop.front()];
+    of_piece[opening.piece].push_back(static_cast<int>(openings.size()));
     opening.loop = std::move(loop);
     openings.push_back(std::move(opening));
   }
@@ -232,6 +233,30 @@ std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pat
   for (const Vec3& p : placed) box.extend(p);
   for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
   return openings;
+}
+
+void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
+                const LimbLines& lines, double cape) {
+  if (placed.empty() || lines[kHead].empty()) return;
+  std::map<int, std::vector<Opening*>> of_piece;
+  for (Opening& o : openings) of_piece[o.piece].push_back(&o);
+  for (auto& [piece, ends] : of_piece) {
+    const auto labelled = [](const Opening* o) { return o->at_waist || o->at_chest; };
+    if (ends.size() != 2 || std::any_of(ends.begin(), ends.end(), labelled)) continue;
+    if (ends[0]->placed.z() < ends[1]->placed.z()) std::swap(ends[0], ends[1]);
+    Opening &upper = *ends[0], &lower = *ends[1];
+    const LimbNumbers round = limbs_through(upper.loop, placed, lines);
+    const bool one_limb =
+        round != kRoundNeck && std::count(round.begin(), round.end(), 0) == kLimbs - 1;
+    if (round == kRoundTrunk) {
+      upper.use = OpeningUse::upper, lower.use = OpeningUse::hem;
+    } else if (round == kRoundNeck && upper.girth < cape) {
+      upper.use = OpeningUse::neck, lower.use = OpeningUse::cape_hem;
+    } else {
+      for (Opening* o : ends) o->use = one_limb ? OpeningUse::limb : OpeningUse::tube;
+      if (one_limb) upper.round = lower.round = round;
+    }
+  }
 }
 
 }  // namespace loosefit

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/drape/limb_lines.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/pattern.h"
 
@@ -10,8 +11,10 @@ namespace loosefit {
 /// What an opening of a garment was made for.
 enum class OpeningUse {
   unknown,   ///< an unusual cut: it is only asked that it stays where it was put on
-  limb,      ///< of a tube for whatever limb it is on: stocking, arm band
+  limb,      ///< of a tube for a limb (`round`): stocking, arm band
+  tube,      ///< of a tube for whatever goes through both its ends
   neck,      ///< of a garment that hangs on the shoulders
+  cape_hem,  ///< of a cape or poncho, arms within or out below it
   left_arm,  ///< cuff or armhole
   right_arm,
   left_leg,
@@ -24,20 +27,31 @@ enum class OpeningUse {
 /// A closed edge of a garment that a limb may go through.
 struct Opening {
   OpeningUse use = OpeningUse::unknown;
-  std::vector<int> loop;       ///< vertices in order
-  double girth = 0;            ///< of the flat pieces [m]
-  Vec3 placed = Vec3::Zero();  ///< its middle where the pattern places the pieces [m]
-  bool at_waist = false;       ///< an edge is labelled "lower_interface"
-  bool at_chest = false;       ///< an edge is labelled "strapless_top"
+  std::vector<int> loop;              ///< vertices in order
+  double girth = 0;                   ///< of the flat pieces [m]
+  Vec3 placed = Vec3::Zero();         ///< its middle where the pattern places the pieces [m]
+  int piece = 0;                      ///< connected piece of cloth; equal for openings of the same
+  LimbNumbers round = kRoundNothing;  ///< for a limb: which
+  bool at_waist = false;              ///< an edge is labelled "lower_interface"
+  bool at_chest = false;              ///< an edge is labelled "strapless_top"
 };
 
 /// The openings, in the order of their first vertices. What each was made for is told by how they
 /// lie to each other where the pattern places its pieces, whatever wearer that was made for, and
 /// by the labels of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are
 /// arms, a pair below a single opening are legs, a second pair below the first are legs too, two
-/// in the middle alone are the ends of a tube. An edge that runs from top to bottom is an open
-/// front. Holes that no hand goes through (8 cm) are left out.
+/// in the middle alone are the ends of a tube round the trunk unless tell_tubes says otherwise. An
+/// edge that runs from top to bottom is an open front. Holes that no hand goes through (8 cm) are
+/// left out.
 std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern);
+
+/// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the
+/// pattern is placed (`placed`, [m]) on a wearer with these lines in rest posture. The trunk: a
+/// skirt or a strapless dress; the neck: a cape or a poncho, unless it is too wide for one
+/// (`cape`, widest girth [m]); one limb: a stocking; anything else, as of a pattern that was placed
+/// for another wearer: what goes through both ends. Labels of edges come before.
+void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
+                const LimbLines& lines, double cape);
 
 /// Vertices where the pattern places the pieces, seams at the mean of their sides [m]. Empty when
 /// the pattern lacks a piece.

@@ -45,6 +45,16 @@ Vec3 RestLevels::in_rest(int vertex, const Vec3& p) const {
   return pose.leftCols<3>().inverse() * (p - pose.col(3));
 }
 
+std::map<std::string, Vec3> RestLevels::joints() const {
+  std::map<std::string, Vec3> at = body_.joints;
+  for (auto& [name, p] : at) {
+    // All bones that meet in a joint move it alike, so any skin next to it brings it back.
+    const ClosestPoint skin = tree_.query(p);
+    p = in_rest(body_.surface.triangles[skin.triangle][0], p) - soles_ * Vec3::UnitZ();
+  }
+  return at;
+}
+
 double RestLevels::of(const Vec3& p) const {
   const auto& corners = body_.surface.triangles;
   const bool parted = body_.segment.size() == body_.surface.vertices.size();

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ class RestLevels {
   double of(const std::vector<int>& vertices, const std::vector<Vec3>& x) const;
   /// Distance from the skin, arms and hands included [m].
   double distance(const Vec3& p) const;
+
+  /// Joints as if standing upright, on soles at z = 0 [m].
+  std::map<std::string, Vec3> joints() const;
 
   double height = 0;                                 ///< stature
   double chest = 0, waist = 0, hip = 0, crotch = 0;  ///< hip: where it is widest

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
@@ -21,6 +21,7 @@ constexpr double kGone = 1.0;         ///< of waist to crotch, that an unknown o
 constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not made for the chest
 constexpr double kTouch = 0.010;      ///< [m]
 constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
+constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
 constexpr double kSleeve = 0.6;       ///< of the chest's girth, the widest tube for a limb
 
 const char* const kLimbNames[] = {"the head", "the left arm", "the right arm", "the left leg",
@@ -53,15 +54,32 @@ class Verdict {
   std::vector<std::string> reasons(bool over_others) {
     if (!over_others && !touches()) say("the garment touches the body nowhere");
     if (lines_[kHead].empty()) return reasons_;
-    const std::vector<Opening> openings = garment_openings(garment_, pattern_);
-    bool known = false;
+    placed_ = placed_by_pattern(garment_, pattern_);
+    std::vector<Opening> openings = garment_openings(garment_, pattern_);
+    tell_tubes(openings, placed_, limb_lines(levels_.joints()), kForTheWaist * chest_girth_);
+    std::map<int, std::vector<const Opening*>> of_piece;
     for (const Opening& opening : openings) {
       check(opening);
-      known = known || opening.use != OpeningUse::unknown;
+      of_piece[opening.piece].push_back(&opening);
     }
-    if (!known) check_sunk(openings);
+    for (const auto& [piece, of] : of_piece) {
+      check_sunk(of);
+      check_tube(of);
+      check_open_front(of);
+    }
+    if (openings.empty()) check_sunk({});
     check_labels();
     return reasons_;
+  }
+
+  /// Whether every opening that no other question is asked of has the limbs through it that it has
+  /// at `first` on another posture of the body.
+  bool alike(const std::vector<Vec3>& first, const LimbLines& lines) {
+    if (lines_[kHead].empty() || lines[kHead].empty()) return true;
+    for (const Opening& o : garment_openings(garment_, pattern_))
+      if (o.use == OpeningUse::unknown && !goes_round(o, limbs_through(o.loop, first, lines)))
+        return false;
+    return true;
   }
 
  private:
@@ -78,8 +96,7 @@ class Verdict {
   bool goes_round(const Opening& opening, const LimbNumbers& wanted) {
     round_ = limbs_through(opening.loop, x_, lines_);
     if (round_ == wanted) return true;
-    const double widest = std::max(1.5 * opening.girth, kSleeve * chest_girth_);
-    for (const std::vector<int>& ring : tube_rings(garment_, opening.loop, widest))
+    for (const std::vector<int>& ring : tube_rings(garment_, opening.loop, widest(opening)))
       if (limbs_through(ring, x_, lines_) == wanted) return true;
     return false;
   }
@@ -103,9 +120,12 @@ class Verdict {
       case OpeningUse::hem:
         return check_hem(o);
       case OpeningUse::limb:
-        if (limbs_through(o.loop, x_, lines_) == kRoundNothing)
-          say("an opening goes round no part of the body");
+        if (!goes_round(o, o.round))
+          say("an opening made for " + round_what(o.round) + " goes round " + round_what(round_));
         return;
+      case OpeningUse::cape_hem:
+        return check_cape_hem(o);
+      case OpeningUse::tube:
       case OpeningUse::unknown:
         return;
     }
@@ -146,12 +166,89 @@ class Verdict {
     if (!goes_round(o, kRoundTrunk)) say("the hem goes round " + round_what(round_));
   }
 
-  /// The top of a tube: a collar or a sleeve, when that is what the pattern is placed round.
+  /// The arms may be within, or come out below it.
+  void check_cape_hem(const Opening& o) {
+    const LimbNumbers n = limbs_through(o.loop, x_, lines_);
+    if (n[kLeftLeg] != n[kRightLeg] || n[kHead] == n[kLeftLeg])
+      say("the hem goes round " + round_what(n));
+  }
+
+  /// The top of a tube round the trunk.
   void check_upper(const Opening& o) {
     const bool on_hips = !o.at_chest && o.girth < kForTheWaist * chest_girth_;
     check_trunk(
-        o, on_hips || o.placed.z() <= levels_.waist + kSlip * way_ ? "waistband" : "upper opening");
+        o, on_hips || made_for(o) <= levels_.waist + kSlip * way_ ? "waistband" : "upper opening");
   }
+
+  /// A tube that is placed round nothing known: whatever goes through one end, through the other.
+  void check_tube(const std::vector<const Opening*>& ends) {
+    if (ends.size() != 2 || ends[0]->use != OpeningUse::tube) return;
+    const bool first = ends[0]->placed.z() >= ends[1]->placed.z();
+    const Opening &upper = *ends[first ? 0 : 1], &lower = *ends[first ? 1 : 0];
+    const LimbNumbers up = limbs_through(upper.loop, x_, lines_);
+    if (up == kRoundNeck) return check_cape_hem(lower);
+    const LimbNumbers low = limbs_through(lower.loop, x_, lines_);
+    const bool through = (up != kRoundNothing && goes_round(lower, up)) ||
+                         (low != kRoundNothing && goes_round(upper, low));
+    if (!through)
+      say("nothing goes through both ends of a tube");
+    else if (up == kRoundTrunk)
+      check_upper(upper);
+  }
+
+  /// The body of a jacket that is open in front is held by no ring: its sleeves begin at the
+  /// shoulders, and its edge runs behind the neck.
+  void check_open_front(const std::vector<const Opening*>& of) {
+    const Opening* front = nullptr;
+    bool armed = false;
+    for (const Opening* o : of) {
+      if (o->use == OpeningUse::neck) return;
+      if (o->use == OpeningUse::unknown && (!front || o->girth > front->girth)) front = o;
+      armed = armed || is_arm(*o);
+    }
+    if (!front || !armed) return;
+    for (const Opening* o : of) {
+      if (!is_arm(*o)) continue;
+      const std::string side = o->use == OpeningUse::left_arm ? "left" : "right";
+      const Vec3& shoulder = body_.joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
+      double away = distance_of(o->loop, shoulder);
+      for (const std::vector<int>& ring : tube_rings(garment_, o->loop, widest(*o)))
+        away = std::min(away, distance_of(ring, shoulder));
+      if (away > kShoulder * levels_.height) say_armhole(side, away);
+    }
+    double highest = levels_.of(x_[front->loop.front()]);
+    for (int v : front->loop) highest = std::max(highest, levels_.of(x_[v]));
+    const auto joints = levels_.joints();
+    if (highest < 0.5 * (joints.at("shoulder_L").z() + joints.at("shoulder_R").z()))
+      say("the back of the neck has slid off the shoulders");
+  }
+
+  static bool is_arm(const Opening& o) {
+    return o.use == OpeningUse::left_arm || o.use == OpeningUse::right_arm;
+  }
+
+  double distance_of(const std::vector<int>& vertices, const Vec3& p) const {
+    Vec3 middle = Vec3::Zero();
+    for (int v : vertices) middle += x_[v] / static_cast<double>(vertices.size());
+    return (middle - p).norm();
+  }
+
+  void say_armhole(const std::string& side, double away) {
+    say(fmt::format("the {} armhole lies {:.2f} m from the shoulder", side, away));
+  }
+
+  double widest(const Opening& o) const { return std::max(1.5 * o.girth, kSleeve * chest_girth_); }
+
+  /// Share of a placed height that is left on this wearer: a pattern that begins above the
+  /// shoulders was placed for somebody taller, or not placed on anybody.
+  double share() const {
+    double top = 0;
+    for (const Vec3& p : placed_) top = std::max(top, p.z());
+    return std::min(1.0, kNeck * levels_.height / std::max(1e-9, top));
+  }
+
+  /// Height on this wearer where the pattern places the opening [m].
+  double made_for(const Opening& o) const { return share() * o.placed.z(); }
 
   void check_trunk(const Opening& o, const std::string& name) {
     if (!goes_round(o, kRoundTrunk)) {
@@ -160,7 +257,7 @@ class Verdict {
     }
     const double highest = name == "waistband" ? levels_.waist : levels_.chest;
     const double upper_hips = levels_.waist - kSlip * way_;
-    double made = std::clamp(o.placed.z(), upper_hips, highest);
+    double made = std::clamp(made_for(o), upper_hips, highest);
     if (o.at_waist) made = levels_.waist;
     if (o.at_chest) made = levels_.chest;
     const double lowest = std::max(made - kSlip * way_, levels_.waist - kLowest * way_);
@@ -177,16 +274,22 @@ class Verdict {
     }
   }
 
-  void check_sunk(const std::vector<Opening>& openings) {
-    const std::vector<Vec3> placed = placed_by_pattern(garment_, pattern_);
-    if (placed.empty()) return;
+  /// The highest opening of unknown use, by which the piece hangs; all cloth if it has none at all.
+  void check_sunk(const std::vector<const Opening*>& openings) {
+    if (placed_.empty()) return;
     std::vector<int> of;
-    for (const Opening& o : openings) of.insert(of.end(), o.loop.begin(), o.loop.end());
-    if (of.empty())
-      for (int v = 0; v < garment_.vertex_count; ++v) of.push_back(v);
-    double before = 0;
-    for (int v : of) before += placed[v].z() / static_cast<double>(of.size());
-    const double sunk = before - levels_.of(of, x_);
+    double made = -1;
+    for (const Opening* o : openings)
+      if (o->use == OpeningUse::unknown && made_for(*o) > made) made = made_for(*o), of = o->loop;
+    if (openings.empty()) {
+      made = 0;
+      for (int v = 0; v < garment_.vertex_count; ++v) {
+        of.push_back(v);
+        made += share() * placed_[v].z() / garment_.vertex_count;
+      }
+    }
+    if (of.empty()) return;
+    const double sunk = made - levels_.of(of, x_);
     if (sunk > kGone * way_)
       say(fmt::format("the garment lies {:.2f} m below where it was put on", sunk));
   }
@@ -200,8 +303,7 @@ class Verdict {
       const Vec3& shoulder = body_.joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
       double away = 0;
       for (int v : armhole) away += (x_[v] - shoulder).norm() / static_cast<double>(armhole.size());
-      if (away > kShoulder * levels_.height)
-        say(fmt::format("the {} armhole lies {:.2f} m from the shoulder", side, away));
+      if (away > kShoulder * levels_.height) say_armhole(side, away);
     }
   }
 
@@ -209,6 +311,7 @@ class Verdict {
   const Pattern& pattern_;
   const std::vector<Vec3>& x_;
   const Body& body_;
+  std::vector<Vec3> placed_;  ///< by the pattern
   LimbLines lines_;
   RestLevels levels_;
   double way_;  ///< from waist down to crotch [m]
@@ -223,6 +326,11 @@ std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pat
                                       const std::vector<Vec3>& x, const Body& body,
                                       bool over_others) {
   return Verdict(garment, pattern, x, body).reasons(over_others);
+}
+
+bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
+                const Body& body, const std::vector<Vec3>& first, const Body& first_body) {
+  return Verdict(garment, pattern, x, body).alike(first, limb_lines(first_body));
 }
 
 }  // namespace loosefit

@@ -19,13 +19,25 @@ namespace loosefit {
 ///   above the breast, armholes at the shoulders. What a waist was made for is the level at which
 ///   the pattern places it, not above the waist nor below the upper hips; a tube for the trunk may
 ///   be made for the chest. Neck openings on the shoulders, hems and cuffs may lie where they like;
-/// * an opening of an unusual cut, and cloth without openings, has not gone down by more than twice
-///   that way since the pattern was placed;
+/// * a tube with two ends goes round what it is placed round: the trunk, the neck (a poncho, whose
+///   hem may lie on the arms) or one limb (a stocking); when that is nothing known, whatever is in
+///   one end is in the other;
+/// * a garment that is open in front has its armholes at the shoulders and its edge behind the
+/// neck;
+/// * the highest opening of an unusual cut, and cloth without openings, has not gone down by more
+///   than twice that way since the pattern was placed; heights of a pattern that begins above the
+///   wearer's neck are scaled to begin there;
 /// * it touches the body somewhere (within 10 mm), unless it lies `over_others`, which may bear it.
 ///
 /// A body without joints is only asked for the touch.
 std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
                                       const std::vector<Vec3>& x, const Body& body,
                                       bool over_others = false);
+
+/// Whether the openings of an unusual cut, of which why_not_worn does not know what they are for,
+/// have the same limbs through them at x on `body` as at `first` on the same person in
+/// `first_body`; true for bodies without joints. A limb in the sleeve of an opening counts.
+bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
+                const Body& body, const std::vector<Vec3>& first, const Body& first_body);
 
 }  // namespace loosefit

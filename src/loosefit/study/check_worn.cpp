@@ -4,7 +4,6 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/drape/worn.h"
-#include "loosefit/drape/worn_limbs.h"
 
 namespace loosefit {
 namespace {
@@ -43,13 +42,13 @@ void check_worn(const CaseResult& result, CaseState& state) {
   auto& found = state.drape.certificate.worn_reasons;
   found = reasons(
       result, state.drape, [&](std::size_t l) -> const Drape& { return state.under[l]; }, body);
-  const auto as_before = [&](const Garment& garment, const Drape& now, const Drape& first) {
-    return limbs_through_openings(garment.triangles, now.positions, body) ==
-           limbs_through_openings(garment.triangles, first.positions, result.body.body);
+  const auto as_before = [&](const auto& layer, const Drape& now) {
+    return worn_alike(layer.mesh(), layer.pattern.pattern, now.positions, body,
+                      layer.drape.positions, result.body.body);
   };
-  bool same = as_before(result.mesh(), state.drape, result.drape);
+  bool same = as_before(result, state.drape);
   for (std::size_t l = 0; l < result.under.size(); ++l)
-    same = same && as_before(result.under[l].mesh(), state.under[l], result.under[l].drape);
+    same = same && as_before(result.under[l], state.under[l]);
   if (!same && found.empty())
     found.push_back(
         "a limb or the trunk has left the opening it went through, or gone through the cloth");

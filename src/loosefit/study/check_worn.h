@@ -8,8 +8,8 @@ namespace loosefit {
 void check_worn(CaseResult& result);
 
 /// The same of a settled state, which is left out with the reasons when it is not worn; also when a
-/// limb no longer goes through the opening that it goes through in result.drape
-/// (drape/worn_limbs.h).
+/// limb no longer goes through an opening of an unusual cut that it goes through in result.drape
+/// (worn_alike).
 void check_worn(const CaseResult& result, CaseState& state);
 
 }  // namespace loosefit
