@@ -97,6 +97,16 @@ TEST(WornLimbs, ANecklineOverOneShoulderHasThatArmToo) {
   EXPECT_EQ(limbs_through(loop, points, limb_lines(stick_figure())), (LimbNumbers{1, 1, 0, 0, 0}));
 }
 
+TEST(WornLimbs, AnArmReachesToTheFingertips) {
+  Body body = stick_figure();
+  const auto tip = [&] { return limb_lines(body)[kLeftArm].back(); };
+  EXPECT_NEAR(tip().x(), 0.76, 1e-9) << "a hand is most of a forearm long";
+  body.joints["hand_L"] = Vec3(0.6, 0, 1.27);
+  EXPECT_NEAR((tip() - Vec3(0.6, 0, 1.19)).norm(), 0, 1e-9) << "bent down, joint in the palm";
+  body.joints["hand_L"] = Vec3(0.6, 0, 1.15);
+  EXPECT_NEAR((tip() - Vec3(0.6, 0, 1.15)).norm(), 0, 1e-9) << "as long as it is";
+}
+
 TEST(WornLimbs, AreNotKnownWithoutJoints) {
   EXPECT_TRUE(limbs_through_openings({}, {}, Body{}).empty());
 }

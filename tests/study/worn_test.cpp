@@ -260,6 +260,17 @@ TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
             slid.end());
 }
 
+TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
+  const Jacket jacket;
+  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const auto alike = [&](const Garment& mesh, const Vec3& way) {
+    return worn_alike(mesh, jacket.pattern, moved(x, way), woman(), x, woman());
+  };
+  EXPECT_TRUE(alike(jacket.mesh, {0, 0, -0.03}));
+  EXPECT_FALSE(alike(jacket.mesh, {0, 0, 3}));
+  EXPECT_TRUE(alike(shirt().mesh(), {0, 0, 3})) << "why_not_worn knows what its openings are for";
+}
+
 TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
   using namespace testing_support;
   const Body child = support::standing(support::slim_child_parameters(), 40);
