@@ -19,6 +19,7 @@ double above_neck(const std::string& garment) {
   options.only_drape = true;
   const CaseResult result = run_case(scenario, silent, options);
   EXPECT_TRUE(result.drape.certificate.settled()) << result.drape.certificate.stop_reason;
+  EXPECT_EQ(result.drape.certificate.worn_reasons, std::vector<std::string>{});
   double highest = 0;
   for (const Vec3& p : result.drape.positions) highest = std::max(highest, p.z());
   return highest - result.body.body.landmarks.at("hps_L").z();

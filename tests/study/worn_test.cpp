@@ -222,6 +222,21 @@ TEST(Worn, ATankTopOnTheShoulders) {
   }
 }
 
+TEST(Worn, AStraplessDressAtTheChestAndNotAtTheHips) {
+  const double chest = woman().measured.at("chest");
+  const Sewn dress(
+      two_panels(0.48 * chest, 0.7 * chest, 0.7, 0, woman().landmarks.at("sternum").z() + 0.03));
+  const std::vector<Vec3> x = round_the_body(dress, 0);
+  EXPECT_EQ(dress.on(x), Reasons{});
+  EXPECT_EQ(dress.on(moved(x, {0, 0, -0.35})), Reasons{"the upper opening has slid to the hips"});
+}
+
+TEST(Worn, AShirtWithTheArmsRaisedAside) {
+  const Body raised = support::standing(support::adult_parameters(), 80);
+  const Sewn made(support::shirt_for(raised, 0.2));
+  EXPECT_EQ(made.on(dress_shirt(made.mesh(), raised), raised), Reasons{});
+}
+
 /// The shirt cut open along the middle of its front, without labels on its edges.
 struct Jacket {
   Pattern pattern = shirt().pattern;
