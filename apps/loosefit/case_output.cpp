@@ -91,6 +91,12 @@ void write_output(const std::filesystem::path& folder, CaseResult& result,
   write_summary_file(folder, result);
 }
 
+void tell_what_was_set_aside(const std::string& folder, const std::string& aside) {
+  if (aside.empty()) return;
+  fmt::print(stderr, "note: files that stood in the way are in {}\n",
+             terminal_line((std::filesystem::path(folder) / aside).string()));
+}
+
 void print_result(const CaseResult& result, const std::string& folder) {
   const Certificate& certificate = result.drape.certificate;
   for (const std::string& warning : result.warnings)

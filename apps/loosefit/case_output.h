@@ -26,6 +26,10 @@ struct OutputOptions {
 void write_output(const std::filesystem::path& folder, CaseResult& result,
                   const OutputOptions& options, Progress& progress);
 
+/// Says on standard error, even to those who want it quiet, that files of `folder` were moved to
+/// its folder `aside`; nothing when that is empty.
+void tell_what_was_set_aside(const std::string& folder, const std::string& aside);
+
 /// The result in a few lines on standard output.
 void print_result(const CaseResult& result, const std::string& folder);
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "case_output.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -127,10 +128,9 @@ int rank(const Arguments& arguments) {
   if (folder) {
     write_ranking(folder->path(), table, pattern);
     folder->commit();
+    tell_what_was_set_aside(input, folder->aside());
   }
   if (!arguments.quiet) {
-    if (folder && !folder->aside().empty())
-      fmt::print("what stood in the way: {}/{}\n", input, folder->aside());
     if (folder)
       fmt::print("written: {}\n", terminal_line(beside ? input : arguments.output));
     else

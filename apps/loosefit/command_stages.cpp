@@ -1,7 +1,5 @@
 #include "command_stages.h"
 
-#include <fmt/format.h>
-
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <memory>
@@ -53,8 +51,7 @@ int redo(const Arguments& arguments, const OutputOptions& output) {
   folder.commit();
   shown.clear();
   if (!arguments.quiet) print_result(result, arguments.folder);
-  if (!arguments.quiet && !folder.aside().empty())
-    fmt::print("what stood in the way: {}/{}\n", arguments.folder, folder.aside());
+  tell_what_was_set_aside(arguments.folder, folder.aside());
   return result.drape.certificate.holds() ? kGood : kNotSettled;
 }
 

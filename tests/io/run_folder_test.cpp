@@ -194,6 +194,38 @@ TEST_F(RunFolderTest, UpdateOfARunWithoutAMarkSetsAsideWhatIsInTheWay) {
   EXPECT_EQ(text("summary.json"), "new") << "our own by now";
 }
 
+TEST_F(RunFolderTest, UpdateOfARunWithoutAMarkRefusesEditedFilesOfAnEarlierUpdate) {
+  write("run/summary.json", "old");
+  write("run/log.jsonl", "old");
+  RunFolder first = RunFolder::update(base / "run");
+  write_text_file(first.path() / "summary.json", "new");
+  first.commit();
+  write("run/summary.json", "edited");
+  RunFolder later = RunFolder::update(base / "run");
+  later.announce({"log.jsonl"});
+  EXPECT_THROW(later.announce({"summary.json"}), InvalidInput);
+  write_text_file(later.path() / "summary.json", "newer");
+  EXPECT_THROW(later.commit(), InvalidInput);
+  EXPECT_EQ(text("summary.json"), "edited");
+  EXPECT_FALSE(fs::exists(base / "run/replaced-2"));
+}
+
+TEST_F(RunFolderTest, AddCallsOnlyAnOutputWithAMarkThatOfARun) {
+  const auto refusal = [this] {
+    try {
+      RunFolder::add(base / "run", "body");
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  write("run/summary.json", "{}");
+  EXPECT_NE(refusal().find("a folder with a summary.json, perhaps"), std::string::npos);
+  fs::remove_all(base / "run");
+  make_run({{"summary.json", "{}"}});
+  EXPECT_NE(refusal().find("the output of a run"), std::string::npos);
+}
+
 TEST_F(RunFolderTest, HiddenFolderOfAProcessThatIsGoneIsRemoved) {
   const pid_t killed = fork();
   if (killed == 0) {

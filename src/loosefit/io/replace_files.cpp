@@ -78,7 +78,7 @@ bool add_file(const Replacement& wish, const OutputMark& before, const std::stri
   if (there != Standing::nothing && !ours) {
     plan.after.forget(file);
     if (wish.leave_edited.count(file)) return false;
-    if (!wish.set_aside || there != Standing::plain_file) return true;
+    if (!wish.set_aside || known || there != Standing::plain_file) return true;
     plan.commit.aside.insert(file);
   }
   plan.after.forget(file);
@@ -153,11 +153,29 @@ void move_all(const fs::path& target, const PendingCommit& commit) {
   }
   for (const auto& [file, digest] : commit.incoming) {
     make_parents(target, file);
-    move_to_free_name(target / commit.staging / "new" / file, target / file);
+    const fs::path from = target / commit.staging / "new" / file;
+    try {
+      move_to_free_name(from, target / file);
+    } catch (const IoError&) {
+      if (is_there(from) && is_there(target / file)) throw FilesInTheWay(target, {file});
+      throw;
+    }
   }
   for (const std::string& folder : commit.removed) remove_if_empty(target, folder);
   for (const std::string& folder : commit.made) sync_to_disk(target / folder);
   sync_to_disk(target);
+}
+
+/// Old files were looked at before the new ones were on the disk: who saved one since keeps it.
+void check_taken_files(const fs::path& target, const PendingCommit& commit,
+                       const OutputMark& before) {
+  std::vector<std::string> changed;
+  for (const std::string& file : commit.outgoing) {
+    const std::string* known = before.digest(file);
+    if (commit.aside.count(file) || !known) continue;  // what is set aside stays in any case
+    if (plain_digest(target / commit.staging / "old", file) != *known) changed.push_back(file);
+  }
+  if (!changed.empty()) throw FilesInTheWay(target, changed);
 }
 
 /// Files set aside leave empty folders behind when they move back.
@@ -197,6 +215,7 @@ void move_back(const fs::path& target, const PendingCommit& pending) {
   } else {
     move_over(staging / "mark-before", target / kOutputMark);
   }
+  sync_to_disk(target);
 }
 
 }  // namespace
@@ -235,9 +254,11 @@ std::string replace_files(const Replacement& wish, const std::string& staging) {
   else
     move_to_free_name(hidden / "mark-pending", mark);
   try {
+    sync_to_disk(wish.target);
     move_all(wish.target, plan.commit);
+    check_taken_files(wish.target, plan.commit, before.value_or(OutputMark()));
     move_over(hidden / "mark-after", mark);
-  } catch (const IoError&) {
+  } catch (...) {  // whatever it is: the hidden folder has the only copies of old files
     move_back(wish.target, plan.commit);
     throw;
   }
@@ -258,7 +279,7 @@ void roll_back(const fs::path& target) {
     throw IoError(target.string() + ": is being written by another process",
                   "choose another folder with -o, or wait");
   move_back(target, *mark->pending);
-  remove_staging(staging);
+  if (!holds_taken_files(staging)) remove_staging(staging);
 }
 
 }  // namespace loosefit

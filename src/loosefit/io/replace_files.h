@@ -16,7 +16,8 @@ namespace loosefit {
 //   1. everything is on the disk in the hidden folder: new files, the mark of afterwards
 //   2. the mark in the output is replaced by one that also lists what goes and what comes (pending)
 //   3. old files move from the output to the hidden folder, then new ones the other way
-//   4. the mark of afterwards replaces the pending one: this is the commit
+//   4. old files are read once more, as somebody may have saved one after it was looked at; then
+//      the mark of afterwards replaces the pending one: this is the commit
 //   5. the hidden folder is removed
 //
 // When a step fails, what moved moves back. When the process is killed between 2 and 4, the pending
@@ -31,8 +32,8 @@ struct Replacement {
   bool whole = false;  ///< files of an earlier set of this kind that do not come again go
   /// Files that stay as they are when they are not as we wrote them.
   std::set<std::string> leave_edited;
-  /// What is in the way moves to `replaced-1`, … of the folder instead of being an error: for
-  /// outputs of versions that wrote no mark.
+  /// Files in the way of which the mark knows nothing move to `replaced-1`, … of the folder instead
+  /// of being an error: for outputs of versions that wrote no mark.
   bool set_aside = false;
 };
 
@@ -48,7 +49,8 @@ std::vector<std::string> in_the_way(const std::filesystem::path& folder, const O
 
 /// Carries out steps 1 to 4. `staging` is the hidden folder relative to the target. Returns the
 /// folder to which files were set aside, if any.
-/// \throws FilesInTheWay with nothing changed; IoError with everything moved back.
+/// \throws FilesInTheWay with nothing changed, or moved back when files were changed meanwhile;
+/// IoError, or whatever else has gone wrong, with everything moved back.
 std::string replace_files(const Replacement& wish, const std::string& staging);
 
 /// Brings a folder whose commit was killed back to what it was before; nothing to do for any other.

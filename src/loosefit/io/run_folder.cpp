@@ -101,7 +101,10 @@ void RunFolder::check_target() const {
                        kNothingChanged);
   if (mode_ == Mode::add) {
     if (summary || has_mark_of_run())
-      throw InvalidInput({target_.string(), 0, ""}, "the output of a run (it holds summary.json)",
+      throw InvalidInput({target_.string(), 0, ""},
+                         has_mark_of_run()
+                             ? "the output of a run, whose files belong together"
+                             : "a folder with a summary.json, perhaps of an earlier Loosefit",
                          "another folder", kNothingChanged);
     return;
   }
@@ -121,9 +124,13 @@ void RunFolder::announce(const std::vector<std::string>& planned) const {
   std::error_code error;
   if (!fs::is_directory(target_, error)) return;
   const auto mark = read_output_mark(target_);
-  if (sets_aside()) return;
-  std::vector<std::string> names = in_the_way(target_, mark.value_or(OutputMark()), planned);
-  std::erase_if(names, [this](const std::string& name) { return leave_edited_.count(name) > 0; });
+  const OutputMark known = mark.value_or(OutputMark());
+  std::vector<std::string> names = in_the_way(target_, known, planned);
+  const bool aside = sets_aside();
+  std::erase_if(names, [&](const std::string& name) {
+    return leave_edited_.count(name) > 0 ||
+           (aside && !known.digest(name) && is_plain_file(target_, name));
+  });
   if (!names.empty()) throw FilesInTheWay(target_, names);
 }
 
@@ -149,18 +156,24 @@ void RunFolder::become_target(const fs::path& target) {
 }
 
 void RunFolder::save_elsewhere(const std::string& message) {
-  for (int k = 1; k < 1000; ++k) {
-    const fs::path free =
-        target_.parent_path() / (target_.filename().string() + ".new-" + std::to_string(k));
-    if (is_there(free)) continue;
+  const auto is_now = [](const fs::path& place) {
+    return "this folder is as it was; the new output is " + place.string();
+  };
+  // In the folder itself where nothing can be moved out of it: a mount point, no permission.
+  for (const fs::path& place : {target_.parent_path(), target_}) {
+    int k = 1;
+    const auto name = [&] { return target_.filename().string() + ".new-" + std::to_string(k); };
+    while (is_there(place / name())) ++k;
     try {
-      become_target(free);
+      become_target(place / name());
     } catch (const IoError&) {
-      break;
+      continue;
     }
-    throw InvalidInput(message, "this folder is as it was; the new output is " + free.string());
+    throw InvalidInput(message, is_now(place / name()));
   }
-  throw InvalidInput(message, kNothingChanged);
+  const fs::path left = path();
+  staging_->give_away();
+  throw InvalidInput(message, is_now(left) + "; copy it, as it cannot be moved from there");
 }
 
 void RunFolder::commit() {
@@ -185,17 +198,14 @@ void RunFolder::commit() {
       wish.set_aside = sets_aside();
       aside_ = replace_files(wish, staging_->from_target());
     } catch (const InvalidInput& error) {
-      if (mode_ != Mode::whole) throw;
+      // Where moving back has failed, the next process needs the files where they are.
+      if (mode_ != Mode::whole || staging_->commit_is_open()) throw;
       save_elsewhere(error.what());
+    }
+    try {
+      sync_to_disk(target_);
     } catch (const IoError&) {
-      // Where even moving back has failed, the hidden folder holds what the next process needs.
-      try {
-        const auto mark = read_output_mark(target_);
-        if (mark && mark->pending) staging_->keep();
-      } catch (const Error&) {
-        staging_->keep();
-      }
-      throw;
+      staging_->keep();  // a loss of power may bring the pending mark back, and that needs it
     }
   }
   staging_.reset();

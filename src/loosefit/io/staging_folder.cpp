@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/output_mark.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit {
@@ -105,7 +106,7 @@ fs::path make_in(const fs::path& place, const fs::path& target, std::error_code&
 
 }  // namespace
 
-StagingFolder::StagingFolder(const fs::path& target) {
+StagingFolder::StagingFolder(const fs::path& target) : target_(target) {
   std::error_code error;
   const bool there = fs::is_directory(target, error);
   error.clear();
@@ -132,7 +133,31 @@ StagingFolder::StagingFolder(const fs::path& target) {
 }
 
 StagingFolder::~StagingFolder() {
-  if (!path_.empty()) remove_staging(path_);
+  try {
+    if (!path_.empty()) remove_unless_needed();
+  } catch (...) {  // it stays: the next process looks again
+  }
+}
+
+void StagingFolder::remove_unless_needed() const {
+  if (holds_taken_files(path_) || commit_is_open()) return;
+  remove_staging(path_);
+}
+
+bool StagingFolder::commit_is_open() const {
+  if (!is_there(path_ / "mark-after")) return false;  // not begun, or done
+  try {
+    const auto mark = read_output_mark(target_);
+    return mark && mark->pending && mark->pending->staging == from_target();
+  } catch (const InvalidInput&) {  // something else has the name of the mark
+    return false;
+  }
+}
+
+void StagingFolder::give_away() {
+  std::error_code ignored;  // where even this fails, the next process may remove the folder
+  fs::remove(path_ / kWriting, ignored);
+  path_.clear();
 }
 
 std::string StagingFolder::from_target() const {
@@ -145,6 +170,11 @@ bool is_abandoned(const fs::path& staging) {
   // Where nothing can be locked, nothing is known of processes on other machines.
   const FileLock lock(staging / kWriting, false, false);
   return lock.holds() && is_gone(owner->number, owner->start);
+}
+
+// Only the end of a commit takes this mark away.
+bool holds_taken_files(const fs::path& staging) {
+  return standing(staging, "mark-after") == Standing::plain_file && holds_old_files(staging);
 }
 
 void remove_staging(const fs::path& staging) {
@@ -171,9 +201,7 @@ void clear_left_overs(const fs::path& target) {
         }
         continue;
       }
-      const bool unfinished =
-          standing(folder, "mark-after") == Standing::plain_file && holds_old_files(folder);
-      if (!unfinished && is_abandoned(folder)) remove_staging(folder);
+      if (!holds_taken_files(folder) && is_abandoned(folder)) remove_staging(folder);
     }
 }
 

@@ -15,7 +15,7 @@ class StagingFolder {
   /// \param target the output, without links; need not be there. \throws IoError
   explicit StagingFolder(const std::filesystem::path& target);
   StagingFolder(StagingFolder&&) noexcept = default;
-  /// Removes it, unless kept.
+  /// Removes it, unless kept, or needed to bring an output back to what it was.
   ~StagingFolder();
 
   const std::filesystem::path& path() const { return path_; }
@@ -24,18 +24,28 @@ class StagingFolder {
   /// Where new files are made, and where old ones wait for the end of a commit.
   std::filesystem::path incoming() const { return path_ / "new"; }
   std::filesystem::path outgoing() const { return path_ / "old"; }
+  /// Whether the mark of the output says that a commit from this folder is not finished.
+  /// \throws IoError if the mark cannot be read.
+  bool commit_is_open() const;
   /// Leaves it for the next process.
   void keep() { path_.clear(); }
+  /// Leaves it for good: without the file of its process it is foreign to every later one.
+  void give_away();
 
  private:
+  void remove_unless_needed() const;
+
   bool inside_ = false;
-  std::filesystem::path path_;
+  std::filesystem::path target_, path_;
   std::optional<FileLock> lock_;
 };
 
 /// Whether the process that made a hidden folder is gone: its lock is free, and its number is that
 /// of no process or of one that was started later.
 bool is_abandoned(const std::filesystem::path& staging);
+
+/// Whether files lie in it that a commit has taken out of an output and not given back.
+bool holds_taken_files(const std::filesystem::path& staging);
 
 /// Removes what StagingFolder makes, and nothing else that may lie in it.
 void remove_staging(const std::filesystem::path& staging);
