@@ -142,15 +142,18 @@ TEST_F(RunFolderCommit, WhatCannotBeMovedBackWaitsForTheNextProcess) {
     int code = 1;
     try {
       RunFolder folder = base_run({{"summary.json", "new"}, {"maps/new.png", "new"}});
-      faults::plan.before = [&](const std::string& what, const std::string& path) {
-        if (text("run/summary.json") != "new" || what != "fsync" || path != base / "run") return 0;
-        faults::plan.fault = faults::Fault::fail_ever;
-        faults::plan.error = EIO;
+      bool thrown = false, refused = false;
+      faults::plan.before = [&](const std::string& what, const std::string&) {
+        if (thrown && !refused && is_rename(what)) {  // back to the hidden folder
+          refused = true;
+          return EIO;
+        }
+        if (thrown || text("run/summary.json") != "new" || what != "fsync") return 0;
+        thrown = true;
         throw std::bad_alloc();
       };
       folder.commit();
     } catch (const std::exception&) {
-      faults::plan = {};  // the destructor of the folder has run by now
       code = 0;
     }
     _exit(code);
@@ -161,9 +164,10 @@ TEST_F(RunFolderCommit, WhatCannotBeMovedBackWaitsForTheNextProcess) {
   repair_output(base / "run");
   expect_old();
   EXPECT_EQ(text("run/maps/new.png"), "nothing");
+  EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(RunFolderCommit, ExceptionsBeforeTheDestructorLeaveTheOldFiles) {
+TEST_F(RunFolderCommit, FailingToMoveThereAndBackLeavesTheOldFiles) {
   const pid_t child = fork();
   if (child == 0) {
     try {
