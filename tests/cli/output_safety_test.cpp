@@ -108,7 +108,7 @@ TEST_F(OutputSafety, ARunWithoutAMarkIsReadAndKept) {
   const auto before = everything();
   expect_refused(run(scenario), "not an earlier output");
   EXPECT_EQ(everything(), before);
-  const ProgramRun map = loosefit("map --allow-unsettled " + out);
+  const ProgramRun map = loosefit("map -q --allow-unsettled " + out);
   EXPECT_EQ(map.exit_code, 1) << map.output;
   EXPECT_NE(map.output.find("out/replaced-1"), std::string::npos) << map.output;
   EXPECT_TRUE(fs::exists(base / "out/sites.csv"));
