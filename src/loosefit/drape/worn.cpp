@@ -162,9 +162,21 @@ class Verdict {
       say("the " + side + " leg's opening goes round " + round_what(round_));
   }
 
-  void check_hem(const Opening& o) {
-    if (!goes_round(o, kRoundTrunk)) say("the hem goes round " + round_what(round_));
+  /// An edge round the trunk is asked itself, not the rings of its tube: those below it may be
+  /// round the trunk while the edge lies on the hands.
+  bool edge_goes_round_trunk(const Opening& o, const std::string& name) {
+    round_ = limbs_through(o.loop, x_, lines_);
+    if (round_ == kRoundTrunk) return true;
+    const LimbNumbers left = {1, 0, 1, 0, 0}, right = {1, 1, 0, 0, 0};
+    const std::string what = round_ == kRoundNeck ? "the trunk and both arms"
+                             : round_ == left     ? "the trunk and the left arm"
+                             : round_ == right    ? "the trunk and the right arm"
+                                                  : round_what(round_);
+    say("the " + name + " goes round " + what);
+    return false;
   }
+
+  void check_hem(const Opening& o) { edge_goes_round_trunk(o, "hem"); }
 
   /// The arms may be within, or come out below it.
   void check_cape_hem(const Opening& o) {
@@ -251,10 +263,7 @@ class Verdict {
   double made_for(const Opening& o) const { return share() * o.placed.z(); }
 
   void check_trunk(const Opening& o, const std::string& name) {
-    if (!goes_round(o, kRoundTrunk)) {
-      say("the " + name + " goes round " + round_what(round_));
-      return;
-    }
+    if (!edge_goes_round_trunk(o, name)) return;
     const double highest = name == "waistband" ? levels_.waist : levels_.chest;
     const double upper_hips = levels_.waist - kSlip * way_;
     double made = std::clamp(made_for(o), upper_hips, highest);
