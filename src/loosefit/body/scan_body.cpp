@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/scan_girths.h"
 #include "loosefit/body/scan_segments.h"
 #include "loosefit/body/section.h"
 #include "loosefit/body/tape_paths.h"
@@ -175,16 +176,17 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   }
   const double c7_height = 0.25 * (hps[0].z() + hps[1].z() + acromion[0].z() + acromion[1].z());
   label_segments(s, limbs, arms, c7_height, body);
+  const auto [chest, waist, hip] = tape_trunk(s, body, made.warnings);
   const Vec3 c7 = place["c7"] = midline_point(surface, c7_height, 1);
   const Vec3 pit = place["neck_pit"] = midline_point(surface, c7_height - 0.008 * s.height, -1);
-  place["back_waist"] = midline_point(surface, s.waist, 1);
-  place["front_waist"] = midline_point(surface, s.waist, -1);
-  place["sternum"] = midline_point(surface, s.chest, -1);
+  place["back_waist"] = midline_point(surface, waist.level, 1);
+  place["front_waist"] = midline_point(surface, waist.level, -1);
+  place["sternum"] = midline_point(surface, chest.level, -1);
   place["crotch"] = midline_point(surface, s.crotch + 0.004 * s.height, -1);
   place["crown"] = Vec3(0, c7.y(), s.height);
   // The same shares of C7 → waist as on the parametric body.
   const auto back = [&](double share, double x) {
-    const Vec3 middle = midline_point(surface, c7.z() + share * (s.waist - c7.z()), 1);
+    const Vec3 middle = midline_point(surface, c7.z() + share * (waist.level - c7.z()), 1);
     return Vec3(x, middle.y(), middle.z());
   };
   place["upper_back"] = back(0.22, 0);
@@ -207,9 +209,9 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   const ArmLine& arm = arms[0];
   const Vec3 shoulder = arm.points.front(), elbow = arm.elbow(), wrist = arm.wrist();
   m["height"] = s.height;
-  m["chest"] = s.chest_girth;
-  m["waist"] = trunk_girth(surface, s.waist);
-  m["hip"] = trunk_girth(surface, s.hip);
+  m["chest"] = chest.girth;
+  m["waist"] = waist.girth;
+  m["hip"] = hip.girth;
   m["mid_neck"] = trunk_girth(surface, s.neck);
   m["neck"] = neck_base_girth(hps[0], hps[1], c7, pit);
   m["upper_arm"] = upper_arm_girth(surface, shoulder, elbow, limbs.arm[0], s.height);
@@ -223,14 +225,14 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   const Armscye armscye = armscye_round(surface, shoulder);
   m["armscye"] = armscye.girth;
   m["scye_depth"] = acromion[0].z() - armscye.fold + hanging_arm_gain(shoulder, elbow, s.height);
-  m["hps_to_waist"] = back_tape(surface, hps[0], s.waist);
-  m["hps_to_hip"] = back_tape(surface, hps[0], s.hip);
+  m["hps_to_waist"] = back_tape(surface, hps[0], waist.level);
+  m["hps_to_hip"] = back_tape(surface, hps[0], hip.level);
   m["arm_length"] = (acromion[0] - elbow).norm() + (elbow - wrist).norm();
-  m["back_length"] = back_tape(surface, c7 + Vec3(1e-6, 0, 0), s.waist);
+  m["back_length"] = back_tape(surface, c7 + Vec3(1e-6, 0, 0), waist.level);
   m["crotch_height"] = s.crotch;
-  m["chest_level"] = s.chest;
-  m["waist_level"] = s.waist;
-  m["hip_level"] = s.hip;
+  m["chest_level"] = chest.level;
+  m["waist_level"] = waist.level;
+  m["hip_level"] = hip.level;
   m["armpit_level"] = s.armpit;
   m["volume"] = enclosed_volume(surface);
   m["mass"] = kDensity * m["volume"];

@@ -21,6 +21,6 @@ struct ScanOptions {
 /// (x, y, z) → (x, −z, y)) to our frame: turns about z and a shift.
 /// \throws InvalidInput when no or more than one unit makes it a person, or for unknown options.
 RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
-                                     std::vector<std::string>& warnings);
+                               std::vector<std::string>& warnings);
 
 }  // namespace loosefit

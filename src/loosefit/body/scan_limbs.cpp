@@ -239,14 +239,14 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
   const double step = kStep * height;
   const LoopTree tree(mesh, step);
   ScanLimbs found;
-  found.limb.assign(mesh.vertices.size(), Limb::core);
+  found.limb.assign(mesh.vertices.size(), ScanLimb::core);
   std::vector<Branch> branches = far_branches(tree, kShortLimb * height, step);
 
   const auto tip_height = [&](const Branch& b) { return mesh.vertices[std::size_t(b.tip)].z(); };
   std::stable_sort(branches.begin(), branches.end(),
                    [&](const Branch& a, const Branch& b) { return tip_height(a) < tip_height(b); });
   const auto leaf = [&](const Branch& b) { return tree.node_of[std::size_t(b.tip)]; };
-  std::vector<std::pair<int, Limb>> tops;
+  std::vector<std::pair<int, ScanLimb>> tops;
   int trunk_end = leaf(branches[0]);
   const bool two_legs = branches.size() >= 2 && tip_height(branches[1]) < kFootHeight * height;
   if (two_legs) {
@@ -259,7 +259,7 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
                       legs[1].rings[legs[1].rings.size() / 2].centre.x();
     if (swap) std::swap(legs[0], legs[1]), std::swap(top[0], top[1]);
     found.leg = std::move(legs);
-    tops = {{top[0], Limb::left_leg}, {top[1], Limb::right_leg}};
+    tops = {{top[0], ScanLimb::left_leg}, {top[1], ScanLimb::right_leg}};
   }
   for (std::size_t i = two_legs ? 2 : 1; i < branches.size(); ++i) {
     const int parting = common_node(tree, leaf(branches[i]), trunk_end);
@@ -272,14 +272,14 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
     LimbChain chain = chain_of(tree, top, trunk, mesh, step);
     if (found.arm[side].found() && found.arm[side].rings.size() >= chain.rings.size()) continue;
     found.arm[side] = std::move(chain);
-    const Limb limb = side == 0 ? Limb::left_arm : Limb::right_arm;
+    const ScanLimb limb = side == 0 ? ScanLimb::left_arm : ScanLimb::right_arm;
     std::erase_if(tops, [&](const auto& t) { return t.second == limb; });
     tops.push_back({top, limb});
   }
-  std::vector<Limb> of_node(tree.nodes.size(), Limb::core);
+  std::vector<ScanLimb> of_node(tree.nodes.size(), ScanLimb::core);
   for (const auto& [top, limb] : tops) of_node[std::size_t(top)] = limb;
   for (std::size_t n = 1; n < of_node.size(); ++n) {
-    if (of_node[n] == Limb::core) of_node[n] = of_node[std::size_t(tree.nodes[n].parent)];
+    if (of_node[n] == ScanLimb::core) of_node[n] = of_node[std::size_t(tree.nodes[n].parent)];
   }
   for (std::size_t v = 0; v < found.limb.size(); ++v)
     found.limb[v] = of_node[std::size_t(tree.node_of[v])];
@@ -289,7 +289,7 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
     for (std::size_t c = 0; c < 3; ++c) {
       const auto a = std::size_t(t[c]), b = std::size_t(t[(c + 1) % 3]);
       for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
-        const Limb arm = side == 0 ? Limb::left_arm : Limb::right_arm;
+        const ScanLimb arm = side == 0 ? ScanLimb::left_arm : ScanLimb::right_arm;
         if (found.limb[a] != arm || found.limb[b] == arm) continue;
         if (tree.way[a] > found.arm[side].rings.front().reach + kShortLimb * height)
           found.arm[side].touches = true;

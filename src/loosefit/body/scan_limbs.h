@@ -7,7 +7,7 @@
 namespace loosefit {
 
 /// What of a standing body a vertex hangs on.
-enum class Limb : signed char { core, left_arm, right_arm, left_leg, right_leg };
+enum class ScanLimb : signed char { core, left_arm, right_arm, left_leg, right_leg };
 
 /// A limb as a chain of loops, from where it leaves the trunk outwards.
 struct LimbChain {
@@ -31,7 +31,7 @@ struct LimbChain {
 /// each other. Where a hand has grown together with a thigh, the way from the trunk along the arm
 /// meets that along the leg, and the limbs end there. Index 0 left (+x), 1 right.
 struct ScanLimbs {
-  std::vector<Limb> limb;  ///< per vertex
+  std::vector<ScanLimb> limb;  ///< per vertex
   std::array<LimbChain, 2> arm, leg;
 };
 

@@ -34,34 +34,19 @@ std::pair<double, double> x_range(const SectionLoop& loop) {
   return {low, high};
 }
 
-std::size_t index_of_side(Limb limb) {
-  return limb == Limb::left_arm || limb == Limb::left_leg ? 0 : 1;
+std::size_t index_of_side(ScanLimb limb) {
+  return limb == ScanLimb::left_arm || limb == ScanLimb::left_leg ? 0 : 1;
 }
-bool is_arm(Limb limb) { return limb == Limb::left_arm || limb == Limb::right_arm; }
-bool is_leg(Limb limb) { return limb == Limb::left_leg || limb == Limb::right_leg; }
+bool is_arm(ScanLimb limb) { return limb == ScanLimb::left_arm || limb == ScanLimb::right_arm; }
+bool is_leg(ScanLimb limb) { return limb == ScanLimb::left_leg || limb == ScanLimb::right_leg; }
 
 /// What most of the loop's vertices belong to.
-Limb limb_of(const SectionLoop& loop, const std::vector<Limb>& limbs) {
+ScanLimb limb_of(const SectionLoop& loop, const std::vector<ScanLimb>& limbs) {
   std::array<int, 5> votes{};
   for (const auto& e : loop.edges) {
     for (const int v : e) ++votes[std::size_t(limbs[std::size_t(v)])];
   }
-  return Limb(std::max_element(votes.begin(), votes.end()) - votes.begin());
-}
-
-/// The points of a section of the trunk that are not on arms which have grown together with it.
-std::vector<Vec3> without_grown_arms(std::vector<Vec3> points, const ScanLimbs& limbs) {
-  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
-    const LimbChain& arm = limbs.arm[side];
-    const double sign = side == 0 ? 1 : -1, rise = arm.fold.z() - arm.parted.z();
-    if (rise <= 0) continue;
-    std::erase_if(points, [&](const Vec3& p) {
-      const double share = (p.z() - arm.parted.z()) / rise;
-      return share > 0 && share < 1 &&
-             sign * p.x() > sign * (arm.parted.x() + share * (arm.fold.x() - arm.parted.x()));
-    });
-  }
-  return points;
+  return ScanLimb(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
 /// Arms may be several loops each, fingers; legs are one, below them toes are left out. At the top
@@ -76,7 +61,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
   const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
   const SectionLoop* trunk = nullptr;
   for (const auto& loop : loops) {
-    const Limb limb = limb_of(loop, limbs.limb);
+    const ScanLimb limb = limb_of(loop, limbs.limb);
     const Vec3 middle = centroid(loop);
     if (is_arm(limb)) {
       const std::size_t side = index_of_side(limb);
@@ -101,7 +86,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
   }
   // At the armpit most vertices of an arm's loop still count as trunk.
   for (const auto& loop : loops) {
-    if (!trunk || &loop == trunk || !near_armpit || limb_of(loop, limbs.limb) != Limb::core)
+    if (!trunk || &loop == trunk || !near_armpit || limb_of(loop, limbs.limb) != ScanLimb::core)
       continue;
     const Vec3 middle = centroid(loop);
     const auto [trunk_low, trunk_high] = x_range(*trunk);
@@ -117,7 +102,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
     if (length[side] > 0) slice.arm[side] = sum[side] / length[side];
   if (trunk) {
     slice.trunk = centroid(*trunk);
-    slice.girth = hull_perimeter(without_grown_arms(trunk->points, limbs), Vec3::UnitZ());
+    slice.girth = hull_perimeter(trunk->points, Vec3::UnitZ());
     const auto [low, high] = x_range(*trunk);
     slice.trunk_side = {std::abs(high), std::abs(low)};
   }
@@ -158,12 +143,12 @@ void require_arms(const ScanLimbs& limbs, double height) {
   }
 }
 
-// The slice between two heights with the largest (sign 1) or smallest (-1) girth.
-double extreme_girth(const std::vector<BodySlice>& slices, double low, double high, double sign) {
+// The slice between two heights with the smallest girth.
+double narrowest_level(const std::vector<BodySlice>& slices, double low, double high) {
   const BodySlice* best = nullptr;
   for (const auto& slice : slices) {
     if (slice.z < low || slice.z > high || !slice.trunk) continue;
-    if (!best || sign * slice.girth > sign * best->girth) best = &slice;
+    if (!best || slice.girth < best->girth) best = &slice;
   }
   return best ? best->z : 0.5 * (low + high);
 }
@@ -202,12 +187,7 @@ ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
       break;
     }
   }
-  found.chest = extreme_girth(found.slices, found.armpit - 0.07 * h, found.armpit - 0.02 * h, 1);
-  found.hip = extreme_girth(found.slices, found.crotch + 0.01 * h, found.crotch + 0.10 * h, 1);
-  found.waist = extreme_girth(found.slices, found.hip + 0.05 * h, found.chest - 0.05 * h, -1);
-  found.neck = extreme_girth(found.slices, found.armpit + 0.08 * h, found.armpit + 0.13 * h, -1);
-  const int level = std::clamp(int(found.chest / h * kSliceCount), 0, kSliceCount - 1);
-  found.chest_girth = found.slices[std::size_t(level)].girth;
+  found.neck = narrowest_level(found.slices, found.armpit + 0.08 * h, found.armpit + 0.13 * h);
   return found;
 }
 

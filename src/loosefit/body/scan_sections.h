@@ -23,9 +23,8 @@ struct ScanSections {
   double height = 0;
   std::vector<BodySlice> slices;  ///< upwards
   bool legs_apart = true;
-  double crotch_x = 0;     ///< middle between the legs
-  double chest_girth = 0;  ///< without arms that have grown together with the trunk
-  double crotch = 0, armpit = 0, chest = 0, waist = 0, hip = 0, neck = 0;  ///< z [m]
+  double crotch_x = 0;                      ///< middle between the legs
+  double crotch = 0, armpit = 0, neck = 0;  ///< z [m]
 };
 
 inline constexpr int kSliceCount = 300;

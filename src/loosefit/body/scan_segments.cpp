@@ -69,15 +69,15 @@ std::vector<int> arm_sides(const ScanSections& s, const ScanLimbs& limbs,
                            const std::array<ArmLine, 2>& arms, const TriangleMesh& mesh) {
   std::vector<int> sides(mesh.vertices.size(), 0);
   for (std::size_t v = 0; v < sides.size(); ++v) {
-    const Limb limb = limbs.limb[v];
+    const ScanLimb limb = limbs.limb[v];
     const Vec3& p = mesh.vertices[v];
-    if (limb == Limb::left_arm || limb == Limb::right_arm) {
-      sides[v] = limb == Limb::left_arm ? 1 : -1;
+    if (limb == ScanLimb::left_arm || limb == ScanLimb::right_arm) {
+      sides[v] = limb == ScanLimb::left_arm ? 1 : -1;
       continue;
     }
     for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
       const int sign = side == 0 ? 1 : -1;
-      if ((limb == Limb::core && on_shoulder(s, limbs.arm[side], arms[side], sign, p)) ||
+      if ((limb == ScanLimb::core && on_shoulder(s, limbs.arm[side], arms[side], sign, p)) ||
           on_grown_hand(s, limbs.arm[side], arms[side], side, p))
         sides[v] = sign;
     }
@@ -97,7 +97,7 @@ std::vector<int> arm_sides(const ScanSections& s, const ScanLimbs& limbs,
       for (const int v : rest.triangles[t]) in_trunk[v] = 1;
   }
   for (std::size_t v = 0; v < sides.size(); ++v)
-    if (sides[v] == 0 && !in_trunk[v] && limbs.limb[v] == Limb::core)
+    if (sides[v] == 0 && !in_trunk[v] && limbs.limb[v] == ScanLimb::core)
       sides[v] = mesh.vertices[v].x() > 0 ? 1 : -1;
   return sides;
 }
@@ -212,13 +212,14 @@ void label_segments(const ScanSections& s, const ScanLimbs& limbs,
   body.side = arm_sides(s, limbs, arms, body.surface);
   for (std::size_t v = 0; v < body.surface.vertices.size(); ++v) {
     const Vec3& p = body.surface.vertices[v];
-    const Limb limb = limbs.limb[v];
+    const ScanLimb limb = limbs.limb[v];
     Segment segment = Segment::torso;
     if (body.side[v] != 0) {
       segment = arm_segment(arms[body.side[v] > 0 ? 0 : 1], p);
     } else if (p.z() <
                s.crotch + 0.004 * h + std::min(0.085 * h, 0.85 * std::abs(p.x() - s.crotch_x))) {
-      const bool left = limb == Limb::left_leg || (limb != Limb::right_leg && p.x() > s.crotch_x);
+      const bool left =
+          limb == ScanLimb::left_leg || (limb != ScanLimb::right_leg && p.x() > s.crotch_x);
       const std::size_t side = left ? 0 : 1;
       segment = p.z() > knee[side].z() + 0.45 * (p.y() - knee[side].y())    ? Segment::thigh
                 : p.z() > ankle[side].z() - 0.2 * (p.y() - ankle[side].y()) ? Segment::shank
