@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/scan_girths.h"
 #include "loosefit/body/surface_topology.h"
 #include "support/body_fixture.h"
@@ -148,6 +151,62 @@ TEST(ScanBody, FillsSmallHolesAndRefusesWideOnes) {
   }
 }
 
+TEST(ScanBody, RefusesASieve) {
+  const Body whole = person(kPeople[0]);
+  const auto with_missing_faces = [&](std::size_t count) {
+    TriangleMesh mesh = whole.surface;  // one in so many, which do not touch each other
+    const std::size_t step = mesh.triangles.size() / count;
+    for (std::size_t i = count; i-- > 0;)
+      mesh.triangles.erase(mesh.triangles.begin() + long(i * step + 7));
+    return mesh;
+  };
+  EXPECT_TRUE(mentions(check_surface(with_missing_faces(20), {"few.obj", "m", "z"}).warnings,
+                       "20 small holes filled"));
+  try {
+    check_surface(with_missing_faces(21), {"sieve.obj", "m", "z"});
+    FAIL() << "a sieve was accepted";
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("21 holes with 0."), std::string::npos)
+        << error.what();
+  }
+  // Fewer, but together more than can be guessed: 18 of 40 mm on the back.
+  TriangleMesh mesh = whole.surface;
+  std::vector<Vec3> holes;
+  for (std::size_t v = 0; v < whole.surface.vertices.size() && holes.size() < 18; v += 5) {
+    const Vec3& p = whole.surface.vertices[v];
+    if (whole.segment[v] != Segment::torso || p.y() < 0.01 || p.z() < 0.92) continue;
+    if (std::any_of(holes.begin(), holes.end(),
+                    [&](const Vec3& q) { return (p - q).norm() < 0.06; }))
+      continue;
+    holes.push_back(p);
+    mesh = with_hole(std::move(mesh), p, 0.021);
+  }
+  ASSERT_EQ(holes.size(), 18u);
+  EXPECT_THROW(
+      {
+        try {
+          check_surface(mesh, {"sieve.obj", "m", "z"});
+        } catch (const GeometryError& error) {
+          EXPECT_NE(std::string(error.what()).find("18 holes with"), std::string::npos)
+              << error.what();
+          throw;
+        }
+      },
+      GeometryError);
+}
+
+// The arm span of somebody with level arms may be more than the height.
+TEST(ScanBody, HolesAreJudgedByTheHeight) {
+  const Body whole = person(kPeople[0]);
+  const Vec3 back = whole.landmarks.at("mid_back");
+  TriangleMesh mesh = with_hole(whole.surface, back, 0.027);
+  const double width = find_holes(mesh).front().width;
+  ASSERT_GT(width, 0.03 * 1.68);
+  for (auto& p : mesh.vertices)  // the arms drawn out
+    if (std::abs(p.x()) > 0.25) p.x() = std::copysign(0.25 + 3 * (std::abs(p.x()) - 0.25), p.x());
+  EXPECT_THROW(check_surface(mesh, {"wide.obj", "m", "z"}), GeometryError);
+}
+
 TEST(ScanBody, StrayVerticesAndRepeatedFacesDoNotMatter) {
   const TriangleMesh one = person(kPeople[0]).surface;
   TriangleMesh mesh = one;
@@ -280,6 +339,80 @@ TEST(ScanBody, TapesTheWaistWhereTheParametricBodyHasIt) {
     near("waist_level", 0.008 * p.height);
     near("hps_to_waist", 0.035);
     EXPECT_FALSE(mentions(scan.warnings, "more than the trunk"));
+  }
+}
+
+/// The left hand grown together with the hip by a bridge between two faces at the height of `z`.
+TriangleMesh with_grown_hand(const Body& body, double z) {
+  TriangleMesh mesh = body.surface;
+  const auto middle = [&](const Triangle& t) {
+    return Vec3((mesh.vertices[std::size_t(t[0])] + mesh.vertices[std::size_t(t[1])] +
+                 mesh.vertices[std::size_t(t[2])]) /
+                3);
+  };
+  std::size_t from = 0, to = 0;
+  double nearest = 1;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto v = std::size_t(mesh.triangles[i][0]);
+    const Vec3 p = middle(mesh.triangles[i]);
+    if (body.side[v] <= 0 || std::abs(p.z() - z) > 0.01 ||
+        (body.segment[v] != Segment::hand && body.segment[v] != Segment::forearm))
+      continue;
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+      const auto w = std::size_t(mesh.triangles[k][0]);
+      if (body.segment[w] != Segment::torso && body.segment[w] != Segment::thigh) continue;
+      const Vec3 q = middle(mesh.triangles[k]);
+      if (std::abs(p.z() - q.z()) > 0.001) continue;  // a level cut goes along the bridge
+      const double d = (q - p).norm();
+      if (d < nearest) nearest = d, from = i, to = k;
+    }
+  }
+  const Triangle a = mesh.triangles[from], b = mesh.triangles[to];
+  const auto length = [&](std::size_t shift) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += (mesh.vertices[std::size_t(a[i])] - mesh.vertices[std::size_t(b[(shift + 3 - i) % 3])])
+                 .norm();
+    return sum;
+  };
+  std::size_t shift = 0;
+  for (const std::size_t s : {std::size_t(1), std::size_t(2)})
+    if (length(s) < length(shift)) shift = s;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int a0 = a[i], a1 = a[(i + 1) % 3];
+    const int b0 = b[(shift + 3 - i) % 3], b1 = b[(shift + 5 - i) % 3];
+    mesh.triangles.push_back({a0, a1, b1});
+    mesh.triangles.push_back({a0, b1, b0});
+  }
+  std::erase(mesh.triangles, a);
+  std::erase(mesh.triangles, b);
+  return mesh;
+}
+
+TEST(ScanBody, AHandGrownToTheHipIsNotTaped) {
+  BodySpec spec;
+  spec.sex = 1, spec.age = 30, spec.height = 1.80;
+  spec.measurements = {{"chest", 1.0}, {"waist", 0.86}, {"hip", 1.02}};
+  const Body known = body_model().build(body_model().fit(spec).parameters, {radians(18), 0, 0});
+  const double apart = body_from_scan(known.surface, {"scan.obj", "m", "z"}).body.measured["hip"];
+  const TriangleMesh mesh = with_grown_hand(known, known.measured.at("hip_level"));
+  ScanBody grown = body_from_scan(mesh, {"scan.obj", "m", "z"});
+  EXPECT_TRUE(mentions(grown.warnings, "left hand has grown together"));
+  EXPECT_NEAR(grown.body.measured.at("hip"), apart, 0.02);
+  EXPECT_NEAR(grown.body.measured.at("waist"), known.measured.at("waist"), 0.015);
+
+  // The same hand, had nobody told it from the hip.
+  const ScanSections sections =
+      slice_scan(grown.body.surface, find_limbs(grown.body.surface, 1.80));
+  std::fill(grown.body.segment.begin(), grown.body.segment.end(), Segment::torso);
+  std::vector<std::string> warnings;
+  try {
+    tape_trunk(sections, grown.body, warnings);
+    FAIL() << "a hip with a hand was believed";
+  } catch (const GeometryError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("a hip of"), std::string::npos) << text;
+    EXPECT_NE(text.find("more than the trunk"), std::string::npos) << text;
   }
 }
 

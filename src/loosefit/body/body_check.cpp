@@ -15,11 +15,31 @@ namespace {
 
 constexpr double kWeldDistance = 1e-6;  // share of the longest extent
 constexpr double kSmallPiece = 0.05;    // share of the area that may be dropped
+constexpr double kMostFilled = 0.01;    // share of the area that may be a guess
+constexpr std::size_t kMostHoles = 20;
 
 double longest_extent(const TriangleMesh& mesh) {
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   for (const auto& p : mesh.vertices) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
   return (upper - lower).maxCoeff();
+}
+
+/// Along the up axis, which is the longer of y and z where nobody says it; arms held level may be
+/// wider.
+double stature(const TriangleMesh& mesh, const ScanOptions& options) {
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  for (const auto& p : mesh.vertices) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
+  const Vec3 extent = upper - lower;
+  if (options.up == "y" || options.up == "z") return options.up == "y" ? extent.y() : extent.z();
+  return std::max(extent.y(), extent.z());
+}
+
+double area_of(const std::vector<Vec3>& vertices, auto first, auto last) {
+  double area = 0;
+  for (; first != last; ++first)
+    area += triangle_area(vertices[std::size_t((*first)[0])], vertices[std::size_t((*first)[1])],
+                          vertices[std::size_t((*first)[2])]);
+  return area;
 }
 
 std::string counted(std::size_t n, const char* one, const char* many) {
@@ -84,7 +104,7 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
                       std::vector<std::string>& warnings) {
   const std::vector<Hole> holes = find_holes(mesh);
   if (holes.empty()) return;
-  const double widest = kWidestHole * longest_extent(mesh);
+  const double widest = kWidestHole * stature(mesh, options);
   const auto too_wide =
       std::count_if(holes.begin(), holes.end(), [&](const Hole& h) { return h.width > widest; });
   if (too_wide > 0) {
@@ -103,7 +123,21 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
                         "close them in the program that the scan came from; soles, crotch, armpits "
                         "and the crown are usual places");
   }
+  const auto scanned = std::ptrdiff_t(mesh.triangles.size());
   for (const auto& hole : holes) fill_hole(mesh, hole);
+  const auto first = mesh.triangles.begin();
+  const double guessed = area_of(mesh.vertices, first + scanned, mesh.triangles.end()) /
+                         area_of(mesh.vertices, first, mesh.triangles.end());
+  if (holes.size() > kMostHoles || guessed > kMostFilled)
+    throw GeometryError(
+        {options.file, 0, ""},
+        fmt::format("an open surface: {} with {:.1f} % of the skin, the widest {:.3g} wide near {}",
+                    counted(holes.size(), "hole", "holes"), 100 * guessed, holes[0].width,
+                    in_file(holes[0].centre)),
+        fmt::format("a closed surface, or at most {} holes with at most {:g} % of the skin",
+                    kMostHoles, 100 * kMostFilled),
+        "close them in the program that the scan came from, which knows more of the skin than "
+        "their rims");
   warnings.push_back(fmt::format(
       "{} filled, the widest {:.3g} wide near {} (units of the file): the skin there is a guess",
       counted(holes.size(), "small hole", "small holes"), holes[0].width,

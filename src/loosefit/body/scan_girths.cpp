@@ -22,6 +22,8 @@ struct Cut {
   double left = 0, right = 0;  ///< reach from the midline
 };
 
+constexpr double kThinnest = 0.25;  // trunk, round it, share of the stature
+
 class TrunkCuts {
  public:
   TrunkCuts(const ScanSections& s, const Body& body) : s_(s), body_(body) {
@@ -37,11 +39,11 @@ class TrunkCuts {
     const auto loops = plane_section(body_.surface, Vec3(0, 0, z), Vec3::UnitZ());
     const double middle = midline(z);
     const SectionLoop* trunk = trunk_loop(loops, middle);
-    if (!trunk) return std::nullopt;
+    if (!trunk || trunk->length < kThinnest * s_.height) return std::nullopt;
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < trunk->points.size(); ++i) {
       const auto& [a, b] = trunk->edges[i];
-      if (!on_arm_[std::size_t(a)] || !on_arm_[std::size_t(b)]) points.push_back(trunk->points[i]);
+      if (!on_arm_[std::size_t(a)] && !on_arm_[std::size_t(b)]) points.push_back(trunk->points[i]);
     }
     Cut cut;
     cut.z = z;
