@@ -1,5 +1,8 @@
 #include "loosefit/study/carry_with_scan.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -37,19 +40,28 @@ Box box_of_panels(const Pattern& pattern, const RigidMotion& motion) {
 
 void carry_with_scan(Pattern& pattern, const Body& body, std::vector<std::string>& warnings) {
   constexpr double kRound = 0.5;
+  constexpr double kTurn = 1, kShift = 0.02;  // what shows in a placement [°], [m]
   const RigidMotion& motion = body.from_world;
   if (motion.isApprox(RigidMotion::Identity(), 1e-12)) return;
   Box person;
   for (const Vec3& p : body.surface.vertices) person.take(p);
   const double moved = common_share(box_of_panels(pattern, motion), person);
-  const double unmoved =
-      common_share(box_of_panels(pattern, RigidMotion::Identity()), person);
+  const double unmoved = common_share(box_of_panels(pattern, RigidMotion::Identity()), person);
   if (moved < kRound && unmoved >= kRound) {
     warnings.push_back(
         "the panels are not round the scan in the coordinates of its file: they are taken as "
         "placed for a person who stands over the origin");
     return;
   }
+  const double turned = degrees(Eigen::AngleAxisd(motion.linear()).angle());
+  const double shift = motion.translation().head<2>().norm();
+  if (moved >= kRound && unmoved >= kRound && (turned > kTurn || shift > kShift))
+    warnings.push_back(fmt::format(
+        "the panels are carried with the scan (turned by {:.0f} degrees, moved by {:.2f} m "
+        "over the floor), but are round a person over the origin too: if they lie back to front "
+        "or beside their place, turn the scan in its file to face -y (with y up: +z) over the "
+        "origin",
+        turned, shift));
   for (Panel& panel : pattern.panels) {
     panel.translation = motion * panel.translation;
     panel.rotation = motion.linear() * panel.rotation;
