@@ -298,6 +298,21 @@ TEST(ScanBody, TellsLimbsApartInEveryPosture) {
   }
 }
 
+// Shirts are drafted for hanging arms, however the arms were held in the scanner.
+TEST(ScanBody, DepthOfTheArmholeIsThatOfHangingArms) {
+  for (const double height : {1.35, 1.68}) {
+    BodySpec spec;
+    spec.age = height < 1.5 ? 9 : 30, spec.height = height;
+    const BodyFit fit = body_model().fit(spec);
+    for (const double raised : {25., 41., 55., 70., 90.}) {
+      const Body known = body_model().build(fit.parameters, {radians(raised), 0, 0});
+      const Body found = body_from_scan(as_scan(known), {"scan.obj", "", ""}).body;
+      EXPECT_NEAR(found.measured.at("scye_depth"), known.measured.at("scye_depth"), 0.02)
+          << height << ' ' << raised;
+    }
+  }
+}
+
 // On a belly the narrowest level lies above or below the waist.
 TEST(ScanBody, TapesTheWaistWhereTheParametricBodyHasIt) {
   for (const Person& p :

@@ -59,11 +59,14 @@ int nearest_vertex(const TriangleMesh& mesh, const Vec3& p) {
 }
 
 // The underarm fold sinks as the arm is lowered: by 1.9 % of the stature from 41° to 25° on the
-// parametric body (women, men and children: 1.5 to 2.4 %). Shirts are drafted for hanging arms.
+// parametric body (women, men and children: 1.5 to 2.4 %). Arms raised farther take the shoulder
+// point up with them: at 90° both have risen alike. Shirts are drafted for hanging arms.
 double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) {
   const Vec3 arm = elbow - shoulder;
   const double abduction = degrees(std::atan2(std::abs(arm.x()), -arm.z()));
-  return 0.019 * height * (abduction - 25) / 16;
+  const double risen =
+      abduction < 41 ? (abduction - 25) / 16 : std::max(0.0, (90 - abduction) / (90 - 41));
+  return 0.019 * height * risen;
 }
 
 // Where the arm is usually fullest or, where trunk and arm are one there, below. The rings of the
