@@ -29,18 +29,6 @@ struct Node {
   std::vector<Vec3> points;  ///< of its loop
 };
 
-Vec3 centre_of(const SectionLoop& loop) {
-  Vec3 sum = Vec3::Zero();
-  double length = 0;
-  for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    const Vec3& a = loop.points[i];
-    const Vec3& b = loop.points[(i + 1) % loop.points.size()];
-    sum += (b - a).norm() * 0.5 * (a + b);
-    length += (b - a).norm();
-  }
-  return length > 0 ? Vec3(sum / length) : loop.points[0];
-}
-
 std::uint64_t key_of(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
   return std::uint64_t(std::uint32_t(low)) << 32 | std::uint32_t(high);
@@ -106,7 +94,7 @@ struct LoopTree {
       }
       Node node;
       node.level = level;
-      node.centre = centre_of(loop);
+      node.centre = centroid(loop);
       node.length = loop.length;
       node.points = loop.points;
       node.parent = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
@@ -211,7 +199,7 @@ bool apart_at_armpit(const TriangleMesh& mesh, double sign, double height) {
   const SectionLoop* trunk = trunk_loop(loops);
   return std::any_of(loops.begin(), loops.end(), [&](const SectionLoop& loop) {
     return &loop != trunk && loop.length > 0.08 * height &&
-           sign * centre_of(loop).x() > 0.06 * height;
+           sign * centroid(loop).x() > 0.06 * height;
   });
 }
 

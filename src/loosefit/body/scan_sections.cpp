@@ -16,18 +16,6 @@ namespace {
 constexpr double kLowestArmpit = 0.60, kHighestArmpit = 0.88;
 constexpr double kLowestCrotch = 0.38, kHighestCrotch = 0.56;
 
-Vec3 centroid(const SectionLoop& loop) {
-  Vec3 sum = Vec3::Zero();
-  double length = 0;
-  for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    const Vec3& a = loop.points[i];
-    const Vec3& b = loop.points[(i + 1) % loop.points.size()];
-    sum += (b - a).norm() * 0.5 * (a + b);
-    length += (b - a).norm();
-  }
-  return length > 0 ? Vec3(sum / length) : loop.points[0];
-}
-
 std::pair<double, double> x_range(const SectionLoop& loop) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto& p : loop.points) low = std::min(low, p.x()), high = std::max(high, p.x());

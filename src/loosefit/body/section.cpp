@@ -174,4 +174,16 @@ const SectionLoop* trunk_loop(const std::vector<SectionLoop>& loops, double x) {
   return best;
 }
 
+Vec3 centroid(const SectionLoop& loop) {
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Vec3& a = loop.points[i];
+    const Vec3& b = loop.points[(i + 1) % loop.points.size()];
+    sum += (b - a).norm() * 0.5 * (a + b);
+    length += (b - a).norm();
+  }
+  return length > 0 ? Vec3(sum / length) : loop.points[0];
+}
+
 }  // namespace loosefit

@@ -23,6 +23,9 @@ std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vect
 std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& origin,
                                        const Vec3& normal);
 
+/// Middle of the curve, weighted by length.
+Vec3 centroid(const SectionLoop& loop);
+
 /// True when the polygon of the loop, seen along `normal`, contains `point`.
 bool loop_contains(const SectionLoop& loop, const Vec3& normal, const Vec3& point);
 

@@ -1,4 +1,4 @@
-#include "loosefit/drape/worn_limbs.h"
+#include "loosefit/drape/limb_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,14 @@ Body stick_figure() {
   return body;
 }
 
+/// Of each opening of a tube on the stick figure.
+std::vector<LimbNumbers> numbers(const Garment& tube, const std::vector<Vec3>& x) {
+  std::vector<LimbNumbers> all;
+  for (const std::vector<int>& loop : boundary_loops(tube.triangles))
+    all.push_back(limbs_through(loop, x, limb_lines(stick_figure())));
+  return all;
+}
+
 /// A sleeve of 10 cm on the left arm, moved by `shift`.
 std::vector<LimbNumbers> sleeve(const Vec3& shift) {
   const Garment tube = testing::tube_garment(0.3, 0.1, 12, 4);
@@ -29,19 +37,19 @@ std::vector<LimbNumbers> sleeve(const Vec3& shift) {
     const double a = 2 * kPi * p.x() / 0.3;
     x.push_back(Vec3(0.45 + p.y(), 0.05 * std::cos(a), 1.35 + 0.05 * std::sin(a)) + shift);
   }
-  return limbs_through_openings(tube.triangles, x, stick_figure());
+  return numbers(tube, x);
 }
 
-TEST(WornLimbs, TellWhichLimbGoesThroughWhichOpening) {
+TEST(LimbLines, TellWhichLimbGoesThroughWhichOpening) {
   const std::vector<LimbNumbers> both(2, round_limb(kLeftArm));
   EXPECT_EQ(sleeve(Vec3::Zero()), both) << "in at one, out at the other";
 }
 
-TEST(WornLimbs, DoNotChangeWhileTheSleeveSlidesAlongTheArm) {
+TEST(LimbLines, DoNotChangeWhileTheSleeveSlidesAlongTheArm) {
   EXPECT_EQ(sleeve(Vec3(-0.1, 0, 0.02)), sleeve(Vec3::Zero()));
 }
 
-TEST(WornLimbs, ChangeWhenTheArmHasLeftTheSleeve) {
+TEST(LimbLines, ChangeWhenTheArmHasLeftTheSleeve) {
   EXPECT_EQ(sleeve(Vec3(0, 0, -0.2)), std::vector<LimbNumbers>(2, kRoundNothing))
       << "hangs empty below";
   EXPECT_EQ(sleeve(Vec3(0.5, 0, 0)), std::vector<LimbNumbers>(2, kRoundNothing))
@@ -56,10 +64,10 @@ std::vector<LimbNumbers> collar(double z) {
     const double a = 2 * kPi * p.x() / 0.4;
     x.emplace_back(0.064 * std::cos(a), 0.064 * std::sin(a), z + p.y());
   }
-  return limbs_through_openings(tube.triangles, x, stick_figure());
+  return numbers(tube, x);
 }
 
-TEST(WornLimbs, DoNotChangeWhenANecklineSlipsPastTheJointOfTheNeck) {
+TEST(LimbLines, DoNotChangeWhenANecklineSlipsPastTheJointOfTheNeck) {
   EXPECT_EQ(collar(1.37), collar(1.41));
   EXPECT_EQ(collar(1.37), std::vector<LimbNumbers>(2, kRoundNeck));
 }
@@ -76,7 +84,7 @@ LimbNumbers ring(double z, double radius, double x = 0) {
   return limbs_through(loop, points, limb_lines(stick_figure()));
 }
 
-TEST(WornLimbs, ARingBelowBothShouldersGoesRoundTheTrunkWhateverItWasMadeFor) {
+TEST(LimbLines, ARingBelowBothShouldersGoesRoundTheTrunkWhateverItWasMadeFor) {
   EXPECT_EQ(ring(1.3, 0.3), kRoundTrunk);
   EXPECT_EQ(ring(1.0, 0.2), kRoundTrunk);
   EXPECT_EQ(ring(0.3, 0.2), kRoundTrunk) << "round both legs";
@@ -86,7 +94,7 @@ TEST(WornLimbs, ARingBelowBothShouldersGoesRoundTheTrunkWhateverItWasMadeFor) {
   EXPECT_EQ(ring(2.4, 0.3), kRoundNothing) << "above the head";
 }
 
-TEST(WornLimbs, ANecklineOverOneShoulderHasThatArmToo) {
+TEST(LimbLines, ANecklineOverOneShoulderHasThatArmToo) {
   std::vector<Vec3> points;
   std::vector<int> loop;
   for (int i = 0; i < 24; ++i) {
@@ -97,7 +105,7 @@ TEST(WornLimbs, ANecklineOverOneShoulderHasThatArmToo) {
   EXPECT_EQ(limbs_through(loop, points, limb_lines(stick_figure())), (LimbNumbers{1, 1, 0, 0, 0}));
 }
 
-TEST(WornLimbs, AnArmReachesToTheFingertips) {
+TEST(LimbLines, AnArmReachesToTheFingertips) {
   Body body = stick_figure();
   const auto tip = [&] { return limb_lines(body)[kLeftArm].back(); };
   EXPECT_NEAR(tip().x(), 0.76, 1e-9) << "a hand is most of a forearm long";
@@ -107,8 +115,8 @@ TEST(WornLimbs, AnArmReachesToTheFingertips) {
   EXPECT_NEAR((tip() - Vec3(0.6, 0, 1.15)).norm(), 0, 1e-9) << "as long as it is";
 }
 
-TEST(WornLimbs, AreNotKnownWithoutJoints) {
-  EXPECT_TRUE(limbs_through_openings({}, {}, Body{}).empty());
+TEST(LimbLines, AreNotKnownWithoutJoints) {
+  for (const std::vector<Vec3>& line : limb_lines(Body{})) EXPECT_TRUE(line.empty());
 }
 
 }  // namespace
