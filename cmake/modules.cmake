@@ -1,9 +1,10 @@
-# One static library per folder of src/loosefit, one test binary per folder of tests.
+# One static library per folder of src/loosefit, its sub-folders included, and one test binary per
+# folder of tests.
 # The arrows between modules are declared here once; tools/check_layers.py compares them with the includes.
 
 function(loosefit_module name)
   cmake_parse_arguments(ARG "" "" "USES;LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/loosefit/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/loosefit/${name}/*.cpp)
   if(sources)
     add_library(loosefit_${name} STATIC ${sources})
     set(scope PUBLIC)
@@ -18,7 +19,7 @@ function(loosefit_module name)
     target_link_libraries(loosefit_${name} ${scope} loosefit_${used})
   endforeach()
 
-  file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
+  file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(LOOSEFIT_TESTS AND tests)
     add_executable(test_${name} ${tests})
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)

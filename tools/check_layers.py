@@ -7,8 +7,12 @@ Checks, over src/loosefit and apps:
   * a module includes only modules named in its `uses`;
   * layers.toml and the loosefit_module lines of CMakeLists.txt state the same arrows;
   * the arrows have no cycle and every folder of src/loosefit is a module;
-  * external headers (VTK, CGAL, ...) stay in the places allowed to them.
-Lists files above 400 lines; above 500 is an error.
+  * external headers (VTK, CGAL, ...) stay in the places allowed to them;
+  * inside a module no includes go in a circle, .h and .cpp of one name taken as one;
+  * every .cpp of src/loosefit has a header of its own name beside it.
+The last two may have exceptions in layers.toml ([[cycle]] and [[without_header]]: `files` as
+patterns and a `reason`); an exception that is not needed is an error too.
+Sub-folders belong to their module. Lists files above 400 lines; above 500 is an error.
 """
 import fnmatch
 import pathlib
@@ -23,7 +27,8 @@ LONG, TOO_LONG = 400, 500
 def read_rules(root):
     with open(root / "layers.toml", "rb") as file:
         rules = tomllib.load(file)
-    return rules["uses"], rules.get("external", [])
+    exceptions = {kind: rules.get(kind, []) for kind in ("cycle", "without_header")}
+    return rules["uses"], rules.get("external", []), exceptions
 
 
 def cmake_uses(root):
@@ -99,11 +104,94 @@ def check_file(path, source, uses, external):
                 yield f"{path}:{number}: {header}: {rule['name']} belongs into {where}"
 
 
+def file_pairs(source):
+    """File pair ("solver/linear/fill_order") -> file pairs of the same module that it includes."""
+    pairs = {}
+    for path in sorted(p for p in source.rglob("*") if p.suffix in (".h", ".cpp")):
+        pair = path.relative_to(source).with_suffix("").as_posix()
+        included = pairs.setdefault(pair, set())
+        for line in path.read_text(errors="replace").splitlines():
+            match = INCLUDE.match(line)
+            if not match or not match.group(1).startswith("loosefit/"):
+                continue
+            other = pathlib.PurePosixPath(match.group(1)).relative_to("loosefit").with_suffix("")
+            if other.parts[0] == pair.split("/")[0] and str(other) != pair:
+                included.add(str(other))
+    return pairs
+
+
+def knots(pairs):
+    """Largest sets of file pairs that all reach each other (Tarjan 1972), each sorted."""
+    index, lowest, stack, found = {}, {}, [], []
+
+    def visit(pair):
+        index[pair] = lowest[pair] = len(index)
+        stack.append(pair)
+        for other in sorted(pairs[pair] & pairs.keys()):
+            if other not in index:
+                visit(other)
+                lowest[pair] = min(lowest[pair], lowest[other])
+            elif other in stack:
+                lowest[pair] = min(lowest[pair], index[other])
+        if lowest[pair] == index[pair]:
+            start = stack.index(pair)
+            if len(stack) - start > 1:
+                found.append(sorted(stack[start:]))
+            del stack[start:]
+
+    for pair in sorted(pairs):
+        if pair not in index:
+            visit(pair)
+    return found
+
+
+class Exceptions:
+    """Those of one kind: says whether they cover a set of files, and which were not needed."""
+
+    def __init__(self, kind, entries):
+        self.kind = kind
+        self.entries = entries
+        self.needed = set()
+
+    def cover(self, names):
+        for number, entry in enumerate(self.entries):
+            hits = {(number, p) for p in entry.get("files", []) for n in names
+                    if fnmatch.fnmatch(n, p)}
+            if all(any(fnmatch.fnmatch(n, p) for _, p in hits) for n in names):
+                self.needed |= hits
+                return True
+        return False
+
+    def problems(self):
+        for number, entry in enumerate(self.entries):
+            if not entry.get("reason", "").strip():
+                yield f"layers.toml: {self.kind} {entry.get('files', [])}: without a reason"
+            for pattern in entry.get("files", []) or ["(no files)"]:
+                if (number, pattern) not in self.needed:
+                    yield f"layers.toml: {self.kind} {pattern}: exception not needed, remove it"
+
+
+def check_file_pairs(source, exceptions):
+    cycles = Exceptions("cycle", exceptions["cycle"])
+    headless = Exceptions("without_header", exceptions["without_header"])
+    pairs = file_pairs(source)
+    for knot in knots(pairs):
+        if not cycles.cover(knot):
+            arrows = [f"{a} -> {b}" for a in knot for b in sorted(pairs[a] & set(knot))]
+            yield "includes in a circle: " + ", ".join(arrows)
+    for path in sorted(source.rglob("*.cpp")):
+        name = path.relative_to(source).as_posix()
+        if not path.with_suffix(".h").exists() and not headless.cover([name]):
+            yield f"{path}: no header of its own name beside it"
+    yield from cycles.problems()
+    yield from headless.problems()
+
+
 def main(argv):
     root = pathlib.Path(argv[1] if len(argv) > 1 else pathlib.Path(__file__).parents[1])
     source = root / "src" / "loosefit"
     try:
-        uses, external = read_rules(root)
+        uses, external, exceptions = read_rules(root)
         declared = cmake_uses(root)
     except (OSError, tomllib.TOMLDecodeError, KeyError) as error:
         print(f"error: {error}", file=sys.stderr)
@@ -112,6 +200,7 @@ def main(argv):
     for folder in sorted(p.name for p in source.iterdir() if p.is_dir()):
         if folder not in uses:
             problems.append(f"src/loosefit/{folder} is not a module of layers.toml")
+    problems += check_file_pairs(source, exceptions)
     count = 0
     for tree, base in ((source, source), (root / "apps", None)):
         for path in sorted(p for p in tree.rglob("*") if p.suffix in (".h", ".cpp")):

@@ -47,6 +47,7 @@ class CheckLayers(unittest.TestCase):
     def test_clean_tree_passes(self):
         code, text = self.run_on({
             "src/loosefit/maps/a.h": '#include "loosefit/base/b.h"\n#include <vector>\n',
+            "src/loosefit/render/r.h": "",
             "src/loosefit/render/r.cpp": '#include <vtkActor.h>\n#include "loosefit/maps/a.h"\n'})
         self.assertEqual(code, 0, text)
 
@@ -74,6 +75,68 @@ class CheckLayers(unittest.TestCase):
 
     def test_long_file(self):
         self.assert_caught("501 lines", {"src/loosefit/base/b.cpp": "\n" * 501})
+
+    # Of a clean tree with one arrow turned round, one header taken away, ...
+    PAIRS = {
+        "src/loosefit/base/a.h": "",
+        "src/loosefit/base/a.cpp": '#include "loosefit/base/a.h"\n#include "loosefit/base/b.h"\n',
+        "src/loosefit/base/b.h": '#include "loosefit/base/deep/c.h"\n',
+        "src/loosefit/base/b.cpp": '#include "loosefit/base/b.h"\n',
+        "src/loosefit/base/deep/c.h": "",
+        "src/loosefit/base/deep/c.cpp": '#include "loosefit/base/deep/c.h"\n'}
+    CIRCLE = {"src/loosefit/base/deep/c.cpp": '#include "loosefit/base/a.h"\n'}
+    CYCLE = '[[cycle]]\nfiles = ["base/a", "base/b", "base/deep/*"]\nreason = "one idea"\n'
+    HEADLESS = '[[without_header]]\nfiles = ["base/deep/lone*.cpp"]\nreason = "declared in a.h"\n'
+
+    def test_file_pairs_in_line_pass(self):
+        code, text = self.run_on(self.PAIRS)
+        self.assertEqual(code, 0, text)
+
+    def test_circle_of_includes_within_a_module(self):
+        for name in ("deep/c.cpp", "deep/c.h"):
+            with self.subTest(name):
+                self.assert_caught(
+                    "includes in a circle: base/a -> base/b, base/b -> base/deep/c, "
+                    "base/deep/c -> base/a",
+                    self.PAIRS | {f"src/loosefit/base/{name}": '#include "loosefit/base/a.h"\n'})
+
+    def test_two_headers_that_include_each_other(self):
+        self.assert_caught("base/x -> base/y, base/y -> base/x", {
+            "src/loosefit/base/x.h": '#include "loosefit/base/y.h"\n',
+            "src/loosefit/base/y.h": '#include "loosefit/base/x.h"\n'})
+
+    def test_excused_circle_passes(self):
+        code, text = self.run_on(self.PAIRS | self.CIRCLE, layers=LAYERS + self.CYCLE)
+        self.assertEqual(code, 0, text)
+
+    def test_excuse_of_another_circle_does_not_count(self):
+        self.assert_caught("includes in a circle", self.PAIRS | self.CIRCLE,
+                           layers=LAYERS + self.CYCLE.replace('"base/b", ', ""))
+
+    def test_source_without_header(self):
+        lone = {"src/loosefit/base/deep/lone.cpp": ""}
+        self.assert_caught("lone.cpp: no header of its own name", lone)
+        code, text = self.run_on(lone, layers=LAYERS + self.HEADLESS)
+        self.assertEqual(code, 0, text)
+
+    def test_header_elsewhere_does_not_count(self):
+        self.assert_caught("lone.cpp: no header of its own name",
+                           {"src/loosefit/base/deep/lone.cpp": "", "src/loosefit/base/lone.h": ""})
+
+    def test_exception_without_reason(self):
+        for reason in ("", 'reason = " "\n'):
+            with self.subTest(reason):
+                self.assert_caught(
+                    "without a reason", {"src/loosefit/base/deep/lone.cpp": ""},
+                    layers=LAYERS + self.HEADLESS.replace('reason = "declared in a.h"\n', reason))
+
+    def test_exception_that_is_not_needed(self):
+        self.assert_caught("exception not needed", self.PAIRS, layers=LAYERS + self.CYCLE)
+        self.assert_caught("exception not needed", self.PAIRS, layers=LAYERS + self.HEADLESS)
+        self.assert_caught("base/old: exception not needed", self.PAIRS | self.CIRCLE,
+                           layers=LAYERS + self.CYCLE.replace('"base/a"', '"base/old", "base/a"'))
+        self.assert_caught("(no files)", self.PAIRS,
+                           layers=LAYERS + '[[cycle]]\nreason = "of nothing"\n')
 
     def test_unreadable_rules(self):
         code, text = self.run_on({}, layers="[uses\n")
