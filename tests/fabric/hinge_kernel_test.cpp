@@ -5,10 +5,14 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
-#include "loosefit/fabric/dihedral.h"
+#include "support/dihedral.h"
 
 namespace loosefit {
 namespace {
+
+using support::Dihedral;
+using support::dihedral;
+using support::DihedralHessian;
 
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 

@@ -24,14 +24,13 @@ TEST(KesUnits, FactorsAreThoseDerived) {
   EXPECT_NEAR(kes_to_si("FAST-B", 1) / kes_unit("B").factor, 0.010197, 5e-7);
 }
 
-TEST(KesUnits, EveryFactorConvertsBothWays) {
+TEST(KesUnits, EveryFigureIsConvertedByTheFactorOfItsQuantity) {
   ASSERT_GE(kes_units().size(), 10u);
-  for (const KesUnit& unit : kes_units())
-    for (double figure : {0.0, 1.0, 0.045, 123.4}) {
-      const double si = kes_to_si(unit.quantity, figure);
-      EXPECT_DOUBLE_EQ(si_to_kes(unit.quantity, si), figure) << unit.quantity;
-      EXPECT_EQ(si > 0, figure > 0) << unit.quantity;
-    }
+  for (const KesUnit& unit : kes_units()) {
+    EXPECT_GT(unit.factor, 0) << unit.quantity;
+    for (double figure : {0.0, 1.0, 0.045, 123.4})
+      EXPECT_DOUBLE_EQ(kes_to_si(unit.quantity, figure) / unit.factor, figure) << unit.quantity;
+  }
 }
 
 TEST(KesUnits, UnknownQuantityGetsAGuess) {

@@ -98,8 +98,8 @@ TEST(MaterialToml, ReadsBackToTheSameConstants) {
   EXPECT_EQ(material_toml(overridden(text).material), text);
 }
 
-// Every KES figure of every card, to SI and back, and against the constant in use.
-TEST(MaterialCards, KesFiguresConvertBothWays) {
+// Every KES figure of every card against the constant in use.
+TEST(MaterialCards, KesFiguresAreTheConstantsInUse) {
   int figures = 0, constants = 0;
   for (const std::string& name : material_names()) {
     const MaterialCard card = load_material(name);
@@ -108,7 +108,6 @@ TEST(MaterialCards, KesFiguresConvertBothWays) {
       SCOPED_TRACE(name + " " + f.key);
       ++figures;
       const double si = kes_to_si(f.unit.quantity, f.value);
-      EXPECT_DOUBLE_EQ(si_to_kes(f.unit.quantity, si), f.value);
       const auto expect_used = [&](double used, double per_figure) {
         ++constants;
         EXPECT_TRUE(same_within_rounding(f.value, si, used * per_figure)) << used;
@@ -147,7 +146,7 @@ TEST(MaterialCards, MeasuredWoolIsTheSample) {
     EXPECT_EQ(m.curve_weft[i].strain, sample.curve_weft[i].strain);
     EXPECT_EQ(m.curve_shear[i].force, sample.curve_shear[i].force);
   }
-  EXPECT_DOUBLE_EQ(m.stiffness_weft, StressCurve::tension(m.curve_weft).initial_tangent());
+  EXPECT_DOUBLE_EQ(m.stiffness_weft, StressCurve::tension(m.curve_weft).at(0).tangent);
 }
 
 TEST(Kes, GivesTheConstantWhenTheSiFigureIsAbsent) {

@@ -66,10 +66,11 @@ TEST_F(Sites, PresetsThatTheBodyHasAreListed) {
 }
 
 TEST_F(Sites, PresetSidesAreTheWearers) {
-  EXPECT_GT(site_point(body_, "waist_L").x(), 0.11);
-  EXPECT_LT(site_point(body_, "waist_R").x(), -0.11);
-  EXPECT_LT(site_point(body_, "abdomen").y(), -0.11);
-  EXPECT_GT(site_point(body_, "heart").x(), 0);
+  const SitePoints points(body_);
+  EXPECT_GT(points.at("waist_L").x(), 0.11);
+  EXPECT_LT(points.at("waist_R").x(), -0.11);
+  EXPECT_LT(points.at("abdomen").y(), -0.11);
+  EXPECT_GT(points.at("heart").x(), 0);
 }
 
 TEST_F(Sites, ImpossibleSitesSayWhy) {

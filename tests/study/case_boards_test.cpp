@@ -46,7 +46,7 @@ TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
   CaseResult result = made(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
-  const Vec3 wanted = site_point(result.body.body, "upper_back");
+  const Vec3 wanted = SitePoints(result.body.body).at("upper_back");
   Site spine, flat;
   spine.name = "spine";
   spine.body_point = wanted + Vec3(0, 0, 0.010);

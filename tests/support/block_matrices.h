@@ -54,7 +54,9 @@ inline BlockMatrix cliques(double diagonal, unsigned seed) {
     std::vector<int> clique;
     for (int i = 0; i < kClique; ++i) clique.push_back(first + i);
     for (int i = 0; i < kShared; ++i) clique.push_back(2 * kClique + i);
-    pattern.add_clique(clique);
+    for (int a : clique)
+      for (int b : clique)
+        if (b < a) pattern.add(a, b);
   }
   return filled(std::move(pattern), diagonal, seed);
 }

@@ -65,7 +65,6 @@ class BodyModel {
   RestBody rest(const BodyParameters& parameters, BodyDetail detail = BodyDetail::subdivided) const;
 
   const BodyData& data() const { return *data_; }
-  const Morph& morph() const { return morph_; }
 
  private:
   double scye_depth(const RestBody& rest) const;

@@ -59,12 +59,6 @@ std::vector<double> Morph::macro_weights(const BodyParameters& parameters) const
   return weights;
 }
 
-int Morph::active_macro_targets(const BodyParameters& parameters) const {
-  const auto weights = macro_weights(parameters);
-  return int(std::count_if(weights.begin(), weights.end(),
-                           [](double w) { return std::abs(w) > kNegligible; }));
-}
-
 std::vector<std::pair<int, double>> Morph::weights(const BodyParameters& parameters) const {
   std::map<int, double> sum;
   const auto macro = macro_weights(parameters);

@@ -16,8 +16,6 @@ class Morph {
 
   /// Weight of every field with a weight above 1e-9, ascending by field.
   std::vector<std::pair<int, double>> weights(const BodyParameters& parameters) const;
-  /// Number of macro targets (all-zero ones included) with a weight above 1e-9.
-  int active_macro_targets(const BodyParameters& parameters) const;
   /// Position of every row [m], rest posture, floor not yet at zero.
   std::vector<Vec3> rows(const BodyParameters& parameters) const;
 

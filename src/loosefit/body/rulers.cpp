@@ -77,15 +77,6 @@ const std::vector<int>& ruler(const std::string& name) {
   return found->second;
 }
 
-double ruler_length(const std::vector<Vec3>& vertices, const std::string& name) {
-  const auto& chain = ruler(name);
-  double length = 0;
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    length += (vertices[std::size_t(chain[i + 1])] - vertices[std::size_t(chain[i])]).norm();
-  }
-  return length;
-}
-
 Vec3 ruler_centre(const std::vector<Vec3>& vertices, const std::string& name) {
   const auto& chain = ruler(name);
   Vec3 sum = Vec3::Zero();

@@ -11,9 +11,6 @@ namespace loosefit {
 /// Limb rulers lie on the left. \throws InvalidInput for an unknown name.
 const std::vector<int>& ruler(const std::string& name);
 
-/// Length of the chain as a polyline [m]. Not a tape girth: see BodyTape.
-double ruler_length(const std::vector<Vec3>& vertices, const std::string& name);
-
 /// Mean of the chain's vertices.
 Vec3 ruler_centre(const std::vector<Vec3>& vertices, const std::string& name);
 

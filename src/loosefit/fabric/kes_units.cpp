@@ -71,10 +71,6 @@ double kes_to_si(const std::string& quantity, double value) {
   return kes_unit(quantity).factor * value;
 }
 
-double si_to_kes(const std::string& quantity, double value) {
-  return value / kes_unit(quantity).factor;
-}
-
 double tensile_secant(double emt_percent, double load_gf_per_cm) {
   return kes_to_si("F", load_gf_per_cm) / kes_to_si("EMT", emt_percent);
 }

@@ -29,7 +29,6 @@ const std::vector<KesUnit>& kes_units();
 /// \throws InvalidInput with a did-you-mean for an unknown quantity.
 const KesUnit& kes_unit(const std::string& quantity);
 double kes_to_si(const std::string& quantity, double value);
-double si_to_kes(const std::string& quantity, double value);
 
 /// Largest load of the KES tensile test for outer wear: 500 gf/cm. The mean (secant) stiffness up
 /// to it is F_max / (EMT/100) [N/m].

@@ -52,7 +52,6 @@ class StressCurve {
     double tangent;  ///< w″ [N/m]
   };
   Response at(double strain) const;
-  double initial_tangent() const { return stiffness_; }
   /// Least w″ over compression and the measured range [N/m]; may be ≤ 0 where a fabric yields.
   double smallest_tangent() const;
 

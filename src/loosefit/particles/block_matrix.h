@@ -14,12 +14,6 @@ class BlockPattern {
     for (int i = 0; i < particles; ++i) rows_of_column_[i].push_back(i);
   }
   void add(int i, int j) { rows_of_column_[std::min(i, j)].push_back(std::max(i, j)); }
-  /// Adds every pair of the stencil.
-  template <class Stencil>
-  void add_clique(const Stencil& particles) {
-    for (std::size_t a = 0; a < particles.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) add(particles[a], particles[b]);
-  }
   /// Sorts and removes duplicates; call before use.
   void compress();
   const std::vector<std::vector<int>>& rows_of_column() const { return rows_of_column_; }
@@ -54,10 +48,8 @@ class BlockMatrix {
     else
       blocks_[find(j, i)] += block.transpose();
   }
-  /// Place of block (i, j), i ≥ j, for add_at. \pre the block is in the pattern
+  /// Index of block (i, j), i ≥ j, in blocks(). \pre the block is in the pattern
   int slot(int i, int j) const { return find(i, j); }
-  /// Adds to the block at a place from `slot`; the caller has brought it to i ≥ j.
-  void add_at(int slot, const Mat3& block) { blocks_[slot] += block; }
   /// Differs between matrices whose patterns were made separately; for callers that keep slots.
   std::uint64_t pattern_id() const { return pattern_id_; }
   /// y += A x (both triangles).
@@ -66,7 +58,6 @@ class BlockMatrix {
   const std::vector<int>& column_start() const { return column_start_; }
   const std::vector<int>& rows() const { return rows_; }
   const std::vector<Mat3>& blocks() const { return blocks_; }
-  Mat3& diagonal(int i) { return blocks_[column_start_[i]]; }
   Mat3& block(int k) { return blocks_[k]; }
 
  private:

@@ -106,16 +106,15 @@ class Summary {
   std::vector<std::vector<SiteState>> postured_;  ///< donnings with several postures
 };
 
-/// Angles between the sensor's orientations in the reference posture of donning `one` (of any
-/// donning when empty) and of the others, each pair once.
-Values donning_errors(const std::vector<SiteState>& states, int reference,
-                      const std::function<bool(int, int)>& counts) {
+/// Angles between the sensor's orientations in the reference posture of one donning and of the
+/// others.
+Values donning_errors(const std::vector<SiteState>& states, int reference, int donning) {
   Values errors;
   for (std::size_t i = 0; i < states.size(); ++i)
     for (std::size_t j = i + 1; j < states.size(); ++j) {
       const SiteState &a = states[i], &b = states[j];
       if (a.posture == reference && b.posture == reference && a.donning != b.donning &&
-          counts(a.donning, b.donning) && a.garment_frame.allFinite() &&
+          (a.donning == donning || b.donning == donning) && a.garment_frame.allFinite() &&
           b.garment_frame.allFinite())
         errors.push_back(rotation_angle(a.garment_frame.transpose() * b.garment_frame));
     }
@@ -123,7 +122,6 @@ Values donning_errors(const std::vector<SiteState>& states, int reference,
 }
 
 std::map<std::string, double> summarised(const std::vector<SiteState>& states, int reference) {
-  if (states.empty()) throw InvalidInput("site metrics need at least one state");
   constexpr double kDegree = 180 / kPi;
   const auto angle = [](double Orientation::*part) {
     return [part](const SiteState& s) { return s.orientation.*part; };
@@ -160,29 +158,15 @@ std::map<std::string, double> summarised(const std::vector<SiteState>& states, i
   return of.result;
 }
 
-void add_donning_error(const Values& errors, std::map<std::string, double>& metrics) {
-  if (!errors.empty()) metrics["donning_coe_deg"] = degrees(summarise(errors).rms);
-}
-
 }  // namespace
-
-std::map<std::string, double> site_metrics(const std::vector<SiteState>& states,
-                                           int reference_posture) {
-  auto metrics = summarised(states, reference_posture);
-  add_donning_error(donning_errors(states, reference_posture, [](int, int) { return true; }),
-                    metrics);
-  return metrics;
-}
 
 std::vector<std::map<std::string, double>> site_metrics_by_donning(
     const std::vector<SiteState>& states, int reference_posture) {
   std::vector<std::map<std::string, double>> all;
   for (const auto& [donning, own] : by_donning(states)) {
     all.push_back(summarised(own, reference_posture));
-    const int one = donning;
-    add_donning_error(donning_errors(states, reference_posture,
-                                     [one](int a, int b) { return a == one || b == one; }),
-                      all.back());
+    const Values errors = donning_errors(states, reference_posture, donning);
+    if (!errors.empty()) all.back()["donning_coe_deg"] = degrees(summarise(errors).rms);
   }
   return all;
 }

@@ -9,18 +9,19 @@
 namespace loosefit {
 
 /// The numbers by which a site is judged, from what it meets in its states; units in the names.
-/// What the states do not tell is left out, never made up. "Reference": the state of posture
-/// `reference_posture` of the same donning; "swing": range over the postures of a donning (greatest
-/// minus least; from 20 postures on 95th minus 5th percentile), mean over donnings.
+/// What the states do not tell is left out, never made up. Each donning is summed up by itself, in
+/// ascending order of donning: one sample of what a wearer meets. "Reference": the state of posture
+/// `reference_posture` of that donning; "swing": range over its postures (greatest minus least;
+/// from 20 postures on 95th minus 5th percentile).
 ///
 /// | name                                   | over the states                                     |
 /// |----------------------------------------|-----------------------------------------------------|
-/// | angular_deviation_deg, rotation_deg,   | mean over donnings, in the reference posture        |
+/// | angular_deviation_deg, rotation_deg,   | in the reference posture                            |
 /// | tilt_sagittal_deg, tilt_lateral_deg,   | (angles with a sign keep it)                        |
 /// | twist_deg                              |                                                     |
 /// | coe_rms_deg, coe_p95_deg               | calibrated orientation error over all states but    |
-/// |                                        | the references, each against its own reference      |
-/// | donning_coe_deg                        | RMS over all pairs of donnings of the angle between |
+/// |                                        | the reference, each against it                      |
+/// | donning_coe_deg                        | RMS over the other donnings of the angle between    |
 /// |                                        | the sensor's orientations, reference posture        |
 /// | gap_mm                                 | mean over states of the footprint's mean            |
 /// | gap_worst_mm                           | greatest over states of the footprint's worst 5 %   |
@@ -29,19 +30,14 @@ namespace loosefit {
 /// | contact_duty                           | share of states with a contact ratio of at least 0.9|
 /// | pressure_kPa                           | mean over states of the footprint's mean            |
 /// | pressure_min_kPa, pressure_swing_kPa   | least over states, swing of the footprint's mean    |
-/// | strain                                 | mean over donnings, in the reference posture        |
+/// | strain                                 | in the reference posture                            |
 /// | strain_swing                           | swing                                               |
 /// | slack                                  | greatest over states                                |
-/// | slip_mm                                | greatest over states, each against its reference    |
+/// | slip_mm                                | greatest over states, each against the reference    |
 ///
 /// The error, the duty, minimum, swings and slip need at least two postures of one donning, the
 /// donning error two donnings. For it the body must stand alike in the reference posture of all
-/// donnings. (sensor-metrics 3 to 7.) \throws InvalidInput for no states.
-std::map<std::string, double> site_metrics(const std::vector<SiteState>& states,
-                                           int reference_posture = 0);
-
-/// The same for each donning by itself, in ascending order of donning: one sample of what a wearer
-/// meets. donning_coe_deg is then the RMS of the angles to the other donnings.
+/// donnings. (sensor-metrics 3 to 7.)
 std::vector<std::map<std::string, double>> site_metrics_by_donning(
     const std::vector<SiteState>& states, int reference_posture = 0);
 

@@ -140,12 +140,4 @@ std::optional<FootprintShape> preset_footprint(const std::string& name) {
   return std::nullopt;
 }
 
-std::vector<std::string> site_landmarks(const Body& body) { return SitePoints(body).names(); }
-
-Vec3 site_point(const Body& body, const std::string& landmark) {
-  return SitePoints(body).at(landmark);
-}
-
-std::vector<SiteSpec> preset_sites(const Body& body) { return SitePoints(body).presets(); }
-
 }  // namespace loosefit

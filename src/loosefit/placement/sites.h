@@ -26,7 +26,7 @@ struct SiteSpec {
   std::string name;
   std::string panel;                        ///< with `at`; wins over the other two
   Vec2 at = Vec2::Zero();                   ///< u (weft), v (warp) in the panel [m]
-  std::string landmark = {};                ///< any of site_landmarks(body)
+  std::string landmark = {};                ///< any of SitePoints::names
   std::optional<BodyAddress> anatomy = {};  ///< when neither panel nor landmark is given
   double angle = 0;  ///< of the sensor's axis in the pattern (FootprintShape)
   FootprintShape footprint = {};
@@ -50,7 +50,7 @@ struct Site {
   /// Direction of the body segment's long axis (towards the trunk, on the trunk upwards) in the
   /// pattern, as `angle`; 0, the grain, where the body has no such axis [rad].
   double segment_angle = 0;
-  bool preset = false;            ///< not asked for by name: one of preset_sites
+  bool preset = false;            ///< not asked for by name: one of SitePoints::presets
   std::string not_covering = {};  ///< why there is no skin under it (off_skin); empty: there is
 };
 
@@ -63,6 +63,24 @@ struct UncoveredSite {
 
 /// Named points of one body: its landmarks, those of address_landmarks(), and presets. Keeps a
 /// reference to the body.
+///
+/// Presets: upper_back (T3), mid_back (T8), lower_back (L3), scapula_L/R, sternum, which are
+/// landmarks, and those below, which lie where a ray from the limb's or trunk's axis leaves the
+/// body, or at an anatomical address. A body has those whose parts it has.
+///
+/// | preset                  | where                                                            |
+/// |-------------------------|------------------------------------------------------------------|
+/// | heart                   | breast level, left of the breast bone                            |
+/// | ecg_L/R                 | under the breast, half way to the side (disc of 10 mm)           |
+/// | abdomen                 | front, waist level                                               |
+/// | waist_L/R               | lateral, waist level                                             |
+/// | chest_band, waist_band  | girth lines at the xiphoid and at the navel, for respiration     |
+/// | upper_arm_L/R           | lateral, half way                                                |
+/// | biceps_L/R              | front, a third from the cubital fossa (SENIAM; disc of 10 mm)    |
+/// | forearm_L/R             | back of the forearm, half way                                    |
+/// | forearm_distal_L/R      | back of the forearm, 30 % from the wrist (UNISEP's IMU)          |
+/// | wrist_L/R               | back of the forearm, 15 % from the wrist                         |
+/// | thigh_L/R, shank_L/R    | lateral, half way, and 20 % from the ankle (UNISEP's IMU)        |
 class SitePoints {
  public:
   explicit SitePoints(const Body& body);
@@ -80,34 +98,8 @@ class SitePoints {
   BodyAddresses addresses_;
 };
 
-/// Names a SiteSpec may use on this body: its landmarks and the presets below.
-std::vector<std::string> site_landmarks(const Body& body);
-
 /// Footprint of the sensor that a preset is made for; nothing for other names. Body-independent.
 std::optional<FootprintShape> preset_footprint(const std::string& name);
-
-/// Surface point of a landmark or preset, as SitePoints::at. Presets beyond the landmarks lie where
-/// a ray from the limb's or trunk's axis leaves the body, or at an anatomical address:
-///
-/// | preset                  | where                                                            |
-/// |-------------------------|------------------------------------------------------------------|
-/// | heart                   | breast level, left of the breast bone                            |
-/// | ecg_L/R                 | under the breast, half way to the side (disc of 10 mm)           |
-/// | abdomen                 | front, waist level                                               |
-/// | waist_L/R               | lateral, waist level                                             |
-/// | chest_band, waist_band  | girth lines at the xiphoid and at the navel, for respiration     |
-/// | upper_arm_L/R           | lateral, half way                                                |
-/// | biceps_L/R              | front, a third from the cubital fossa (SENIAM; disc of 10 mm)    |
-/// | forearm_L/R             | back of the forearm, half way                                    |
-/// | forearm_distal_L/R      | back of the forearm, 30 % from the wrist (UNISEP's IMU)          |
-/// | wrist_L/R               | back of the forearm, 15 % from the wrist                         |
-/// | thigh_L/R, shank_L/R    | lateral, half way, and 20 % from the ankle (UNISEP's IMU)        |
-/// \throws InvalidInput for an unknown name, with a did-you-mean.
-Vec3 site_point(const Body& body, const std::string& landmark);
-
-/// The presets that this body has: upper_back (T3), mid_back (T8), lower_back (L3), scapula_L/R,
-/// sternum and those above.
-std::vector<SiteSpec> preset_sites(const Body& body);
 
 /// Finds each site on the draped garment and averages every map over its footprint. A landmark or
 /// anatomical address goes to the garment point over it (GarmentOverSkin). What the garment does

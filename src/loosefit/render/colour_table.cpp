@@ -111,9 +111,4 @@ double colour_share(const PerformanceMap& map, double value) {
   return 0;
 }
 
-Rgb colour_of(const PerformanceMap& map, double value) {
-  if (std::isnan(value)) return kUndefinedColour;
-  return colours_of(map)[static_cast<int>(std::lround(255 * colour_share(map, value)))];
-}
-
 }  // namespace loosefit

@@ -26,7 +26,4 @@ inline constexpr Rgb kUndefinedColour = {128, 128, 128};  ///< NaN
 /// map's breaks; beyond the ends it stays at them. NaN for NaN.
 double colour_share(const PerformanceMap& map, double value);
 
-/// Colour of one value: clamped to the map's fixed range, NaN neutral.
-Rgb colour_of(const PerformanceMap& map, double value);
-
 }  // namespace loosefit
