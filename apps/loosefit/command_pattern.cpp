@@ -95,8 +95,8 @@ void override_measures(const Wish& wish, ShirtMeasures& measures, std::set<std::
 }
 
 /// What a scenario with these options would ask for.
-ScenarioGarment garment_of(const Wish& wish) {
-  ScenarioGarment garment;
+GarmentSpec garment_of(const Wish& wish) {
+  GarmentSpec garment;
   garment.pattern = wish.kind;
   garment.fit = usual_fit(wish.kind);
   garment.size = wish.size;
@@ -118,7 +118,7 @@ Made make(const Wish& wish) {
   if (sources > 1 || (sources == 1 && any(wish.fit)) || (fixed && wish.kind_given))
     throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
                        "one of --file, --size, --scenario, or measures with a fit");
-  const ScenarioGarment garment = garment_of(wish);
+  const GarmentSpec garment = garment_of(wish);
   if (!wish.size.empty() && !garment_size(wish.size))
     throw InvalidInput({{}, 0, "--size"}, '"' + printable(wish.size) + '"', "a garment size",
                        did_you_mean(wish.size, garment_size_names()));
@@ -142,7 +142,7 @@ Made make(const Wish& wish) {
     const Scenario scenario = read_scenario(wish.scenario);
     try {
       const Body body = make_body(scenario.body).body;
-      CasePattern result = make_pattern(scenario.garment, body);
+      CasePattern result = make_pattern(scenario.studied().spec, body);
       made.pattern = std::move(result.pattern);
       made.warnings = std::move(result.warnings);
       made.body = shirt_measures(body);

@@ -27,7 +27,7 @@ void add_pictures(const ScenarioOutput& output, const Path& folder, const char* 
 }  // namespace
 
 std::vector<std::string> planned_files(const Scenario& scenario, const PlannedWork& work) {
-  const int under = static_cast<int>(scenario.under.size());
+  const int under = static_cast<int>(scenario.worn_under().size());
   const char* const through = under > 0 ? "layers" : nullptr;
   std::vector<Path> files = {"summary.json", "drape.vtp", "body.vtp", "pattern.json",
                              "scenario.toml"};

@@ -78,8 +78,8 @@ name = "paper-cotton"
                                      "bakeoff.toml");
   auto shirt = std::make_shared<Shirt>();
   shirt->body = make_body(scenario.body);
-  shirt->material = scenario.material.material;
-  shirt->garment = build_hierarchy(make_pattern(scenario.garment, shirt->body.body).pattern,
+  shirt->material = scenario.studied().material.material;
+  shirt->garment = build_hierarchy(make_pattern(scenario.studied().spec, shirt->body.body).pattern,
                                    edge_length, shirt->material);
   // As the dress stage: contract soft and without friction, then with both, then level by level.
   VectorField x = dress_shirt(shirt->garment.levels[0], shirt->body.path(0.0));

@@ -45,7 +45,7 @@ TEST_F(PatternCommand, HasTheDefaultsOfAScenario) {
   const Body body = make_body(default_scenario().body).body;
   const auto of_run = [&](const std::string& garment) {
     const Scenario scenario = parse_scenario("[garment]\n" + garment, "case.toml");
-    return garmentcode_text(make_pattern(scenario.garment, body).pattern);
+    return garmentcode_text(make_pattern(scenario.studied().spec, body).pattern);
   };
   EXPECT_EQ(written(""), of_run(""));
   EXPECT_EQ(written("--pattern t-shirt"), of_run("pattern = \"t-shirt\""));

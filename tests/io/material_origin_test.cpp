@@ -9,7 +9,7 @@ namespace loosefit {
 namespace {
 
 MaterialCard card(const std::string& section) {
-  return parse_scenario("[material]\n" + section, "m.toml").material;
+  return parse_scenario("[material]\n" + section, "m.toml").studied().material;
 }
 
 std::string from(const MaterialCard& card, const std::string& key) {
@@ -69,9 +69,10 @@ TEST(MaterialOrigin, ResolvedScenarioTellsTheSame) {
     const std::string text = scenario_toml(first);
     const Scenario second = parse_scenario(text, "m.toml");
     EXPECT_EQ(scenario_toml(second), text);
-    EXPECT_EQ(second.material.material.name, first.material.material.name);
-    EXPECT_EQ(second.material.material.source, first.material.material.source);
-    const auto a = constants_in_use(first.material), b = constants_in_use(second.material);
+    EXPECT_EQ(second.studied().material.material.name, first.studied().material.material.name);
+    EXPECT_EQ(second.studied().material.material.source, first.studied().material.material.source);
+    const auto a = constants_in_use(first.studied().material),
+               b = constants_in_use(second.studied().material);
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_EQ(a[i].from, b[i].from) << a[i].key;
       EXPECT_EQ(a[i].value, b[i].value) << a[i].key;

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "loosefit/io/material_file.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 
@@ -19,9 +20,10 @@ TEST(ScenarioDocs, NameEveryKey) {
   anatomical.anatomy = BodyAddress{BodySegment::forearm, 1, Vec3(0, 50, 30)};
   anatomical.board = SensorBoard{};
   scenario.sites = {SiteSpec{}, pattern, anatomical};
-  scenario.material = load_material("wool-measured");
+  scenario.studied().material = load_material("wool-measured");
   scenario.ranking.modality = "ecg";
-  scenario.under = {ScenarioUnder{scenario.garment, scenario.material, 0.3}};
+  scenario.garments.insert(scenario.garments.begin(),
+                           {scenario.studied().spec, scenario.studied().material, 0.3});
   std::istringstream lines(scenario_toml(scenario));
   int keys = 0;
   for (std::string line; std::getline(lines, line);) {

@@ -9,7 +9,7 @@ using support::expect_refused;
 
 TEST(ScenarioUnder, WithoutTheSectionOneGarmentIsWorn) {
   const Scenario s = default_scenario();
-  EXPECT_TRUE(s.under.empty());
+  EXPECT_TRUE(s.worn_under().empty());
   EXPECT_EQ(scenario_toml(s).find("under"), std::string::npos);
 }
 
@@ -20,26 +20,26 @@ TEST(ScenarioUnder, GarmentsAreReadFromTheSkinOutwardsEachWithItsCloth) {
       "[[under]]\nsize = \"women-38\"\n[under.material]\nname = \"wool-measured\"\n"
       "[garment]\nfit = { chest = 0.3 }\n",
       "case.toml");
-  ASSERT_EQ(s.under.size(), 2u);
-  EXPECT_EQ(s.under[0].garment.pattern, "t-shirt");
-  EXPECT_EQ(s.under[0].garment.fit.chest, 0.02);
-  EXPECT_EQ(s.under[0].garment.fit.sleeve_length, 0.36);
-  EXPECT_EQ(s.under[0].garment.fit.wrist, 0.12);
-  EXPECT_EQ(s.under[0].friction, 0.25);
-  EXPECT_EQ(s.under[0].material.key, "cotton-jersey");
-  EXPECT_EQ(s.under[0].material.material.thickness, 0.001);
-  EXPECT_EQ(s.under[1].garment.size, "women-38");
-  EXPECT_FALSE(s.under[1].friction.has_value());
-  EXPECT_FALSE(s.under[1].material.material.curve_warp.empty());
-  EXPECT_EQ(s.garment.fit.chest, 0.3) << "the studied garment";
-  EXPECT_EQ(s.garment.fit.sleeve_length, 1.0);
+  ASSERT_EQ(s.worn_under().size(), 2u);
+  EXPECT_EQ(s.garments[0].spec.pattern, "t-shirt");
+  EXPECT_EQ(s.garments[0].spec.fit.chest, 0.02);
+  EXPECT_EQ(s.garments[0].spec.fit.sleeve_length, 0.36);
+  EXPECT_EQ(s.garments[0].spec.fit.wrist, 0.12);
+  EXPECT_EQ(s.garments[0].friction, 0.25);
+  EXPECT_EQ(s.garments[0].material.key, "cotton-jersey");
+  EXPECT_EQ(s.garments[0].material.material.thickness, 0.001);
+  EXPECT_EQ(s.garments[1].spec.size, "women-38");
+  EXPECT_FALSE(s.garments[1].friction.has_value());
+  EXPECT_FALSE(s.garments[1].material.material.curve_warp.empty());
+  EXPECT_EQ(s.studied().spec.fit.chest, 0.3) << "the studied garment";
+  EXPECT_EQ(s.studied().spec.fit.sleeve_length, 1.0);
 
   const Scenario again = parse_scenario(scenario_toml(s), "again.toml");
   EXPECT_EQ(scenario_toml(again), scenario_toml(s));
-  ASSERT_EQ(again.under.size(), 2u);
-  EXPECT_EQ(again.under[0].friction, 0.25);
-  EXPECT_EQ(again.under[1].material.material.curve_warp.size(),
-            s.under[1].material.material.curve_warp.size());
+  ASSERT_EQ(again.worn_under().size(), 2u);
+  EXPECT_EQ(again.garments[0].friction, 0.25);
+  EXPECT_EQ(again.garments[1].material.material.curve_warp.size(),
+            s.garments[1].material.material.curve_warp.size());
 }
 
 TEST(ScenarioUnder, OddInputIsRefusedByName) {

@@ -14,8 +14,8 @@
 namespace loosefit {
 namespace {
 
-ScenarioGarment garment_of(const std::string& section) {
-  return parse_scenario("[garment]\n" + section, "case.toml").garment;
+GarmentSpec garment_of(const std::string& section) {
+  return parse_scenario("[garment]\n" + section, "case.toml").studied().spec;
 }
 
 std::string refusal(const std::string& section, const Body& body) {
@@ -72,11 +72,12 @@ TEST(AdaptedBodies, ResolvedScenarioAdaptsAlike) {
   Scenario scenario =
       parse_scenario("[garment]\npattern = \"t-shirt\"\nfit = { chest = 0.30 }\n", "case.toml");
   const Scenario again = parse_scenario(scenario_toml(scenario), "case.toml");
-  EXPECT_EQ(again.garment.adapt, scenario.garment.adapt);
+  EXPECT_EQ(again.studied().spec.adapt, scenario.studied().spec.adapt);
   ScenarioBody wished;
   wished.sex = 1, wished.age = 7, wished.height = 1.2;
   const Body body = make_body(wished).body;
-  const CasePattern a = make_pattern(scenario.garment, body), b = make_pattern(again.garment, body);
+  const CasePattern a = make_pattern(scenario.studied().spec, body),
+                    b = make_pattern(again.studied().spec, body);
   EXPECT_EQ(garmentcode_text(a.pattern), garmentcode_text(b.pattern));
   EXPECT_EQ(a.warnings, b.warnings);
   EXPECT_FALSE(a.warnings.empty());

@@ -13,7 +13,7 @@ CaseResult made(const std::string& sites) {
   result.scenario =
       parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites, "case.toml");
   result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
   return result;
 }
 

@@ -71,11 +71,11 @@ class PutOn : public ::testing::Test {
   Scenario scenario_ = parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n", "");
   CaseBody body_ = pinched();
   GarmentHierarchy garment_ =
-      build_hierarchy(make_pattern(scenario_.garment, body_.body).pattern,
-                      scenario_.simulation.edge_length, scenario_.material.material, {});
+      build_hierarchy(make_pattern(scenario_.studied().spec, body_.body).pattern,
+                      scenario_.simulation.edge_length, scenario_.studied().material.material, {});
   DrapeOptions options_ = drape_options(scenario_.simulation);
   Progress silent_;
-  DrapeSession session_{garment_, scenario_.material.material, options_, silent_};
+  DrapeSession session_{garment_, scenario_.studied().material.material, options_, silent_};
 };
 
 TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {

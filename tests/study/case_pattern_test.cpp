@@ -13,7 +13,7 @@ namespace {
 using support::measured_woman;
 
 TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
-  ScenarioGarment wished;
+  GarmentSpec wished;
   wished.fit.chest = 0.15;
   wished.fit.waist = 0.22;
   wished.fit.hip = 0.05;
@@ -30,7 +30,7 @@ TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
 
 // One garment on two bodies: its girths stay, its mobility follows the body.
 TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
-  ScenarioGarment wished;
+  GarmentSpec wished;
   wished.size = "child-142";
   Body slim = measured_woman(), heavy = measured_woman();
   slim.measured["chest"] = 0.63;
@@ -42,7 +42,7 @@ TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
 }
 
 TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
-  ScenarioGarment wished;
+  GarmentSpec wished;
   wished.pattern = "t-shirt";
   wished.fit.sleeve_length = 0.36;
   wished.fit.wrist = 0.12;
@@ -53,7 +53,7 @@ TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
   EXPECT_EQ(made.fit.count("wrist"), 0u);
   EXPECT_EQ(made.girths.count("wrist"), 0u);
 
-  ScenarioGarment sized = wished;
+  GarmentSpec sized = wished;
   sized.size = "women-38";
   const CasePattern fixed = make_pattern(sized, measured_woman());
   EXPECT_NEAR(fixed.girths.at("cuff"), fixed.girths.at("sleeve"), 1e-6) << "no taper";

@@ -36,12 +36,12 @@ CaseResult worn_shirt() {
       "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n",
       "case.toml");
   result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.garment, result.body.body);
-  result.garment =
-      build_hierarchy(result.pattern.pattern, 0.05, result.scenario.material.material, {});
+  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
+  result.garment = build_hierarchy(result.pattern.pattern, 0.05,
+                                   result.scenario.studied().material.material, {});
   Progress silent;
-  result.drape = drape_garment(result.garment, result.scenario.material.material, result.body.path,
-                               drape_options(result.scenario.simulation), silent);
+  result.drape = drape_garment(result.garment, result.scenario.studied().material.material,
+                               result.body.path, drape_options(result.scenario.simulation), silent);
   result.maps = make_maps(result, true);
   return result;
 }

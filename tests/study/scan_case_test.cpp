@@ -31,7 +31,7 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
   const CaseResult result = run_case(scenario, silent);
   EXPECT_TRUE(result.drape.certificate.settled()) << result.drape.certificate.stop_reason;
   EXPECT_FALSE(result.sites.empty());
-  EXPECT_NEAR(result.pattern.fit.at("chest"), scenario.garment.fit.chest, 1e-3);
+  EXPECT_NEAR(result.pattern.fit.at("chest"), scenario.studied().spec.fit.chest, 1e-3);
   std::filesystem::remove(file);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/io/material_file.h"
 #include "loosefit/study/sites_csv.h"
 
 namespace loosefit {

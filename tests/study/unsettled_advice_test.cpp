@@ -30,11 +30,11 @@ TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
   EXPECT_TRUE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "body.posture"));
   EXPECT_FALSE(has(advice(scenario, "left shank"), "arms"));
-  scenario.garment.size = "women-38";
+  scenario.studied().spec.size = "women-38";
   EXPECT_FALSE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "garment.size"));
-  scenario.garment.size.clear();
-  scenario.garment.file = "/tmp/trousers.json";
+  scenario.studied().spec.size.clear();
+  scenario.studied().spec.file = "/tmp/trousers.json";
   EXPECT_FALSE(has(advice(scenario), "garment."));
   scenario.body.file = "/tmp/scan.obj";
   EXPECT_FALSE(has(advice(scenario), "posture"));
@@ -57,7 +57,7 @@ TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
 TEST(UnsettledAdvice, MoreTimeDoesNotHelpWhatFalls) {
   Drape drape = cut_by("torso");
   Scenario scenario = default_scenario();
-  scenario.garment.file = "/tmp/trousers.json";
+  scenario.studied().spec.file = "/tmp/trousers.json";
   drape.certificate.stop_reason = "the cloth falls freely: it touches the body nowhere";
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "place the panels"));
   drape.certificate.stop_reason =

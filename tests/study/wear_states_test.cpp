@@ -32,12 +32,12 @@ CaseResult make_worn_case() {
   CaseResult result;
   result.scenario = parse_scenario(kText, "case.toml");
   result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
   result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
-                                   result.scenario.material.material, {});
+                                   result.scenario.studied().material.material, {});
   Progress silent;
-  result.drape = drape_garment(result.garment, result.scenario.material.material, result.body.path,
-                               drape_options(result.scenario.simulation), silent);
+  result.drape = drape_garment(result.garment, result.scenario.studied().material.material,
+                               result.body.path, drape_options(result.scenario.simulation), silent);
   result.drape.certificate = Certificate{};
   result.drape.certificate.residual = 1e-4;
   result.drape.certificate.intersections_body = result.drape.certificate.intersections_self = 0;

@@ -8,6 +8,7 @@
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/material_curves.h"
+#include "loosefit/io/material_kes.h"
 
 namespace loosefit {
 namespace {

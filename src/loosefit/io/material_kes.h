@@ -3,18 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/fabric/kes_units.h"
-#include "loosefit/fabric/material.h"
 #include "loosefit/io/config_reader.h"
+#include "loosefit/scenario/material_card.h"
 
 namespace loosefit {
-
-/// One figure of a card in the unit in which it was measured.
-struct KesFigure {
-  std::string key;  ///< "B_warp"
-  KesUnit unit;
-  double value;
-};
 
 /// Reads the optional table [kes]: KES figures in KES units. B, 2HB, EMT, LT, WT, RT take _warp or
 /// _weft, or stand for both directions without it; G, 2HG, 2HG5, T, W, MIU, MMD, SMD, LC, WC, RC

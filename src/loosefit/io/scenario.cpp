@@ -38,12 +38,13 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   note_lines(node, "", scenario.lines);
   scenario.postures = read_postures_section(root.table("postures"), root.table("body"));
   scenario.body = read_body_section(root.table("body"), scenario.postures);
-  scenario.garment = read_garment_section(root.table("garment"));
-  scenario.material = read_material_section(root.table("material"));
-  for (const ConfigReader& table : root.tables("under"))
-    scenario.under.push_back(read_under_section(table));
-  if (scenario.under.size() > kMostUnder)
-    throw root.error("under", std::to_string(scenario.under.size()) + " garments",
+  scenario.studied().spec = read_garment_section(root.table("garment"));
+  scenario.studied().material = read_material_section(root.table("material"));
+  const std::vector<ConfigReader> under = root.tables("under");
+  for (std::size_t i = 0; i < under.size(); ++i)
+    scenario.garments.insert(scenario.garments.end() - 1, read_under_section(under[i]));
+  if (under.size() > kMostUnder)
+    throw root.error("under", std::to_string(under.size()) + " garments",
                      "at most " + std::to_string(kMostUnder), {});
   for (const ConfigReader& table : root.tables("attachment"))
     scenario.attachments.push_back(read_attachment_section(table));

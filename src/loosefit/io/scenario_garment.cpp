@@ -78,8 +78,8 @@ std::vector<std::string> read_adapt(ConfigReader& table, const std::set<std::str
 
 }  // namespace
 
-ScenarioGarment read_garment_keys(ConfigReader& table) {
-  ScenarioGarment garment;
+GarmentSpec read_garment_keys(ConfigReader& table) {
+  GarmentSpec garment;
   if (table.has("file"))
     throw table.error("file", "an unknown key", "a key of garment",
                       "a pattern file is named by pattern = \"PATH\"");
@@ -105,8 +105,8 @@ ScenarioGarment read_garment_keys(ConfigReader& table) {
   return garment;
 }
 
-ScenarioGarment read_garment_section(ConfigReader table) {
-  ScenarioGarment garment = read_garment_keys(table);
+GarmentSpec read_garment_section(ConfigReader table) {
+  GarmentSpec garment = read_garment_keys(table);
   table.finish();
   return garment;
 }

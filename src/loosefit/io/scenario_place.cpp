@@ -63,8 +63,8 @@ InvalidInput in_scenario(const InvalidInput& error, const Scenario& scenario) {
   if (!error.place().file.empty()) return error;
   const std::string key = scenario_key(error.place().key, scenario);
   const bool of_pattern = key.starts_with("panel ") || key.starts_with("stitch ");
-  if (of_pattern && !scenario.garment.file.empty())
-    return error.at({scenario.garment.file, 0, key});
+  if (of_pattern && !scenario.studied().spec.file.empty())
+    return error.at({scenario.studied().spec.file, 0, key});
   return error.at({scenario.file, line_of(key, scenario.lines), key});
 }
 

@@ -10,11 +10,11 @@ namespace loosefit {
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body);
 /// `postures`: those of [postures]; the first is the default of body.posture.
 ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures);
-ScenarioGarment read_garment_section(ConfigReader table);
+GarmentSpec read_garment_section(ConfigReader table);
 /// The keys of [garment]; does not refuse others.
-ScenarioGarment read_garment_keys(ConfigReader& table);
+GarmentSpec read_garment_keys(ConfigReader& table);
 MaterialCard read_material_section(ConfigReader table);
-ScenarioUnder read_under_section(ConfigReader table);
+ScenarioGarment read_under_section(ConfigReader table);
 Attachment read_attachment_section(ConfigReader table);
 SiteSpec read_site_section(ConfigReader table);
 ScenarioSimulation read_simulation_section(ConfigReader table);
@@ -25,8 +25,8 @@ ScenarioDonning read_donning_section(ConfigReader table, bool given,
                                      const ScenarioSimulation& simulation);
 
 /// [garment] and [[under]] as TOML.
-std::string garment_toml(const ScenarioGarment& garment, const std::string& section = "garment");
-std::string under_toml(const ScenarioUnder& under);
+std::string garment_toml(const GarmentSpec& garment, const std::string& section = "garment");
+std::string under_toml(const ScenarioGarment& under);
 
 /// [postures] and [donning] as TOML; empty where there is nothing to say.
 std::string wear_toml(const Scenario& scenario);

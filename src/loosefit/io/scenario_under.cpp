@@ -7,16 +7,16 @@
 // [[under]], and garments as text.
 namespace loosefit {
 
-ScenarioUnder read_under_section(ConfigReader table) {
-  ScenarioUnder under;
-  under.garment = read_garment_keys(table);
+ScenarioGarment read_under_section(ConfigReader table) {
+  ScenarioGarment under;
+  under.spec = read_garment_keys(table);
   under.material = read_material_section(table.table("material"));
   under.friction = table.optional_number("friction", {0, 3, "a coefficient"});
   table.finish();
   return under;
 }
 
-std::string garment_toml(const ScenarioGarment& garment, const std::string& section) {
+std::string garment_toml(const GarmentSpec& garment, const std::string& section) {
   const bool named = garment.file.empty();
   std::string text = "pattern = " + toml_quoted(named ? garment.pattern : garment.file) + "\n";
   if (section == "garment") text = "[garment]\n" + text;
@@ -36,10 +36,10 @@ std::string garment_toml(const ScenarioGarment& garment, const std::string& sect
                     shortest(fit.cap_ease), shortest(fit.sleeve_length));
 }
 
-std::string under_toml(const ScenarioUnder& under) {
+std::string under_toml(const ScenarioGarment& under) {
   std::string text = "[[under]]\n";
   if (under.friction) text += "friction = " + shortest(*under.friction) + "\n";
-  return text + garment_toml(under.garment, "under") +
+  return text + garment_toml(under.spec, "under") +
          "\n[under.material]\nname = " + toml_quoted(under.material.key) + "\n" +
          own_constants_toml(under.material) + material_toml(under.material.material);
 }

@@ -104,11 +104,12 @@ std::string degrees_text(double angle) {
 }
 
 std::string scenario_toml(const Scenario& scenario) {
-  const Material& material = scenario.material.material;
-  std::string text = body_text(scenario.body) + "\n" + garment_toml(scenario.garment) +
-                     "\n[material]\nname = " + toml_quoted(scenario.material.key) + "\n" +
-                     own_constants_toml(scenario.material) + material_toml(material);
-  for (const ScenarioUnder& under : scenario.under) text += "\n" + under_toml(under);
+  const ScenarioGarment& studied = scenario.studied();
+  std::string text = body_text(scenario.body) + "\n" + garment_toml(studied.spec) +
+                     "\n[material]\nname = " + toml_quoted(studied.material.key) + "\n" +
+                     own_constants_toml(studied.material) +
+                     material_toml(studied.material.material);
+  for (const ScenarioGarment& under : scenario.worn_under()) text += "\n" + under_toml(under);
   for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
   text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output) +

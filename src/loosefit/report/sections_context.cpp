@@ -44,7 +44,7 @@ Table body_table(const CaseResult& result) {
 
 Table garment_table(const CaseResult& result) {
   const Garment& garment = result.mesh();
-  const Material& m = result.scenario.material.material;
+  const Material& m = result.scenario.studied().material.material;
   Table table({"Garment and cloth", ""});
   table.add({"vertices, triangles",
              fmt::format("{}, {}", garment.vertex_count, garment.triangles.size())});
@@ -95,17 +95,18 @@ std::string provenance_section(const CaseResult& result) {
   Table library({"Version", ""});
   for (const auto& [name, number_text] : versions()) library.add({name, number_text});
   std::string cloth = garment_table(result).html();
-  const Material& m = result.scenario.material.material;
+  const Material& m = result.scenario.studied().material.material;
   if (!m.source.empty()) cloth += element("p", "Constants: " + escaped(m.source));
   std::string html = element("h2", "Where the numbers come from");
   html += element("div",
                   element("div", cloth) +
                       element("div", time_table(result).html() + "<p></p>" + library.html()),
                   "columns");
-  html += element("h3", "Constants of the cloth") + constants_table(result.scenario.material);
+  html +=
+      element("h3", "Constants of the cloth") + constants_table(result.scenario.studied().material);
   for (std::size_t l = 0; l < result.under.size(); ++l)
     html += element("h3", "Constants of the cloth under it, " + std::to_string(l + 1)) +
-            constants_table(result.scenario.under[l].material);
+            constants_table(result.scenario.garments[l].material);
   html += element("h3", "Scenario, every default written out");
   return html + "<details><summary>scenario.toml</summary><pre>" +
          escaped(scenario_toml(result.scenario)) + "</pre></details>\n";

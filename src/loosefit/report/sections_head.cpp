@@ -21,7 +21,7 @@ std::string who(const CaseResult& result) {
 }
 
 std::string what(const CaseResult& result) {
-  const ScenarioGarment& garment = result.scenario.garment;
+  const GarmentSpec& garment = result.scenario.studied().spec;
   std::string text = garment.file.empty() ? garment.pattern
                                           : std::filesystem::path(garment.file).filename().string();
   std::replace(text.begin(), text.end(), '-', ' ');
@@ -45,10 +45,10 @@ std::string headline_section(const CaseResult& result) {
     sentence +=
         fmt::format(", {}{:.0f} % at the chest", chest->second < 0 ? "tight by " : "loose by ",
                     std::abs(100 * chest->second));
-  sentence += ", in " + result.scenario.material.material.name;
+  sentence += ", in " + result.scenario.studied().material.material.name;
   for (std::size_t l = result.under.size(); l-- > 0;)
     sentence += " over the " + result.under[l].pattern.pattern.name + " in " +
-                result.scenario.under[l].material.material.name;
+                result.scenario.garments[l].material.material.name;
   sentence += ".";
   html += element("p", escaped(sentence), "lead");
   if (!result.warnings.empty()) {

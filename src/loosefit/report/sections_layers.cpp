@@ -36,10 +36,10 @@ std::string layer_section(const CaseResult& result) {
   for (std::size_t l = 0; l < result.under.size(); ++l) {
     const CaseUnder& under = result.under[l];
     table.add(row(fmt::format("under {}", l + 1), under.pattern, under.mesh(),
-                  result.scenario.under[l].material.material, under.drape, under.maps));
+                  result.scenario.garments[l].material.material, under.drape, under.maps));
   }
   table.add(row("studied, outermost", result.pattern, result.mesh(),
-                result.scenario.material.material, result.drape, result.maps));
+                result.scenario.studied().material.material, result.drape, result.maps));
   return element("h2", "Worn over each other") + table.html() +
          element("p",
                  "From the skin outwards. All garments settled together, with friction between "

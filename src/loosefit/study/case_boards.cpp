@@ -44,7 +44,8 @@ void place_boards(CaseResult& result, Progress& progress) {
   coarse.scenario = scenario;
   coarse.under = result.under;
   mesh_under(coarse, edge);
-  coarse.garment = build_hierarchy(pattern, edge, scenario.material.material, scenario.attachments);
+  coarse.garment =
+      build_hierarchy(pattern, edge, scenario.studied().material.material, scenario.attachments);
   const Garment& bare = coarse.mesh();
   check_sites(bare, result.body.body, sites);
   DrapeOptions options = drape_options(scenario.simulation);

@@ -13,7 +13,7 @@ void advise(const Scenario& scenario, Drape& drape) {
 /// An error about a garment of [[under]], told with its section.
 InvalidInput in_under(const InvalidInput& error, const Scenario& scenario, std::size_t layer) {
   const std::string& key = error.place().key;
-  const std::string& file = scenario.under[layer].garment.file;
+  const std::string& file = scenario.garments[layer].spec.file;
   const bool of_body = key.starts_with("measures.") || key.starts_with("body.");
   if (!error.place().file.empty() || of_body) return error;
   if (!file.empty()) return error.at({file, 0, key});
@@ -23,9 +23,9 @@ InvalidInput in_under(const InvalidInput& error, const Scenario& scenario, std::
 }  // namespace
 
 std::vector<CaseUnder> make_under_patterns(const Scenario& scenario, const Body& body) {
-  std::vector<CaseUnder> under(scenario.under.size());
+  std::vector<CaseUnder> under(scenario.worn_under().size());
   for (std::size_t l = 0; l < under.size(); ++l) try {
-      under[l].pattern = make_pattern(scenario.under[l].garment, body);
+      under[l].pattern = make_pattern(scenario.garments[l].spec, body);
     } catch (const InvalidInput& error) {
       throw in_under(error, scenario, l);
     }
@@ -36,7 +36,7 @@ void mesh_under(CaseResult& result, double edge_length) {
   for (std::size_t l = 0; l < result.under.size(); ++l) try {
       CaseUnder& under = result.under[l];
       under.garment = build_hierarchy(under.pattern.pattern, edge_length,
-                                      result.scenario.under[l].material.material);
+                                      result.scenario.garments[l].material.material);
     } catch (const InvalidInput& error) {
       throw in_under(error, result.scenario, l);
     }
@@ -45,10 +45,10 @@ void mesh_under(CaseResult& result, double edge_length) {
 std::vector<ClothLayer> cloth_layers(const CaseResult& result, double friction_share) {
   std::vector<ClothLayer> layers;
   for (std::size_t l = 0; l < result.under.size(); ++l) {
-    const ScenarioUnder& wished = result.scenario.under[l];
+    const ScenarioGarment& wished = result.scenario.garments[l];
     layers.push_back({&result.under[l].garment, wished.material.material, wished.friction});
   }
-  layers.push_back({&result.garment, result.scenario.material.material});
+  layers.push_back({&result.garment, result.scenario.studied().material.material});
   for (ClothLayer& layer : layers) {
     layer.material.friction_body *= friction_share;
     layer.material.friction_self *= friction_share;

@@ -110,7 +110,7 @@ ShirtMeasures shirt_measures(const Body& body) {
           .arm_length = measure(body, "arm_length")};
 }
 
-AdaptedShirt draft_garment(const ScenarioGarment& wished, const ShirtMeasures& body,
+AdaptedShirt draft_garment(const GarmentSpec& wished, const ShirtMeasures& body,
                            const std::set<std::string>& asked) {
   ShirtFit fit = wished.fit;
   ShirtMeasures measures = body;
@@ -131,7 +131,7 @@ AdaptedShirt draft_garment(const ScenarioGarment& wished, const ShirtMeasures& b
   return shirt;
 }
 
-CasePattern make_pattern(const ScenarioGarment& wished, const Body& body) {
+CasePattern make_pattern(const GarmentSpec& wished, const Body& body) {
   CasePattern result;
   if (!wished.file.empty()) {
     PatternFile file = read_garmentcode(wished.file);

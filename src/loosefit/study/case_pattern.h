@@ -23,12 +23,12 @@ struct CasePattern {
 /// command line alike. What nobody asked for gives way (pattern/shirt_adapt.h): the names
 /// `wished.adapt` of the fit, and measures that are not in `asked` ("measures.neck", …). A size
 /// brings measures and fit of its own.
-AdaptedShirt draft_garment(const ScenarioGarment& wished, const ShirtMeasures& body,
+AdaptedShirt draft_garment(const GarmentSpec& wished, const ShirtMeasures& body,
                            const std::set<std::string>& asked = {});
 
 /// Drafts the shirt to the body's measures and the wished fit, or to a garment size, or reads the
 /// pattern file. \throws InvalidInput, GeometryError for what cannot be drafted or sewn.
-CasePattern make_pattern(const ScenarioGarment& wished, const Body& body);
+CasePattern make_pattern(const GarmentSpec& wished, const Body& body);
 
 /// What the shirt draft needs to know of a body. \throws InvalidInput naming a missing measure.
 ShirtMeasures shirt_measures(const Body& body);

@@ -78,15 +78,16 @@ CaseMap summed_up(PerformanceMap map, const WornGarment& worn) {
 }
 
 CaseMaps make_maps(const CaseResult& result, bool allow_unsettled) {
-  return maps_of({result.mesh(), result.drape, result.scenario.material.material, result.body.body},
-                 result.scenario, allow_unsettled);
+  return maps_of(
+      {result.mesh(), result.drape, result.scenario.studied().material.material, result.body.body},
+      result.scenario, allow_unsettled);
 }
 
 CaseMaps make_under_maps(const CaseResult& result, int layer, bool allow_unsettled) {
   const CaseUnder& under = result.under[layer];
-  return maps_of(
-      {under.mesh(), under.drape, result.scenario.under[layer].material.material, result.body.body},
-      result.scenario, allow_unsettled);
+  return maps_of({under.mesh(), under.drape, result.scenario.garments[layer].material.material,
+                  result.body.body},
+                 result.scenario, allow_unsettled);
 }
 
 std::vector<Site> make_sites(const CaseResult& result, std::vector<UncoveredSite>* uncovered) {
@@ -117,10 +118,10 @@ std::vector<std::string> collected_warnings(const CaseResult& result) {
   };
   add("body", result.body.warnings);
   add("pattern", result.pattern.warnings);
-  add("material", result.scenario.material.notes);
+  add("material", result.scenario.studied().material.notes);
   for (std::size_t l = 0; l < result.under.size(); ++l) {
     add(fmt::format("pattern of under {}", l + 1), result.under[l].pattern.warnings);
-    add(fmt::format("material of under {}", l + 1), result.scenario.under[l].material.notes);
+    add(fmt::format("material of under {}", l + 1), result.scenario.garments[l].material.notes);
   }
   for (const UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)

@@ -88,11 +88,11 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   check_body(folder / "body.vtp", result.body.body);
   clock.stage("pattern");
   result.under = make_under_patterns(result.scenario, result.body.body);
-  result.pattern = make_pattern(result.scenario.garment, result.body.body);
+  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
   clock.stage("garment");
-  result.garment =
-      build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
-                      result.scenario.material.material, all_attachments(result.scenario));
+  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
+                                   result.scenario.studied().material.material,
+                                   all_attachments(result.scenario));
   mesh_under(result, result.scenario.simulation.edge_length);
   result.drape = read_drape(folder / "drape.vtp", result.mesh());
   for (int l = 0; l < static_cast<int>(result.under.size()); ++l)

@@ -46,7 +46,7 @@ void add_posture_maps(CaseResult& result) {
 }  // namespace
 
 void map_states(CaseResult& result) {
-  const Material& material = result.scenario.material.material;
+  const Material& material = result.scenario.studied().material.material;
   const auto body_of = [&](const CaseState& s) -> const Body& {
     return s.posture == 0 ? result.body.body : *result.wear.bodies[s.posture];
   };

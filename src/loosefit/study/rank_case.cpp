@@ -26,7 +26,7 @@ bool lies_on(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
 }
 
 SiteMeter meter_of(const CaseResult& result) {
-  return SiteMeter(result.mesh(), result.scenario.material.material, worn_states(result));
+  return SiteMeter(result.mesh(), result.scenario.studied().material.material, worn_states(result));
 }
 
 bool has(const std::vector<Site>& sites, const std::string& name) {

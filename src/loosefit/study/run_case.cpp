@@ -27,13 +27,14 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
 
   clock.stage("pattern");
   result.under = make_under_patterns(scenario, result.body.body);
-  result.pattern = make_pattern(scenario.garment, result.body.body);
+  result.pattern = make_pattern(scenario.studied().spec, result.body.body);
 
   clock.stage("garment");
   place_boards(result, clock);
   clock.stage("garment");
-  result.garment = build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
-                                   scenario.material.material, all_attachments(result.scenario));
+  result.garment =
+      build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
+                      scenario.studied().material.material, all_attachments(result.scenario));
   mesh_under(result, scenario.simulation.edge_length);
   check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
 

@@ -102,15 +102,15 @@ Json garments_json(const CaseResult& result) {
   Json json = Json::array();
   for (std::size_t l = 0; l < result.under.size(); ++l) {
     const CaseUnder& under = result.under[l];
-    const ScenarioUnder& wished = result.scenario.under[l];
+    const ScenarioGarment& wished = result.scenario.garments[l];
     Json entry = garment_json(under.pattern, under.mesh(), wished.material, under.drape);
     entry["fit"] = fit_json(under.pattern, under.maps);
     entry["maps"] = maps_json(under.maps.maps);
     if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
     json.push_back(std::move(entry));
   }
-  json.push_back(
-      garment_json(result.pattern, result.mesh(), result.scenario.material, result.drape));
+  json.push_back(garment_json(result.pattern, result.mesh(), result.scenario.studied().material,
+                              result.drape));
   return json;
 }
 
@@ -272,7 +272,7 @@ std::string summary_json(const CaseResult& result) {
   json["body"] = body_json(result.body);
   json["fit"] = fit_json(result.pattern, result.maps);
   json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
-  json["material"] = material_json(result.scenario.material);
+  json["material"] = material_json(result.scenario.studied().material);
   if (!result.under.empty()) json["garments"] = garments_json(result);
   json["maps"] = maps_json(result.maps.maps);
   if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);

@@ -16,7 +16,7 @@ bool cuts(const Unsettled& unsettled, const char* part) {
   });
 }
 
-std::string more_room(const ScenarioGarment& garment) {
+std::string more_room(const GarmentSpec& garment) {
   if (!garment.file.empty()) return "a pattern with more room there";
   if (!garment.size.empty()) return "a larger garment.size";
   return "a looser garment.fit";
@@ -25,7 +25,7 @@ std::string more_room(const ScenarioGarment& garment) {
 std::string against_falling(const Scenario& scenario, const std::string& reason) {
   if (reason.find("sewn to nothing") != std::string::npos)
     return "sew what falls to the rest with a stitch in the pattern, or leave it out";
-  return scenario.garment.file.empty()
+  return scenario.studied().spec.file.empty()
              ? "another garment.fit or garment.size may stay on the body"
              : "place the panels of the pattern file round the body where "
                "they are worn, and sew them";
@@ -35,7 +35,7 @@ std::string against_cuts(const Scenario& scenario, const Unsettled& unsettled) {
   std::vector<std::string> ways;
   if (scenario.simulation.edge_length > kFinest)
     ways.push_back("a smaller simulation.edge_length, which follows the skin more closely");
-  ways.push_back(more_room(scenario.garment));
+  ways.push_back(more_room(scenario.studied().spec));
   const bool arms = cuts(unsettled, "arm") || cuts(unsettled, "torso");
   if (scenario.body.file.empty() && scenario.postures.empty() && arms)
     ways.push_back("arms farther from the trunk (body.posture)");

@@ -8,6 +8,7 @@
 
 #include "loosefit/base/progress_part.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/material_file.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/check_worn.h"
 #include "loosefit/validate/catalogue.h"
@@ -59,8 +60,8 @@ Scenario scenario_of(const Child& child) {
   s.body.age = 10;
   s.body.height = 1.40;
   s.body.measurements = child.girths;
-  s.garment.size = "child-142";
-  s.material = load_material("paper-cotton");
+  s.studied().spec.size = "child-142";
+  s.studied().material = load_material("paper-cotton");
   s.simulation.edge_length = kEdge;
   s.simulation.repeats = kRepeats;
   s.simulation.start_perturbation = kPerturbation;
@@ -90,8 +91,8 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
   CaseResult result;
   result.scenario = scenario_of(child);
   result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.garment, result.body.body);
-  const Material& material = result.scenario.material.material;
+  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
+  const Material& material = result.scenario.studied().material.material;
   result.garment = build_hierarchy(result.pattern.pattern, kEdge, material);
   Study study;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {

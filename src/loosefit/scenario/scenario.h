@@ -1,0 +1,118 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/attachment.h"
+#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/pattern/shirt_kinds.h"
+#include "loosefit/placement/sites.h"
+#include "loosefit/scenario/material_card.h"
+
+// Plain values: what a scenario asks for, with every default. Nothing here reads, writes or
+// decides.
+namespace loosefit {
+
+/// [body]: a parametric person or a mesh file.
+struct ScenarioBody {
+  double sex = 0;                              ///< 0 female … 1 male
+  double age = 30;                             ///< years
+  double height = 1.68;                        ///< [m]
+  std::map<std::string, double> measurements;  ///< wished tape measures [m]
+  double muscle = 0.5, proportions = 0.5, cup = 0.5, firmness = 0.5;
+  Posture posture;                             ///< in which the maps are made
+  Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
+  std::string file;   ///< mesh file instead of the parametric person; absolute
+  std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
+  std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
+};
+
+/// What a garment is: a kind with its size or fit, or a pattern file.
+struct GarmentSpec {
+  std::string pattern = shirt_kinds().front();
+  std::string file;  ///< pattern file instead of the draft; absolute
+  std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
+  ShirtFit fit = usual_fit(shirt_kinds().front());
+  /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
+  /// otherwise (pattern/shirt_adapt.h).
+  std::vector<std::string> adapt;
+};
+
+/// One garment that is worn: of [garment] and [material], or of an [[under]].
+struct ScenarioGarment {
+  GarmentSpec spec;
+  MaterialCard material;
+  /// Against the garments over it; absent: mean of their materials'.
+  std::optional<double> friction;
+};
+
+/// [simulation]
+struct ScenarioSimulation {
+  double edge_length = 0.010;  ///< wished triangle edge [m]
+  std::string integrator = "quasi-static";
+  std::uint64_t seed = 1;
+  int repeats = 1;                   ///< drapes from perturbed starts: folds are not unique
+  double start_perturbation = 0;     ///< rms shift of the dressed start [m]
+  double residual_tolerance = 1e-3;  ///< settled when ‖F‖/‖W‖ is below
+  double gravity = kGravity;         ///< m/s²
+  double time_budget = 600;          ///< wall seconds for dress and settle
+  int max_iterations = 2000;
+  int threads = 0;  ///< 0 = all cores; results do not depend on it
+};
+
+/// [output]
+struct ScenarioOutput {
+  std::vector<std::string> maps = {"strain", "distance", "angular-deviation"};
+  std::vector<std::string> views = {"front", "back"};
+  bool undecorated = true;         ///< also pictures of the plain drape
+  bool preset_sites = true;        ///< scapulae, back, chest, … in addition to [[site]]
+  int width = 900, height = 1000;  ///< pictures [pixels]
+};
+
+/// [ranking]: which kind of sensor the sites are judged for at the end of a run.
+struct ScenarioRanking {
+  std::string modality;  ///< name of a scorecard, or the absolute path of one; empty: no ranking
+  int best = 0;          ///< so many places are searched beside the sites
+  bool partial = false;  ///< by the criteria that the drapes can tell
+};
+
+/// [donning]: putting the garment on again and again, never quite alike.
+struct ScenarioDonning {
+  int repeats = 1;               ///< the first is undisturbed
+  double shift = 0.010;          ///< of the garment, each axis, to either side [m]
+  double twist = radians(10.0);  ///< on the trunk, to either side [rad]
+  double friction_spread = 0.2;  ///< standard deviation of ln μ
+  std::uint64_t seed = 1;
+};
+
+/// Everything `loosefit run` is asked to do; every default written out. Documented key by key in
+/// docs/scenario.md.
+struct Scenario {
+  std::string file;  ///< where it was read from, for messages; not part of the resolved text
+  std::map<std::string, int> lines;  ///< where each key stands in it ("attachment[0].at"), likewise
+  ScenarioBody body;
+  std::vector<ScenarioGarment> garments{1};  ///< the innermost first; the last one is studied
+  std::vector<Attachment> attachments;
+  std::vector<SiteSpec> sites;
+  ScenarioSimulation simulation;
+  ScenarioOutput output;
+  ScenarioRanking ranking;
+  /// [postures]: names (body/named_postures.h); the first is `body.posture`, in which the maps are
+  /// made and sensors are calibrated. Empty: only body.posture.
+  std::vector<std::string> postures;
+  ScenarioDonning donning;
+
+  /// The garment that is studied: the outermost.
+  ScenarioGarment& studied() { return garments.back(); }
+  const ScenarioGarment& studied() const { return garments.back(); }
+  /// The garments under it, the innermost first.
+  std::span<const ScenarioGarment> worn_under() const {
+    return std::span(garments).first(garments.size() - 1);
+  }
+};
+
+}  // namespace loosefit
