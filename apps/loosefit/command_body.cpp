@@ -16,6 +16,7 @@
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/body_file.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/io/mesh_obj.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/vtp.h"
 

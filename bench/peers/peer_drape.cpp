@@ -14,6 +14,7 @@
 #include "loosefit/drape/drape_garment.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/io/mesh_obj.h"
 #include "loosefit/solver/pin_blas.h"
 
 namespace loosefit {

@@ -8,6 +8,8 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/mesh_obj.h"
+#include "support/mesh_bytes.h"
 
 namespace loosefit {
 namespace {
@@ -53,12 +55,12 @@ void expect_same(const TriangleMesh& a, const TriangleMesh& b) {
   EXPECT_NEAR(enclosed_volume(a), enclosed_volume(b), 1e-7);
 }
 
-TEST_F(MeshFileTest, WhatIsWrittenReadsBack) {
+TEST_F(MeshFileTest, ObjReadsBackAndBinaryPlyAndStlAreRead) {
   const TriangleMesh mesh = tetrahedron();
   write_obj(path("a.obj"), mesh);
   write_obj(path("n.obj"), mesh, vertex_normals(mesh.vertices, mesh.triangles));
-  write_ply(path("a.ply"), mesh);
-  write_stl(path("a.stl"), mesh);
+  put("a.ply", support::ply_bytes(mesh));
+  put("a.stl", support::stl_bytes(mesh));
   for (const char* name : {"a.obj", "n.obj", "a.ply", "a.stl"}) {
     SCOPED_TRACE(name);
     expect_same(read_mesh(path(name)).mesh, mesh);
@@ -134,17 +136,15 @@ TEST_F(MeshFileTest, BrokenStl) {
   refusal("a.stl", "not an stl\n");
   refusal("b.stl", "solid x\nvertex 0 0\nendsolid\n");
   refusal("c.stl", std::string(84, '\0'));
-  write_stl(path("good.stl"), tetrahedron());
-  std::ifstream in(path("good.stl"), std::ios::binary);
-  const std::string good((std::istreambuf_iterator<char>(in)), {});
+  const std::string good = support::stl_bytes(tetrahedron());
   refusal("d.stl", good.substr(0, good.size() - 10));
 }
 
 // Whatever a file holds, reading ends in a surface or in one of our errors.
 TEST_F(MeshFileTest, MutatedFilesNeverCrash) {
   write_obj(path("seed.obj"), tetrahedron());
-  write_ply(path("seed.ply"), tetrahedron());
-  write_stl(path("seed.stl"), tetrahedron());
+  put("seed.ply", support::ply_bytes(tetrahedron()));
+  put("seed.stl", support::stl_bytes(tetrahedron()));
   std::uint64_t state = 88172645463325252ull;
   const auto random = [&](std::uint64_t n) {
     state ^= state << 13, state ^= state >> 7, state ^= state << 17;

@@ -17,12 +17,4 @@ struct MeshFile {
 /// \throws IoError when unreadable; InvalidInput naming file, line (text) and what was expected.
 MeshFile read_mesh(const std::string& path);
 
-/// Writes OBJ (metres, our axes) with normals when given. \throws IoError.
-void write_obj(const std::string& path, const TriangleMesh& mesh,
-               const std::vector<Vec3>& normals = {});
-/// Writes a binary little-endian PLY with double coordinates. \throws IoError.
-void write_ply(const std::string& path, const TriangleMesh& mesh);
-/// Writes a binary STL. \throws IoError.
-void write_stl(const std::string& path, const TriangleMesh& mesh);
-
 }  // namespace loosefit

@@ -1,12 +1,15 @@
+#include "loosefit/io/mesh_ply.h"
+
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 
 #include "loosefit/base/text.h"
-#include "loosefit/io/mesh_text.h"
+#include "loosefit/io/polygon_fan.h"
+#include "loosefit/io/text_lines.h"
 
-namespace loosefit::mesh_text {
+namespace loosefit {
 namespace {
 
 enum class Kind { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -29,7 +32,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Kind kind_of(const Lines& lines, std::string_view word) {
+Kind kind_of(const TextLines& lines, std::string_view word) {
   static const std::array<std::pair<const char*, Kind>, 16> kNames = {{{"char", Kind::int8},
                                                                        {"int8", Kind::int8},
                                                                        {"uchar", Kind::uint8},
@@ -52,7 +55,7 @@ Kind kind_of(const Lines& lines, std::string_view word) {
   lines.fail("type \"" + printable(std::string(word)) + "\"", "a PLY number type");
 }
 
-Header read_header(Lines& lines) {
+Header read_header(TextLines& lines) {
   Header header;
   bool has_format = false;
   while (lines.next()) {
@@ -90,7 +93,7 @@ Header read_header(Lines& lines) {
 /// Hands out the numbers of the body one by one, from text or bytes.
 class Values {
  public:
-  Values(Lines& lines, std::string_view bytes, bool binary)
+  Values(TextLines& lines, std::string_view bytes, bool binary)
       : lines_(lines), bytes_(bytes), at_(lines.offset()), binary_(binary) {}
 
   double next(Kind kind) {
@@ -134,7 +137,7 @@ class Values {
     return lines_.number_of(words_[word_++]);
   }
 
-  Lines& lines_;
+  TextLines& lines_;
   std::string_view bytes_;
   std::size_t at_;
   bool binary_;
@@ -142,11 +145,11 @@ class Values {
   std::size_t word_ = 0;
 };
 
-void check_coordinate(const Lines& lines, double value) {
+void check_coordinate(const TextLines& lines, double value) {
   if (!(value > -1e9 && value < 1e9)) lines.fail("a coordinate that is not finite", "a number");
 }
 
-void read_face(const Lines& lines, const std::vector<double>& written, std::size_t vertex_count,
+void read_face(const TextLines& lines, const std::vector<double>& written, std::size_t vertex_count,
                TriangleMesh& mesh) {
   std::vector<int> corners;
   for (const double index : written) {
@@ -161,10 +164,10 @@ void read_face(const Lines& lines, const std::vector<double>& written, std::size
 
 }  // namespace
 
-MeshFile read_ply(std::string_view bytes, const std::string& path) {
-  Lines lines(bytes, path);
+TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
+  TextLines lines(bytes, path);
   const Header header = read_header(lines);
-  MeshFile file;
+  TriangleMesh mesh;
   Values values(lines, bytes, header.binary);
   std::size_t vertex_count = 0;
   for (const auto& element : header.elements) {
@@ -188,15 +191,15 @@ MeshFile read_ply(std::string_view bytes, const std::string& path) {
         std::vector<double> list;
         for (int k = 0; k < int(count); ++k) list.push_back(values.next(property.kind));
         const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
-        if (element.name == "face" && corners) read_face(lines, list, vertex_count, file.mesh);
+        if (element.name == "face" && corners) read_face(lines, list, vertex_count, mesh);
       }
       if (element.name == "vertex") {
         for (int axis = 0; axis < 3; ++axis) check_coordinate(lines, point[axis]);
-        file.mesh.vertices.push_back(point);
+        mesh.vertices.push_back(point);
       }
     }
   }
-  return file;
+  return mesh;
 }
 
-}  // namespace loosefit::mesh_text
+}  // namespace loosefit

@@ -1,12 +1,15 @@
+#include "loosefit/io/mesh_stl.h"
+
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <map>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/mesh_text.h"
+#include "loosefit/io/polygon_fan.h"
+#include "loosefit/io/text_lines.h"
 
-namespace loosefit::mesh_text {
+namespace loosefit {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
@@ -27,9 +30,9 @@ class Welder {
   std::map<std::array<double, 3>, int> index_;
 };
 
-MeshFile read_binary(std::string_view bytes, const std::string& path, std::uint32_t count) {
-  MeshFile file;
-  Welder weld(file.mesh);
+TriangleMesh parse_binary(std::string_view bytes, const std::string& path, std::uint32_t count) {
+  TriangleMesh mesh;
+  Welder weld(mesh);
   for (std::size_t t = 0; t < count; ++t) {
     std::array<float, 9> corner;
     std::memcpy(corner.data(), bytes.data() + kHeaderBytes + t * kTriangleBytes + 12,
@@ -43,24 +46,24 @@ MeshFile read_binary(std::string_view bytes, const std::string& path, std::uint3
       }
       triangle[c] = weld.vertex(p);
     }
-    file.mesh.triangles.push_back(triangle);
+    mesh.triangles.push_back(triangle);
   }
-  return file;
+  return mesh;
 }
 
 }  // namespace
 
-MeshFile read_stl(std::string_view bytes, const std::string& path) {
+TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
   // A binary file says its own length; its header may start with "solid" too.
   if (bytes.size() >= kHeaderBytes) {
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + 80, sizeof count);
     if (bytes.size() == kHeaderBytes + count * kTriangleBytes)
-      return read_binary(bytes, path, count);
+      return parse_binary(bytes, path, count);
   }
-  MeshFile file;
-  Welder weld(file.mesh);
-  Lines lines(bytes, path);
+  TriangleMesh mesh;
+  Welder weld(mesh);
+  TextLines lines(bytes, path);
   std::vector<int> corners;
   bool solid = false;
   while (lines.next()) {
@@ -74,12 +77,12 @@ MeshFile read_stl(std::string_view bytes, const std::string& path) {
           {lines.number_of(words[1]), lines.number_of(words[2]), lines.number_of(words[3])}));
     } else if (words[0] == "endloop") {
       if (corners.size() < 3) lines.fail(std::to_string(corners.size()) + " corners", "three");
-      add_polygon(corners, file.mesh);
+      add_polygon(corners, mesh);
       corners.clear();
     }
   }
   if (!corners.empty()) lines.fail("the end of the file", "endloop");
-  return file;
+  return mesh;
 }
 
-}  // namespace loosefit::mesh_text
+}  // namespace loosefit

@@ -4,14 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "loosefit/io/mesh_file.h"
+namespace loosefit {
 
-namespace loosefit::mesh_text {
-
-/// Splits text into lines and words and keeps count of the line for error messages.
-class Lines {
+/// Splits the text of a file into lines and words and counts the lines for error messages. Keeps a
+/// reference to the text.
+class TextLines {
  public:
-  Lines(std::string_view text, std::string path) : text_(text), path_(std::move(path)) {}
+  TextLines(std::string_view text, std::string path) : text_(text), path_(std::move(path)) {}
   /// Moves to the next line; false at the end.
   bool next();
   std::vector<std::string_view> words() const;
@@ -19,7 +18,9 @@ class Lines {
   int number() const { return number_; }
   /// \throws InvalidInput when the word is no finite number below 1e9 in size.
   double number_of(std::string_view word) const;
+  /// \throws InvalidInput when the word is no whole number.
   long integer_of(std::string_view word) const;
+  /// \throws InvalidInput, always, with file and line.
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
  private:
@@ -30,11 +31,4 @@ class Lines {
   int number_ = 0;
 };
 
-/// Adds a polygon as a fan of triangles.
-void add_polygon(const std::vector<int>& corners, TriangleMesh& mesh);
-
-MeshFile read_obj(std::string_view text, const std::string& path);
-MeshFile read_ply(std::string_view bytes, const std::string& path);
-MeshFile read_stl(std::string_view bytes, const std::string& path);
-
-}  // namespace loosefit::mesh_text
+}  // namespace loosefit

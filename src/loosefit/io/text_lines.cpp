@@ -1,4 +1,4 @@
-#include "loosefit/io/mesh_text.h"
+#include "loosefit/io/text_lines.h"
 
 #include <charconv>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit::mesh_text {
+namespace loosefit {
 namespace {
 
 constexpr double kLargest = 1e9;
@@ -14,7 +14,7 @@ constexpr std::string_view kBlank = " \t\r";
 
 }  // namespace
 
-bool Lines::next() {
+bool TextLines::next() {
   if (at_ >= text_.size()) return false;
   const std::size_t end = text_.find('\n', at_);
   line_ = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
@@ -23,7 +23,7 @@ bool Lines::next() {
   return true;
 }
 
-std::vector<std::string_view> Lines::words() const {
+std::vector<std::string_view> TextLines::words() const {
   std::vector<std::string_view> found;
   for (std::size_t from = line_.find_first_not_of(kBlank); from != std::string_view::npos;) {
     std::size_t to = line_.find_first_of(kBlank, from);
@@ -34,7 +34,7 @@ std::vector<std::string_view> Lines::words() const {
   return found;
 }
 
-double Lines::number_of(std::string_view word) const {
+double TextLines::number_of(std::string_view word) const {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -44,7 +44,7 @@ double Lines::number_of(std::string_view word) const {
   return value;
 }
 
-long Lines::integer_of(std::string_view word) const {
+long TextLines::integer_of(std::string_view word) const {
   long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) {
@@ -53,14 +53,8 @@ long Lines::integer_of(std::string_view word) const {
   return value;
 }
 
-void Lines::fail(const std::string& found, const std::string& expected) const {
+void TextLines::fail(const std::string& found, const std::string& expected) const {
   throw InvalidInput({path_, number_, ""}, found, expected);
 }
 
-void add_polygon(const std::vector<int>& corners, TriangleMesh& mesh) {
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-  }
-}
-
-}  // namespace loosefit::mesh_text
+}  // namespace loosefit
