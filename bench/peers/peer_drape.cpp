@@ -11,7 +11,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/io/garmentcode.h"
 #include "loosefit/io/mesh_file.h"
 #include "loosefit/io/mesh_obj.h"

@@ -1,4 +1,4 @@
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/garment/assemble.h"
 #include "support/shapes.h"
 #include "support/simple_patterns.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/shirt_on_body.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/drape/worn.h"
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_session.h"
 #include "loosefit/fabric/material.h"
 #include "support/shirt_on_body.h"
 

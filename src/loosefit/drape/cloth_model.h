@@ -5,7 +5,7 @@
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/drape/cloth_layer.h"
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"

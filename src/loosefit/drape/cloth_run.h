@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/progress.h"
+#include "loosefit/body/body_path.h"
 #include "loosefit/drape/cloth_model.h"
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape.h"
+#include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/free_fall.h"
 #include "loosefit/drape/posed_body.h"
 #include "loosefit/solver/integrator.h"

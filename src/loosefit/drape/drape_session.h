@@ -1,8 +1,12 @@
 #pragma once
 #include <memory>
+#include <vector>
 
+#include "loosefit/base/progress.h"
+#include "loosefit/body/body_path.h"
 #include "loosefit/drape/cloth_layer.h"
-#include "loosefit/drape/drape_garment.h"
+#include "loosefit/drape/drape.h"
+#include "loosefit/drape/drape_options.h"
 
 namespace loosefit {
 
@@ -39,5 +43,12 @@ class DrapeSession {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Dress, then settle: garment levels coarse to fine on the body; returns the finest level's drape.
+/// Does not throw when it fails to settle: the certificate says why.
+/// Calls progress.stage("dress") and progress.stage("settle").
+/// \throws GeometryError if the garment cannot be put on (no arms for sleeves, …), Cancelled.
+Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
+                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress);
 
 }  // namespace loosefit

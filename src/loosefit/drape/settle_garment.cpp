@@ -1,11 +1,8 @@
-#include "loosefit/drape/drape_garment.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "loosefit/base/error.h"
 #include "loosefit/drape/cloth_run.h"
 #include "loosefit/drape/hold_off_cuts.h"
 #include "loosefit/dress/dress.h"

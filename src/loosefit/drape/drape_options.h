@@ -1,13 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <functional>
-#include <string>
 
-#include "loosefit/base/progress.h"
-#include "loosefit/body/body.h"
-#include "loosefit/drape/drape.h"
-#include "loosefit/fabric/material.h"
-#include "loosefit/garment/hierarchy.h"
+#include "loosefit/base/types.h"
 
 namespace loosefit {
 
@@ -33,16 +27,5 @@ struct DrapeOptions {
   Vec3 start_shift = Vec3::Zero();
   double start_twist = 0;
 };
-
-/// Body at a share of the way from the dressing posture (0) to the wanted posture (1).
-/// All bodies of one path share their topology.
-using BodyPath = std::function<Body(double share)>;
-
-/// Dress, then settle: garment levels coarse to fine on the body; returns the finest level's drape.
-/// Does not throw when it fails to settle: the certificate says why.
-/// Calls progress.stage("dress") and progress.stage("settle").
-/// \throws GeometryError if the garment cannot be put on (no arms for sleeves, …), Cancelled.
-Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
-                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress);
 
 }  // namespace loosefit
