@@ -70,7 +70,7 @@ TEST(Incline, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
       EXPECT_GT(way, 5e-3) << share;
     }
   }
-  EXPECT_NEAR(degrees(threshold), 16.699244, 1e-6);  // validation.md 3.3
+  EXPECT_NEAR(degrees(threshold), 16.699244, 1e-6);  // docs/theory/validation.md 3.1
 }
 
 TEST(Incline, SlidesWithTheAccelerationOfCoulomb) {
@@ -91,8 +91,8 @@ TEST(Incline, SlidesWithTheAccelerationOfCoulomb) {
   RecordProperty("expected_um", static_cast<int>(1e6 * expected));
 }
 
-/// Narrow limp strip over a lying cylinder of radius R, ends hanging free (validation.md 3.4).
-/// Returns how far it has slipped [m].
+/// Narrow limp strip over a lying cylinder of radius R, ends hanging free
+/// (docs/theory/validation.md 3.2). Returns how far it has slipped [m].
 double slip_over_cylinder(double light, double heavy, double friction, bool* converged) {
   const double radius = 0.01, wrap = kPi * radius, length = light + wrap + heavy;
   Material m;

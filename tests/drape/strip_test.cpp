@@ -34,7 +34,7 @@ struct Strip {
   }
 };
 
-// validation.md 6.1: St. Venant-Kirchhoff strip under its own weight, w = 0.2 kg/m².
+// docs/theory/validation.md 6.1: St. Venant-Kirchhoff strip under its own weight, w = 0.2 kg/m².
 struct HangingCase {
   double stiffness, length, elongation, top_stretch;
 };
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Validation61, HangingStrip,
                                            HangingCase{20, 1.0, 0.04497991, 1.08651536},
                                            HangingCase{200, 0.6, 0.00175493, 1.00583286}));
 
-// validation.md 7: x_n = −g dt² n(n+1)/2, exact for the paper's integrator.
+// docs/theory/validation.md 7: x_n = −g dt² n(n+1)/2, exact for the paper's integrator.
 TEST(SemiImplicitEuler, FreeFallIsExact) {
   Strip strip(0.02, 0.02, 0.01, Material{});
   VectorField v(strip.x.size(), Vec3::Zero());

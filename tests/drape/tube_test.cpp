@@ -13,8 +13,9 @@ constexpr double kRadius = 0.05, kStiffness = 200, kPoisson = 0.3;
 
 class TightTube : public ::testing::TestWithParam<double> {};
 
-// validation.md 6.2, axially free, no friction: with rest girth C0 < C the hoop stretch is
-// λ = C/C0, E = (λ² − 1)/2, λ_a = √(1 − 2νE), and the cloth presses with 2π λ K E per rest length.
+// docs/theory/validation.md 6.2, axially free, no friction: with rest girth C0 < C the hoop stretch
+// is λ = C/C0, E = (λ² − 1)/2, λ_a = √(1 − 2νE), and the cloth presses with 2π λ K E per rest
+// length.
 TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   const double stretch = GetParam(), girth = 2 * kPi * kRadius / stretch, height = 0.05;
   const RolledSheet tube = support::rolled_sheet(girth, height, girth / 90, 0.15);
@@ -105,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Stretch, TightTube, ::testing::Values(1.05, 1.2));
 
 class LooseTube : public ::testing::TestWithParam<double> {};
 
-// validation.md 8: a tube that stays round and hangs on a lying cylinder touches it along one line:
-// greatest gap 2e, sin AD_max = e/R = BGM/(1 + BGM).
+// docs/theory/validation.md 8: a tube that stays round and hangs on a lying cylinder touches it
+// along one line: greatest gap 2e, sin AD_max = e/R = BGM/(1 + BGM).
 TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
   const double mobility = GetParam(), girth = 2 * kPi * kRadius * (1 + mobility);
   const double radius = kRadius * (1 + mobility), e = radius - kRadius;

@@ -64,8 +64,8 @@ TEST(BendingEnergy, DihedralAngleOfAKnownFold) {
   EXPECT_NEAR(std::abs(dihedral_angle(x0, x1, x2, x3)), fold, 1e-14);
 }
 
-// validation.md 2.4: energy per area of constant curvature, to which every mesh must be blind:
-// cylinder B κ²/2 in any direction, sphere D (1 + ν) κ², twist w = k x y D (1 − ν) k².
+// docs/theory/validation.md 2.2: energy per area of constant curvature, to which every mesh must be
+// blind: cylinder B κ²/2 in any direction, sphere D (1 + ν) κ², twist w = k x y D (1 − ν) k².
 struct Shape {
   const char* name;
   double uu, vv, uv;  ///< curvature tensor [1/m]
@@ -197,7 +197,8 @@ TEST(BendingEnergy, IsTheSameAcrossASeam) {
   EXPECT_NEAR(sewn.value(x), whole.value(x), 1e-12 * whole.value(x));
 }
 
-// validation.md 2.5: M = B κ ± HB. Bent to a tight curve and let go, a strip stops at κ_res = HB/B.
+// docs/theory/validation.md 2.3: M = B κ ± HB. Bent to a tight curve and let go, a strip stops at
+// κ_res = HB/B.
 TEST(BendingFriction, ReleasedStripKeepsTheResidualCurvature) {
   const double rigidity = 1.15718e-5, hysteresis = 0.5 * 1.21602e-3;  // cotton broad
   const BendingFriction friction({hysteresis, hysteresis}, {rigidity, rigidity});

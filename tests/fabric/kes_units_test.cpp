@@ -9,7 +9,7 @@
 namespace loosefit {
 namespace {
 
-// materials.md section 5: the conversions as derived there, to the digits given.
+// docs/theory/materials.md 5: the conversions as derived there, to the digits given.
 TEST(KesUnits, FactorsAreThoseDerived) {
   EXPECT_NEAR(kes_to_si("B", 1), 9.80665e-5, 1e-18);
   EXPECT_NEAR(kes_to_si("2HB", 1), 9.80665e-3, 1e-17);
@@ -42,7 +42,7 @@ TEST(KesUnits, UnknownQuantityGetsAGuess) {
   }
 }
 
-// 500 gf/cm = 490.3 N/m at 5 %: materials.md section 5.
+// 500 gf/cm = 490.3 N/m at 5 %: docs/theory/materials.md 5.
 TEST(KesUnits, TensileSecant) {
   EXPECT_NEAR(tensile_secant(5), 490.3 / 0.05, 1);
   EXPECT_NEAR(tensile_secant(40, 50), 49.03 / 0.4, 0.01);

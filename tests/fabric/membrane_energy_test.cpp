@@ -119,7 +119,8 @@ TEST(MembraneEnergy, SoftCompressionHasNoJump) {
   EXPECT_NEAR(s[1], m.stiffness_warp * evv, 1e-9);
 }
 
-// validation.md 1.4 (a): homogeneous states on an irregular mesh against the closed form.
+// docs/theory/validation.md 1.3 (a): homogeneous states on an irregular mesh against the closed
+// form.
 using State2d = std::array<double, 3>;  // λ_u, λ_v, shear k: F = [[λ_u, k], [0, λ_v]]
 class PatchTest : public ::testing::TestWithParam<State2d> {};
 
@@ -200,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(UpToHalf, PatchTest,
                                            std::array{1.25, 1.25, 0.0}, std::array{1.0, 1.0, 0.5},
                                            std::array{1.3, 0.9, 0.2}, std::array{0.8, 1.1, 0.1}));
 
-// The wool sample of materials.md section 4 at its own measured strains, on the same patch.
+// The wool sample of docs/theory/materials.md 4 at its own measured strains, on the same patch.
 TEST(WoolPatch, ShowsTheMeasuredStress) {
   const Material m = support::wool_sample();
   for (std::size_t i = 0; i < 7; ++i) {
@@ -213,7 +214,8 @@ TEST(WoolPatch, ShowsTheMeasuredStress) {
   }
 }
 
-// validation.md 6.3: an orthotropic strip cut at an angle, from the compliance at small strain.
+// docs/theory/validation.md 6.3: an orthotropic strip cut at an angle, from the compliance at small
+// strain.
 TEST(OffAxisStrip, HasTheModulusOfTheCompliance) {
   Material m;
   m.stiffness_weft = 2000;
@@ -240,7 +242,7 @@ TEST(OffAxisStrip, HasTheModulusOfTheCompliance) {
   }
 }
 
-// validation.md 6.4: picture frame with yarns that do not stretch.
+// docs/theory/validation.md 6.4: picture frame with yarns that do not stretch.
 TEST(PictureFrame, PullsAlongItsDiagonalAsDerived) {
   const double side = 0.2, g = 30, expected[] = {1.596267, 3.361998, 5.196152};
   const TriangleMesh mesh = support::sheet(side, side, 0.02, 0.25);

@@ -21,8 +21,8 @@ std::string refusal(const std::vector<CurvePoint>& points) {
   return "accepted";
 }
 
-// validation.md 1.3: the engineering law f = C (λ − 1) is met at every stretch, also beyond the
-// last point; at λ = 1.5 it is 0.5 C where St. Venant-Kirchhoff gives 0.9375 C.
+// docs/theory/validation.md 1.2: the engineering law f = C (λ − 1) is met at every stretch, also
+// beyond the last point; at λ = 1.5 it is 0.5 C where St. Venant-Kirchhoff gives 0.9375 C.
 TEST(TensionCurve, EngineeringLawIsExactAtEveryStretch) {
   const double c = 400;
   const StressCurve curve = StressCurve::tension({{0.1, 0.1 * c}, {0.3, 0.3 * c}, {0.5, 0.5 * c}});
@@ -46,7 +46,7 @@ TEST(TensionCurve, MeetsEveryMeasuredPoint) {
   check(StressCurve::tension(wool.curve_weft), support::wool_weft_green());
   check(StressCurve::tension(wool.curve_warp), support::wool_warp_green());
   check(StressCurve::shear(wool.curve_shear), support::wool_shear());
-  // materials.md section 4: initial slopes.
+  // docs/theory/materials.md 4: initial slopes.
   EXPECT_NEAR(StressCurve::tension(wool.curve_weft).at(0).tangent, 366, 5);
   EXPECT_NEAR(StressCurve::tension(wool.curve_warp).at(0).tangent, 16400, 100);
   EXPECT_NEAR(StressCurve::shear(wool.curve_shear).at(0).tangent, 100, 1e-9);

@@ -49,15 +49,15 @@ TEST(MaterialCards, AllShippedCardsAreCompleteAndPlausible) {
                   .find("\nbending_poisson = "),
               std::string::npos)
         << "stated, not left to the default";
-    // A garment fabric bends over its own weight within centimetres (materials.md sections 1 and
-    // 2).
+    // A garment fabric bends over its own weight within centimetres (docs/theory/materials.md
+    // 1 and 2).
     EXPECT_GT(bending_length(card.material), 0.005);
     EXPECT_LT(bending_length(card.material), 0.035);
   }
 }
 
-// materials.md section 1: the paper's cotton has a bending length of 15.5 mm in the reading that
-// makes it a fabric, and E h = 1.318e5 N/m at the thickness which agrees with it.
+// docs/theory/materials.md 1: the paper's cotton has a bending length of 15.5 mm in the reading
+// that makes it a fabric, and E h = 1.318e5 N/m at the thickness which agrees with it.
 TEST(MaterialCards, PaperCottonAsDerived) {
   EXPECT_NEAR(bending_length(load_material("paper-cotton").material), 15.5e-3, 0.1e-3);
   const Material literal = load_material("paper-cotton-literal").material;
@@ -127,7 +127,7 @@ TEST(MaterialCards, KesFiguresAreTheConstantsInUse) {
   EXPECT_GT(constants, 20);
 }
 
-// materials.md section 3: residual curvature HB/B of the three fabrics of Matsudaira 2015.
+// docs/theory/materials.md 3: residual curvature HB/B of the three fabrics of Matsudaira 2015.
 TEST(MaterialCards, ResidualCurvaturesAsMeasured) {
   const std::pair<const char*, double> expected[] = {
       {"cotton-broad", 52.54}, {"wool-tropical", 24.63}, {"polyester-faille", 18.42}};

@@ -71,7 +71,7 @@ TEST(Scorecards, ManualNamesEveryWord) {
   for (const std::string& name : scorecard_names()) named(name);
 }
 
-// sensor-metrics 3.4 and 8.
+// docs/theory/sensor_metrics.md 3.4 and 8.
 TEST(Scorecards, LimitsAreTheDocumentedOnes) {
   const Scorecard imu = load_scorecard("imu-inclination");
   EXPECT_DOUBLE_EQ(score({{"coe_rms_deg", 8.5}}, imu).q.value(), 0.5);

@@ -24,7 +24,8 @@ TEST(Gap, BeginsAtTheInnerFace) {
 }
 
 TEST(Gap, IsContactUpToTheToleranceOfTheFabric) {
-  // sensor-metrics 4: half a millimetre, for thick cloth 1.5 times the contact offset.
+  // docs/theory/sensor_metrics.md 4: half a millimetre, for thick cloth 1.5 times the contact
+  // offset.
   EXPECT_TRUE(touches(0.00049, cloth(0.0004)));
   EXPECT_FALSE(touches(0.00051, cloth(0.0004)));
   EXPECT_TRUE(touches(0.00149, cloth(0.002)));

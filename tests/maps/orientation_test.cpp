@@ -1,4 +1,5 @@
-// Orientation of cloth against the body: known rotations of a rigid shell (sensor-metrics 13).
+// Orientation of cloth against the body: known rotations of a rigid shell
+// (docs/theory/sensor_metrics.md 10).
 #include "loosefit/maps/orientation.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Contact pressure by both estimates: kinematic cases against validation.md 6.2, and cloth that was
-// settled on cylinders, an elliptic and a grooved one.
+// Contact pressure by both estimates: kinematic cases against docs/theory/validation.md 6.2, and
+// cloth that was settled on cylinders, an elliptic and a grooved one.
 #include "loosefit/maps/pressure.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,8 @@ struct Row {
 };
 class SleeveOnCylinder : public ::testing::TestWithParam<Row> {};
 
-// validation.md 6.2, K = 200 N/m, ν = 0.3, R = 50 mm: tension per worn length and p = N/R.
+// docs/theory/validation.md 6.2, K = 200 N/m, ν = 0.3, R = 50 mm: tension per worn length and p =
+// N/R.
 TEST_P(SleeveOnCylinder, HasTheTensionAndPressureOfTheTable) {
   const Row row = GetParam();
   const PlacedTube tube = placed_tube(0.05, row.stretch, row.axial);
@@ -339,7 +340,7 @@ Means means_where(const Settled& s, const std::function<bool(const Vec3&)>& want
 constexpr double kHeight = 0.05, kRim = 0.01;
 bool inner(const Vec3& p) { return p.z() > kRim && p.z() < kHeight - 1.3 * kRim; }
 
-// sensor-metrics.md 13: p = T/R within 2 %, both estimates within 5 % of each other.
+// docs/theory/sensor_metrics.md 10: p = T/R within 2 %, both estimates within 5 % of each other.
 TEST(SettledSleeve, OnACylinderPressesWithTensionOverRadiusByBothEstimates) {
   const double radius = 0.05;
   const Settled s =
@@ -360,8 +361,8 @@ TEST(SettledSleeve, OnACylinderPressesWithTensionOverRadiusByBothEstimates) {
   RecordProperty("rms_over_mean_1e-4", static_cast<int>(1e4 * a.rms_difference / a.contact_mean));
 }
 
-// validation.md 6.2: a frictionless convex section has constant tension, so p follows the
-// curvature.
+// docs/theory/validation.md 6.2: a frictionless convex section has constant tension, so p follows
+// the curvature.
 TEST(SettledSleeve, OnAnEllipticCylinderFollowsTheCurvature) {
   constexpr double a = 0.06, b = 0.04;
   double girth = 0;

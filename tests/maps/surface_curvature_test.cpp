@@ -59,7 +59,8 @@ TEST(SurfaceCurvature, OfACylinderIsHoopOnly) {
   }
 }
 
-// validation.md 6.2: κ = a/b² at the ends of the long axis, b/a² at those of the short one.
+// docs/theory/validation.md 6.2: κ = a/b² at the ends of the long axis, b/a² at those of the short
+// one.
 TEST(SurfaceCurvature, OfAnEllipticCylinderRunsFromBOverASquaredToAOverBSquared) {
   constexpr double a = 0.16, b = 0.1, round = 0.6;  // a torus with an elliptic section, wide open
   for (double jitter : {0.0, 0.3}) {

@@ -41,7 +41,7 @@ TEST(TubeMaps, ConcentricTubeHasItsGapAndNoDeviation) {
   }
 }
 
-/// validation.md section 8: a tube that touches the cylinder along one line.
+/// docs/theory/validation.md 8: a tube that touches the cylinder along one line.
 struct Loose {
   double bgm, max_angle, mean_angle, mean_gap, max_gap;
 };

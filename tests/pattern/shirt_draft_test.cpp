@@ -58,7 +58,7 @@ double pattern_area(const Pattern& p) {
   return area;
 }
 
-/// Girths exact, seams equal, outlines simple and counter-clockwise (patterns.md 6.3, 6.5).
+/// Girths exact, seams equal, outlines simple and counter-clockwise (docs/theory/patterns.md 3, 5).
 void expect_sound(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
   const auto girths = shirt_girths(shirt, m.hps_to_waist);
   EXPECT_NEAR(girths.at("chest") / m.chest - 1, fit.chest, 1e-12);
@@ -79,8 +79,8 @@ void expect_sound(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& 
   }
 }
 
-/// One row of the table in patterns.md 6.5; seven digits from the executable form of the draft with
-/// 600 chords a curve.
+/// One row of the table in docs/theory/patterns.md 5; seven digits from the executable form of the
+/// draft with 600 chords a curve.
 struct Golden {
   const char* name;
   ShirtMeasures body;
@@ -141,7 +141,8 @@ TEST(ShirtDraft, ReproducesCheckValues) {
 }
 
 TEST(ShirtDraft, PrintedTableAgreesToItsDigits) {
-  // armhole, d, h [m], ratio, area [m²] as printed in patterns.md 6.5, in the order of goldens().
+  // armhole, d, h [m], ratio, area [m²] as printed in docs/theory/patterns.md 5, in the order of
+  // goldens().
   const double table[11][5] = {
       {.384, .168, .099, .59, .815}, {.378, .170, .113, .66, .764}, {.392, .181, .143, .79, .661},
       {.416, .159, .131, .82, .856}, {.537, .248, .127, .51, .933}, {.303, .145, .097, .67, .506},

@@ -111,7 +111,7 @@ class Derived : public ::testing::Test {
   Scorecard card_;
 };
 
-// sensor-metrics 8: 85 pF is 0.42 mm of air for 40 cm2; at 1 mm 40 cm2 gives 35 pF.
+// docs/theory/sensor_metrics.md 8: 85 pF is 0.42 mm of air for 40 cm2; at 1 mm 40 cm2 gives 35 pF.
 TEST_F(Derived, CapacitanceOfAPlate) {
   card_.footprint.radius = std::sqrt(40e-4 / kPi);
   card_.parameters = {{"dielectric_thickness", 1e-6}, {"dielectric_constant", 100}};  // none

@@ -1,5 +1,5 @@
 // What a sensor meets over postures and donnings: rigid shells, sliding patches, stretched cloth
-// and bridged hollows whose metrics are known (sensor-metrics 3 to 7, 13).
+// and bridged hollows whose metrics are known (docs/theory/sensor_metrics.md 3 to 7, 10).
 #include "loosefit/placement/site_metrics.h"
 
 #include <gtest/gtest.h>

@@ -36,7 +36,8 @@ ParticleSystem system_of(Springs& springs, int n, double mass) {
   return s;
 }
 
-// validation.md 7: cos(ω'dt) = 1 − (ω dt)²/2, and v²/2 + ω²x²/2 − (ω² dt/2) x v never drifts.
+// docs/theory/validation.md 7: cos(ω'dt) = 1 − (ω dt)²/2, and v²/2 + ω²x²/2 − (ω² dt/2) x v never
+// drifts.
 TEST(SemiImplicitEuler, OscillatesWithTheShiftedFrequencyAndConservesItsOwnEnergy) {
   const double k = 400, mass = 0.25, omega = std::sqrt(k / mass), dt = 0.3 / omega;
   Springs springs(k);

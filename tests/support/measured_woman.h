@@ -3,7 +3,7 @@
 
 namespace loosefit::support {
 
-/// The measures of the adult woman of the pattern reference (patterns.md 6.1).
+/// The measures of the adult woman of the pattern reference (docs/theory/patterns.md 1).
 inline Body measured_woman() {
   Body body;
   body.measured = {{"chest", .880},

@@ -4,7 +4,7 @@
 
 namespace loosefit::support {
 
-/// Parameters of an average woman of 25 and of a slim child of ten (body-model.md section 10).
+/// Parameters of an average woman of 25 and of a slim child of ten (docs/theory/body_model.md 6).
 inline BodyParameters adult_parameters() {
   BodyParameters p;
   p.sex = 0;

@@ -5,7 +5,7 @@
 
 namespace loosefit::support {
 
-/// The measured wool of materials.md section 4, w = 0.15 kg/m²: second Piola-Kirchhoff stress
+/// The measured wool of docs/theory/materials.md 4, w = 0.15 kg/m²: second Piola-Kirchhoff stress
 /// [N/m] against Green strain.
 inline const std::vector<CurvePoint>& wool_weft_green() {
   static const std::vector<CurvePoint> kPoints = {

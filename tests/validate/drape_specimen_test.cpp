@@ -44,7 +44,7 @@ TEST(DrapeSpecimen, isFlatAsABoardAndHangsWhenLimp) {
 }
 
 TEST(DrapeSpecimen, stiffRingSagsLikeAClampedPlate) {
-  // Rim deflection of an annulus clamped inside, a/b = 0.6, ν = 0 (validation.md 4.9).
+  // Rim deflection of an annulus clamped inside, a/b = 0.6, ν = 0 (docs/theory/validation.md 4.9).
   Material m = sheet(0.3);
   m.bending_poisson = 0;
   Bench bench(cut_drape_specimen(kTester, 0.006, m), m,

@@ -9,7 +9,7 @@
 
 namespace loosefit {
 
-/// Coarse body parts; one per surface vertex (body-model.md section 3).
+/// Coarse body parts; one per surface vertex (docs/theory/body_model.md 1).
 enum class Segment { head, neck, torso, upper_arm, forearm, hand, thigh, shank, foot };
 
 /// How the person stands. Angles in radians.

@@ -42,7 +42,7 @@ struct BodyFit {
 /// Smoothed or as the data are: 53 514 or 13 380 vertices.
 enum class BodyDetail { subdivided, coarse };
 
-/// The parametric human body (MakeHuman's morph targets and rig; body-model.md).
+/// The parametric human body (MakeHuman's morph targets and rig; docs/theory/body_model.md).
 class BodyModel {
  public:
   explicit BodyModel(BodyData data);

@@ -8,7 +8,7 @@
 namespace loosefit {
 
 /// Takes measures [m] of a body in the rest posture. Girths are tape girths: perimeters of convex
-/// hulls of plane sections, at levels that follow the anatomy (body-model.md 8.2, 8.3).
+/// hulls of plane sections, at levels that follow the anatomy (docs/theory/body_model.md 3.2, 3.3).
 class BodyTape {
  public:
   /// Keeps references.

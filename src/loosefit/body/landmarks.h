@@ -7,8 +7,8 @@
 
 namespace loosefit {
 
-/// Vertex indices of the landmarks of the parametric body (body-model.md 8.4); pairs end in _L, _R.
-/// The suggested sensor places are geometric choices, not clinical landmarks.
+/// Vertex indices of the landmarks of the parametric body (docs/theory/body_model.md 3.4); pairs
+/// end in _L, _R. The suggested sensor places are geometric choices, not clinical landmarks.
 std::map<std::string, int> landmark_vertices(const BodyData& data, const RestBody& rest);
 
 /// Joint name → joint of the data: "shoulder_L", "elbow_L", "wrist_L", "hand_L", "hip_L", "knee_L",

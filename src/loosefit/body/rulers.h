@@ -7,8 +7,9 @@
 
 namespace loosefit {
 
-/// Vertex chain of a ruler: "bust_circ", "waist_circ", "upperarm_length", … (body-model.md 8.1).
-/// Limb rulers lie on the left. \throws InvalidInput for an unknown name.
+/// Vertex chain of a ruler: "bust_circ", "waist_circ", "upperarm_length", …
+/// (docs/theory/body_model.md 3.1). Limb rulers lie on the left. \throws InvalidInput for an
+/// unknown name.
 const std::vector<int>& ruler(const std::string& name);
 
 /// Mean of the chain's vertices.

@@ -7,7 +7,8 @@ namespace loosefit {
 namespace {
 
 /// Transverse stiffness of the fabric layer [Pa/m]: 5 kPa, above the pressures of clothing
-/// (patterns.md 7), compress half the thickness; stiffer fabrics press harder in proportion.
+/// (docs/theory/contact.md 1), compress half the thickness; stiffer fabrics press harder in
+/// proportion.
 double layer_stiffness(const Material& m) {
   constexpr double kPressure = 5000, kReferenceStiffness = 2000;
   const double stiffest = std::max(m.stiffness_warp, m.stiffness_weft);

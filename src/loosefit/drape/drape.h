@@ -9,7 +9,7 @@
 
 namespace loosefit {
 
-/// Proof that a drape is at rest and worn, or why it is not (design.md sections 5 and 8).
+/// Proof that a drape is at rest and worn, or why it is not (docs/theory/solver.md 1).
 struct Certificate {
   static constexpr double kAllowedResidual = 1e-3;
   double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]

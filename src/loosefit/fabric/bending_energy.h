@@ -15,9 +15,9 @@
 namespace loosefit {
 
 /// Rigidity of an orthotropic plate for (κ_uu, κ_vv, 2κ_uv) [N m]: D_u = B_u, D_v = B_v,
-/// D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2 (materials.md 7), plus an isotropic sheet
-/// of rigidity `added` and the same ν_b. B is the rigidity of a wide sheet; a narrow strip, free to
-/// contract sideways, bends with B (1 − ν_b²).
+/// D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2 (docs/theory/materials.md 7), plus an
+/// isotropic sheet of rigidity `added` and the same ν_b. B is the rigidity of a wide sheet; a
+/// narrow strip, free to contract sideways, bends with B (1 − ν_b²).
 Mat3 plate_rigidity(const Material& material, double added = 0);
 
 /// Bending of a sewn garment: an orthotropic Kirchhoff plate on curvature patches,

@@ -5,7 +5,7 @@
 namespace loosefit {
 
 /// Inner friction of a bent fabric: the hysteresis 2HB of the KES bending test, as a Jenkin element
-/// (spring and slider in series) beside the elastic sheet (validation.md 2.5).
+/// (spring and slider in series) beside the elastic sheet (docs/theory/validation.md 2.3).
 ///
 /// With z = (a_u κ_uu, a_v κ_vv, √(a_u a_v/2) 2κ_uv) − z₀, a_i = HB_i/H̄, H̄ = max HB_i:
 ///

@@ -18,8 +18,8 @@ namespace loosefit {
 /// Linear in the angles:  (κ_uu, κ_vv, 2κ_uv)ᵀ = S θ  with θ the own angles and those of the
 /// neighbours' other edges. Step 1 is exact for every constant curvature on every mesh, so any
 /// Poisson ratio in bending can be represented (a plain hinge energy acts as ν = −1/3,
-/// validation.md 2.3). Step 2 makes the slope single-valued, so that a constant moment is in
-/// balance at every inner vertex of every mesh; without it strips come out 1 to 3 % too soft
+/// docs/theory/validation.md 2.1). Step 2 makes the slope single-valued, so that a constant moment
+/// is in balance at every inner vertex of every mesh; without it strips come out 1 to 3 % too soft
 /// however fine the mesh. Source: Reisman, Grinspun and Zorin 2007 (step 1); Oñate and Flores 2005
 /// (EBST: patch and averaged side slopes as a shell element).
 struct CurvaturePatch {

@@ -23,7 +23,7 @@ struct KesUnit {
 ///   W     1 mg/cm²       = 1e-6 kg / 1e-4 m²               = 0.01 kg/m²
 ///   FAST  1 µN m = 1e-6 N m;  1 mmHg = 133.322 Pa
 ///
-/// Sources: Kawabata 1980; materials.md section 5. Quantities without a unit have the factor 1.
+/// Sources: Kawabata 1980; docs/theory/materials.md 5. Quantities without a unit have the factor 1.
 const std::vector<KesUnit>& kes_units();
 
 /// \throws InvalidInput with a did-you-mean for an unknown quantity.

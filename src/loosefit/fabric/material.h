@@ -10,7 +10,7 @@ struct CurvePoint {
   double force = 0;   ///< tension: force per metre of reference width; shear: stress S_uv [N/m]
 };
 
-/// Measured or published constants of one fabric, SI (materials.md section 7).
+/// Measured or published constants of one fabric, SI (docs/theory/materials.md 7).
 struct Material {
   std::string name;
   std::string source;             ///< where the numbers come from

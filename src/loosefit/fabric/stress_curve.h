@@ -36,9 +36,9 @@ class MonotoneCubic {
 /// Law of one strain component: energy w(E) per flat area, S = w′ (second Piola-Kirchhoff), w″.
 ///
 /// A measured force f(λ) per reference width enters as S(E) = f(λ)/λ with E = (λ² − 1)/2, so that
-/// every elongation is met by the measured force (validation.md 1.3). Because S dE = f dλ, the
-/// energy is the integral of f over λ, and w″ = (f′ λ − f)/λ³. Compression (E < 0) is linear in E
-/// with the initial slope times the compression factor. Shear is odd in γ.
+/// every elongation is met by the measured force (docs/theory/validation.md 1.2). Because S dE = f
+/// dλ, the energy is the integral of f over λ, and w″ = (f′ λ − f)/λ³. Compression (E < 0) is
+/// linear in E with the initial slope times the compression factor. Shear is odd in γ.
 class StressCurve {
  public:
   static StressCurve linear(double stiffness, double compression_factor = 1);

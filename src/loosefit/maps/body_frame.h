@@ -7,11 +7,11 @@
 namespace loosefit {
 
 /// Long axis of the body segment at every surface vertex, unit, from the far end of the segment to
-/// the near one (sensor-metrics 3.1): wrist → elbow, elbow → shoulder, ankle → knee, knee → hip,
-/// hand → wrist; neck → head. Limbs take it from the joints. The trunk's axis is the upright of the
-/// rest posture, carried with the skin (pose_from_rest), so that the chest of a bent wearer leans
-/// with the chest; a body that is known in one posture only (a scan) has pelvis → neck. Zero where
-/// the joints are not known, and on the feet.
+/// the near one (docs/theory/sensor_metrics.md 3.1): wrist → elbow, elbow → shoulder, ankle → knee,
+/// knee → hip, hand → wrist; neck → head. Limbs take it from the joints. The trunk's axis is the
+/// upright of the rest posture, carried with the skin (pose_from_rest), so that the chest of a bent
+/// wearer leans with the chest; a body that is known in one posture only (a scan) has pelvis →
+/// neck. Zero where the joints are not known, and on the feet.
 std::vector<Vec3> segment_axes(const Body& body);
 
 /// Right-handed frame at a place of a surface; the columns of `axes` are s = a × n, a, n with n the
@@ -35,7 +35,7 @@ Vec3 at_point(const TriangleMesh& surface, const std::vector<Vec3>& per_vertex, 
               const Vec3& barycentric);
 
 /// A point of the skin that keeps its place in the skin when the body moves: the material partner
-/// of sensor-metrics 1, with a direction that moves along.
+/// of docs/theory/sensor_metrics.md 1, with a direction that moves along.
 struct SkinPoint {
   int triangle = -1;
   Vec3 barycentric = Vec3::Zero();

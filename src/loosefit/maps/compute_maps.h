@@ -23,7 +23,7 @@ struct MapOptions {
 };
 
 /// The sensor performance maps of one drape (the first three: Harms, Amft, Tröster 2012, section
-/// 2.2; the others sensor-metrics 3 to 5):
+/// 2.2; the others docs/theory/sensor_metrics.md 3 to 5):
 ///
 /// | name              | arrays                                                              |
 /// |-------------------|---------------------------------------------------------------------|

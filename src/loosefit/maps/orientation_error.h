@@ -6,8 +6,8 @@
 namespace loosefit {
 
 /// Angle of E = R R_refᵀ: how far a sensor that was calibrated at R_ref reads wrong at R, both
-/// relative to the body (sensor-metrics 3.3) [rad]. The same whatever tangent the body frame has,
-/// as long as it is carried with the skin.
+/// relative to the body (docs/theory/sensor_metrics.md 3.3) [rad]. The same whatever tangent the
+/// body frame has, as long as it is carried with the skin.
 double calibrated_error(const Mat3& now, const Mat3& reference);
 
 /// A set of errors summed up.

@@ -11,8 +11,9 @@
 
 namespace loosefit {
 
-/// Contact pressure between cloth and body by two independent estimates (validation.md 6.2; for
-/// the second: generalised Laplace law, e.g. Teyeme et al. 2021). All per garment vertex.
+/// Contact pressure between cloth and body by two independent estimates
+/// (docs/theory/validation.md 6.2; for the second: generalised Laplace law, e.g. Teyeme et al.
+/// 2021). All per garment vertex.
 ///
 /// `contact`: p_i = f_i / a_i with Drape::body_normal_force f_i [N] and the worn area a_i: a third
 /// of the triangles round the vertex as they are now. Nothing is smoothed beyond the contact
@@ -36,7 +37,8 @@ struct PressureField {
 };
 
 /// Largest gap between the cloth's inner face and the skin that counts as contact [m]: three
-/// quarters of the thickness (1.5 × the contact offset), at least 0.5 mm (sensor-metrics.md 4).
+/// quarters of the thickness (1.5 × the contact offset), at least 0.5 mm
+/// (docs/theory/sensor_metrics.md 4).
 double contact_tolerance(const Material& material);
 
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.
@@ -61,9 +63,9 @@ struct PressureAgreement {
 PressureAgreement compare_pressures(const PressureField& field, const std::vector<Region>& regions,
                                     std::optional<Region> only = {});
 
-/// Bounds of the classes of validation.md 9.3 [Pa], and the classes from no contact on: below the
-/// first bound an electrode is unreliable, then marginal, then good, then firm, and above the last
-/// bound the wearer is uncomfortable.
+/// Bounds of the classes of docs/theory/sensor_metrics.md 5 [Pa], and the classes from no contact
+/// on: below the first bound an electrode is unreliable, then marginal, then good, then firm, and
+/// above the last bound the wearer is uncomfortable.
 inline constexpr double kPressureClasses[] = {300, 700, 2700, 4000};
 inline constexpr const char* kPressureClassNames[] = {"none", "unreliable", "marginal",
                                                       "good", "firm",       "uncomfortable"};

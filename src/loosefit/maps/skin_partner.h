@@ -19,11 +19,11 @@ struct DressedState {
 void require_fit(const Garment& garment, const DressedState& state);
 
 /// Skin partner of every garment vertex: the closest body point in the reference state, which then
-/// moves with the skin (sensor-metrics 1, correspondence 3).
+/// moves with the skin (docs/theory/sensor_metrics.md 1, correspondence 3).
 std::vector<SkinPoint> skin_partners(const DressedState& reference);
 
 /// How a point of the cloth has moved relative to its partner on the skin, in the frame that the
-/// partner carries [m] (sensor-metrics 7).
+/// partner carries [m] (docs/theory/sensor_metrics.md 7).
 struct Slip {
   double around = 0;  ///< along s of the frame; NaN like `along`
   double along = 0;   ///< along the segment's long axis, to its near end; NaN where none is known

@@ -30,12 +30,12 @@ std::vector<TriangleStrain> triangle_strains(const Garment& garment,
                                              const std::vector<Vec3>& positions);
 
 /// Strain |F d| − 1 along the unit direction d = (weft, warp) of the pattern, the reading of a
-/// strain sensor that is sewn on along d (sensor-metrics 6). NaN without flat area.
+/// strain sensor that is sewn on along d (docs/theory/sensor_metrics.md 6). NaN without flat area.
 double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
                     const Vec2& direction);
 
 /// Cloth whose least principal strain is below this is slack: buckled within an element, so that no
-/// strain sensor reads it (sensor-metrics 6).
+/// strain sensor reads it (docs/theory/sensor_metrics.md 6).
 inline constexpr double kSlackStrain = -0.005;
 
 /// Mean of a triangle quantity at each vertex, weighted by flat triangle area; NaN where no

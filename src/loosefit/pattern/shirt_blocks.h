@@ -26,12 +26,12 @@ struct TorsoHalf {
   double shoulder_x = 0, armhole_depth = 0;
 };
 
-/// patterns.md section 6.2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
+/// docs/theory/patterns.md 2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
 /// extra half shoulder width [m].
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
 
-/// Half cap from the top (0, h) to the underarm (w, 0) (patterns.md section 6.3).
+/// Half cap from the top (0, h) to the underarm (w, 0) (docs/theory/patterns.md 3).
 CurveChain draft_cap(double width, double height);
 
 /// Cap height and front share such that both half caps have exactly the wanted lengths.

@@ -63,7 +63,7 @@ struct ShirtPlacement {
 };
 
 /// Knit shirt, long-sleeved or with shorter sleeves, of six pieces and twelve seams with the asked
-/// girths exactly (patterns.md section 6). Pieces: front, back, sleeve_L_front, sleeve_L_back,
+/// girths exactly (docs/theory/patterns.md). Pieces: front, back, sleeve_L_front, sleeve_L_back,
 /// sleeve_R_front, sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve
 /// edges top, cuff, under, cap. \throws InvalidInput when a size or fit is outside its range, or no
 /// sleeve fits the armhole (ShirtRefusal, shirt_refusal.h).

@@ -10,7 +10,8 @@
 
 namespace loosefit {
 
-/// Segments with an anatomical address (UNISEP, Shirazi et al. 2024; sensor-metrics 10).
+/// Segments with an anatomical address (UNISEP, Shirazi et al. 2024; docs/theory/sensor_metrics.md
+/// 9).
 enum class BodySegment { chest, abdomen, upper_arm, forearm, thigh, lower_leg };
 
 const std::vector<BodySegment>& all_body_segments();

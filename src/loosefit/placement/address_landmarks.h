@@ -35,10 +35,10 @@ std::optional<BentLimb> arm_of(const Body& body, int side);
 std::optional<BentLimb> leg_of(const Body& body, int side);
 
 /// Palpable landmarks beyond those of the body, where a geometric rule finds them on its surface
-/// (sensor-metrics 10): xiphoid (breast level to navel, 30 %: the underbust level), asis_L/R and
-/// psis (the middle one) from the hip joints by the regression of Bell, Pedersen and Brand (1990),
-/// epicondyle_{medial,lateral}_L/R, olecranon_L/R, cubital_fossa_L/R, wrist_{medial,lateral}_L/R
-/// (styloids; of the pronated forearm medial is radial), trochanter_L/R,
+/// (docs/theory/sensor_metrics.md 9): xiphoid (breast level to navel, 30 %: the underbust level),
+/// asis_L/R and psis (the middle one) from the hip joints by the regression of Bell, Pedersen and
+/// Brand (1990), epicondyle_{medial,lateral}_L/R, olecranon_L/R, cubital_fossa_L/R,
+/// wrist_{medial,lateral}_L/R (styloids; of the pronated forearm medial is radial), trochanter_L/R,
 /// knee_{medial,lateral}_L/R, patella_L/R, popliteal_L/R, malleolus_{medial,lateral}_L/R. Each is
 /// where a ray from the trunk's middle or from the joint leaves the skin; good to some millimetres
 /// on the geometry, to a centimetre or two on the anatomy. What the body has no joints for is

@@ -22,7 +22,8 @@ const std::vector<SensorParameter>& sensor_parameters();
 /// needs none.
 std::vector<std::string> parameters_of(const std::string& metric);
 
-/// The metrics with all that follow from them and from the scorecard (sensor-metrics, 6 and 8):
+/// The metrics with all that follow from them and from the scorecard (docs/theory/sensor_metrics.md
+/// 6 and 8):
 ///
 ///   usable_signal_ratio = strain_swing / ε_err
 ///   pre_strain_margin   = strain − strain_swing   (≥ 0: no posture makes the sensor slack, since

@@ -6,8 +6,8 @@
 
 namespace loosefit {
 
-/// Radius over which a sensor averages when nothing is said: an IMU board [m] (sensor-metrics,
-/// section 1).
+/// Radius over which a sensor averages when nothing is said: an IMU board [m]
+/// (docs/theory/sensor_metrics.md 1).
 inline constexpr double kFootprintRadius = 0.012;
 
 /// What a sensor covers of the flat cloth. Its axis is `angle` from the warp, counter-clockwise in

@@ -9,7 +9,8 @@ namespace loosefit {
 /// is not known is left out (or NaN), never zero.
 using MetricValues = std::map<std::string, double>;
 
-/// One word of the vocabulary that scorecards and site metrics share (sensor-metrics, 2 to 8).
+/// One word of the vocabulary that scorecards and site metrics share (docs/theory/sensor_metrics.md
+/// 2 to 8).
 struct MetricName {
   std::string name;   ///< "coe_rms_deg"
   std::string unit;   ///< as a scorecard must state it: "deg", "mm", "kPa", "pF", "K", "-"

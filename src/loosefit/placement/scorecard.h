@@ -37,7 +37,8 @@ double area(const FootprintShape& footprint);
 /// Radius of the circle about a footprint [m]; 0 for a girth, which goes across everything.
 double outer_radius(const FootprintShape& footprint);
 
-/// What one modality needs of its place (sensor-metrics, section 8), read by io/scorecard_file.h.
+/// What one modality needs of its place (docs/theory/sensor_metrics.md 8), read by
+/// io/scorecard_file.h.
 struct Scorecard {
   std::string name;   ///< "ecg"
   std::string title;  ///< "ECG with dry textile electrodes"

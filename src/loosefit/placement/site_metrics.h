@@ -37,7 +37,7 @@ namespace loosefit {
 ///
 /// The error, the duty, minimum, swings and slip need at least two postures of one donning, the
 /// donning error two donnings. For it the body must stand alike in the reference posture of all
-/// donnings. (sensor-metrics 3 to 7.)
+/// donnings. (docs/theory/sensor_metrics.md 3 to 7.)
 std::vector<std::map<std::string, double>> site_metrics_by_donning(
     const std::vector<SiteState>& states, int reference_posture = 0);
 

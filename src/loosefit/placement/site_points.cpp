@@ -10,7 +10,7 @@
 namespace loosefit {
 namespace {
 
-constexpr double kElectrodeRadius = 0.010;  // [m] (sensor-metrics, section 1)
+constexpr double kElectrodeRadius = 0.010;  // [m] (docs/theory/sensor_metrics.md 1)
 
 /// How to find a preset that is no landmark: empty when the body lacks what it needs.
 using Locator = std::function<std::optional<Vec3>(const BodyAddresses&)>;

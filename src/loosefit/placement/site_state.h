@@ -38,8 +38,9 @@ struct SiteState {
   /// of its parts best (Kabsch 1976); a is the image of the sensor's direction. NaN for a footprint
   /// without a common orientation, as one that goes round the body.
   Mat3 garment_frame = Mat3::Constant(kUnknown);
-  /// Against the mean body frame under the footprint (closest points; sensor-metrics 3.2) [rad].
-  /// Without a segment axis there only the angular deviation is known.
+  /// Against the mean body frame under the footprint (closest points;
+  /// docs/theory/sensor_metrics.md 3.2) [rad]. Without a segment axis there only the angular
+  /// deviation is known.
   Orientation orientation{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   double gap = kUnknown, gap_worst = kUnknown;  ///< inner face to skin: mean, highest 5 % [m]
   double contact_ratio = kUnknown;              ///< share of the footprint that touches

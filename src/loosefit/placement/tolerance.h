@@ -16,9 +16,9 @@ struct ToleranceOptions {
   double step = 0.002;  ///< between looks; a dip that is narrower may be missed [m]
 };
 
-/// How far a sensor may be sewn off its place (sensor-metrics 3.5: two numbers, since a shift
-/// around a limb hurts more than one along it): shift to either side that keeps at least 1 − loss
-/// of the score, the smaller of the two sides [m].
+/// How far a sensor may be sewn off its place (docs/theory/sensor_metrics.md 3.5: two numbers,
+/// since a shift around a limb hurts more than one along it): shift to either side that keeps at
+/// least 1 − loss of the score, the smaller of the two sides [m].
 struct Tolerance {
   Vec2 direction = Vec2::UnitY();  ///< of `along` in the pattern, unit
   double along = 0, around = 0;

@@ -56,7 +56,7 @@ std::unique_ptr<Integrator> make_implicit_euler(const ParticleSystem& system);
 /// energy has passed a peak, which changes the way to the equilibrium, not the equilibrium.
 std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleSystem& system);
 
-/// One step of the paper's integrator; x and v are advanced in place. \cite harms2012loose 2.1
+/// One step of the paper's integrator; x and v are advanced in place. Harms et al. 2012, section 2.1.
 void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, VectorField& v,
                               double dt);
 

@@ -31,8 +31,8 @@ struct ParticleSystem {
   std::uint64_t pattern_version(const VectorField& x) const;
 };
 
-/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (design.md section 5). The
-/// lag of the energies counts as a force.
+/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (docs/theory/solver.md 1).
+/// The lag of the energies counts as a force.
 struct Residual {
   double norm = 0, largest = 0;
   int worst_particle = -1;

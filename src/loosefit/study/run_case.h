@@ -10,7 +10,7 @@ struct RunOptions {
   bool only_drape = false;       ///< stop after settle
 };
 
-/// The pipeline (design.md section 2): body, pattern, garment, dress, settle, maps, placement; the
+/// The pipeline (docs/architecture.md): body, pattern, garment, dress, settle, maps, placement; the
 /// report is made by the caller. Does not throw when the drape fails to settle: its certificate
 /// says why and the result is sealed. \throws InvalidInput, GeometryError, IoError as the stages
 /// do; Cancelled.

@@ -13,7 +13,7 @@ struct HeavyRow {
   double gravity_number, w, h;  ///< Γ, W/L, H/L
 };
 
-// Heavy elastica θ″ = −Γ s cos θ by shooting: validation.md 4.1.
+// Heavy elastica θ″ = −Γ s cos θ by shooting: docs/theory/validation.md 4.1.
 constexpr HeavyRow kHeavy[] = {
     {0.01, 0.99999911, 0.00125000}, {0.1, 0.99991073, 0.01249844},  {0.5, 0.99777900, 0.06230577},
     {1, 0.99124640, 0.12347140},    {2, 0.96689295, 0.23850658},    {3, 0.93151121, 0.33964839},
@@ -32,7 +32,7 @@ struct ForceRow {
   double force_number, w, h;  ///< α, W/L, H/L
 };
 
-// Elastica under a dead tip load: validation.md 4.3 (α = 1: Bisshopp and Drucker 1945).
+// Elastica under a dead tip load: docs/theory/validation.md 4.3 (α = 1: Bisshopp and Drucker 1945).
 constexpr ForceRow kForce[] = {{0.1, 0.99933460, 0.03329532}, {0.25, 0.99588218, 0.08274592},
                                {0.5, 0.98408104, 0.16214358}, {1, 0.94356676, 0.30172077},
                                {2, 0.83935828, 0.49345748},   {3, 0.74557982, 0.60325344},

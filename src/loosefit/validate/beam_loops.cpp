@@ -15,8 +15,8 @@ struct LoopTable {
   std::vector<LoopRow> rows;
 };
 
-// Heavy elastica with both ends in a clamp, by shooting: validation.md 4.5. The weightless heights
-// are the textbook constants 0.3183, 0.4243 and 0.1337 (Peirce 1930).
+// Heavy elastica with both ends in a clamp, by shooting: docs/theory/validation.md 4.5. The
+// weightless heights are the textbook constants 0.3183, 0.4243 and 0.1337 (Peirce 1930).
 std::vector<LoopTable> loop_tables() {
   return {{LoopKind::ring,
            "ring",

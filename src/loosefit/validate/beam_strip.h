@@ -7,9 +7,9 @@
 namespace loosefit {
 
 /// The fabric of all beam benchmarks: cotton of 120 g/m² with the bending rigidity of the paper
-/// (materials.md 1), B = 4.41e-6 N m, hence a bending length of 15.5 mm. Membrane 2000 N/m and
-/// shear 1000 N/m without Poisson contraction: the tensions of these tests, at most 0.5 N/m,
-/// stretch it by less than 0.03 %, while it stays soft enough not to hinder triangles from
+/// (docs/theory/materials.md 1), B = 4.41e-6 N m, hence a bending length of 15.5 mm. Membrane 2000
+/// N/m and shear 1000 N/m without Poisson contraction: the tensions of these tests, at most 0.5
+/// N/m, stretch it by less than 0.03 %, while it stays soft enough not to hinder triangles from
 /// following a curve (membrane locking grows with K κ² h⁴/B). Bending without Poisson contraction,
 /// so that a strip is a beam of rigidity B whatever its width. Thickness 10 µm: the references have
 /// none, and layers that meet must not hold each other off. No viscosity.

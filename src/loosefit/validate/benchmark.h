@@ -47,7 +47,7 @@ struct BenchmarkResult {
 /// quick: the subset that fits into a test run; full: all rows that the benchmark's own file holds.
 enum class Effort { quick, full };
 
-/// One entry of the benchmark list of validation.md section 0; B9 is added to it (section 2.5).
+/// One entry of the benchmark list of docs/theory/validation.md 0; B9 is added to it (2.3).
 struct Benchmark {
   std::string id;         ///< "B1"
   std::string title;      ///< "Heavy cantilever"

@@ -81,7 +81,7 @@ Finding tension_ratio(double friction, Progress& progress) {
                b.reaction(belt.heavy_end)[2] / b.reaction(belt.light_end)[2], belt);
 }
 
-/// L2/L1 for R = L1/4 (validation.md 3.4).
+/// L2/L1 for R = L1/4 (docs/theory/validation.md 3.2).
 double length_ratio(double friction) {
   const double b = 2 * friction * kRadius / (1 + friction * friction);
   return ((kLight + b) * std::exp(kPi * friction) + b) / kLight;

@@ -16,7 +16,7 @@ constexpr double kRough = 2;                    ///< friction of the floor
 constexpr double kStandOff = 5e-5;              ///< of the middle surface from the floor [m]
 constexpr double kWeight = 0.12 * kGravity;     ///< q [N/m²]
 
-/// A row of the table of validation.md 4.7, in units of c and of B^(1/3) q^(2/3).
+/// A row of the table of docs/theory/validation.md 4.7, in units of c and of B^(1/3) q^(2/3).
 struct Row {
   double lifted, excess, height, base, force;
 };

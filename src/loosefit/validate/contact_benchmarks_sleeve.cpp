@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadius = 0.05, kStiffness = 200, kPoisson = 0.3, kHeight = 0.06;
 
-/// A row of the table of validation.md 6.2.
+/// A row of the table of docs/theory/validation.md 6.2.
 struct Row {
   double stretch, free_axial, free_tension, free_pressure, held_tension, held_pressure;
 };

@@ -15,7 +15,7 @@ constexpr double kRigidity = 1e-2;                             ///< B [N m]
 constexpr double kRough = 10;                                  ///< friction that never slips here
 constexpr double kSlip = 1e-3;  ///< way of the tip that counts as slip [m]
 
-/// A row of the table of validation.md 4.6.
+/// A row of the table of docs/theory/validation.md 4.6.
 struct Row {
   double shortening, force, critical;  ///< ε, P L²/B, μ_c
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadius = 0.12, kHeight = 0.1;
 
-/// A row of the table of validation.md 8, in degrees and millimetres.
+/// A row of the table of docs/theory/validation.md 8, in degrees and millimetres.
 struct Row {
   double mobility, largest_angle, mean_angle, mean_gap, largest_gap;
 };

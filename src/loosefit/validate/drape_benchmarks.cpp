@@ -13,8 +13,8 @@ constexpr double kEdge = 0.008, kFineEdge = 0.0055;   ///< [m]
 constexpr double kIsoShear = 150, kFabricShear = 30;  ///< [N/m]; K/2 and that of a woven fabric
 constexpr double kHingePoisson = -1.0 / 3.0;  ///< of the hinge with which the reference was made
 
-/// One row of the table of validation.md 5.3: DC of the reference for 5, 6 and 7 folds on 8 mm
-/// edges, and the fold number of lowest energy.
+/// One row of the table of docs/theory/validation.md 5.3: DC of the reference for 5, 6 and 7 folds
+/// on 8 mm edges, and the fold number of lowest energy.
 struct Row {
   double c_cm;
   std::array<double, 3> iso;
@@ -43,7 +43,8 @@ double mesh_correction(double c_cm) {
 
 double limit(double c_cm) { return c_cm < 1.75 ? 0.08 : 0.05; }
 
-/// The reference's sheet of bending length c; only c matters, and weakly K (validation.md 5.3).
+/// The reference's sheet of bending length c; only c matters, and weakly K
+/// (docs/theory/validation.md 5.3).
 Material sheet(double c_cm, double shear, double bending_poisson) {
   Material m;
   m.areal_density = 0.12;

@@ -13,13 +13,13 @@ constexpr double kEdge = 0.0055, kQuickEdge = 0.011;  ///< [m]
 constexpr int kLoweringSteps = 10;
 constexpr double kWaviness = 0.01;  ///< slope of the flat specimen's imperfection [rad]
 
-/// A fabric of validation.md 5.2 (Matsudaira, Masuda, Wada and Yokura 2015).
+/// A fabric of docs/theory/validation.md 5.2 (Matsudaira, Masuda, Wada and Yokura 2015).
 struct Fabric {
   std::string name;
   double bending;                   ///< B [N m]
   double loop;                      ///< 2HB [N]
   double measured;                  ///< drape coefficient
-  double tolerance;                 ///< of validation.md section 0
+  double tolerance;                 ///< of docs/theory/validation.md 0
   std::array<double, 2> weight;     ///< assumed range of w, heavy first [kg/m²]
   std::array<double, 2> reference;  ///< elastic drape coefficients of 5.2 at these weights
 };

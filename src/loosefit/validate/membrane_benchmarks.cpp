@@ -9,7 +9,8 @@
 #include "loosefit/io/material_file.h"
 #include "loosefit/validate/catalogue.h"
 
-// M1: homogeneous strain on an irregular mesh against the continuum law (validation.md 1.4 a).
+// M1: homogeneous strain on an irregular mesh against the continuum law
+// (docs/theory/validation.md 1.3 a).
 namespace loosefit {
 namespace {
 

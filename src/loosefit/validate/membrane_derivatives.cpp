@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/membrane_benchmarks.h"
 
-// M2: force = −∂E/∂x and stiffness = ∂²E/∂x² by finite differences (validation.md 1.1).
+// M2: force = −∂E/∂x and stiffness = ∂²E/∂x² by finite differences (docs/theory/validation.md 1.1).
 namespace loosefit {
 namespace {
 

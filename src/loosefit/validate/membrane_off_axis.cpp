@@ -6,8 +6,8 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/membrane_benchmarks.h"
 
-// M3: modulus of an orthotropic strip cut at an angle (validation.md 6.3), and the bias strip in
-// clamped jaws (1.4 b).
+// M3: modulus of an orthotropic strip cut at an angle (docs/theory/validation.md 6.3), and the bias
+// strip in clamped jaws (1.4 b).
 namespace loosefit {
 namespace {
 
@@ -104,7 +104,8 @@ double clamped_pull(double width, double edge, Progress& progress, std::string& 
   return bench.reaction(right)[0];
 }
 
-// How much the pull still depends on the mesh (validation.md 1.4 b: 1 % from 10 to 5 mm).
+// How much the pull still depends on the mesh (docs/theory/validation.md 1.3 b: 1 % from 10 to 5
+// mm).
 Finding clamped(double width, Finding::Gate gate, Progress& progress) {
   std::string coarse_mesh, fine_mesh;
   Finding f;

@@ -90,7 +90,7 @@ struct BucklingRow {
   double width_over_length;
   double gamma[4];  ///< ν = 0, 0.15, 0.3, 0.35
 };
-// validation.md 4.8
+// docs/theory/validation.md 4.8
 constexpr BucklingRow kBuckling[] = {
     {0.1, {19.348, 17.751, 15.668, 14.871}}, {0.3, {22.025, 20.505, 18.452, 17.647}},
     {0.5, {24.963, 23.553, 21.595, 20.809}}, {1.0, {32.516, 31.424, 29.817, 29.149}},
@@ -98,8 +98,8 @@ constexpr BucklingRow kBuckling[] = {
 };
 constexpr double kPoissons[] = {0, 0.15, 0.3, 0.35};
 
-/// A plate on edge, warp along the gravity, for Γ = q L³/D: at rest in its plane, or about to be let
-/// go with its tip out of it [m].
+/// A plate on edge, warp along the gravity, for Γ = q L³/D: at rest in its plane, or about to be
+/// let go with its tip out of it [m].
 std::unique_ptr<Bench> plate_on_edge(double width_over_length, double poisson, double gamma,
                                      Progress& progress, double tip = 0) {
   const double length = 0.2, width = width_over_length * length;
@@ -108,9 +108,8 @@ std::unique_ptr<Bench> plate_on_edge(double width_over_length, double poisson, d
   Material m = isotropic_plate(rigidity, poisson, 2e4);
   m.areal_density = gamma * rigidity / (kGravity * length * length * length);
   auto bench = std::make_unique<Bench>(
-      cut_clamped_rectangle(length, width, 1.5 * edge, edge, m), m, [&](const Vec2& p) {
-        return Vec3(p[0], tip * std::pow(p[0] / length, 2), p[1]);
-      });
+      cut_clamped_rectangle(length, width, 1.5 * edge, edge, m), m,
+      [&](const Vec2& p) { return Vec3(p[0], tip * std::pow(p[0] / length, 2), p[1]); });
   const auto clamp = clamped_vertices(bench->specimen());
   for (int v : clamp) bench->x[v][1] = 0;
   bench->hold(clamp);
@@ -181,12 +180,12 @@ BenchmarkResult benchmark_lateral_buckling(Effort effort, Progress& progress) {
   if (effort == Effort::full) {
     const BucklingRow& row = kBuckling[2];
     for (double share : {0.9, 1.1})
-      result.findings.push_back({fmt::format("out of plane from a start with the tip at 1e-4 L, Γ = {} Γ_c, "
-                                             "b/L = 0.5, ν = 0.3",
-                                             share),
-                                 "L", share < 1 ? 0.0 : 0.3,
-                                 left_plane(0.5, 0.3, share * row.gamma[2], progress),
-                                 Finding::Gate::reported, 0, ""});
+      result.findings.push_back(
+          {fmt::format("out of plane from a start with the tip at 1e-4 L, Γ = {} Γ_c, "
+                       "b/L = 0.5, ν = 0.3",
+                       share),
+           "L", share < 1 ? 0.0 : 0.3, left_plane(0.5, 0.3, share * row.gamma[2], progress),
+           Finding::Gate::reported, 0, ""});
   }
   result.notes.push_back(
       "Critical load: the plate settles in its plane, then the exact second derivative of the "
@@ -239,8 +238,9 @@ BenchmarkResult benchmark_bending_direction(Effort effort, Progress& progress) {
     }
   result.notes.push_back(
       "The sheet is laid on a cylinder of radius 125 mm in five directions; border triangles left "
-      "out. A right-triangle grid of hinges would read 3.0 at 45° and 1.0 at 135° (validation.md "
-      "2.2).");
+      "out. A right-triangle grid of hinges would read 3.0 at 45° and 1.0 at 135° "
+      "(docs/theory/validation.md "
+      "2.1).");
   return result;
 }
 

@@ -9,7 +9,7 @@
 namespace loosefit {
 namespace {
 
-/// validation.md 2.5, from B and 2HB of Matsudaira et al. 2015.
+/// docs/theory/validation.md 2.3, from B and 2HB of Matsudaira et al. 2015.
 struct Fabric {
   const char* card;
   double residual;  ///< κ_res = 2HB/(2B) [1/m]
@@ -84,7 +84,7 @@ BenchmarkResult benchmark_residual_curvature(Effort effort, Progress& progress) 
   result.plots.push_back(plot);
   result.notes.push_back(
       "An elastic sheet would spring back to 0. Whoever measures B by the cantilever test measures "
-      "this friction with it: B_app ≈ B + HB/κ (validation.md 2.5).");
+      "this friction with it: B_app ≈ B + HB/κ (docs/theory/validation.md 2.3).");
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace loosefit {
 namespace {
 
 // ω √(L/g) of a hanging flexible strip: half the zeros of the Bessel function J0 (Bernoulli 1738;
-// validation.md 7).
+// docs/theory/validation.md 7).
 constexpr double kSwing = 1.20241278;
 
 /// A strip that hangs from its upper edge, pushed out of its plane along its first mode.
