@@ -68,13 +68,13 @@ void membrane(benchmark::State& state, int what) {
   const MembraneEnergy energy(sheet.triangles, sheet.uv, {}, Material{});
   if (what == 0) value(state, energy, sheet.x);
   if (what == 1) value_and_gradient(state, energy, sheet.x);
-  if (what == 2) hessian(state, energy, sheet.x, HessianKind::definite);
+  if (what == 2) hessian(state, energy, sheet.x, HessianKind::projected);
 }
 BENCHMARK_CAPTURE(membrane, value, 0)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(membrane, value_and_gradient, 1)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(membrane, hessian, 2)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
-void bending(benchmark::State& state, int what, HessianKind kind, TangentReach reach) {
+void bending(benchmark::State& state, int what, HessianKind kind, BendingTangent reach) {
   const Sheet sheet = wavy_sheet();
   BendingEnergy energy(sheet.triangles, sheet.uv, {}, Material{});
   energy.set_tangent(reach);
@@ -82,8 +82,8 @@ void bending(benchmark::State& state, int what, HessianKind kind, TangentReach r
   if (what == 1) value_and_gradient(state, energy, sheet.x);
   if (what == 2) hessian(state, energy, sheet.x, kind);
 }
-constexpr auto kExact = HessianKind::exact, kDefinite = HessianKind::definite;
-constexpr auto kNear = TangentReach::near, kFull = TangentReach::full;
+constexpr auto kExact = HessianKind::exact, kDefinite = HessianKind::projected;
+constexpr auto kNear = BendingTangent::hinge, kFull = BendingTangent::plate;
 BENCHMARK_CAPTURE(bending, value, 0, kExact, kFull)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(bending, value_and_gradient, 1, kExact, kFull)
     ->Unit(benchmark::kMicrosecond)

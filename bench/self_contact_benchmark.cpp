@@ -67,7 +67,7 @@ struct WrinkledSheet {
 
 /// Continuous detection for a move of up to range(0) micrometres, the sheet creeping on between the
 /// calls by a hundredth of that.
-void self_contact_begin_search(benchmark::State& state) {
+void self_contact_max_step(benchmark::State& state) {
   const WrinkledSheet sheet;
   SelfContact contact = sheet.contact();
   const double length = 1e-6 * static_cast<double>(state.range(0));
@@ -77,11 +77,11 @@ void self_contact_begin_search(benchmark::State& state) {
   for (auto _ : state) {
     const double share = ++call % 20 < 10 ? 0.01 : -0.01;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
-    benchmark::DoNotOptimize(contact.begin_search(x, dx));
+    benchmark::DoNotOptimize(contact.max_step(x, dx));
   }
   state.counters["active"] = contact.active(x);
 }
-BENCHMARK(self_contact_begin_search)
+BENCHMARK(self_contact_max_step)
     ->Arg(10)
     ->Arg(300)
     ->Arg(1000)
@@ -101,7 +101,7 @@ BENCHMARK(self_contact_begin_step)->Unit(benchmark::kMillisecond)->UseRealTime()
 void self_contact_gradient(benchmark::State& state) {
   const WrinkledSheet sheet;
   SelfContact contact = sheet.contact();
-  contact.begin_search(sheet.x, sheet.way(1e-3));
+  contact.max_step(sheet.x, sheet.way(1e-3));
   VectorField g(sheet.x.size(), Vec3::Zero());
   for (auto _ : state) benchmark::DoNotOptimize(contact.value_and_gradient(sheet.x, g));
 }

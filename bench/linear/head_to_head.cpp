@@ -12,9 +12,9 @@
 
 #include "../solver/problem.h"
 #include "loosefit/base/error.h"
-#include "loosefit/solver/cholmod_solver.h"
 #include "loosefit/solver/integrator.h"
-#include "loosefit/solver/newton_system.h"
+#include "loosefit/solver/linear/cholmod_solver.h"
+#include "loosefit/solver/linear/newton_system.h"
 #include "loosefit/solver/pin_blas.h"
 #include "loosefit/solver/tangent_matrix.h"
 
@@ -95,7 +95,7 @@ void compare(const std::string& name, int threads, int blas_threads, int matrice
     const bool at_rest =
         integrator->settle(world.x, options).reason == SettleOutcome::Reason::converged;
     system.begin_step(world.x, kDt);
-    tangent.assemble(world.x, HessianKind::definite);
+    tangent.assemble(world.x, HessianKind::projected);
     const std::vector<Vec3> g = system.gradient(world.x);
     const System s{tangent.matrix(), shift, system.held, g};
     std::vector<Vec3> b(g.size());
@@ -138,7 +138,8 @@ int run(int argc, char** argv) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   fmt::print("{:11} {:>8} {:>6} {:8} {:>12} {:>12} {:>10}\n", "problem", "vertices", "cores", "",
              "factor ms", "again ms", "solve ms");
-  for (const std::string& name : problems) compare(name, threads, blas_threads > 0 ? blas_threads : threads, matrices);
+  for (const std::string& name : problems)
+    compare(name, threads, blas_threads > 0 ? blas_threads : threads, matrices);
   return 0;
 }
 

@@ -131,7 +131,7 @@ class Factored : public Method {
     } else if (exact_wanted) {
       --wait_;
     }
-    if (!options_.matrix.constant || matrix_.particles() == 0) assemble(x, HessianKind::definite);
+    if (!options_.matrix.constant || matrix_.particles() == 0) assemble(x, HessianKind::projected);
     for (double extra = 0; extra < 1e24; extra = std::max(1.0, 100 * extra))
       if (attempt(extra)) {
         if (rule_->multiplies() && exact_wanted) assemble(x, HessianKind::exact);
@@ -197,7 +197,7 @@ class Factored : public Method {
     double straight_limit = 1;
     if (!options_.curved) {
       const Stopwatch watch(work_.collide);
-      straight_limit = system_.begin_search(x, dx);
+      straight_limit = system_.max_step(x, dx);
     }
     const double before = energy_ + inertia(x, target);
     VectorField trial(x.size()), g_trial, delta(x.size());
@@ -207,7 +207,7 @@ class Factored : public Method {
       if (options_.curved) {
         add(t * t, bend, delta);
         const Stopwatch watch(work_.collide);
-        const double limit = system_.begin_search(x, delta);
+        const double limit = system_.max_step(x, delta);
         for (Vec3& d : delta) d *= limit;
       }
       trial = x;

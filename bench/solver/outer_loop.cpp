@@ -34,11 +34,11 @@ Race run_race(const ParticleSystem& system, VectorField& x, const Candidate& can
   SettleOutcome outcome;
   double dt = options.first_dt;
   int stalls = 0, slow = 0;
-  system.set_tangent(TangentReach::near);
+  system.set_tangent(BendingTangent::hinge);
   method->begin_step(x, dt);
   while (true) {
     method->begin_step(x, infinity);
-    const bool rest = judge_balance(system, method->gradient(x), options.tolerance, outcome);
+    const bool rest = check_convergence(system, method->gradient(x), options.tolerance, outcome);
     race.work = method->work();
     const double cpu = cpu_now() - cpu_start;
     race.samples.push_back({std::chrono::duration<double>(Clock::now() - wall_start).count(), cpu,
@@ -67,7 +67,7 @@ Race run_race(const ParticleSystem& system, VectorField& x, const Candidate& can
       if (reduced || (step.exact && last_share > 0.9)) break;
     }
     slow = !reduced && last_share > 0.9 ? slow + 1 : 0;
-    if (slow == kSlowSteps || stalls == 4) system.set_tangent(TangentReach::full);
+    if (slow == kSlowSteps || stalls == 4) system.set_tangent(BendingTangent::plate);
     if (last_share > 0.9)
       dt *= 4;
     else if (last_share > 0.4)

@@ -40,7 +40,7 @@ struct Shirt {
 void settle(ClothModel& model, VectorField& x, double tolerance, int iterations, double first_dt) {
   SettleOptions options;
   options.tolerance = tolerance;
-  options.tangent = TangentReach::near;
+  options.tangent = BendingTangent::hinge;
   options.max_iterations = iterations;
   options.first_dt = first_dt;
   make_quasi_static(model.system())->settle(x, options);
@@ -59,7 +59,7 @@ VectorField refined(const Shirt& shirt, int level, const VectorField& x) {
   }
   const auto model = shirt.model(level + 1);
   model->system().begin_step(fine, std::numeric_limits<double>::infinity());
-  const double allowed = model->self().begin_search(fine, bulge);
+  const double allowed = model->self().max_step(fine, bulge);
   for (std::size_t i = 0; i < fine.size(); ++i) fine[i] += allowed * bulge[i];
   return fine;
 }

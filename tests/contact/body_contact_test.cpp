@@ -76,7 +76,7 @@ TEST(BodyContact, DefiniteHessianIsDefinite) {
   const Scene scene;
   BodyContact contact = scene.contact(0.4);
   contact.begin_step(scene.x, kStatic);
-  const Eigen::MatrixXd h = support::dense_hessian(contact, scene.x, HessianKind::definite);
+  const Eigen::MatrixXd h = support::dense_hessian(contact, scene.x, HessianKind::projected);
   const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h).eigenvalues();
   EXPECT_GE(lambda.minCoeff(), -1e-10 * lambda.maxCoeff());
   EXPECT_GT(lambda.maxCoeff(), 0);
@@ -162,7 +162,7 @@ TEST(BodyContact, TakesUpAStateAgainWithItsPointsAndFriction) {
   EXPECT_EQ(force(contact), before);
 }
 
-TEST(BodyContact, PointsThatAreAddedPushAndThoseOfAKeptStateComeBackAfterAFocus) {
+TEST(BodyContact, PointsThatAreAddedPushAndThoseOfAKeptStateComeBackAfterAnActiveSet) {
   const Scene scene;
   BodyContact contact = scene.contact(0);
   const auto force = [&] {
@@ -182,11 +182,11 @@ TEST(BodyContact, PointsThatAreAddedPushAndThoseOfAKeptStateComeBackAfterAFocus)
     largest = std::max(largest, before[i].norm());
   }
   EXPECT_GT(largest, 0);
-  Focus focus{{0, 1}, std::vector<char>(scene.x.size(), 0)};
-  focus.inside[0] = focus.inside[1] = 1;
-  contact.set_focus(&focus);
+  ActiveSet active_set{{0, 1}, std::vector<char>(scene.x.size(), 0)};
+  active_set.inside[0] = active_set.inside[1] = 1;
+  contact.set_active_set(&active_set);
   force();
-  contact.set_focus(nullptr);
+  contact.set_active_set(nullptr);
   EXPECT_EQ(force(), twice);
   contact.recall(kept);
   EXPECT_EQ(force(), before);
@@ -238,19 +238,20 @@ TEST(Friction, IterationsOnOneBalanceTakeBackWhatSlidTooFar) {
   c.normal_force = 3;
   friction.iterate({c}, x);
   EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);
-  EXPECT_EQ(friction.lag(), 0);
+  EXPECT_EQ(friction.lagged_friction_force(), 0);
   friction.iterate({}, x);  // lifted off for a moment: a force that turns back is followed by half
   EXPECT_NEAR(force()[0], -0.5 * 1.5, 1e-12);
-  EXPECT_NEAR(friction.lag(), 0.5 * 1.5, 1e-12);
-  for (double share = 0.75; friction.lag() > 0; share = std::min(1.0, 1.5 * share)) {
-    const double before = friction.lag();
+  EXPECT_NEAR(friction.lagged_friction_force(), 0.5 * 1.5, 1e-12);
+  for (double share = 0.75; friction.lagged_friction_force() > 0;
+       share = std::min(1.0, 1.5 * share)) {
+    const double before = friction.lagged_friction_force();
     friction.iterate({}, x);  // it goes on that way: with growing shares, up to all of it
-    EXPECT_NEAR(friction.lag(), (1 - share) * before, 1e-12);
+    EXPECT_NEAR(friction.lagged_friction_force(), (1 - share) * before, 1e-12);
   }
   EXPECT_EQ(force().norm(), 0);
   x[0][0] = 20 * kReach;
   for (int k = 0; k < 30; ++k) friction.iterate({c}, x);  // back for good
-  EXPECT_EQ(friction.lag(), 0);
+  EXPECT_EQ(friction.lagged_friction_force(), 0);
   EXPECT_NEAR(force()[0], -0.5 * 3, 1e-12);  // still held back: not a reversal of the slip
   friction.restart({c}, x);                  // the next step of the history is
   x[0][0] = 19 * kReach;

@@ -210,33 +210,33 @@ TEST(CandidatePairs, AFewPointsThatStrayNeedNoNewListAndNoPairOfTheirsIsMissed) 
             6);  // of 25 calls, though in each one points leap farther than the margin
 }
 
-TEST(CandidatePairs, WhatStraysInAFocusIsFoundThereAndAfterwards) {
+TEST(CandidatePairs, WhatStraysInAnActiveSetIsFoundThereAndAfterwards) {
   LeapingCloth cloth;
   CandidatePairs kept(cloth.features());
   kept.touching(cloth.x);
   for (int call = 0; call < 6; ++call) {
     cloth.choose_move();
-    Focus focus{{}, std::vector<char>(cloth.x.size(), 0)};
+    ActiveSet active_set{{}, std::vector<char>(cloth.x.size(), 0)};
     for (std::size_t i = 0; i < cloth.x.size(); ++i) {
       if (cloth.dx[i].norm() < 1e-3) cloth.dx[i].setZero();
       if (cloth.dx[i].isZero()) continue;
-      focus.particles.push_back(static_cast<int>(i));
-      focus.inside[i] = 1;
+      active_set.particles.push_back(static_cast<int>(i));
+      active_set.inside[i] = 1;
     }
-    const auto touching_focus = [&](const std::vector<FeaturePair>& all) {
+    const auto touching_active_set = [&](const std::vector<FeaturePair>& all) {
       std::vector<FeaturePair> some;
       for (const FeaturePair& p : all)
-        if (focus.touches(p.particle, 4)) some.push_back(p);
+        if (active_set.touches(p.particle, 4)) some.push_back(p);
       return keys(some);
     };
     CandidatePairs fresh(kept.features());
-    kept.set_focus(&focus);
+    kept.set_active_set(&active_set);
     EXPECT_EQ(keys(kept.approaching(cloth.x, cloth.dx)),
-              touching_focus(fresh.approaching(cloth.x, cloth.dx)))
+              touching_active_set(fresh.approaching(cloth.x, cloth.dx)))
         << call;
     cloth.move();
-    EXPECT_EQ(keys(kept.touching(cloth.x)), touching_focus(fresh.touching(cloth.x))) << call;
-    kept.set_focus(nullptr);
+    EXPECT_EQ(keys(kept.touching(cloth.x)), touching_active_set(fresh.touching(cloth.x))) << call;
+    kept.set_active_set(nullptr);
     EXPECT_EQ(keys(kept.touching(cloth.x)), keys(fresh.touching(cloth.x))) << call;
   }
   EXPECT_LE(kept.builds(), 4);

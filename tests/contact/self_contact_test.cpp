@@ -129,11 +129,11 @@ TEST(SelfContact, LimitsAStepThatWouldPassThrough) {
   const VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   VectorField dx(6, Vec3::Zero());
   dx[3] = Vec3(0, 0, -0.01);
-  const double share = contact.begin_search(x, dx);
+  const double share = contact.max_step(x, dx);
   EXPECT_LT(share * 0.01, 1e-3);
   EXPECT_GT(share * 0.01, 0.8e-3);
   for (Vec3& d : dx) d = Vec3(0.3, -0.2, 0.1);
-  EXPECT_EQ(contact.begin_search(x, dx), 1);
+  EXPECT_EQ(contact.max_step(x, dx), 1);
 }
 
 TEST(SelfContact, FusedPassEqualsValueAndGradient) {
@@ -269,7 +269,7 @@ TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
     for (int step = 0; step < 6; ++step) {
       contact.begin_step(x, step < 3 ? 0.1 : kStatic);
       for (Vec3& d : dx) d = 3e-3 * Vec3(u(rng), u(rng), u(rng));
-      const double share = contact.begin_search(x, dx);
+      const double share = contact.max_step(x, dx);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += 0.5 * share * dx[i];
       VectorField g(x.size(), Vec3::Zero());
       result[k].push_back(share);

@@ -64,7 +64,7 @@ struct Relaxed {
       return g;
     };
     TangentMatrix tangent(system);
-    tangent.assemble(x, HessianKind::definite);
+    tangent.assemble(x, HessianKind::projected);
     force = force_at(x);
     before = system.potential(x);
     region = residual_region(tangent.matrix(), force, {});

@@ -1,4 +1,4 @@
-#include "loosefit/solver/buffer_pool.h"
+#include "loosefit/solver/linear/multifrontal/buffer_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "loosefit/particles/energy_capabilities.h"
+
 namespace loosefit {
 namespace {
 
@@ -117,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryIntegrator,
                                            &make_semi_implicit_euler));
 
 /// A spring whose anchor is lagged and jumps to the other side: static iterates mirror x for ever.
-class MirroredSpring : public Energy {
+class MirroredSpring : public Energy, public LaggedState {
  public:
   void begin_step(const VectorField& x, double) override { anchor_ = -x[0]; }
   double value(const VectorField& x) const override { return 0.5 * (x[0] - anchor_).squaredNorm(); }

@@ -1,11 +1,11 @@
-#include "loosefit/solver/linear_solver.h"
+#include "loosefit/solver/linear/linear_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 
-#include "loosefit/solver/cholmod_solver.h"
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/linear/cholmod_solver.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 #include "support/block_matrices.h"
 #include "support/law_checker.h"
 

@@ -1,4 +1,4 @@
-#include "loosefit/solver/newton_system.h"
+#include "loosefit/solver/linear/newton_system.h"
 
 #include <gtest/gtest.h>
 

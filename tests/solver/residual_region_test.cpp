@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 #include "support/law_checker.h"
 
 namespace loosefit {

@@ -1,4 +1,4 @@
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -61,13 +61,14 @@ BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, dou
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
 
-void BodyContact::set_focus(const Focus* focus) {
+void BodyContact::set_active_set(const ActiveSet* active_set) {
   place_.clear();
-  friction_.set_focus(focus);
-  focused_ = focus != nullptr;
-  if (!focus) return;
-  in_focus_ = Chosen(points_.size(),
-                     [&](int i) { return focus->touches(points_[i].particle, points_[i].count); });
+  friction_.set_active_set(active_set);
+  restricted_ = active_set != nullptr;
+  if (!active_set) return;
+  active_ = IndexSubset(points_.size(), [&](int i) {
+    return active_set->touches(points_[i].particle, points_[i].count);
+  });
 }
 
 Vec3 ContactPoint::position(const VectorField& x) const {

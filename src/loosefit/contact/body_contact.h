@@ -48,7 +48,7 @@ void add_lattice(const Triangle& triangle, double area, double offset, int n,
 /// and Π_n = Σ A ∫ p dδ [J]. The gap error is at most o. Friction per point, see Friction.
 ///
 /// One caller at a time: what touches at the last place is remembered, by the const members too.
-class BodyContact : public Energy {
+class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
  public:
   BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
               double stick_reach);
@@ -89,9 +89,9 @@ class BodyContact : public Energy {
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
 
-  void set_focus(const Focus* focus) override;
+  void set_active_set(const ActiveSet* active_set) override;
   void begin_step(const VectorField& x, double dt) override;
-  double lag() const override { return friction_.lag(); }
+  double lagged_friction_force() const override { return friction_.lagged_friction_force(); }
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
@@ -108,8 +108,8 @@ class BodyContact : public Energy {
 
  private:
   /// How many points count, and which is the k-th of them.
-  int live() const { return focused_ ? in_focus_.size() : static_cast<int>(points_.size()); }
-  int number(int k) const { return focused_ ? in_focus_[k] : k; }
+  int live() const { return restricted_ ? active_.size() : static_cast<int>(points_.size()); }
+  int number(int k) const { return restricted_ ? active_[k] : k; }
   struct Touch {
     bool active = false;
     DistanceField::Sample sample;
@@ -130,8 +130,8 @@ class BodyContact : public Energy {
   std::shared_ptr<const DistanceField> field_;
   double stiffness_;
   Friction friction_;
-  bool focused_ = false;
-  Chosen in_focus_;                   ///< points, while focused
+  bool restricted_ = false;
+  IndexSubset active_;                ///< points, while an active set is given
   mutable std::vector<Touch> touch_;  ///< at place_
   mutable VectorField place_;
   mutable std::vector<Clear> clear_;

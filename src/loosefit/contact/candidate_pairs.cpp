@@ -262,15 +262,17 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   list_.spare.resize(list_.candidates.size());
   for (std::size_t i = 0; i < list_.spare.size(); ++i)
     list_.spare[i] = std::nextafter(static_cast<float>(list_.candidates[i].spare), -1e30f);
-  set_focus(focus_);
+  set_active_set(active_set_);
 }
 
-void CandidatePairs::set_focus(const Focus* focus) {
-  focus_ = focus;
+void CandidatePairs::set_active_set(const ActiveSet* active_set) {
+  active_set_ = active_set;
   const std::size_t n = list_.candidates.size();
-  in_focus_ =
-      focus ? Chosen(n, [&](int i) { return focus->touches(list_.candidates[i].particle, 4); })
-            : Chosen(n);
+  active_ =
+      active_set
+          ? IndexSubset(n,
+                        [&](int i) { return active_set->touches(list_.candidates[i].particle, 4); })
+          : IndexSubset(n);
 }
 
 /// Fills sorted_ with the pairs of which a particle has strayed: their triangles now, against the
@@ -312,7 +314,7 @@ void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
     const auto wanted = [&](const FeaturePair& pair) {
       const auto& p = pair.particle;
       return (has_strayed_[p[0]] | has_strayed_[p[1]] | has_strayed_[p[2]] | has_strayed_[p[3]]) &&
-             (!focus_ || focus_->touches(p, 4));
+             (!active_set_ || active_set_->touches(p, 4));
     };
     std::erase_if(found, [&](const Candidate& c) { return !wanted(c); });
   });
@@ -323,13 +325,13 @@ void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
 void CandidatePairs::choose(const std::vector<Vec3>& x, Move dx) {
   const double longest = longest_motion_;
   const bool any_stray = !strays_.empty();
-  chosen_.resize(in_focus_.size());
+  chosen_.resize(active_.size());
   using Range = tbb::blocked_range<int>;
-  tbb::parallel_for(Range(0, in_focus_.size(), 512), [&](const Range& range) {
+  tbb::parallel_for(Range(0, active_.size(), 512), [&](const Range& range) {
     for (int k = range.begin(); k < range.end(); ++k) {
       chosen_[k] = 0;
-      const Candidate& pair = list_.candidates[in_focus_[k]];
-      const float spare = list_.spare[in_focus_[k]];
+      const Candidate& pair = list_.candidates[active_[k]];
+      const float spare = list_.spare[active_[k]];
       // What has moved too little since the list was made needs no new distance.
       if (spare >= 2 * longest) continue;
       const auto& p = pair.particle;
@@ -347,14 +349,14 @@ void CandidatePairs::choose(const std::vector<Vec3>& x, Move dx) {
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
-  if (!find_strays(x, dx) || (!focus_ && is_too_long(dx))) {
+  if (!find_strays(x, dx) || (!active_set_ && is_too_long(dx))) {
     build(x, dx);
     find_strays(x, dx);  // none but what is no number
   }
   choose(x, dx);
   near_.clear();
-  for (int k = 0; k < in_focus_.size(); ++k)
-    if (chosen_[k]) near_.push_back(list_.candidates[in_focus_[k]]);
+  for (int k = 0; k < active_.size(); ++k)
+    if (chosen_[k]) near_.push_back(list_.candidates[active_[k]]);
   if (strays_.empty()) return near_;
   find_stray_pairs(x, dx);
   const auto middle = static_cast<long>(near_.size());

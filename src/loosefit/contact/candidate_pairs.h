@@ -3,7 +3,7 @@
 
 #include "loosefit/contact/contact_features.h"
 #include "loosefit/geometry/box_grid.h"
-#include "loosefit/particles/focus.h"
+#include "loosefit/particles/active_set.h"
 
 namespace loosefit {
 
@@ -29,8 +29,8 @@ class CandidatePairs {
   /// projections on one of a few fixed axes at both ends of the way.
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
-  /// From now on only pairs with a particle in the focus are returned; null: all again.
-  void set_focus(const Focus* focus);
+  /// From now on only pairs with a particle in the active set are returned; null: all again.
+  void set_active_set(const ActiveSet* active_set);
   std::size_t candidates() const { return list_.candidates.size(); }
   long builds() const { return builds_; }  ///< how often the list has been made
 
@@ -62,8 +62,8 @@ class CandidatePairs {
 
   ContactFeatures features_;
   List list_;
-  const Focus* focus_ = nullptr;
-  Chosen in_focus_;  ///< candidates that touch the focus, or all without one
+  const ActiveSet* active_set_ = nullptr;
+  IndexSubset active_;  ///< candidates that touch the active set, or all without one
   std::vector<FeaturePair> near_;
   long builds_ = 0;
   // Working memory, kept so that calls do not allocate.

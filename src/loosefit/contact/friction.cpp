@@ -29,16 +29,16 @@ void Friction::carry_anchors(std::vector<FrictionContact>& contacts, const Vecto
 void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
   carry_anchors(contacts, x, reach_);
   contacts_ = std::move(contacts);
-  set_focus(nullptr);
+  set_active_set(nullptr);
   start_ = x;
   lag_ = 0;
 }
 
-void Friction::set_focus(const Focus* focus) {
-  chosen_ = Chosen(contacts_.size());
-  if (!focus) return;
-  chosen_ = Chosen(contacts_.size(), [&](int i) {
-    return focus->touches(contacts_[i].particle, contacts_[i].count);
+void Friction::set_active_set(const ActiveSet* active_set) {
+  active_contacts_ = IndexSubset(contacts_.size());
+  if (!active_set) return;
+  active_contacts_ = IndexSubset(contacts_.size(), [&](int i) {
+    return active_set->touches(contacts_[i].particle, contacts_[i].count);
   });
 }
 
@@ -75,15 +75,15 @@ void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField&
   all.insert(all.end(), contacts.begin() + static_cast<long>(k), contacts.end());
   carry_anchors(all, x, kMemory * reach_);
   contacts_ = std::move(all);
-  set_focus(nullptr);
+  set_active_set(nullptr);
   start_ = x;
   lag_ = std::sqrt(lag2);
 }
 
 double Friction::value(const VectorField& x) const {
   double energy = 0;
-  for (int i = 0; i < chosen_.size(); ++i) {
-    const FrictionContact& c = contacts_[chosen_[i]];
+  for (int i = 0; i < active_contacts_.size(); ++i) {
+    const FrictionContact& c = contacts_[active_contacts_[i]];
     if (c.normal_force == 0) continue;
     const double s = slide(c, x).norm() / reach_;
     // Integral of s(2 − s) up to 1, then linear.
@@ -95,8 +95,8 @@ double Friction::value(const VectorField& x) const {
 
 double Friction::value_and_gradient(const VectorField& x, VectorField& g) const {
   double energy = 0;
-  for (int i = 0; i < chosen_.size(); ++i) {
-    const FrictionContact& c = contacts_[chosen_[i]];
+  for (int i = 0; i < active_contacts_.size(); ++i) {
+    const FrictionContact& c = contacts_[active_contacts_[i]];
     if (c.normal_force == 0) continue;
     const Vec3 u = slide(c, x);
     const double s = u.norm() / reach_;
@@ -117,8 +117,8 @@ void Friction::add_pattern(BlockPattern& pattern) const {
 }
 
 void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
-  for (int i = 0; i < chosen_.size(); ++i) {
-    const FrictionContact& c = contacts_[chosen_[i]];
+  for (int i = 0; i < active_contacts_.size(); ++i) {
+    const FrictionContact& c = contacts_[active_contacts_[i]];
     if (c.normal_force == 0) continue;
     const Vec3 u = slide(c, x);
     const double length = u.norm(), s = length / reach_;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "loosefit/particles/energy.h"
+#include "loosefit/particles/energy_capabilities.h"
 
 namespace loosefit {
 
@@ -59,13 +59,13 @@ class Friction {
   /// Drops all contacts with their anchors.
   void forget() {
     contacts_.clear();
-    set_focus(nullptr);
+    set_active_set(nullptr);
   }
-  /// As Energy::set_focus. Ends when the contacts change.
-  void set_focus(const Focus* focus);
+  /// As Energy::set_active_set. Ends when the contacts change.
+  void set_active_set(const ActiveSet* active_set);
 
   /// Norm of the friction that the shares of `iterate` left out [N].
-  double lag() const { return lag_; }
+  double lagged_friction_force() const { return lag_; }
 
   double value(const VectorField& x) const;
   void add_gradient(const VectorField& x, VectorField& g) const { value_and_gradient(x, g); }
@@ -86,7 +86,7 @@ class Friction {
   double coefficient_, reach_, lag_ = 0;
   int patience_;
   std::vector<FrictionContact> contacts_;
-  Chosen chosen_;  ///< contacts
+  IndexSubset active_contacts_;  ///< contacts
   VectorField start_;
 };
 

@@ -77,27 +77,27 @@ void SelfContact::take_pairs(const std::vector<FeaturePair>& near, const VectorF
   }
 }
 
-void SelfContact::set_focus(const Focus* focus) {
-  candidates_.set_focus(focus);
-  friction_.set_focus(focus);
-  focused_ = focus != nullptr;
-  if (!resting_.empty()) {
+void SelfContact::set_active_set(const ActiveSet* active_set) {
+  candidates_.set_active_set(active_set);
+  friction_.set_active_set(active_set);
+  restricted_ = active_set != nullptr;
+  if (!frozen_pairs_.empty()) {
     const auto middle = static_cast<long>(pairs_.size());
-    pairs_.insert(pairs_.end(), resting_.begin(), resting_.end());
+    pairs_.insert(pairs_.end(), frozen_pairs_.begin(), frozen_pairs_.end());
     std::inplace_merge(
         pairs_.begin(), pairs_.begin() + middle, pairs_.end(),
         [](const BarrierPair& a, const BarrierPair& b) { return a.key() < b.key(); });
-    resting_.clear();
+    frozen_pairs_.clear();
   }
-  if (!focus) return;
+  if (!active_set) return;
   const auto split = std::stable_partition(pairs_.begin(), pairs_.end(), [&](const BarrierPair& p) {
-    return focus->touches(p.particle, 4);
+    return active_set->touches(p.particle, 4);
   });
-  resting_.assign(split, pairs_.end());
+  frozen_pairs_.assign(split, pairs_.end());
   pairs_.erase(split, pairs_.end());
 }
 
-double SelfContact::begin_search(const VectorField& x, const VectorField& dx) {
+double SelfContact::max_step(const VectorField& x, const VectorField& dx) {
   take_pairs(candidates_.approaching(x, dx), x);
   ++searches_;
   share_.resize(pairs_.size());
@@ -179,7 +179,7 @@ void SelfContact::remember(const VectorField& x) const {
   for (int i : active_) blocks_.use(pairs_[i].particle, 4);
   for (const FrictionContact& c : friction_.contacts())
     if (c.normal_force > 0) blocks_.use(c.particle, c.count);
-  blocks_.end(!focused_);
+  blocks_.end(!restricted_);
 }
 
 void SelfContact::add_pattern(const VectorField& x, BlockPattern& pattern) const {

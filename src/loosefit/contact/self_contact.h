@@ -4,7 +4,7 @@
 #include "loosefit/contact/candidate_pairs.h"
 #include "loosefit/contact/friction.h"
 #include "loosefit/contact/pair_barrier.h"
-#include "loosefit/contact/remembered_blocks.h"
+#include "loosefit/contact/sticky_pattern.h"
 
 namespace loosefit {
 
@@ -15,7 +15,7 @@ namespace loosefit {
 /// features, half a thickness on either side. Friction as in Friction.
 ///
 /// One caller at a time: working memory is kept between the calls, the const ones too.
-class SelfContact : public Energy {
+class SelfContact : public Energy, public LaggedState, public StepLimit, public ActiveSetUser {
  public:
   struct Options {
     double thickness = 5e-4;    ///< d̂ [m]
@@ -35,10 +35,10 @@ class SelfContact : public Energy {
               int particles, const Options& options);
 
   void forget_anchors() { friction_.forget(); }
-  void set_focus(const Focus* focus) override;
+  void set_active_set(const ActiveSet* active_set) override;
   void begin_step(const VectorField& x, double dt) override;
-  double begin_search(const VectorField& x, const VectorField& dx) override;
-  double lag() const override { return friction_.lag(); }
+  double max_step(const VectorField& x, const VectorField& dx) override;
+  double lagged_friction_force() const override { return friction_.lagged_friction_force(); }
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
@@ -50,7 +50,7 @@ class SelfContact : public Energy {
   struct Memory {
     std::vector<BarrierPair> pairs;
     Friction friction;
-    RememberedBlocks blocks;
+    StickyPattern blocks;
   };
   Memory memory() const { return {pairs_, friction_, blocks_}; }
   /// \pre memory is of a contact of the same mesh
@@ -77,11 +77,11 @@ class SelfContact : public Energy {
   Options options_;
   CandidatePairs candidates_;
   std::vector<BarrierPair> pairs_;
-  std::vector<BarrierPair> resting_;  ///< those outside the focus
-  bool focused_ = false;
+  std::vector<BarrierPair> frozen_pairs_;  ///< those outside the active_set
+  bool restricted_ = false;
   Friction friction_;
   long searches_ = 0;
-  mutable RememberedBlocks blocks_;
+  mutable StickyPattern blocks_;
   // Working memory.
   std::vector<double> share_;
   mutable std::vector<Barrier> barrier_;  ///< of pairs_, at the last `evaluate`

@@ -84,7 +84,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   const auto kind = is_finest() && !preparing ? options_.integrator : IntegratorKind::quasi_static;
   SettleOptions settle;
   settle.tolerance = tolerance;
-  settle.tangent = TangentReach::near;  // half the cost of an iteration, as many of them
+  settle.tangent = BendingTangent::hinge;  // half the cost of an iteration, as many of them
   settle.max_iterations =
       kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
   settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
@@ -152,7 +152,7 @@ void ClothRun::refine() {
   ++level_;
   make_model();
   model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-  const double allowed = model_->self().begin_search(x_, bulge);
+  const double allowed = model_->self().max_step(x_, bulge);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * bulge[i];
 }
 

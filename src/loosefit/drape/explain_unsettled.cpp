@@ -138,7 +138,7 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
     square[i] = net.squaredNorm();
     sum += square[i];
   }
-  const double lag = std::pow(model.system().lag(), 2);
+  const double lag = std::pow(model.system().lagged_friction_force(), 2);
   u.lagging_share = sum + lag > 0 ? lag / (sum + lag) : 0;
   u.times_allowed = certificate.residual / Certificate::kAllowedResidual;
   std::vector<int> order(x.size());

@@ -125,7 +125,7 @@ void ClothRun::refine_as_worn() {
   make_model();
   const std::vector<Vec3> detail = without_impacts(model_->self().candidates().features(), x_,
                                                    turned_detail(triangles(), before, worn.x, x_));
-  const double allowed = model_->self().begin_search(x_, detail);
+  const double allowed = model_->self().max_step(x_, detail);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * detail[i];
   model_->recall(worn.memory);
   model_->set_field(body_->field);
@@ -148,7 +148,7 @@ void ClothRun::walk(const BodyPath& body_at) {
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_, wanted);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    const double allowed = model_->self().begin_search(x_, carried);
+    const double allowed = model_->self().max_step(x_, carried);
     std::vector<Vec3> there = x_;
     for (std::size_t i = 0; i < x_.size(); ++i) there[i] += allowed * carried[i];
     // A body that goes where the cloth cannot follow would pass through it. Layers that lie on each
@@ -199,7 +199,7 @@ void ClothRun::displace() {
     }
     const std::vector<Vec3> move = way_of(carried_layers(model_->mesh(), x_, std::move(maps)), x_);
     model_->system().begin_step(x_, std::numeric_limits<double>::infinity());
-    const double allowed = model_->self().begin_search(x_, move);
+    const double allowed = model_->self().max_step(x_, move);
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * move[i];
     settle(kDisplaceTolerance, kGait.iterations, 0.01, true);
   }

@@ -82,7 +82,7 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
       about.stiffness[place] += p.fit.col(k).dot(d * p.fit.col(k));
     }
   }
-  set_focus(nullptr);
+  set_active_set(nullptr);
   curvature_start_.assign(patch_tiles_.size(), kZeroRows);
   anchor_.assign(patch_tiles_.size(), kZeroRows);
   angle_.assign(no_angle + 1, 0.0);
@@ -103,20 +103,20 @@ Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
   return sum;
 }
 
-void BendingEnergy::set_focus(const Focus* focus) {
-  focus_ = focus;
-  turning_ = bent_ = tiles_in(focus, hinge_tiles_);
-  bending_ = Chosen(patch_tiles_.size());
-  if (!focus) return;
+void BendingEnergy::set_active_set(const ActiveSet* active_set) {
+  active_set_ = active_set;
+  turning_ = bent_ = tiles_in(active_set, hinge_tiles_);
+  bending_ = IndexSubset(patch_tiles_.size());
+  if (!active_set) return;
   const auto of_tile = [&](int tile, const auto& visit) {
     const auto end = std::min<std::size_t>(mesh_.patches.size(), kTile * (tile + 1));
     for (std::size_t t = kTile * tile; t < end; ++t) visit(mesh_.patches[t]);
   };
   std::vector<char> wanted(hinge_tiles_.size(), 0);
-  bending_ = Chosen(patch_tiles_.size(), [&](int tile) {
+  bending_ = IndexSubset(patch_tiles_.size(), [&](int tile) {
     bool touched = false;
     of_tile(tile, [&](const CurvaturePatch& p) {
-      touched = touched || focus->touches(p.particle, p.count);
+      touched = touched || active_set->touches(p.particle, p.count);
     });
     if (touched)
       of_tile(tile, [&](const CurvaturePatch& p) {
@@ -126,7 +126,7 @@ void BendingEnergy::set_focus(const Focus* focus) {
     return touched;
   });
   for (int k = 0; k < turning_.size(); ++k) wanted[turning_[k]] = 1;
-  bent_ = Chosen(hinge_tiles_.size(), [&](int tile) { return wanted[tile] != 0; });
+  bent_ = IndexSubset(hinge_tiles_.size(), [&](int tile) { return wanted[tile] != 0; });
 }
 
 void BendingEnergy::find_angles(const VectorField& x, bool with_gradient) const {
@@ -212,7 +212,7 @@ double BendingEnergy::value_and_gradient(const VectorField& x, VectorField& g) c
     hinge_forces(gradient_[t], moments_about(hinge_tiles_[t]), row);
     spread(row, force_[4 * kTile * t].data());
   });
-  to_particles_.add(force_, g, focus_);
+  to_particles_.add(force_, g, active_set_);
   return energy;
 }
 

@@ -9,7 +9,7 @@
 #include "loosefit/fabric/patch_kernel.h"
 #include "loosefit/fabric/patch_tangent.h"
 #include "loosefit/particles/block_gather.h"
-#include "loosefit/particles/energy.h"
+#include "loosefit/particles/energy_capabilities.h"
 #include "loosefit/particles/particle_gather.h"
 
 namespace loosefit {
@@ -27,13 +27,15 @@ Mat3 plate_rigidity(const Material& material, double added = 0);
 /// with θ the dihedral angles round a triangle (CurvaturePatch), D of plate_rigidity plus what
 /// attachments add, and the inner friction of BendingFriction. Rest angle 0, seams included.
 /// Viscosity as in MembraneEnergy: the stress τ D κ̇.
-/// The near tangent gives each hinge a stiffness of its own (the diagonal of the fit with a
+/// The hinge tangent gives each hinge a stiffness of its own (the diagonal of the fit with a
 /// triangle's own angles, CurvaturePatch step 1): four particles a hinge instead of twelve a
-/// triangle. The definite one of either reach leaves out the moments of hinges that are nearly flat
-/// and takes the positive part of the others (hinge_definite_blocks).
-/// The memory of the inner friction starts from flat cloth: what is bent at first has been bent
-/// there in one go.
-class BendingEnergy : public Energy {
+/// triangle. The projected one of either tangent leaves out the moments of hinges that are nearly
+/// flat and takes the positive part of the others (hinge_definite_blocks). The memory of the inner
+/// friction starts from flat cloth: what is bent at first has been bent there in one go.
+class BendingEnergy : public Energy,
+                      public LaggedState,
+                      public TangentChoice,
+                      public ActiveSetUser {
  public:
   BendingEnergy(const std::vector<Triangle>& triangles,
                 const std::vector<std::array<Vec2, 3>>& triangle_uv,
@@ -48,11 +50,11 @@ class BendingEnergy : public Energy {
   const std::vector<PlaneRows>& memory() const { return anchor_; }
   void recall(const std::vector<PlaneRows>& memory) { anchor_ = memory; }
 
-  void set_tangent(TangentReach reach) override {
-    pattern_version_ += reach != tangent_;  // the two reaches have patterns of their own
-    tangent_ = reach;
+  void set_tangent(BendingTangent tangent) override {
+    pattern_version_ += tangent != tangent_;  // each tangent has a pattern of its own
+    tangent_ = tangent;
   }
-  void set_focus(const Focus* focus) override;
+  void set_active_set(const ActiveSet* active_set) override;
   void begin_step(const VectorField& x, double dt) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
@@ -67,7 +69,7 @@ class BendingEnergy : public Energy {
     std::array<TileIndex, 4> corner;
     std::array<TileIndex, 6> moment;  ///< places in moment_ that act about it
     std::array<TileIndex, 2> own;     ///< places in friction_stiffness_
-    TileRow stiffness;                ///< of the near tangent [N m]
+    TileRow stiffness;                ///< of the hinge tangent [N m]
   };
   void build_tiles(const std::vector<Mat3>& rigidity);
   /// Angles into angle_, with gradients into gradient_ if these are wanted.
@@ -86,16 +88,16 @@ class BendingEnergy : public Energy {
   std::vector<HingeTile> hinge_tiles_;
   std::vector<PatchTile> patch_tiles_;
   BendingFriction friction_;
-  TangentReach tangent_ = TangentReach::full;
+  BendingTangent tangent_ = BendingTangent::plate;
   std::uint64_t pattern_version_ = 0;
   std::vector<PlaneRows> anchor_;  ///< z₀ of the inner friction, per patch
   double damping_ = 0;             ///< τ [s]
   double viscous_ratio_ = 0;       ///< τ/dt of the current step
   std::vector<PlaneRows> curvature_start_;
 
-  const Focus* focus_ = nullptr;
+  const ActiveSet* active_set_ = nullptr;
   /// Tiles of hinges that bear forces, tiles of patches that bend, and those of their hinges.
-  Chosen turning_, bending_, bent_;
+  IndexSubset turning_, bending_, bent_;
 
   ParticleGather to_particles_;
   BlockGather to_blocks_;

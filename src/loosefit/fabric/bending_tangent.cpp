@@ -5,7 +5,7 @@
 namespace loosefit {
 
 void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
-  if (tangent_ == TangentReach::near)
+  if (tangent_ == BendingTangent::hinge)
     to_blocks_.add_pattern(pattern);
   else
     patch_tangent().add_pattern(pattern);
@@ -75,9 +75,9 @@ void BendingEnergy::add_patches(BlockMatrix& h) const {
 void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
   constexpr double kFlat = 0.25;  // [rad]; below it the moment part of a hinge may be left out
-  // The full tangent has the stiffness of the angles from the patches (definite in itself);
+  // The plate tangent has the stiffness of the angles from the patches (definite in itself);
   // otherwise each hinge has its own.
-  const bool patches = tangent_ == TangentReach::full;
+  const bool patches = tangent_ == BendingTangent::plate;
   find_angles(x, true);
   bend(true);
   if (!patches && friction_.active()) find_friction_stiffness();
@@ -99,7 +99,7 @@ void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKin
     }
     spread(row, block_[10 * kTile * t].data());
   });
-  to_blocks_.add(block_, h, focus_);
+  to_blocks_.add(block_, h, active_set_);
   if (patches) add_patches(h);
 }
 

@@ -74,7 +74,7 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   }
   to_particles_ = ParticleGather(particle);
   to_blocks_ = BlockGather(pairs);
-  chosen_ = Chosen(tiles_.size());
+  active_tiles_ = IndexSubset(tiles_.size());
   strain_start_.assign(tiles_.size(), kZeroRows);
   if (!plain_) tangent_start_.assign(tiles_.size(), PlaneTangent{});
   energy_.resize(tiles_.size());
@@ -128,13 +128,13 @@ void MembraneEnergy::begin_step(const VectorField& x, double dt) {
   });
 }
 
-void MembraneEnergy::set_focus(const Focus* focus) {
-  focus_ = focus;
-  chosen_ = tiles_in(focus, tiles_);
+void MembraneEnergy::set_active_set(const ActiveSet* active_set) {
+  active_set_ = active_set;
+  active_tiles_ = tiles_in(active_set, tiles_);
 }
 
 double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
-  for_tiles(chosen_, [&](int t) {
+  for_tiles(active_tiles_, [&](int t) {
     TileState state;
     tile_state(t, x, false, state);
     TileRow& energy = state.response.energy;
@@ -146,7 +146,7 @@ double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
     spread(row, force_[3 * kTile * t].data());
   });
   double sum = 0;
-  for (int k = 0; k < chosen_.size(); ++k) sum += energy_[chosen_[k]];
+  for (int k = 0; k < active_tiles_.size(); ++k) sum += energy_[active_tiles_[k]];
   return sum;
 }
 
@@ -158,7 +158,7 @@ void MembraneEnergy::add_gradient(const VectorField& x, VectorField& g) const {
 
 double MembraneEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
   const double energy = evaluate(x, true);
-  to_particles_.add(force_, g, focus_);
+  to_particles_.add(force_, g, active_set_);
   return energy;
 }
 
@@ -168,9 +168,9 @@ void MembraneEnergy::add_pattern(const VectorField&, BlockPattern& pattern) cons
 
 void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
-  const double compression = exact ? 1 : kind == HessianKind::halved ? 0.5 : 0;
+  const double compression = exact ? 1 : kind == HessianKind::half_compression ? 0.5 : 0;
   block_.resize(6 * kTile * tiles_.size());
-  for_tiles(chosen_, [&](int t) {
+  for_tiles(active_tiles_, [&](int t) {
     TileState state;
     tile_state(t, x, true, state);
     PlaneTangent& c = state.tangent;
@@ -185,7 +185,7 @@ void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKi
     membrane_blocks(tiles_[t], state.s, state.response.stress, c, compression, row);
     spread(row, block_[6 * kTile * t].data());
   });
-  to_blocks_.add(block_, h, focus_);
+  to_blocks_.add(block_, h, active_set_);
 }
 
 MembraneEnergy::State MembraneEnergy::state(int triangle, const VectorField& x) const {

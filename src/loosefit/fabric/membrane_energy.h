@@ -5,7 +5,7 @@
 #include "loosefit/fabric/membrane_kernel.h"
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/particles/block_gather.h"
-#include "loosefit/particles/energy.h"
+#include "loosefit/particles/energy_capabilities.h"
 #include "loosefit/particles/particle_gather.h"
 
 namespace loosefit {
@@ -34,7 +34,7 @@ namespace loosefit {
 /// ε̇ ≈ (ε − ε_start)/dt, with C the tangent at the start of the step (without its negative part):
 /// it vanishes for rigid motion and in statics. Source: Volino and Magnenat-Thalmann 2005; Volino,
 /// Magnenat-Thalmann and Faure 2009.
-class MembraneEnergy : public Energy {
+class MembraneEnergy : public Energy, public LaggedState, public ActiveSetUser {
  public:
   /// triangle_uv: flat corners (u weft, v warp) [m]; factor: stiffness multiplier per triangle.
   /// \throws GeometryError for a flat triangle without area; InvalidInput as StressCurve.
@@ -43,7 +43,7 @@ class MembraneEnergy : public Energy {
                  const std::vector<double>& factor, const Material& material, bool viscous = false);
 
   void begin_step(const VectorField& x, double dt) override;
-  void set_focus(const Focus* focus) override;
+  void set_active_set(const ActiveSet* active_set) override;
   double value(const VectorField& x) const override;
   void add_gradient(const VectorField& x, VectorField& g) const override;
   double value_and_gradient(const VectorField& x, VectorField& g) const override;
@@ -81,8 +81,8 @@ class MembraneEnergy : public Energy {
   std::vector<PlaneRows> strain_start_;
   std::vector<PlaneTangent> tangent_start_;  ///< only for laws that are not plain
 
-  const Focus* focus_ = nullptr;
-  Chosen chosen_;  ///< tiles
+  const ActiveSet* active_set_ = nullptr;
+  IndexSubset active_tiles_;
 
   ParticleGather to_particles_;
   BlockGather to_blocks_;

@@ -64,7 +64,7 @@ void SoftSkin::follow(VectorField target) {
   VectorField way(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) way[i] = target[i] - springs_.target()[i];
   system_.begin_step(x_, std::numeric_limits<double>::infinity());
-  const double share = contact_.begin_search(x_, way);
+  const double share = contact_.max_step(x_, way);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += share * way[i];
   springs_.set_target(std::move(target));
   SettleOptions options;

@@ -105,13 +105,14 @@ void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h) const {
              [&](int begin, int end) { add_places(begin, end, blocks, h); });
 }
 
-void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h, const Focus* focus) const {
-  if (!focus) return add(blocks, h);
+void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h,
+                      const ActiveSet* active_set) const {
+  if (!active_set) return add(blocks, h);
   find_slots(h);
   const int columns = static_cast<int>(column_start_.size()) - 1;
-  for_ranges(static_cast<int>(focus->particles.size()), 64, [&](int begin, int end) {
+  for_ranges(static_cast<int>(active_set->particles.size()), 64, [&](int begin, int end) {
     for (int k = begin; k < end; ++k)
-      if (const int column = focus->particles[k]; column < columns)
+      if (const int column = active_set->particles[k]; column < columns)
         add_places(column_start_[column], column_start_[column + 1], blocks, h);
   });
 }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "loosefit/particles/active_set.h"
 #include "loosefit/particles/block_matrix.h"
-#include "loosefit/particles/focus.h"
 
 namespace loosefit {
 
@@ -23,8 +23,8 @@ class BlockGather {
   /// Block (i, j) of `h` += blocks[k] for all k with pairs[k] = (i, j), or its transpose for (j,
   /// i).
   void add(const std::vector<Mat3>& blocks, BlockMatrix& h) const;
-  /// The same in the columns of the focus alone; in all if that is null.
-  void add(const std::vector<Mat3>& blocks, BlockMatrix& h, const Focus* focus) const;
+  /// The same in the columns of the active set alone; in all if that is null.
+  void add(const std::vector<Mat3>& blocks, BlockMatrix& h, const ActiveSet* active_set) const;
 
  protected:
   /// So many contributions ahead the memory is asked for what comes; `source_` is longer by that.

@@ -34,10 +34,11 @@ void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g) const {
   });
 }
 
-void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g, const Focus* focus) const {
-  if (!focus) return add(force, g);
+void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g,
+                         const ActiveSet* active_set) const {
+  if (!active_set) return add(force, g);
   const int particles = static_cast<int>(start_.size()) - 1;
-  for (int p : focus->particles)
+  for (int p : active_set->particles)
     if (p < particles) add_to(p, force, g);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/particles/active_set.h"
 #include "loosefit/particles/energy.h"
 
 namespace loosefit {
@@ -13,8 +14,8 @@ class ParticleGather {
   explicit ParticleGather(const std::vector<int>& particle = {});
   /// g[particle[c]] += force[c].
   void add(const std::vector<Vec3>& force, VectorField& g) const;
-  /// The same for the particles of the focus alone; for all if that is null.
-  void add(const std::vector<Vec3>& force, VectorField& g, const Focus* focus) const;
+  /// The same for the particles of the active set alone; for all if that is null.
+  void add(const std::vector<Vec3>& force, VectorField& g, const ActiveSet* active_set) const;
 
  private:
   void add_to(int particle, const std::vector<Vec3>& force, VectorField& g) const;

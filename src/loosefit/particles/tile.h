@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "loosefit/particles/active_set.h"
 #include "loosefit/particles/energy.h"
 
 namespace loosefit {
@@ -40,22 +41,23 @@ void for_tiles(int tiles, const F& f) {
   });
 }
 
-/// f(tile) for those that are chosen.
+/// f(tile) for a subset of the tiles.
 template <class F>
-void for_tiles(const Chosen& tiles, const F& f) {
+void for_tiles(const IndexSubset& tiles, const F& f) {
   for_ranges(tiles.size(), 512 / kTile, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) f(tiles[k]);
   });
 }
 
-/// Those of `tiles` with an element that has a corner in the focus; all of them if that is null.
+/// Those of `tiles` with an element that has a corner in the active set; all of them if that is
+/// null.
 template <class Tile>
-Chosen tiles_in(const Focus* focus, const std::vector<Tile>& tiles) {
-  if (!focus) return Chosen(tiles.size());
-  return Chosen(tiles.size(), [&](int t) {
+IndexSubset tiles_in(const ActiveSet* active_set, const std::vector<Tile>& tiles) {
+  if (!active_set) return IndexSubset(tiles.size());
+  return IndexSubset(tiles.size(), [&](int t) {
     for (const TileIndex& corner : tiles[t].corner)
       for (int particle : corner)
-        if (focus->inside[particle]) return true;
+        if (active_set->inside[particle]) return true;
     return false;
   });
 }

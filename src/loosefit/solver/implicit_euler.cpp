@@ -13,13 +13,13 @@ class ImplicitEuler : public Integrator {
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
     Newton newton(system_, {options.max_move});
-    system_.set_tangent(TangentReach::full);
+    system_.set_tangent(BendingTangent::plate);
     SettleOutcome outcome;
     VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;
     for (int step = 0;; ++step) {
       outcome.work = newton.work();
-      if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
+      if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
       if (step >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;

@@ -16,7 +16,7 @@ struct SettleOptions {
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
   /// Matrix of the Newton steps of the quasi-static integrator: changes the way and its cost, not
   /// the equilibrium. The full one takes over when the near one brings nothing any more.
-  TangentReach tangent = TangentReach::full;
+  BendingTangent tangent = BendingTangent::plate;
   /// Called about once per iteration with (iteration, residual); true asks to stop.
   std::function<bool(int, double)> watch;
 };
@@ -32,11 +32,11 @@ struct SettleOutcome {
 
 /// Measures the static force balance at x (friction refreshed, no inertia, no viscosity) into the
 /// outcome; true when settling is over because it is met or not a number, with the reason set.
-bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
-                SettleOutcome& outcome);
+bool check_convergence_at(const ParticleSystem& system, const VectorField& x, double tolerance,
+                          SettleOutcome& outcome);
 /// The same with the gradient at x known, friction refreshed by the caller.
-bool judge_balance(const ParticleSystem& system, const VectorField& gradient, double tolerance,
-                   SettleOutcome& outcome);
+bool check_convergence(const ParticleSystem& system, const VectorField& gradient, double tolerance,
+                       SettleOutcome& outcome);
 
 /// Moves particles until their forces balance. All kinds share one interface and one meaning of
 /// rest: the static residual of all energies, friction included, without inertia and viscosity.

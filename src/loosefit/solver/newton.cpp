@@ -80,7 +80,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
   // Compressed cloth is about as stiff against buckling as its compression is strong: without the
   // compression it would be far too stiff there, with half of it the matrix is mostly definite.
   if (try_halved_.ready()) {
-    assemble(x, HessianKind::halved);
+    assemble(x, HessianKind::half_compression);
     if (attempt(0)) {
       try_halved_.succeeded();
       return true;
@@ -88,7 +88,7 @@ bool Newton::factorise(const VectorField& x, double per_dt2) {
     try_halved_.failed();
   }
   // The projected one; it may still be singular (cloth free to slide): add what it takes.
-  assemble(x, HessianKind::definite);
+  assemble(x, HessianKind::projected);
   double extra = 0;
   for (int k = 0; k < 12; ++k) {
     if (attempt(extra)) return true;
@@ -137,7 +137,7 @@ Newton::Outcome Newton::iterate(VectorField& x, const VectorField& target, doubl
   double limit = 1;
   {
     const Stopwatch watch(work_.collide);
-    limit = system_.begin_search(x, dx);
+    limit = system_.max_step(x, dx);
   }
   const double whole = std::min(1.0, 1.0 / stretch);  // the Newton step itself
   const double before = energy_ + inertia.energy(x);

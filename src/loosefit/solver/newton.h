@@ -1,7 +1,7 @@
 #pragma once
+#include "loosefit/solver/backoff.h"
 #include "loosefit/solver/inertia_term.h"
-#include "loosefit/solver/newton_system.h"
-#include "loosefit/solver/patience.h"
+#include "loosefit/solver/linear/newton_system.h"
 #include "loosefit/solver/region_relaxation.h"
 #include "loosefit/solver/solver_work.h"
 #include "loosefit/solver/tangent_matrix.h"
@@ -57,10 +57,10 @@ class Newton {
   RegionRelaxation region_;
   std::vector<double> shift_;  ///< inertia and what makes the matrix definite [kg/s²]
   bool exact_ = false;
-  Patience try_exact_{8}, try_halved_{8};  ///< these matrices
-  double hold_ = 100;                      ///< [1/s²], see factorise
-  double stretch_;                         ///< how far to look along a projected step
-  bool evaluated_ = false;                 ///< energy_ and gradient_ are those of place_
+  Backoff try_exact_{8}, try_halved_{8};  ///< these matrices
+  double hold_ = 100;                     ///< [1/s²], see factorise
+  double stretch_;                        ///< how far to look along a projected step
+  bool evaluated_ = false;                ///< energy_ and gradient_ are those of place_
   VectorField place_, gradient_;
   double energy_ = 0;
 };

@@ -5,21 +5,25 @@
 
 namespace loosefit {
 
-void ParticleSystem::set_tangent(TangentReach reach) const {
-  for (Energy* e : energies) e->set_tangent(reach);
+void ParticleSystem::set_tangent(BendingTangent tangent) const {
+  for (Energy* e : energies)
+    if (auto* choice = dynamic_cast<TangentChoice*>(e)) choice->set_tangent(tangent);
 }
 
-void ParticleSystem::set_focus(const Focus* focus) const {
-  for (Energy* e : energies) e->set_focus(focus);
+void ParticleSystem::set_active_set(const ActiveSet* active_set) const {
+  for (Energy* e : energies)
+    if (auto* user = dynamic_cast<ActiveSetUser*>(e)) user->set_active_set(active_set);
 }
 
 void ParticleSystem::begin_step(const VectorField& x, double dt) const {
-  for (Energy* e : energies) e->begin_step(x, dt);
+  for (Energy* e : energies)
+    if (auto* lagged = dynamic_cast<LaggedState*>(e)) lagged->begin_step(x, dt);
 }
 
-double ParticleSystem::begin_search(const VectorField& x, const VectorField& dx) const {
+double ParticleSystem::max_step(const VectorField& x, const VectorField& dx) const {
   double share = 1;
-  for (Energy* e : energies) share = std::min(share, e->begin_search(x, dx));
+  for (Energy* e : energies)
+    if (auto* limit = dynamic_cast<StepLimit*>(e)) share = std::min(share, limit->max_step(x, dx));
   return share;
 }
 
@@ -48,9 +52,11 @@ double ParticleSystem::potential_and_gradient(const VectorField& x, VectorField&
   return sum;
 }
 
-double ParticleSystem::lag() const {
+double ParticleSystem::lagged_friction_force() const {
   double sum = 0;
-  for (const Energy* e : energies) sum += std::pow(e->lag(), 2);
+  for (const Energy* e : energies)
+    if (const auto* lagged = dynamic_cast<const LaggedState*>(e))
+      sum += std::pow(lagged->lagged_friction_force(), 2);
   return std::sqrt(sum);
 }
 
@@ -77,7 +83,7 @@ Residual residual_of(const ParticleSystem& system, const VectorField& gradient) 
     }
   }
   if (free == 0) return r;
-  force2 += std::pow(system.lag(), 2);
+  force2 += std::pow(system.lagged_friction_force(), 2);
   if (!(weight2 > 0)) {  // weightless system: report the plain norm
     r.norm = std::sqrt(force2);
     r.largest = std::sqrt(largest2);

@@ -1,38 +1,40 @@
 #pragma once
 #include <vector>
 
-#include "loosefit/particles/energy.h"
+#include "loosefit/particles/energy_capabilities.h"
 
 namespace loosefit {
 
 /// What the integrators see of a garment: particles, energies, masses, held particles. It does not
-/// own the energies.
+/// own the energies. Each function asks the energies that have the capability in question
+/// (energy_capabilities.h).
 struct ParticleSystem {
   std::vector<Energy*> energies;
   std::vector<double> mass;  ///< [kg]
-  std::vector<char> held;    ///< non-zero: the particle does not move; empty: all are free
+  /// Non-zero: a held particle, which does not move (Dirichlet condition); empty: all are free.
+  std::vector<char> held;
   double gravity = 9.80665;  ///< only for the weight in the residual [m/s²]
 
   int particles() const { return static_cast<int>(mass.size()); }
   bool is_held(int i) const { return !held.empty() && held[i]; }
 
-  void set_tangent(TangentReach reach) const;
-  void set_focus(const Focus* focus) const;
+  void set_tangent(BendingTangent tangent) const;
+  void set_active_set(const ActiveSet* active_set) const;
   void begin_step(const VectorField& x, double dt) const;
-  double begin_search(const VectorField& x, const VectorField& dx) const;
+  double max_step(const VectorField& x, const VectorField& dx) const;
   double potential(const VectorField& x) const;
   /// ∂Π/∂x, zero for held particles.
   VectorField gradient(const VectorField& x) const;
   /// Both at once; returns Π.
   double potential_and_gradient(const VectorField& x, VectorField& g) const;
-  /// ‖forces‖ by which lagged state departs from the last place of begin_step [N].
-  double lag() const;
+  /// ‖friction force‖ by which the lagged state departs from what the last place asks for [N].
+  double lagged_friction_force() const;
   /// Changes when the union of all energies' patterns may have changed.
   std::uint64_t pattern_version(const VectorField& x) const;
 };
 
 /// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (docs/theory/solver.md 1).
-/// The lag of the energies counts as a force.
+/// The lagged friction force of the energies counts as a force.
 struct Residual {
   double norm = 0, largest = 0;
   int worst_particle = -1;

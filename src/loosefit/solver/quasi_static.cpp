@@ -50,7 +50,7 @@ class QuasiStatic : public Integrator {
     newton_.begin_step(x, dt);
     while (true) {
       newton_.begin_step(x, infinity);
-      const bool rest = judge_balance(system_, newton_.gradient(x), options.tolerance, outcome);
+      const bool rest = check_convergence(system_, newton_.gradient(x), options.tolerance, outcome);
       outcome.work = newton_.work();
       if (rest) return outcome;
       if (outcome.work.iterations >= options.max_iterations) {
@@ -91,7 +91,7 @@ class QuasiStatic : public Integrator {
         if (reduced || (step.exact && last_share > 0.9)) break;
       }
       // No way down with the near tangent: it may be too far from the truth here.
-      if (stalls == 4) system_.set_tangent(TangentReach::full);
+      if (stalls == 4) system_.set_tangent(BendingTangent::plate);
       // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
       if (last_share > 0.9)
         dt *= growth;

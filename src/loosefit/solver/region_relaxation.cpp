@@ -25,18 +25,18 @@ std::optional<int> RegionRelaxation::relax(VectorField& x, const VectorField& fo
   prepare(x.size(), order);
   int steps = 0;
   try {
-    system_.set_focus(&focus_);
-    steps = relax_in_focus(x, inertia, max_move, tangent);
+    system_.set_active_set(&active_set_);
+    steps = relax_active_set(x, inertia, max_move, tangent);
   } catch (...) {
-    system_.set_focus(nullptr);
+    system_.set_active_set(nullptr);
     throw;
   }
-  system_.set_focus(nullptr);
+  system_.set_active_set(nullptr);
   return steps;
 }
 
-int RegionRelaxation::relax_in_focus(VectorField& x, const InertiaTerm& inertia, double max_move,
-                                     TangentMatrix& tangent) {
+int RegionRelaxation::relax_active_set(VectorField& x, const InertiaTerm& inertia, double max_move,
+                                       TangentMatrix& tangent) {
   VectorField g, on_region;
   double energy = system_.potential_and_gradient(x, g), enough = 0;
   Step step{VectorField(x.size(), Vec3::Zero())};
@@ -52,9 +52,9 @@ int RegionRelaxation::relax_in_focus(VectorField& x, const InertiaTerm& inertia,
 
 /// Everything that depends on the region alone.
 void RegionRelaxation::prepare(std::size_t particles, const std::vector<int>& order) {
-  focus_.particles = region_.particles;
-  focus_.inside.assign(particles, 0);
-  for (int i : region_.particles) focus_.inside[i] = 1;
+  active_set_.particles = region_.particles;
+  active_set_.inside.assign(particles, 0);
+  for (int i : region_.particles) active_set_.inside[i] = 1;
   held_.clear();
   if (!system_.held.empty())
     for (int i : region_.particles) held_.push_back(system_.held[i]);
@@ -76,7 +76,7 @@ bool RegionRelaxation::factorise(const VectorField& x, double per_dt2, TangentMa
   shift_.clear();
   for (int i : region_.particles) shift_.push_back(per_dt2 * system_.mass[i]);
   const auto attempt = [&](HessianKind kind) {
-    tangent.assemble(x, kind, focus_);
+    tangent.assemble(x, kind, active_set_);
     restrict_to(region_, tangent.matrix(), matrix_, blocks_);
     return linear_.factorise(matrix_, shift_, held_);
   };
@@ -87,11 +87,11 @@ bool RegionRelaxation::factorise(const VectorField& x, double per_dt2, TangentMa
     if (exact_) return true;
   }
   if (try_halved_.ready()) {
-    const bool definite = attempt(HessianKind::halved);
+    const bool definite = attempt(HessianKind::half_compression);
     definite ? try_halved_.succeeded() : try_halved_.failed();
     if (definite) return true;
   }
-  return attempt(HessianKind::definite);
+  return attempt(HessianKind::projected);
 }
 
 bool RegionRelaxation::find_step(const VectorField& force, double max_move, Step& step) {
@@ -109,7 +109,7 @@ bool RegionRelaxation::find_step(const VectorField& force, double max_move, Step
 bool RegionRelaxation::search(VectorField& x, const Step& step, const InertiaTerm& inertia,
                               double& energy, VectorField& g) const {
   const double before = energy + inertia.energy(x);
-  const double limit = std::min(1.0, system_.begin_search(x, step.dx));
+  const double limit = std::min(1.0, system_.max_step(x, step.dx));
   if (!(limit > 0)) return false;
   VectorField trial = x, g_trial;
   double e_trial = 0;

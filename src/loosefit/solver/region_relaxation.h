@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "loosefit/solver/backoff.h"
 #include "loosefit/solver/inertia_term.h"
-#include "loosefit/solver/newton_system.h"
-#include "loosefit/solver/patience.h"
+#include "loosefit/solver/linear/newton_system.h"
 #include "loosefit/solver/residual_region.h"
 #include "loosefit/solver/tangent_matrix.h"
 
@@ -32,8 +32,8 @@ class RegionRelaxation {
     double slope = 0;  ///< of the energy along it [J]
     double whole = 1;  ///< share of it that is the Newton step itself
   };
-  int relax_in_focus(VectorField& x, const InertiaTerm& inertia, double max_move,
-                     TangentMatrix& tangent);
+  int relax_active_set(VectorField& x, const InertiaTerm& inertia, double max_move,
+                       TangentMatrix& tangent);
   void prepare(std::size_t particles, const std::vector<int>& order);
   void restrict_force(const VectorField& x, const VectorField& g, const InertiaTerm& inertia,
                       VectorField& force) const;
@@ -46,13 +46,13 @@ class RegionRelaxation {
 
   const ParticleSystem& system_;
   ResidualRegion region_;
-  Focus focus_;
+  ActiveSet active_set_;
   RestrictedBlocks blocks_;
   BlockMatrix matrix_;  ///< of the region alone
   std::vector<double> shift_;
   std::vector<char> held_;
   NewtonSystem linear_;
-  Patience try_exact_{8}, try_halved_{8};
+  Backoff try_exact_{8}, try_halved_{8};
   bool exact_ = false;  ///< the last matrix was not projected
 };
 

@@ -23,7 +23,7 @@ void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, Vect
   }
   // The movement is constrained so that nothing collides; what is cut off is lost as in an
   // inelastic impact.
-  const double share = system.begin_search(x, dx);
+  const double share = system.max_step(x, dx);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
   if (share < 1)
     for (Vec3& velocity : v) velocity *= share;
@@ -41,7 +41,7 @@ double largest_frequency2(const ParticleSystem& system, const VectorField& x) {
   for (const Energy* e : system.energies) e->add_pattern(x, pattern);
   pattern.compress();
   BlockMatrix h(pattern);
-  for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::definite);
+  for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::projected);
   VectorField u(system.particles()), hu;
   for (int i = 0; i < system.particles(); ++i)
     for (int c = 0; c < 3; ++c) u[i][c] = std::sin(1.0 + 7.3 * (3 * i + c));
@@ -70,7 +70,7 @@ class SemiImplicitEuler : public Integrator {
     for (int step = 0;; ++step) {
       if (step % kRefreshStep == 0) {
         outcome.work.iterations = step;
-        if (judge_rest(system_, x, options.tolerance, outcome)) return outcome;
+        if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
         if (step >= options.max_iterations) {
           outcome.reason = SettleOutcome::Reason::iteration_limit;
           return outcome;

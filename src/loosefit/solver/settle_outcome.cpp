@@ -5,14 +5,14 @@
 
 namespace loosefit {
 
-bool judge_rest(const ParticleSystem& system, const VectorField& x, double tolerance,
-                SettleOutcome& outcome) {
+bool check_convergence_at(const ParticleSystem& system, const VectorField& x, double tolerance,
+                          SettleOutcome& outcome) {
   system.begin_step(x, std::numeric_limits<double>::infinity());
-  return judge_balance(system, system.gradient(x), tolerance, outcome);
+  return check_convergence(system, system.gradient(x), tolerance, outcome);
 }
 
-bool judge_balance(const ParticleSystem& system, const VectorField& gradient, double tolerance,
-                   SettleOutcome& outcome) {
+bool check_convergence(const ParticleSystem& system, const VectorField& gradient, double tolerance,
+                       SettleOutcome& outcome) {
   const Residual r = residual_of(system, gradient);
   outcome.residual = r.norm;
   outcome.residual_max = r.largest;

@@ -18,9 +18,9 @@ void TangentMatrix::assemble(const VectorField& x, HessianKind kind) {
   for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
 }
 
-void TangentMatrix::assemble(const VectorField& x, HessianKind kind, const Focus& focus) {
+void TangentMatrix::assemble(const VectorField& x, HessianKind kind, const ActiveSet& active_set) {
   follow_pattern(x);
-  for (int i : focus.particles) matrix_.set_zero(i);
+  for (int i : active_set.particles) matrix_.set_zero(i);
   for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
 }
 

@@ -11,9 +11,9 @@ class TangentMatrix {
  public:
   explicit TangentMatrix(const ParticleSystem& system) : system_(system) {}
   void assemble(const VectorField& x, HessianKind kind);
-  /// The same while `focus` is set (Energy::set_focus): only columns of its particles, blocks with
-  /// both particles inside, are right afterwards.
-  void assemble(const VectorField& x, HessianKind kind, const Focus& focus);
+  /// The same while an active set is given (Energy::set_active_set): only columns of its particles,
+  /// blocks with both particles inside, are right afterwards.
+  void assemble(const VectorField& x, HessianKind kind, const ActiveSet& active_set);
   const BlockMatrix& matrix() const { return matrix_; }
 
  private:

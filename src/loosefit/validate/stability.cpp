@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
 namespace loosefit {
 
 bool is_stable(Bench& bench) {
   const ParticleSystem& system = bench.system();
-  system.set_tangent(TangentReach::full);
+  system.set_tangent(BendingTangent::plate);
   BlockPattern pattern(system.particles());
   for (const Energy* e : system.energies) e->add_pattern(bench.x, pattern);
   pattern.compress();

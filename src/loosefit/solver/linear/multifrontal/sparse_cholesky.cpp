@@ -1,4 +1,4 @@
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
 #include <tbb/task_group.h>
 
@@ -8,11 +8,11 @@
 #include <new>
 
 #include "loosefit/base/error.h"
-#include "loosefit/solver/buffer_pool.h"
-#include "loosefit/solver/dense_kernels.h"
-#include "loosefit/solver/eliminate_front.h"
-#include "loosefit/solver/fill_order.h"
-#include "loosefit/solver/front_tree.h"
+#include "loosefit/solver/linear/fill_order.h"
+#include "loosefit/solver/linear/multifrontal/buffer_pool.h"
+#include "loosefit/solver/linear/multifrontal/dense_kernels.h"
+#include "loosefit/solver/linear/multifrontal/eliminate_front.h"
+#include "loosefit/solver/linear/multifrontal/front_tree.h"
 
 namespace loosefit {
 namespace {

@@ -6,13 +6,14 @@
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/geometry/closest_point_tree.h"
-#include "support/focus_checker.h"
+#include "support/active_set_checker.h"
 #include "support/shapes.h"
 
 namespace loosefit {
 namespace {
 
-constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::halved, HessianKind::definite};
+constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::half_compression,
+                                  HessianKind::projected};
 constexpr double kStatic = std::numeric_limits<double>::infinity();
 
 /// Sheets that lie on each other, crumpled by less than the gap between them.
@@ -37,37 +38,37 @@ struct Layers {
   int particles() const { return static_cast<int>(x.size()); }
 };
 
-TEST(SelfContact, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+TEST(SelfContact, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   const Layers layers;
   SelfContact::Options options;
   options.thickness = 2e-3;
   SelfContact contact(layers.triangles, layers.area, layers.particles(), options);
-  const Focus focus = support::two_groups(layers.particles());
+  const ActiveSet active_set = support::two_groups(layers.particles());
   contact.begin_step(layers.x, kStatic);
   ASSERT_GT(contact.active(layers.x), 100);
   for (HessianKind kind : kKinds)
-    EXPECT_GT(support::expect_same_in_focus(contact, layers.x, focus, 1e-4, kind), 0);
+    EXPECT_GT(support::expect_same_in_active_set(contact, layers.x, active_set, 1e-4, kind), 0);
 }
 
-TEST(SelfContact, KeepsAllPairsThroughAFocusWhoseParticlesMoveFar) {
+TEST(SelfContact, KeepsAllPairsThroughAnActiveSetWhoseParticlesMoveFar) {
   Layers layers;
   SelfContact::Options options;
   options.thickness = 2e-3;
   SelfContact contact(layers.triangles, layers.area, layers.particles(), options),
       fresh(layers.triangles, layers.area, layers.particles(), options);
-  const Focus focus = support::two_groups(layers.particles());
+  const ActiveSet active_set = support::two_groups(layers.particles());
   VectorField x = layers.x, dx(x.size(), Vec3::Zero());
   contact.begin_step(x, kStatic);
   fresh.begin_step(x, kStatic);
-  contact.begin_search(x, dx);
-  contact.set_focus(&focus);
+  contact.max_step(x, dx);
+  contact.set_active_set(&active_set);
   for (int step = 0; step < 6; ++step) {
-    for (int i : focus.particles) dx[i] = Vec3(4e-3, step % 2 ? 2e-3 : -2e-3, 3e-4);
-    const double share = contact.begin_search(x, dx);
-    for (int i : focus.particles) x[i] += 0.5 * share * dx[i];
+    for (int i : active_set.particles) dx[i] = Vec3(4e-3, step % 2 ? 2e-3 : -2e-3, 3e-4);
+    const double share = contact.max_step(x, dx);
+    for (int i : active_set.particles) x[i] += 0.5 * share * dx[i];
   }
-  contact.set_focus(nullptr);
-  fresh.begin_search(x, VectorField(x.size(), Vec3::Zero()));
+  contact.set_active_set(nullptr);
+  fresh.max_step(x, VectorField(x.size(), Vec3::Zero()));
   VectorField g(x.size(), Vec3::Zero()), expected = g;
   const double energy = fresh.value_and_gradient(x, expected);
   EXPECT_NEAR(contact.value_and_gradient(x, g), energy, 1e-9 * energy);
@@ -79,7 +80,7 @@ TEST(SelfContact, KeepsAllPairsThroughAFocusWhoseParticlesMoveFar) {
   EXPECT_LT(difference, 1e-9 * largest);
 }
 
-TEST(SelfContact, AFocusForgetsNoBlocksOfTheOthers) {
+TEST(SelfContact, AnActiveSetForgetsNoBlocksOfTheOthers) {
   const Layers layers(0.007);
   SelfContact::Options options;
   options.thickness = 2e-3;
@@ -95,26 +96,26 @@ TEST(SelfContact, AFocusForgetsNoBlocksOfTheOthers) {
     return n;
   };
   const std::size_t all = blocks();
-  ASSERT_GT(all, RememberedBlocks::kSpare + 500);  // so many that most would be forgotten
+  ASSERT_GT(all, StickyPattern::kSpare + 500);  // so many that most would be forgotten
   const auto version = contact.pattern_version(layers.x);
-  Focus focus{{5}, std::vector<char>(layers.x.size(), 0)};
-  focus.inside[5] = 1;
-  contact.set_focus(&focus);
+  ActiveSet active_set{{5}, std::vector<char>(layers.x.size(), 0)};
+  active_set.inside[5] = 1;
+  contact.set_active_set(&active_set);
   EXPECT_EQ(contact.pattern_version(layers.x), version);
   EXPECT_EQ(blocks(), all);
-  contact.set_focus(nullptr);
+  contact.set_active_set(nullptr);
   EXPECT_EQ(contact.pattern_version(layers.x), version);
 }
 
-TEST(CandidatePairs, InAFocusAreThoseOfTheWholeThatTouchIt) {
+TEST(CandidatePairs, InAnActiveSetAreThoseOfTheWholeThatTouchIt) {
   const Layers layers;
   const ContactFeatures features(layers.triangles, layers.area, layers.particles(), 2e-3, {}, {});
   CandidatePairs whole(features), part(features);
-  const Focus focus = support::two_groups(layers.particles());
+  const ActiveSet active_set = support::two_groups(layers.particles());
   const auto expected = [&](const std::vector<FeaturePair>& pairs) {
     std::vector<std::uint64_t> keys;
     for (const FeaturePair& p : pairs)
-      if (focus.touches(p.particle, 4)) keys.push_back(p.key());
+      if (active_set.touches(p.particle, 4)) keys.push_back(p.key());
     return keys;
   };
   const auto keys = [](const std::vector<FeaturePair>& pairs) {
@@ -126,21 +127,21 @@ TEST(CandidatePairs, InAFocusAreThoseOfTheWholeThatTouchIt) {
   std::uniform_real_distribution<double> u(-1, 1);
   VectorField x = layers.x, dx(x.size(), Vec3::Zero());
   part.touching(x);
-  part.set_focus(&focus);
+  part.set_active_set(&active_set);
   for (int call = 0; call < 12; ++call) {
-    for (int i : focus.particles)
+    for (int i : active_set.particles)
       dx[i] = (call % 4 == 3 ? 5e-3 : 2e-4) * Vec3(u(rng), u(rng), u(rng));
     const auto approaching = expected(whole.approaching(x, dx));
     EXPECT_GT(approaching.size(), 100u);
     EXPECT_EQ(keys(part.approaching(x, dx)), approaching) << call;
-    for (int i : focus.particles) x[i] += dx[i];
+    for (int i : active_set.particles) x[i] += dx[i];
     EXPECT_EQ(keys(part.touching(x)), expected(whole.touching(x))) << call;
   }
-  part.set_focus(nullptr);
+  part.set_active_set(nullptr);
   EXPECT_EQ(keys(part.touching(x)), keys(whole.touching(x)));
 }
 
-TEST(BodyContact, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+TEST(BodyContact, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   constexpr double kOffset = 2e-3;
   const TriangleMesh ball = support::sphere(0.05, 60, 120);
   const ClosestPointTree tree(ball);
@@ -158,9 +159,9 @@ TEST(BodyContact, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
   VectorField slid = x;
   for (Vec3& p : slid) p += 5e-5 * p.unitOrthogonal();
   contact.begin_step(slid, kStatic);
-  const Focus focus = support::two_groups(static_cast<int>(x.size()));
+  const ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
   for (HessianKind kind : kKinds)
-    EXPECT_GT(support::expect_same_in_focus(contact, slid, focus, 3e-4, kind), 0);
+    EXPECT_GT(support::expect_same_in_active_set(contact, slid, active_set, 3e-4, kind), 0);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "loosefit/contact/remembered_blocks.h"
+#include "loosefit/contact/sticky_pattern.h"
 
 #include <algorithm>
 
 namespace loosefit {
 
-void RememberedBlocks::use_block(int i, int j) {
+void StickyPattern::use_block(int i, int j) {
   const int row = std::max(i, j);
   auto& rows = rows_of_column_[std::min(i, j)];
   for (Entry& e : rows) {
@@ -19,7 +19,7 @@ void RememberedBlocks::use_block(int i, int j) {
   grown_ = true;
 }
 
-void RememberedBlocks::end(bool complete) {
+void StickyPattern::end(bool complete) {
   const bool trim = complete && size_ > 2 * used_ + kSpare;
   if (trim) {
     for (auto& rows : rows_of_column_)
@@ -32,7 +32,7 @@ void RememberedBlocks::end(bool complete) {
   grown_ = false;
 }
 
-void RememberedBlocks::add_to(BlockPattern& pattern) const {
+void StickyPattern::add_to(BlockPattern& pattern) const {
   for (std::size_t column = 0; column < rows_of_column_.size(); ++column)
     for (const Entry& e : rows_of_column_[column]) pattern.add(e.row, static_cast<int>(column));
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "loosefit/solver/linear_solver.h"
+#include "loosefit/solver/linear/linear_solver.h"
 
 namespace loosefit {
 

@@ -1,11 +1,11 @@
-#include "loosefit/solver/cholmod_solver.h"
+#include "loosefit/solver/linear/cholmod_solver.h"
 
 #include <cholmod.h>
 
 #include <utility>
 
 #include "loosefit/base/error.h"
-#include "loosefit/solver/fill_order.h"
+#include "loosefit/solver/linear/fill_order.h"
 
 namespace loosefit {
 namespace {

@@ -4,10 +4,10 @@
 namespace loosefit {
 
 /// When to try again what may fail: each failure in a row doubles the wait before the next try.
-class Patience {
+class Backoff {
  public:
   /// most: tries that are left out in a row, at most.
-  explicit Patience(int most) : most_(most) {}
+  explicit Backoff(int most) : most_(most) {}
   /// Whether it is time; otherwise one try less is to be left out.
   bool ready() {
     if (wait_ == 0) return true;

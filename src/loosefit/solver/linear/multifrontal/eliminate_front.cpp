@@ -1,12 +1,12 @@
-#include "loosefit/solver/eliminate_front.h"
+#include "loosefit/solver/linear/multifrontal/eliminate_front.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
 
-#include "loosefit/solver/dense_kernels.h"
-#include "loosefit/solver/front_tree.h"
+#include "loosefit/solver/linear/multifrontal/dense_kernels.h"
+#include "loosefit/solver/linear/multifrontal/front_tree.h"
 
 namespace loosefit {
 namespace {

@@ -1,4 +1,4 @@
-#include "loosefit/solver/fill_order.h"
+#include "loosefit/solver/linear/fill_order.h"
 
 #include <cholmod.h>
 

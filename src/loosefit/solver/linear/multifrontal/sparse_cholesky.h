@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "loosefit/solver/linear_solver.h"
+#include "loosefit/solver/linear/linear_solver.h"
 
 namespace loosefit {
 

@@ -2,26 +2,27 @@
 
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
+#include "support/active_set_checker.h"
 #include "support/flat_garment.h"
-#include "support/focus_checker.h"
 
 namespace loosefit {
 namespace {
 
-constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::halved, HessianKind::definite};
+constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::half_compression,
+                                  HessianKind::projected};
 
 /// A folded sheet of several tiles, mid-way in a time step.
 struct Sheet {
   TriangleMesh mesh = support::sheet(0.2, 0.2, 0.01, 0.2);
   std::vector<std::array<Vec2, 3>> uv = support::flat_uv(mesh);
   VectorField x = mesh.vertices;
-  Focus focus = support::two_groups(static_cast<int>(x.size()));
+  ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
   Sheet() {
     for (Vec3& p : x) p[2] += 0.01 * std::sin(90 * p[0]) * std::cos(70 * p[1]);
   }
 };
 
-TEST(MembraneEnergy, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+TEST(MembraneEnergy, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   const Sheet sheet;
   Material plain, soft;
   soft.compression_factor = 0.3;
@@ -29,20 +30,22 @@ TEST(MembraneEnergy, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
     MembraneEnergy membrane(sheet.mesh.triangles, sheet.uv, {}, m, true);
     membrane.begin_step(sheet.mesh.vertices, 0.01);
     for (HessianKind kind : kKinds)
-      EXPECT_GT(support::expect_same_in_focus(membrane, sheet.x, sheet.focus, 1e-3, kind), 0);
+      EXPECT_GT(support::expect_same_in_active_set(membrane, sheet.x, sheet.active_set, 1e-3, kind),
+                0);
   }
 }
 
-TEST(BendingEnergy, InAFocusItsForcesAndStiffnessAreThoseOfTheWhole) {
+TEST(BendingEnergy, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   const Sheet sheet;
   Material m;
   m.bending_hysteresis_warp = m.bending_hysteresis_weft = 1e-4;
   BendingEnergy bending(sheet.mesh.triangles, sheet.uv, {}, m, true);
   bending.begin_step(sheet.mesh.vertices, 0.01);
-  for (TangentReach reach : {TangentReach::near, TangentReach::full}) {
-    bending.set_tangent(reach);
+  for (BendingTangent tangent : {BendingTangent::hinge, BendingTangent::plate}) {
+    bending.set_tangent(tangent);
     for (HessianKind kind : kKinds)
-      EXPECT_GT(support::expect_same_in_focus(bending, sheet.x, sheet.focus, 1e-3, kind), 0);
+      EXPECT_GT(support::expect_same_in_active_set(bending, sheet.x, sheet.active_set, 1e-3, kind),
+                0);
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "loosefit/solver/patience.h"
-#include "loosefit/solver/sparse_cholesky.h"
+#include "loosefit/solver/backoff.h"
+#include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
 namespace loosefit {
 
@@ -40,7 +40,7 @@ class NewtonSystem {
   bool in_double_ = false;    ///< from now on
   bool used_double_ = false;  ///< for the last factor
   int broke_down_ = 0;        ///< factors in single precision of definite matrices, in a row
-  Patience try_double_{64};
+  Backoff try_double_{64};
   const BlockMatrix* a_ = nullptr;
   const std::vector<double>* shift_ = nullptr;
   const std::vector<char>* held_ = nullptr;

@@ -1,4 +1,4 @@
-#include "loosefit/solver/front_tree.h"
+#include "loosefit/solver/linear/multifrontal/front_tree.h"
 
 #include <algorithm>
 #include <numeric>

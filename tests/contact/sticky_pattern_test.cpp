@@ -1,4 +1,4 @@
-#include "loosefit/contact/remembered_blocks.h"
+#include "loosefit/contact/sticky_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace {
 
 using Stencil = std::array<int, 4>;
 
-std::size_t blocks(const RememberedBlocks& r, int particles) {
+std::size_t blocks(const StickyPattern& r, int particles) {
   BlockPattern pattern(particles);
   r.add_to(pattern);
   pattern.compress();
@@ -16,8 +16,8 @@ std::size_t blocks(const RememberedBlocks& r, int particles) {
   return n;
 }
 
-TEST(RememberedBlocks, VersionChangesOnlyWithNewBlocks) {
-  RememberedBlocks r(10);
+TEST(StickyPattern, VersionChangesOnlyWithNewBlocks) {
+  StickyPattern r(10);
   const auto set = [&](std::initializer_list<Stencil> contacts) {
     r.begin();
     for (const Stencil& c : contacts) r.use(c, 4);
@@ -38,9 +38,9 @@ TEST(RememberedBlocks, VersionChangesOnlyWithNewBlocks) {
   EXPECT_EQ(blocks(r, 10), 9u);
 }
 
-TEST(RememberedBlocks, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {
+TEST(StickyPattern, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {
   constexpr int kParticles = 3000;
-  RememberedBlocks r(kParticles);
+  StickyPattern r(kParticles);
   std::uint64_t last = r.version();
   int shrunk = 0;
   for (int i = 0; i + 4 <= kParticles; i += 4) {
@@ -48,7 +48,7 @@ TEST(RememberedBlocks, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {
     r.begin();
     r.use(Stencil{i, i + 1, i + 2, i + 3}, 4);
     r.end();
-    EXPECT_LE(r.size(), 2 * r.used() + RememberedBlocks::kSpare);
+    EXPECT_LE(r.size(), 2 * r.used() + StickyPattern::kSpare);
     EXPECT_NE(r.version(), last);
     last = r.version();
     if (r.size() > before) continue;
