@@ -7,10 +7,10 @@
 
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/regions.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/derived_metrics.h"
-#include "loosefit/placement/keep_out.h"
 
 namespace loosefit {
 namespace {

@@ -7,7 +7,7 @@
 #include "loosefit/drape/drape.h"
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 
 namespace loosefit {
 

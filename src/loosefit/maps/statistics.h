@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "loosefit/maps/performance_map.h"
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 
 namespace loosefit {
 

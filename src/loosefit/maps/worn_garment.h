@@ -4,7 +4,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/body_partner.h"
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 
 namespace loosefit {
 

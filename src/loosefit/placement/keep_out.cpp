@@ -33,18 +33,6 @@ std::vector<double> numbers(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> region_names() {
-  std::vector<std::string> names;
-  for (Region region : all_regions()) names.push_back(name(region));
-  return names;
-}
-
-std::optional<Region> find_region(const std::string& wanted) {
-  for (Region region : all_regions())
-    if (name(region) == wanted) return region;
-  return std::nullopt;
-}
-
 double KeepOutZone::distance(const Vec2& at) const {
   if (shape == Shape::disc) return std::max(0.0, (at - centre).norm() - radius);
   const Vec2 low = lower.cwiseMin(upper), high = lower.cwiseMax(upper);

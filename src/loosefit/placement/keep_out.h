@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "loosefit/base/types.h"
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 
 namespace loosefit {
 
@@ -27,11 +27,6 @@ struct KeepOut {
   std::vector<Region> regions;  ///< of the body, under the garment
   bool empty() const { return zones.empty() && regions.empty(); }
 };
-
-/// Names of all body regions, in their order.
-std::vector<std::string> region_names();
-/// Nothing for an unknown name.
-std::optional<Region> find_region(const std::string& name);
 
 /// Adds what a text says: "front:0.02,0.10,0.10,0.22" a rectangle by two opposite corners u,v of a
 /// panel, "front:0.05,0.15,0.03" a disc by centre and radius [m], "abdomen" a region of the body.

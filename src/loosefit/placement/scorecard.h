@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 #include "loosefit/placement/footprint.h"
 #include "loosefit/placement/metric_names.h"
 

@@ -1,14 +1,54 @@
-#include "loosefit/maps/regions.h"
+#include "loosefit/body/regions.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace loosefit {
 namespace {
 
+struct Named {
+  Region region;
+  const char* name;
+};
+
+// In the order of the enum.
+constexpr Named kNames[] = {
+    {Region::upper_back, "upper_back"},
+    {Region::mid_back, "mid_back"},
+    {Region::lower_back, "lower_back"},
+    {Region::scapula_left, "scapula_L"},
+    {Region::scapula_right, "scapula_R"},
+    {Region::chest, "chest"},
+    {Region::abdomen, "abdomen"},
+    {Region::side_left, "side_L"},
+    {Region::side_right, "side_R"},
+    {Region::shoulder_left, "shoulder_L"},
+    {Region::shoulder_right, "shoulder_R"},
+    {Region::hips, "hips"},
+    {Region::thigh_left, "thigh_L"},
+    {Region::thigh_right, "thigh_R"},
+    {Region::shank_left, "shank_L"},
+    {Region::shank_right, "shank_R"},
+    {Region::foot_left, "foot_L"},
+    {Region::foot_right, "foot_R"},
+    {Region::upper_arm_left, "upper_sleeve_L"},
+    {Region::upper_arm_right, "upper_sleeve_R"},
+    {Region::forearm_left, "forearm_sleeve_L"},
+    {Region::forearm_right, "forearm_sleeve_R"},
+    {Region::neck, "neck"},
+};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(kNames); ++i)
+    if (static_cast<std::size_t>(kNames[i].region) != i) return false;
+  return std::size(kNames) == static_cast<std::size_t>(Region::neck) + 1;
+}
+static_assert(in_order());
+
 /// Levels and places that separate the regions of the trunk, in rest posture.
 struct Anchors {
-  double c7, waist, underbust, armpit, hip;  ///< heights [m]
+  double c7, waist, underbust, armpit, hip, crotch;  ///< heights [m]
   Vec3 scapula_left, scapula_right;
   double scapula_radius;
 };
@@ -45,6 +85,7 @@ Anchors find_anchors(const Body& body, const std::vector<Vec3>& rest) {
   a.underbust = level("underbust_level", 0.69);
   a.armpit = level("armpit_level", 0.75);
   a.hip = level("hip_level", 0.51);
+  a.crotch = landmark("crotch", {0, 0, floor + 0.47 * height}).z();
   const double back = a.c7 - a.waist;
   const double behind = 0.06 * height, beside = 0.045 * height, blade = a.c7 - 0.25 * back;
   a.scapula_left = landmark("scapula_L", {beside, behind, blade});
@@ -76,50 +117,24 @@ Region trunk_region(const Vec3& p, const Vec3& normal, const Anchors& a) {
 const std::vector<Region>& all_regions() {
   static const std::vector<Region> regions = [] {
     std::vector<Region> all;
-    for (int r = 0; r <= static_cast<int>(Region::neck); ++r) all.push_back(static_cast<Region>(r));
+    for (const Named& named : kNames) all.push_back(named.region);
     return all;
   }();
   return regions;
 }
 
-std::string name(Region region) {
-  switch (region) {
-    case Region::upper_back:
-      return "upper_back";
-    case Region::mid_back:
-      return "mid_back";
-    case Region::lower_back:
-      return "lower_back";
-    case Region::scapula_left:
-      return "scapula_L";
-    case Region::scapula_right:
-      return "scapula_R";
-    case Region::chest:
-      return "chest";
-    case Region::abdomen:
-      return "abdomen";
-    case Region::side_left:
-      return "side_L";
-    case Region::side_right:
-      return "side_R";
-    case Region::shoulder_left:
-      return "shoulder_L";
-    case Region::shoulder_right:
-      return "shoulder_R";
-    case Region::hips:
-      return "hips";
-    case Region::upper_sleeve_left:
-      return "upper_sleeve_L";
-    case Region::upper_sleeve_right:
-      return "upper_sleeve_R";
-    case Region::forearm_sleeve_left:
-      return "forearm_sleeve_L";
-    case Region::forearm_sleeve_right:
-      return "forearm_sleeve_R";
-    case Region::neck:
-      return "neck";
-  }
-  return "neck";
+std::string name(Region region) { return kNames[static_cast<std::size_t>(region)].name; }
+
+std::vector<std::string> region_names() {
+  std::vector<std::string> names;
+  for (const Named& named : kNames) names.emplace_back(named.name);
+  return names;
+}
+
+std::optional<Region> find_region(const std::string& name) {
+  for (const Named& named : kNames)
+    if (named.name == name) return named.region;
+  return std::nullopt;
 }
 
 std::vector<Region> body_regions(const Body& body) {
@@ -137,17 +152,26 @@ std::vector<Region> body_regions(const Body& body) {
         regions[v] = Region::neck;
         break;
       case Segment::upper_arm:
-        regions[v] = left ? Region::upper_sleeve_left : Region::upper_sleeve_right;
+        regions[v] = left ? Region::upper_arm_left : Region::upper_arm_right;
         break;
       case Segment::forearm:
       case Segment::hand:
-        regions[v] = left ? Region::forearm_sleeve_left : Region::forearm_sleeve_right;
+        regions[v] = left ? Region::forearm_left : Region::forearm_right;
         break;
       case Segment::torso:
         regions[v] = trunk_region(rest[v], normals[v], anchors);
         break;
-      default:
-        regions[v] = Region::hips;
+      case Segment::thigh:
+        regions[v] = rest[v].z() >= anchors.crotch ? Region::hips
+                     : left                        ? Region::thigh_left
+                                                   : Region::thigh_right;
+        break;
+      case Segment::shank:
+        regions[v] = left ? Region::shank_left : Region::shank_right;
+        break;
+      case Segment::foot:
+        regions[v] = left ? Region::foot_left : Region::foot_right;
+        break;
     }
   }
   return regions;
