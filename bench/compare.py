@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Ratios between two records of run_bench.py, case by case.
+"""Ratios between two records of run_bench.py or robustness.py, case by case.
 
-usage: compare.py A.json B.json [--worse SHARE]
+usage: compare.py A B [--worse SHARE]
 
 Figures are medians of the repeats; a ratio is B / A, so below 1 B is faster or smaller. The last line
 is the geometric mean over the cases that settled in both. With --worse 0.1 the exit code is 1 when
 a case of A that settled does not settle in B, or takes over 10 % more processor time.
 """
 import argparse
-import json
 import math
 import sys
 
+import records
 from run_bench import median, status
 
 FIGURES = (("wall_seconds", "wall"), ("cpu_seconds", "cpu"), ("peak_memory_mb", "memory"),
@@ -20,8 +20,7 @@ FIGURES = (("wall_seconds", "wall"), ("cpu_seconds", "cpu"), ("peak_memory_mb", 
 
 def load(path):
     try:
-        with open(path) as file:
-            record = json.load(file)
+        record = records.read(path)
         if not isinstance(record.get("cases"), dict):
             raise ValueError("no cases in it")
         return record

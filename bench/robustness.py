@@ -20,8 +20,9 @@ import shutil
 import sys
 import tempfile
 
+import records
 import robustness_draw
-from run_bench import ROOT, git, machine, run_process, status, write
+from run_bench import ROOT, git, machine, run_process, status
 
 ATTEMPTS = 20
 KILL_AFTER = 300  # seconds beyond the time budgets of all drapes of a case
@@ -119,7 +120,7 @@ def parse():
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=2012)
     parser.add_argument("--cases", type=numbers, help="only these, also when recorded already")
-    parser.add_argument("--json", metavar="FILE", help="resume and write this record")
+    parser.add_argument("--json", metavar="FILE", help="resume and write this record; .csv: a line a case, draws left out")
     parser.add_argument("--record", metavar="NOTE", help="add to bench/history, with a note")
     parser.add_argument("--binary", default=str(ROOT / "build/bin/loosefit"))
     parser.add_argument("--budget", type=float, default=300, help="wall seconds of each drape")
@@ -149,13 +150,18 @@ def main():
     if options.json:
         targets.append(pathlib.Path(options.json))
         if targets[0].exists():
-            earlier = json.loads(targets[0].read_text())
+            earlier = records.read(targets[0])
             if earlier.get("seed") != options.seed:
                 sys.exit(f"error: {options.json}: found seed {earlier.get('seed')}, expected "
                          f"{options.seed}\nhint: give another --json or --seed")
+            for name, entry in earlier["cases"].items():
+                case = robustness_draw.draw(options.seed, records.case_number(name), len(entry["redrawn"]))
+                if entry.get("draw") != case:
+                    sys.exit(f"error: {options.json}: {name}: found a case that this program draws "
+                             "differently, expected its own\nhint: give another --json")
             record["cases"], record["versions"] = earlier["cases"], earlier["versions"]
     if options.record is not None:
-        targets.append(ROOT / f"bench/history/robustness-{record['date']}-{commit.rstrip('+')}.json")
+        targets.append(ROOT / f"bench/history/robustness-{record['date']}-{commit.rstrip('+')}.csv")
     name_of = f"draw-{options.seed}-{{:03d}}".format
     if not options.cases:
         wanted = [number for number in wanted if name_of(number) not in record["cases"]]
@@ -174,7 +180,7 @@ def main():
             record["cases"] = dict(sorted(record["cases"].items()))
             print_case(running[done], entry)
             for path in targets:  # after every case: a study that is cut short keeps what it has
-                write(path, record)
+                records.write(path, record)
     failures = print_summary(record["cases"])
     return 1 if failures else 0
 

@@ -83,10 +83,10 @@ def draw_garment(rng, body):
     return {"fit": {key: round(min(max(value, -0.30), 1.0), 3) for key, value in fit.items()}}
 
 
-def draw_fabric(rng, garment):
+def draw_fabric(rng, garment, fabrics):
     """Tighter than the body by over 5 %: a fabric that can be stretched over it."""
     tight = garment.get("fit", {}).get("chest", 0) < -0.05
-    return rng.choice(STRETCH if tight else FABRICS)
+    return rng.choice(STRETCH if tight else fabrics)
 
 
 def draw_posture(rng):
@@ -123,12 +123,12 @@ def draw_start(rng):
             "seed": rng.randrange(1, 10**6)}
 
 
-def draw(seed, number, attempt=0):
+def draw(seed, number, attempt=0, fabrics=FABRICS):
     """The case as a table of plain values. `attempt`: counts draws that named no body or shirt."""
     rng = random.Random(f"loosefit {seed} {number} {attempt}")
     case = {"body": draw_body(rng)}
     case["garment"] = draw_garment(rng, case["body"])
-    case["fabric"] = draw_fabric(rng, case["garment"])
+    case["fabric"] = draw_fabric(rng, case["garment"], fabrics)
     case["posture"] = draw_posture(rng)
     case["start"] = draw_start(rng)
     case["edge_mm"] = 14 if rng.random() < 0.15 else 20

@@ -24,6 +24,7 @@ import threading
 import time
 
 import bench_cases
+from records import write
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HISTORY_SAMPLES = 40  # kept of each residual history
@@ -193,15 +194,6 @@ def machine():
 def git(*words):
     return subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True,
                           text=True).stdout.strip()
-
-
-def write(path, record):
-    """Atomic; one line per innermost list, so that differences can be read."""
-    text = json.dumps(record, indent=1, ensure_ascii=False)
-    text = re.sub(r"\[\s+([-\d.eE]+),\s+([-\d.eE]+),\s+([-\d.eE]+)\s+\]", r"[\1, \2, \3]", text)
-    temporary = path.with_name("." + path.name)
-    temporary.write_text(text + "\n")
-    temporary.replace(path)
 
 
 def main():

@@ -17,7 +17,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-from run_bench import git, machine, median, run_process, write  # noqa: E402
+from records import write  # noqa: E402
+from run_bench import git, machine, median, run_process  # noqa: E402
 
 EDGES = {"10k": 0.0109, "31k": 0.0061}  # metres
 LIMIT = 3600  # seconds per process

@@ -12,6 +12,8 @@ from unittest import mock
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "bench"))
 import bench_cases  # noqa: E402
 import compare  # noqa: E402
+import records  # noqa: E402
+import robustness_draw  # noqa: E402
 import run_bench  # noqa: E402
 
 
@@ -92,6 +94,73 @@ class Suite(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("worse: x\n", printed)
         self.assertEqual(self.compared(a, record(x=runs(1.2), y=runs(1)), "--worse", "0.3")[0], 0)
+
+
+def robustness_record():
+    """Two cases: one that settled at once, one drawn twice that did not, with a text in it."""
+    cases = {}
+    for number, redrawn in ((1, []), (2, ["error: fit.chest, too \"tight\"\nline two"])):
+        run = runs(1.25)["runs"][0] | {"residual": 3.2e-4, "intersections": {"body": 0, "self": 2},
+                                      "stop_reason": "17" if redrawn else "converged"}
+        if redrawn:
+            run |= {"settled": False, "unsettled": {"why": "a, b"}}
+        cases[f"draw-2012-{number:03d}"] = {
+            "groups": ["robustness"], "draw": robustness_draw.draw(2012, number, len(redrawn)),
+            "redrawn": redrawn, "runs": [run]}
+    return record(**cases) | {"seed": 2012, "budget": 120.0}
+
+
+class Records(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def test_nothing_is_lost_in_either_form(self):
+        for name in ("a.json", "a.csv"):
+            written = robustness_record()
+            records.write(self.folder / name, written)
+            read = records.read(self.folder / name)
+            read.pop("fabrics", None)
+            self.assertEqual(read, written)
+        self.assertEqual(len((self.folder / "a.csv").read_text().splitlines()), 4)
+        self.assertNotIn("draw\"", (self.folder / "a.csv").read_text())
+
+    def test_a_case_that_the_seed_does_not_draw_is_not_written(self):
+        other = robustness_record()
+        other["cases"]["draw-2012-001"]["draw"]["fabric"] = "sackcloth"
+        with self.assertRaises(ValueError):
+            records.write(self.folder / "a.csv", other)
+        self.assertFalse((self.folder / "a.csv").exists())
+
+    def test_figures_outlive_a_change_of_the_draws(self):
+        records.write(self.folder / "a.csv", robustness_record())
+        with mock.patch.object(robustness_draw, "draw_start", lambda rng: {"shift": 0.01}):
+            read = records.read(self.folder / "a.csv")
+        entry = read["cases"]["draw-2012-002"]
+        self.assertNotIn("draw", entry)
+        self.assertEqual(entry["runs"], robustness_record()["cases"]["draw-2012-002"]["runs"])
+
+    def test_fabrics_that_were_added_later_change_no_draw(self):
+        records.write(self.folder / "a.csv", robustness_record())
+        with mock.patch.object(robustness_draw, "FABRICS", ["sackcloth"]):
+            read = records.read(self.folder / "a.csv")
+        self.assertEqual(read["cases"], robustness_record()["cases"])
+
+    def test_records_of_robustness_compare(self):
+        records.write(self.folder / "a.csv", robustness_record())
+        code, printed = call(compare, self.folder / "a.csv", self.folder / "a.csv")
+        self.assertEqual(code, 0)
+        self.assertRegex(printed, r"draw-2012-001 +settled +settled")
+
+    def test_history_can_be_read(self):
+        history = sorted((pathlib.Path(records.__file__).parent / "history").glob("*.*"))
+        self.assertTrue(history)
+        for path in history:
+            with self.subTest(path.name):
+                kept = records.read(path)
+                self.assertTrue(kept.get("cases") or kept.get("loosefit"))
+                self.assertLess(len(path.read_text().splitlines()), 300)
 
 
 if __name__ == "__main__":

@@ -19,6 +19,9 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 REPOSITORY = HERE.parent.parent
+sys.path.insert(0, str(REPOSITORY / "bench"))
+from records import json_lines  # noqa: E402
+
 # Edge length [mm] -> number of drapes.
 PLAN = {20: 8, 14: 8, 10: 8, 7: 4}
 MAPS = ["strain_max", "distance_mm", "angular_deviation_deg"]
@@ -79,7 +82,7 @@ def main():
             results.setdefault(str(edge), {})[str(seed)] = figures(done.result())
             print(f"{edge} mm, start {seed}: settled {results[str(edge)][str(seed)]['settled']}",
                   file=sys.stderr, flush=True)
-    (HERE / "results.json").write_text(json.dumps(results, indent=1) + "\n")
+    (HERE / "results.json").write_text(json_lines(results) + "\n")
 
 
 if __name__ == "__main__":

@@ -21,6 +21,9 @@ import sys
 
 from cases import HERE, MAIN, REFERENCE, REPOSITORY, SIDE, scenario_text
 
+sys.path.insert(0, str(REPOSITORY / "bench"))
+from records import json_lines  # noqa: E402
+
 SITE_NAMES = ["scapula_L", "scapula_R", "upper_back", "mid_back", "lower_back"]
 SITE_VALUES = ["angular_deviation_deg", "angular_deviation_deg_worst", "tilt_sagittal_deg",
                "tilt_lateral_deg", "distance_mm"]
@@ -130,7 +133,7 @@ def main():
             print(f"{name}: {settled} of {len(results[name]['drapes'])} settled", file=sys.stderr,
                   flush=True)
             ordered = {key: results[key] for key in [*MAIN, *SIDE] if key in results}
-            stored.write_text(json.dumps(ordered, indent=1) + "\n")
+            stored.write_text(json_lines(ordered) + "\n")
     if arguments.no_page:
         return
     drape(arguments.binary, arguments.output, "reference", REFERENCE.read_text())
