@@ -33,20 +33,6 @@ std::vector<std::string> order(const Ranking& ranking) {
   return names;
 }
 
-TEST(Quantile, IsTheOrderStatistic) {
-  EXPECT_EQ(quantile({3, 1, 2}, 0.05), 1);
-  std::vector<double> twenty, forty;
-  for (int i = 1; i <= 40; ++i) (i <= 20 ? twenty : forty).push_back(i);
-  EXPECT_EQ(quantile(twenty, 0.05), 1) << "5 % of 20 is one: the worst";
-  forty.insert(forty.end(), twenty.begin(), twenty.end());
-  EXPECT_EQ(quantile(forty, 0.05), 2);
-  EXPECT_EQ(quantile(forty, 0.95), 38);
-  EXPECT_EQ(quantile(forty, 1), 40);
-  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
-  EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
-  EXPECT_EQ(median({9, 1, 2}), 2);
-}
-
 TEST(SiteScore, SummarisesSamples) {
   const SiteScore s = score_samples(site("a", {0.9, 0.4, 0.6, 0.5}).samples, plain());
   EXPECT_DOUBLE_EQ(s.robust, 0.4);

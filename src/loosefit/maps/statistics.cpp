@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "loosefit/base/quantile.h"
 
 namespace loosefit {
 
@@ -26,13 +27,8 @@ MapStatistics statistics(const std::vector<double>& values, const std::vector<do
     return s;
   }
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return values[i] < values[j]; });
-  const auto quantile = [&](double q) {
-    double below = 0;
-    for (int i : order) {
-      below += weights[i];
-      if (below >= q * s.area * (1 - 1e-12)) return values[i];
-    }
-    return values[order.back()];
+  const auto quantile = [&](double share) {
+    return weighted_quantile(values, weights, order, s.area, share);
   };
   s.min = values[order.front()];
   s.p5 = quantile(0.05);

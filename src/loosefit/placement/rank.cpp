@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/placement/resample.h"
 

@@ -1,38 +1,13 @@
 #include "loosefit/placement/site_score.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 
 namespace loosefit {
-namespace {
-
-/// Position of the quantile among n ascending values.
-std::size_t quantile_index(std::size_t n, double share) {
-  // The slack keeps 0.05 · 20 = 1.0000000000000002 from counting as two.
-  const double place = std::ceil(share * static_cast<double>(n) - 1e-9);
-  return static_cast<std::size_t>(std::clamp(place, 1.0, static_cast<double>(n))) - 1;
-}
-
-}  // namespace
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = values.begin() + quantile_index(values.size(), share);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecard& scorecard) {
   if (samples.empty()) throw InvalidInput("a site to be scored has no sample");

@@ -10,12 +10,6 @@ namespace loosefit {
 /// Share of the samples (donnings, later bodies) that may fall below the robust score.
 inline constexpr double kRobustShare = 0.05;
 
-/// Smallest value such that at least `share` of the values lie at or below it: the
-/// ⌈share · n⌉-th smallest. NaN without values.
-double quantile(std::vector<double> values, double share);
-/// Middle value, or the mean of the two in the middle. NaN without values.
-double median(std::vector<double> values);
-
 /// What many samples say of one site. Unrated as soon as one sample cannot be rated.
 struct SiteScore {
   std::vector<double> samples;  ///< score per sample; empty when not rated

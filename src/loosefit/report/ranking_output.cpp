@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/csv.h"
