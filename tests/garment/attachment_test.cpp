@@ -8,6 +8,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/garment/hierarchy.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit {
@@ -33,11 +34,6 @@ Attachment board(const Vec2& at, const Vec2& size, double mass) {
 
 double total(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-double flat_area(const std::array<Vec2, 3>& uv) {
-  const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
-  return (a.x() * b.y() - a.y() * b.x()) / 2;
 }
 
 /// ∫ added bending dA over the garment [N m³].

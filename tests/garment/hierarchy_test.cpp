@@ -7,16 +7,12 @@
 #include <set>
 
 #include "loosefit/garment/assemble.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/shirt_draft.h"
 
 namespace loosefit {
 namespace {
-
-double flat_area(const std::array<Vec2, 3>& uv) {
-  const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
-  return (a.x() * b.y() - a.y() * b.x()) / 2;
-}
 
 /// Euler characteristic and number of boundary loops of a sewn mesh.
 std::pair<int, int> topology(const Garment& g) {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "loosefit/body/union_find.h"
+#include "loosefit/base/union_find.h"
 
 namespace loosefit {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "loosefit/base/union_find.h"
 #include "loosefit/body/mesh_repair.h"
-#include "loosefit/body/union_find.h"
 
 namespace loosefit {
 namespace {

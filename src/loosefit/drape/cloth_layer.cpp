@@ -1,18 +1,12 @@
 #include "loosefit/drape/cloth_layer.h"
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 
 namespace loosefit {
 
 std::vector<Triangle> ClothMesh::triangles_of(int layer) const {
   return {triangles.begin() + first_triangle[layer], triangles.begin() + first_triangle[layer + 1]};
-}
-
-std::vector<double> flat_areas(const Garment& garment) {
-  std::vector<double> area;
-  for (const auto& [a, b, c] : garment.triangle_uv)
-    area.push_back(0.5 * std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]));
-  return area;
 }
 
 ClothMesh joined(const std::vector<const Garment*>& garments) {
@@ -22,7 +16,7 @@ ClothMesh joined(const std::vector<const Garment*>& garments) {
     const int shift = all.vertices;
     for (const Triangle& t : garment->triangles)
       all.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-    const std::vector<double> area = flat_areas(*garment);
+    const std::vector<double> area = flat_areas(garment->triangle_uv);
     all.area.insert(all.area.end(), area.begin(), area.end());
     all.triangle_layer.resize(all.triangles.size(), all.layers());
     all.vertices += garment->vertex_count;

@@ -17,9 +17,6 @@ struct ClothLayer {
   std::optional<double> friction_over = {};
 };
 
-/// Flat areas of the triangles [m²].
-std::vector<double> flat_areas(const Garment& garment);
-
 /// Several meshes as one: vertices and triangles of the innermost come first.
 struct ClothMesh {
   int vertices = 0;

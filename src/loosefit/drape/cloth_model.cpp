@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/geometry/flat_triangle.h"
+
 namespace loosefit {
 namespace {
 
@@ -15,21 +17,12 @@ double layer_stiffness(const Material& m) {
   return kPressure * std::max(1.0, stiffest / kReferenceStiffness) / (0.5 * m.thickness);
 }
 
-double shortest_height(const Garment& g) {
-  double least = 1e9;
-  for (const auto& [a, b, c] : g.triangle_uv) {
-    const double twice = std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
-    least = std::min(least, twice / std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}));
-  }
-  return least;
-}
-
 /// Explicit viscosity is stable only well below the time in which a wave crosses a triangle.
 Material stable(Material m, const Garment& garment, const DrapeOptions& options) {
   if (options.integrator != IntegratorKind::semi_implicit_euler) return m;
   const double speed = std::sqrt(std::max(m.stiffness_warp, m.stiffness_weft) /
                                  ((1 - m.poisson * m.poisson) * m.areal_density));
-  m.damping = std::min(m.damping, 0.1 * shortest_height(garment) / speed);
+  m.damping = std::min(m.damping, 0.1 * shortest_height(garment.triangle_uv) / speed);
   return m;
 }
 

@@ -1,34 +1,15 @@
 #include "loosefit/drape/impact_zones.h"
 
-#include <Eigen/SVD>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "loosefit/base/union_find.h"
 #include "loosefit/contact/candidate_pairs.h"
 #include "loosefit/contact/pair_distance.h"
+#include "loosefit/geometry/nearest_rotation.h"
 
 namespace loosefit {
 namespace {
-
-/// Sets of particles that move together.
-class Zones {
- public:
-  explicit Zones(std::size_t particles) : of_(particles) { std::iota(of_.begin(), of_.end(), 0); }
-  int of(int i) {
-    while (of_[i] != i) i = of_[i] = of_[of_[i]];
-    return i;
-  }
-  /// True when they were apart before.
-  bool join(int i, int j) {
-    i = of(i), j = of(j);
-    of_[i] = j;
-    return i != j;
-  }
-
- private:
-  std::vector<int> of_;
-};
 
 /// Displacements of the rigid motion nearest to the given ones (Kabsch 1976), or their mean.
 void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
@@ -38,11 +19,7 @@ void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
   from /= static_cast<double>(members.size()), to /= static_cast<double>(members.size());
   Mat3 sum = Mat3::Zero();
   for (int i : members) sum += (x[i] + wanted[i] - to) * (x[i] - from).transpose();
-  const Eigen::JacobiSVD<Mat3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 proper = Mat3::Identity();
-  proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Mat3 turn =
-      may_turn ? Mat3(svd.matrixU() * proper * svd.matrixV().transpose()) : Mat3(Mat3::Identity());
+  const Mat3 turn = may_turn ? nearest_rotation(sum) : Mat3(Mat3::Identity());
   for (int i : members) u[i] = to + turn * (x[i] - from) - x[i];
 }
 
@@ -52,23 +29,23 @@ std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::ve
                                   const std::vector<Vec3>& displacement, int rounds) {
   std::vector<Vec3> u = displacement;
   CandidatePairs candidates(features);
-  Zones zones(x.size());
-  std::set<int> stiff;  // particles of zones that had better not turn
+  UnionFind zones(x.size());  // particles that move together
+  std::set<int> stiff;        // particles of zones that had better not turn
   for (int round = 0; round < rounds; ++round) {
     bool joined = false, again = false;
     for (const FeaturePair& pair : candidates.approaching(x, u)) {
       if (time_of_impact(pair.kind, pair.points(x), pair.points(u)) >= 1) continue;
       bool apart = false;
-      for (int k = 1; k < 4; ++k) apart |= zones.join(pair.particle[0], pair.particle[k]);
+      for (int k = 1; k < 4; ++k) apart |= zones.unite(pair.particle[0], pair.particle[k]);
       joined |= apart;
       // Turning features that all but touch, on straight ways, may count as meeting.
       if (!apart) again |= stiff.insert(pair.particle[0]).second;
     }
     if (!joined && !again) break;
     std::map<int, std::vector<int>> members;
-    for (int i = 0; i < static_cast<int>(x.size()); ++i) members[zones.of(i)].push_back(i);
+    for (int i = 0; i < static_cast<int>(x.size()); ++i) members[zones.find(i)].push_back(i);
     std::set<int> shifted;
-    for (int i : stiff) shifted.insert(zones.of(i));
+    for (int i : stiff) shifted.insert(zones.find(i));
     for (const auto& [zone, list] : members)
       if (list.size() > 1) make_rigid(list, x, displacement, !shifted.count(zone), u);
   }

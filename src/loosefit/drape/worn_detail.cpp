@@ -1,18 +1,11 @@
 #include "loosefit/drape/worn_detail.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "loosefit/geometry/nearest_rotation.h"
 
 namespace loosefit {
 namespace {
-
-Mat3 nearest_rotation(const Mat3& m) {
-  const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 proper = Mat3::Identity();
-  proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * proper * svd.matrixV().transpose();
-}
 
 /// Σ edge now · edge beforeᵀ of a triangle; its normal counts as an edge as long as those.
 Mat3 correlation(const Triangle& t, const std::vector<Vec3>& before, const std::vector<Vec3>& now) {

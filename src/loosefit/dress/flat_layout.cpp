@@ -4,6 +4,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 
 namespace loosefit {
 
@@ -65,8 +66,7 @@ int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec
     if (garment.triangle_panel[t] != panel) continue;
     const Triangle& tri = garment.triangles[t];
     const Vec2 a = layout.at(tri[0]), b = layout.at(tri[1]), c = layout.at(tri[2]);
-    const double area = (b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0];
-    count += sign * area <= 0;
+    count += sign * cross(b - a, c - a) <= 0;
   }
   return count;
 }

@@ -4,29 +4,14 @@
 #include <numeric>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/union_find.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/garment/surface_check.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit {
 namespace {
-
-/// Union-find over all panel vertices; the lowest member represents its class.
-class Welds {
- public:
-  explicit Welds(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 std::string seam_key(const Stitch& stitch, std::size_t index) {
   return "stitch " + (stitch.name.empty() ? std::to_string(index) : stitch.name);
@@ -80,7 +65,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
   for (int p = 0; p < panels; ++p)
     first[p + 1] = first[p] + static_cast<int>(meshes[p].vertices.size());
 
-  Welds welds(first[panels]);
+  UnionFind welds(first[panels]);  // panel vertices that are one in the garment
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const Stitch& stitch = pattern.stitches[s];
     const auto& a = meshes[stitch.first.panel].edge_vertices[stitch.first.edge];
@@ -90,8 +75,8 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
                           fmt::format("{} and {} vertices", a.size(), b.size()),
                           "equal counts on both sides");
     for (std::size_t i = 0; i < a.size(); ++i)
-      welds.join(first[stitch.first.panel] + a[i],
-                 first[stitch.second.panel] + b[stitch.right_wrong ? i : b.size() - 1 - i]);
+      welds.unite(first[stitch.first.panel] + a[i],
+                  first[stitch.second.panel] + b[stitch.right_wrong ? i : b.size() - 1 - i]);
   }
 
   SewnPanels sewn;
@@ -100,14 +85,14 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
   if (coarser) {
     for (int p = 0; p < panels; ++p)
       for (std::size_t i = 0; i < (*coarser)[p].size(); ++i) {
-        number[welds.root(first[p] + static_cast<int>(i))] = (*coarser)[p][i];
+        number[welds.find(first[p] + static_cast<int>(i))] = (*coarser)[p][i];
         g.vertex_count = std::max(g.vertex_count, (*coarser)[p][i] + 1);
       }
   }
   sewn.vertex_of.resize(panels);
   for (int p = 0; p < panels; ++p)
     for (int i = first[p]; i < first[p + 1]; ++i) {
-      int& n = number[welds.root(i)];
+      int& n = number[welds.find(i)];
       if (n < 0) n = g.vertex_count++;
       sewn.vertex_of[p].push_back(n);
     }
@@ -133,8 +118,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
         uv[i] = meshes[p].vertices[t[i]];
         corners[i] = sewn.vertex_of[p][t[i]];
       }
-      const Vec2 u = uv[1] - uv[0], v = uv[2] - uv[0];
-      const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+      const double area = flat_area(uv);
       g.area += area;
       for (const int c : corners) g.vertex_mass[c] += area * material.areal_density / 3;
       g.triangles.push_back(corners);

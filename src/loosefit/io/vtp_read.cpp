@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/io/vtp.h"
 #include "loosefit/io/vtp_sealed.h"
 
@@ -97,8 +98,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
     std::array<Vec2, 3> triangle;
     for (int k = 0; k < 3; ++k)
       triangle[k] = {corners->GetComponent(i, 2 * k), corners->GetComponent(i, 2 * k + 1)};
-    const Vec2 e = triangle[1] - triangle[0], f = triangle[2] - triangle[0];
-    garment.area += 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
+    garment.area += flat_area(triangle);
     garment.triangle_uv.push_back(triangle);
   }
 

@@ -128,15 +128,4 @@ void require_same_wearer(const Body& reference, const Body& now) {
       "a partner on the skin can only be followed on a body that keeps its mesh");
 }
 
-Mat3 nearest_rotation(const Mat3& matrix) {
-  const Eigen::JacobiSVD<Mat3> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 turn = svd.matrixU() * svd.matrixV().transpose();
-  if (turn.determinant() < 0) {  // a mirror image: give way where the matrix says least
-    Mat3 u = svd.matrixU();
-    u.col(2) *= -1;
-    turn = u * svd.matrixV().transpose();
-  }
-  return turn;
-}
-
 }  // namespace loosefit

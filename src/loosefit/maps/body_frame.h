@@ -58,8 +58,4 @@ SurfaceFrame frame_of(const SkinPoint& point, const Body& now);
 /// surfaces have the same triangles.
 void require_same_wearer(const Body& reference, const Body& now);
 
-/// The rotation nearest to a matrix (polar decomposition; Kabsch 1976): the mean of rotations when
-/// given their weighted sum.
-Mat3 nearest_rotation(const Mat3& matrix);
-
 }  // namespace loosefit

@@ -13,11 +13,6 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // Fixed ranges of the pictures: signed tilts to both sides, their sum as far as the deviation map.
 constexpr double kTiltRange = 30, kRotationRange = 40;  // [deg]
 
-double flat_area(const std::array<Vec2, 3>& uv) {
-  const Vec2 e = uv[1] - uv[0], f = uv[2] - uv[0];
-  return 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
-}
-
 PerformanceMap degree_map(const std::string& array, const std::string& title,
                           const std::string& map, bool signed_angle) {
   const double range = signed_angle ? kTiltRange : kRotationRange;
@@ -55,7 +50,7 @@ Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3
                     const Vec2& direction) {
   const Triangle& c = garment.triangles[triangle];
   const Vec3 normal = triangle_normal(positions[c[0]], positions[c[1]], positions[c[2]]);
-  const Vec3 image = deformation_gradient(garment, triangle, positions) * direction;
+  const Vec3 image = garment_gradient(garment, triangle, positions) * direction;
   const double length = image.norm();
   Mat3 frame = Mat3::Constant(kNan);
   if (!(length > 0) || !(normal.squaredNorm() > 0)) return frame;
@@ -70,7 +65,7 @@ std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>&
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
     const double area = flat_area(garment.triangle_uv[t]);
     if (!(area > 0)) continue;
-    const Vec3 along = deformation_gradient(garment, t, positions) * direction;
+    const Vec3 along = garment_gradient(garment, t, positions) * direction;
     for (int v : garment.triangles[t])
       if (garment.vertex_panel[v] == garment.triangle_panel[t]) image[v] += area * along;
   }

@@ -11,6 +11,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/geometry/closest_point_tree.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/maps/surface_curvature.h"
 
 namespace loosefit {
@@ -81,13 +82,8 @@ std::vector<Mat3> membrane_tension(const Garment& garment, const std::vector<Vec
                                 garment.triangle_membrane_factor, material);
   std::vector<Mat3> tension;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const auto& uv = garment.triangle_uv[t];
-    const Triangle& c = garment.triangles[t];
-    Mat2 flat;
-    flat << uv[1] - uv[0], uv[2] - uv[0];
-    Eigen::Matrix<double, 3, 2> space;
-    space << x[c[1]] - x[c[0]], x[c[2]] - x[c[0]];
-    const Eigen::Matrix<double, 3, 2> f = space * flat.inverse();
+    const DeformationGradient f =
+        deformation_gradient(garment.triangle_uv[t], garment.triangles[t], x);
     const Vec3 s = membrane.state(static_cast<int>(t), x).stress;
     Mat2 stress;
     stress << s[0], s[2], s[2], s[1];

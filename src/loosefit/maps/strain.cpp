@@ -9,33 +9,22 @@ namespace loosefit {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-double flat_area(const std::array<Vec2, 3>& uv) {
-  const Vec2 e = uv[1] - uv[0], f = uv[2] - uv[0];
-  return 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
-}
-
 }  // namespace
 
-DeformationGradient deformation_gradient(const Garment& garment, int triangle,
-                                         const std::vector<Vec3>& positions) {
-  const auto& uv = garment.triangle_uv[triangle];
-  const Triangle& corner = garment.triangles[triangle];
-  if (flat_area(uv) <= 0) return DeformationGradient::Constant(kNan);
-  Mat2 flat;
-  flat << uv[1] - uv[0], uv[2] - uv[0];
-  DeformationGradient space;
-  space << positions[corner[1]] - positions[corner[0]], positions[corner[2]] - positions[corner[0]];
-  return space * flat.inverse();
+DeformationGradient garment_gradient(const Garment& garment, int triangle,
+                                     const std::vector<Vec3>& positions) {
+  return deformation_gradient(garment.triangle_uv[triangle], garment.triangles[triangle],
+                              positions);
 }
 
 double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
                     const Vec2& direction) {
-  return (deformation_gradient(garment, triangle, positions) * direction).norm() - 1;
+  return (garment_gradient(garment, triangle, positions) * direction).norm() - 1;
 }
 
 TriangleStrain triangle_strain(const Garment& garment, int triangle,
                                const std::vector<Vec3>& positions) {
-  const DeformationGradient f = deformation_gradient(garment, triangle, positions);
+  const DeformationGradient f = garment_gradient(garment, triangle, positions);
   const double uu = f.col(0).squaredNorm(), vv = f.col(1).squaredNorm();
   const double uv_product = f.col(0).dot(f.col(1));
   // Eigenvalues of FᵀF. std::max passes NaN of its first argument on.

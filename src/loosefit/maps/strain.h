@@ -1,16 +1,15 @@
 #pragma once
-#include <Eigen/Core>
 #include <vector>
 
 #include "loosefit/garment/garment.h"
+#include "loosefit/geometry/flat_triangle.h"
 
 namespace loosefit {
 
 /// F of one garment triangle, from pattern (u, v) to space: dx = F du. Columns are the images of
 /// weft and warp. NaN for a triangle without flat area.
-using DeformationGradient = Eigen::Matrix<double, 3, 2>;
-DeformationGradient deformation_gradient(const Garment& garment, int triangle,
-                                         const std::vector<Vec3>& positions);
+DeformationGradient garment_gradient(const Garment& garment, int triangle,
+                                     const std::vector<Vec3>& positions);
 
 /// Strain of one garment triangle. F is the 3×2 deformation gradient from pattern coordinates (u
 /// weft, v warp) to space, dx = F du; the stretch along a unit pattern direction d is |F d| and

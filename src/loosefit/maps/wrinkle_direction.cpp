@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/maps/body_frame.h"
 
 namespace loosefit {
@@ -14,8 +15,6 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSteps = 4;  // one implicit step has a long tail and would eat wide folds
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Lumped mass M and stiffness L of linear elements on the flat, sewn cloth; a vertex that no
 /// triangle touches stays as it is.

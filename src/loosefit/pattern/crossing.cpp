@@ -2,14 +2,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 bool within_box(const Vec2& a, const Vec2& b, const Vec2& p) {
   return std::min(a.x(), b.x()) <= p.x() && p.x() <= std::max(a.x(), b.x()) &&

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
 
@@ -80,14 +81,14 @@ struct Triangulation {
 };
 
 double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const double twice_area = std::abs((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x());
+  const double twice_area = std::abs(cross(b - a, c - a));
   return twice_area > 0 ? (b - a).norm() * (c - b).norm() * (a - c).norm() / (2 * twice_area)
                         : std::numeric_limits<double>::infinity();
 }
 
 Vec2 circumcentre(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
-  const double d = 2 * (u.x() * v.y() - u.y() * v.x());
+  const double d = 2 * cross(u, v);
   return a + Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
                   u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
                  d;
@@ -175,7 +176,7 @@ bool break_chords(std::vector<Vec2>& points, const std::vector<Triangle>& triang
 /// One sweep: every interior point to the area centroid of its triangles, unless one would flip.
 void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int outline) {
   const auto twice_area = [](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+    return cross(b - a, c - a);
   };
   std::vector<std::vector<int>> around(points.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/curve.h"
 
 namespace loosefit {
@@ -80,7 +81,7 @@ double signed_area(const std::vector<Vec2>& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 p = polygon[i] - polygon[0], q = polygon[(i + 1) % polygon.size()] - polygon[0];
-    twice += p.x() * q.y() - p.y() * q.x();
+    twice += cross(p, q);
   }
   return twice / 2;
 }

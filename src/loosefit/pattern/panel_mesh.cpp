@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/mesher.h"
 #include "loosefit/pattern/outline.h"
 
@@ -13,7 +14,7 @@ double smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 corner[3] = {a, b, c};
   for (int i = 0; i < 3; ++i) {
     const Vec2 u = corner[(i + 1) % 3] - corner[i], v = corner[(i + 2) % 3] - corner[i];
-    smallest = std::min(smallest, std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+    smallest = std::min(smallest, std::atan2(cross(u, v), u.dot(v)));
   }
   return smallest;
 }

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/placement/footprint_unfold.h"
 #include "loosefit/placement/ray.h"
 
@@ -184,17 +185,12 @@ double angle_in_pattern(const Garment& garment, const std::vector<Vec3>& positio
   for (int t : triangles) {
     if (garment.triangle_panel[t] != garment.triangle_panel[triangles.front()]) continue;
     const auto& uv = garment.triangle_uv[t];
-    const Triangle& v = garment.triangles[t];
-    Mat2 flat;
-    flat << uv[1] - uv[0], uv[2] - uv[0];
-    Eigen::Matrix<double, 3, 2> worn;
-    worn << positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]];
-    const double area = std::abs(flat.determinant());
-    if (area < 1e-16) continue;
-    const Eigen::Matrix<double, 3, 2> gradient = worn * flat.inverse();
+    const double twice_area = std::abs(cross(uv[1] - uv[0], uv[2] - uv[0]));
+    if (twice_area < 1e-16) continue;
+    const DeformationGradient gradient = deformation_gradient(uv, garment.triangles[t], positions);
     const Mat2 metric = gradient.transpose() * gradient;
     if (std::abs(metric.determinant()) < 1e-12) continue;
-    sum += area * (metric.inverse() * (gradient.transpose() * axis));
+    sum += twice_area * (metric.inverse() * (gradient.transpose() * axis));
   }
   if (!(sum.norm() > 1e-12)) return std::numeric_limits<double>::quiet_NaN();
   return std::atan2(-sum.x(), sum.y());

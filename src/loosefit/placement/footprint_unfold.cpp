@@ -7,13 +7,12 @@
 #include <tuple>
 
 #include "loosefit/geometry/closest_point.h"
+#include "loosefit/geometry/flat_triangle.h"
 
 namespace loosefit {
 namespace {
 
 Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double distance(const std::array<Vec2, 3>& corners, const Vec2& p) {
   const Vec3 a = lifted(corners[0]), b = lifted(corners[1]), c = lifted(corners[2]);

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/placement/resample.h"
 
 namespace loosefit {
@@ -15,8 +16,7 @@ constexpr double kInside = -1e-9;  // a point on an edge must not fall between t
 constexpr int kLatticePerSpacing = 8;
 
 /// Barycentric weights in the flat triangle; NaN when it has no area.
-Vec3 flat_barycentric(const std::array<Vec2, 3>& uv, const Vec2& p) {
-  const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
+Vec3 flat_barycentric(const FlatCorners& uv, const Vec2& p) {
   const double area = cross(uv[1] - uv[0], uv[2] - uv[0]);
   const double b = cross(p - uv[0], uv[2] - uv[0]) / area;
   const double c = cross(uv[1] - uv[0], p - uv[0]) / area;

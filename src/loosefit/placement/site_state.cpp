@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/nearest_rotation.h"
 #include "loosefit/maps/gap.h"
 #include "loosefit/maps/statistics.h"
 #include "loosefit/maps/strain.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/maps/strain.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
@@ -63,7 +64,7 @@ Measured measure(Bench& bench) {
   Measured r;
   const Specimen& s = bench.specimen();
   const auto strain = triangle_strains(s, bench.x);
-  const auto area = flat_areas(s);
+  const auto area = flat_areas(s.triangle_uv);
   double sum = 0;
   for (std::size_t t = 0; t < strain.size(); ++t) {
     const double v = (s.triangle_uv[t][0][1] + s.triangle_uv[t][1][1] + s.triangle_uv[t][2][1]) / 3;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/specimen.h"
@@ -30,7 +31,7 @@ double released_curvature(const Material& material, double tight, Progress& prog
   // Not held: the first step of the solver stores the bend as the place the yarns have slid to.
   settle_bench(bench, progress, 1e-8);
   const BendingEnergy shape(bench.specimen().triangles, bench.specimen().triangle_uv, {}, material);
-  const std::vector<double> area = flat_areas(bench.specimen());
+  const std::vector<double> area = flat_areas(bench.specimen().triangle_uv);
   double sum = 0, covered = 0;
   const double margin = 1.5 * length / 16;  // a border triangle sees only part of its curvature
   for (std::size_t t = 0; t < area.size(); ++t) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/validate/beam_strip.h"
 #include "loosefit/validate/catalogue.h"
 
@@ -81,12 +82,8 @@ class Crossings {
 /// that of a membrane wave across its shortest height.
 double stable_step(const Bench& bench) {
   const Material& m = bench.material();
-  double least = 1e9;
-  for (const auto& [a, b, c] : bench.specimen().triangle_uv) {
-    const double twice = std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
-    least = std::min(least, twice / std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}));
-  }
-  return 0.3 * least / std::sqrt(m.stiffness_warp / m.areal_density);
+  return 0.3 * shortest_height(bench.specimen().triangle_uv) /
+         std::sqrt(m.stiffness_warp / m.areal_density);
 }
 
 Finding swing_finding(const std::string& scheme, double omega, double dt, const std::string& mesh) {

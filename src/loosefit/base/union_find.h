@@ -15,9 +15,11 @@ class UnionFind {
     }
     return i;
   }
-  void unite(int a, int b) {
+  /// True when they were in two sets before.
+  bool unite(int a, int b) {
     const int root_a = find(a), root_b = find(b);
     parent_[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    return root_a != root_b;
   }
 
  private:
