@@ -1,3 +1,16 @@
+# The version has one home, project() in CMakeLists.txt; what is cited and the change log follow it.
+foreach(file CITATION.cff CHANGELOG.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
+endforeach()
+file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff loosefit_cited REGEX "^version: ")
+if(NOT loosefit_cited STREQUAL "version: ${PROJECT_VERSION}")
+  message(FATAL_ERROR "CITATION.cff: found \"${loosefit_cited}\", expected \"version: ${PROJECT_VERSION}\"")
+endif()
+file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md loosefit_changes REGEX "^## \\[[0-9]" LIMIT_COUNT 1)
+if(NOT loosefit_changes MATCHES "^## \\[${PROJECT_VERSION}\\]")
+  message(FATAL_ERROR "CHANGELOG.md: found \"${loosefit_changes}\" as latest, expected ${PROJECT_VERSION}")
+endif()
+
 # What `loosefit version` and summary.json report, read where each library states it.
 file(STRINGS ${CGAL_INCLUDE_DIR}/CGAL/version.h cgal_line REGEX "define CGAL_VERSION [0-9]")
 string(REGEX REPLACE ".*CGAL_VERSION ([0-9.]+).*" "\\1" loosefit_cgal_version "${cgal_line}")

@@ -4,7 +4,7 @@
 
 namespace loosefit {
 
-/// "0.1.0"
+/// That of the CMake project: "0.2.0".
 std::string version();
 
 /// This program, the compiler and the libraries it was built with: name → version, as recorded in
