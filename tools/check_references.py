@@ -11,7 +11,7 @@ Reads code, data, tests and documents, comments and strings alike. It reports
   * a `cite` key or an author with a year ("Li et al. 2020", "Clyde, Teran, Tamstorf 2017") that is not in
     docs/references.bib, where keys are the first author's surname and the year: Li2020, Li2020b;
   * a relative link of a Markdown file that leads to no file, or to no heading of it;
-  * a name in the third column of the vocabulary (docs) that is in no file of src.
+  * a term in the first or a name in the third column of the vocabulary (docs) that no file of src has.
 """
 import pathlib
 import re
@@ -162,16 +162,23 @@ class Checker:
                     self.report(path, text, match.start(), f"no heading #{anchor} in {target or path.name}")
 
     def check_vocabulary(self):
+        """Rows | term, term | meaning | `name` |: who greps for the word or the name must find it."""
         path = self.root / "docs" / "vocabulary.md"
         if not path.exists():
             return
-        source = "\n".join(p.read_text(errors="replace") for p in sorted((self.root / "src").rglob("*"))
-                           if p.suffix in (".h", ".cpp"))
+        source = " ".join(flat(p.read_text(errors="replace"), p.suffix)
+                          for p in sorted((self.root / "src").rglob("*")) if p.suffix in (".h", ".cpp"))
         words = set(re.findall(r"\w+", source))
+        source = re.sub(r"\s+", " ", source.lower())
         text = path.read_text()
         for line in re.finditer(r"^\|(.*)\|$", text, re.M):
-            cells = line.group(1).split("|")
-            for name in re.findall(r"`([^`]+)`", cells[-1]) if len(cells) == 3 else []:
+            cells = [cell.strip() for cell in line.group(1).split("|")]
+            if len(cells) != 3 or cells[0] == "term" or set(cells[0]) <= set("-: "):
+                continue
+            for term in re.split(r",\s+", cells[0]):
+                if term.lower() not in source:
+                    self.report(path, text, line.start(), f"no file of src speaks of \"{term}\"")
+            for name in re.findall(r"`([^`]+)`", cells[2]):
                 known = (self.root / "src" / "loosefit" / name).exists() if "/" in name else \
                     all(word in words for word in re.findall(r"\w+", name))
                 if not known:

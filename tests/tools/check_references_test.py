@@ -13,7 +13,7 @@ SOUND = {
     PAGE: "# Gap\n\n## 1 Distance\n\n### 1.2 Contact\n",
     "docs/decisions/0003-folders.md": "# 3\n",
     "src/loosefit/maps/gap.h": f"/// As in {PAGE} 1.2 and 1; Möller and Trumbore\n/// 1997. Decision 3.\n"
-                               "double gap_of(double distance);\n",
+                               "double gap_of(double distance);  // the gap\n",
 }
 
 
@@ -75,9 +75,11 @@ class CheckReferences(unittest.TestCase):
         self.assertEqual(code, 0, text)
 
     def test_vocabulary(self):
-        row = "| gap | cloth to skin | `{}` |\n"
+        row = "| term | meaning | name in code |\n|---|---|---|\n| gap | cloth to skin | `{}` |\n"
         page = "docs/vocabulary.md"
         self.assert_caught("`gap_from` is not in src", {page: row.format("gap_from")})
+        self.assert_caught('no file of src speaks of "air gap"',
+                           {page: row.replace("| gap", "| air gap").format("gap_of")})
         for name in ("gap_of", "maps/gap.h"):
             code, text = self.run_on({page: row.format(name)})
             self.assertEqual(code, 0, text)

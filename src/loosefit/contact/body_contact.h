@@ -39,9 +39,9 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
 void add_lattice(const Triangle& triangle, double area, double offset, int n,
                  std::vector<ContactPoint>& points);
 
-/// Unilateral contact of the cloth with the body. The cloth is a layer of finite thickness o (the
-/// offset) that can be compressed and hardens: with d the distance of its mid-surface to the skin
-/// and the compression δ = (o − d)₊ the pressure is
+/// Unilateral contact of the cloth with the body: a penalty on the signed distance to the skin. The
+/// cloth is a layer of finite thickness o (the offset) that can be compressed and hardens: with d
+/// the distance of its mid-surface to the skin and the compression δ = (o − d)₊ the pressure is
 ///
 ///   p = k δ + (20 k/o) (δ − 0.6 o)₊²   up to δ = o, linear beyond               [Pa], k [Pa/m]
 ///

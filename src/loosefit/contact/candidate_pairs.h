@@ -7,9 +7,9 @@
 
 namespace loosefit {
 
-/// Finds the pairs of features of one mesh that are, or on a straight move could come, within their
-/// reach. A list of candidates with a margin m is kept between the calls. It was made for the move
-/// from r to r + s, and holds every pair with
+/// Broad phase: finds the pairs of features of one mesh that are, or on a straight move could come,
+/// within their reach. A list of candidates with a margin m is kept between the calls. It was made
+/// for the move from r to r + s, and holds every pair with
 ///
 ///   d(r) − motion_bound(s) < reach + 4/√3 m
 ///

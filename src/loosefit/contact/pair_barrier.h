@@ -4,7 +4,7 @@
 
 namespace loosefit {
 
-/// The barrier between two features, d their distance and d̂ their reach:
+/// The barrier between two features, d their distance and d̂ their activation distance:
 ///
 ///   Π = e · p₀ A d̂ · b(d/d̂),   b(s) = −(s − 1)² ln s for 0 < s < 1, 0 beyond             [J]
 ///

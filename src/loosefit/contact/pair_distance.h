@@ -3,8 +3,8 @@
 
 namespace loosefit {
 
-/// Nearest points of two mesh features: Σ weight_k x_k with weights summing to 0 is the vector from
-/// the second feature to the first; its length is the distance [m].
+/// Narrow phase: nearest points of two mesh features: Σ weight_k x_k with weights summing to 0 is
+/// the vector from the second feature to the first; its length is the distance [m].
 struct PairDistance {
   double distance = 0;
   std::array<double, 4> weight{};

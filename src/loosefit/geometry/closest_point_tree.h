@@ -10,9 +10,9 @@
 
 namespace loosefit {
 
-/// Axis-aligned bounding-box tree over a triangle mesh for exact point-to-surface queries, and for
-/// what overlaps a box.
-/// Keeps a reference to the mesh: the mesh must outlive the tree and must not move.
+/// Tree of axis-aligned bounding boxes (BVH) over a triangle mesh for exact point-to-surface
+/// queries, and for what overlaps a box. Keeps a reference to the mesh: the mesh must outlive the
+/// tree and must not move.
 class ClosestPointTree {
  public:
   /// Half of the work of making it is what tells inside from outside.

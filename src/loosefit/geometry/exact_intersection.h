@@ -7,10 +7,10 @@
 
 namespace loosefit {
 
-/// Pairs (i, j), i < j, of triangles of one surface that intersect; decided with exact predicates
-/// (CGAL, Exact_predicates_inexact_constructions_kernel). Triangles that share an edge are not
-/// tested; triangles that share one vertex count when the far edge of one meets the other.
-/// Degenerate triangles are tested as the segment they are. \throws nothing.
+/// Penetrations: pairs (i, j), i < j, of triangles of one surface that intersect; decided with
+/// exact predicates (CGAL, Exact_predicates_inexact_constructions_kernel). Triangles that share an
+/// edge are not tested; triangles that share one vertex count when the far edge of one meets the
+/// other. Degenerate triangles are tested as the segment they are. \throws nothing.
 std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& vertices,
                                                     const std::vector<Triangle>& triangles);
 

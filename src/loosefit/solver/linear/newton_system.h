@@ -7,9 +7,10 @@
 namespace loosefit {
 
 /// The linear system of a Newton step, (A + diag(shift)) dx = −g. Its factor is kept in single
-/// precision, at half the cost, and preconditions conjugate gradients on the system itself in
-/// double precision, which take away what the rounding left (as iterative refinement does, Higham
-/// and Mary 2022). Where single precision will not do, double precision takes over for good.
+/// precision, at half the cost, and is the preconditioner of conjugate gradients on the system
+/// itself in double precision, which take away what the rounding left (as iterative refinement
+/// does, Higham and Mary 2022). Where single precision will not do, double precision takes over for
+/// good.
 class NewtonSystem {
  public:
   /// As SparseCholesky::factorise.
