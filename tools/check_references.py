@@ -7,7 +7,8 @@ Reads code, data, tests and documents, comments and strings alike. It reports
   * a Markdown file, with or without folders, that is no document of the repository;
   * a section after it, as in "PAGE 3.1" or "PAGE section 3", of which it has no heading;
   * the name of a page of docs/theory with a number but without its path;
-  * `decision 9` without docs/decisions/0009-*.md;
+  * the path of a file of code, `maps/gap.h`, that is not there;
+  * `decision 9` without docs/decisions/0009-*.md, and a decision of more than a page;
   * a `cite` key or an author with a year ("Li et al. 2020", "Clyde, Teran, Tamstorf 2017") that is not in
     docs/references.bib, where keys are the first author's surname and the year: Li2020, Li2020b;
   * a relative link of a Markdown file that leads to no file, or to no heading of it;
@@ -20,6 +21,7 @@ import unicodedata
 
 FOLDERS = ("src", "apps", "data", "tests", "bench", "tools", "validation", "examples", "docs")
 SUFFIXES = (".h", ".cpp", ".py", ".toml", ".md", ".sh", ".cmake", ".bib")
+PAGE = 60  # lines of a decision
 # Words before a year or a number that are no authors: conferences, journals, months.
 NO_AUTHORS = set("""codata membrane sensors ubicomp january february march april may june july august september october november
     december since in from of issue version iso debian vtk python anno copyright""".split())
@@ -35,6 +37,7 @@ NAME = r"(?:(?:[Vv]an der |[Vv]an |[Dd]e )?[^\W\d_a-z](?:[^\W\d_]|['’])+(?:-[^
 AUTHORS = re.compile(rf"(?<![\w.-])({NAME})"
                      rf"((?:,\s+{NAME})*(?:,?\s+(?:and|&)\s+{NAME}|,?\s+et al\.?|\s+and co-authors)?)"
                      r",?\s+\(?((?:1[89]|20)\d\d)(?![\d-])")
+SOURCE_FILE = re.compile(r"(?<![\w/.*{}-])((?:\.\./)*(?:[a-z]\w*/)+[a-z_0-9]+\.(?:h|cpp|py|toml))\b")
 BIB_ENTRY = re.compile(r"@\w+\{\s*([^,\s]+)\s*,")
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)\s>]+)>?[^)]*\)")
 
@@ -135,6 +138,20 @@ class Checker:
                 if not any(d.startswith(f"docs/decisions/{int(number):04d}-") for d in self.documents):
                     self.report(path, text, match.start(), f"no decision {number}")
 
+    def check_files(self, path, text):
+        """Files of code by their path, in documents and comments; reports and the change log tell history."""
+        if path.relative_to(self.root).as_posix().startswith(("bench/reports/", "CHANGELOG")):
+            return
+        if path.suffix in (".h", ".cpp"):
+            text = re.sub(r"^(?:(?!//).)*", lambda m: " " * len(m.group()), text, flags=re.M)
+        elif path.suffix != ".md":
+            return
+        places = (self.root, self.root / "src", self.root / "src" / "loosefit", self.root / "tests",
+                  path.parent)
+        for match in SOURCE_FILE.finditer(text):
+            if not any((place / match.group(1)).exists() for place in places):
+                self.report(path, text, match.start(), f"no file {match.group(1)}")
+
     def check_sources(self, path, text, joined):
         for match in CITE.finditer(joined):
             for key in match.group(1).split(","):
@@ -193,8 +210,12 @@ class Checker:
             if path.suffix != ".bib":
                 self.check_documents(path, text, joined)
                 self.check_sources(path, text, joined)
+                self.check_files(path, text)
             if path.suffix == ".md":
                 self.check_links(path, text)
+            if path.parent.name == "decisions" and text.count("\n") > PAGE:
+                self.report(path, text, len(text), f"a decision is at most a page of {PAGE} lines; "
+                            "tables and trials go into bench/reports")
         self.check_vocabulary()
         return count
 

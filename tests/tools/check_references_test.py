@@ -58,6 +58,16 @@ class CheckReferences(unittest.TestCase):
     def test_decision_that_is_not_there(self):
         self.assert_caught("no decision 4", {"docs/a.md": "(decision 4)\n"})
 
+    def test_decision_of_more_than_a_page(self):
+        self.assert_caught("at most a page", {"docs/decisions/0003-folders.md": "x\n" * 61})
+
+    def test_file_that_is_not_there(self):
+        self.assert_caught("src/a.h:1: no file maps/map.h", {"src/a.h": "int i;  // see maps/map.h\n"})
+        self.assert_caught("no file maps/map.h", {"docs/a.md": "`maps/map.h`\n"})
+        code, text = self.run_on({"docs/a.md": "`maps/gap.h`\n", "bench/reports/a.md": "`maps/map.h`\n",
+                                  "src/a.cpp": 'write("maps/map.h");\n'})
+        self.assertEqual(code, 0, text)
+
     def test_author_and_year(self):
         self.assert_caught('"Li et al. 2020" is not in', {"src/a.h": "// after Li et al.\n// 2020\n"})
         self.assert_caught("(key Kabsch1976)", {"data/a.toml": 'source = "Kabsch 1976"\n'})
