@@ -6,8 +6,9 @@
 
 namespace loosefit {
 
-/// Flesh under skin, as far as it gives way: an elastic foundation (Winkler 1867) that pulls every
-/// vertex to its target, and a tension that keeps neighbours together,
+/// Flesh under skin, as far as it gives way: an elastic foundation (Winkler 1867;
+/// docs/theory/body_model.md 7) that pulls every vertex to its target, and a tension that keeps
+/// neighbours together,
 ///
 ///   Π = Σ ½ k_i |d_i|² + Σ ½ t |d_i − d_j|²,   d = x − target                              [J]
 ///

@@ -34,9 +34,9 @@ std::vector<Vec2> wrinkle_slopes(const Garment& garment, const WornGarment& worn
                                  double width = kWrinkleWidth);
 
 /// Direction of the folds from the structure tensor J = Σ area · p pᵀ / Σ area of slopes p (Bigün
-/// and Granlund 1987): the folds run square to its first eigenvector, coherence is the difference
-/// of its eigenvalues over their sum, slope² is that sum. Entries with a NaN are left out; all NaN
-/// when none is left.
+/// and Granlund 1987; docs/theory/sensor_metrics.md 11): the folds run square to its first
+/// eigenvector, coherence is the difference of its eigenvalues over their sum, slope² is that sum.
+/// Entries with a NaN are left out; all NaN when none is left.
 WrinkleDirection wrinkle_direction(const std::vector<Vec2>& slopes,
                                    const std::vector<double>& areas);
 

@@ -48,12 +48,12 @@ struct Ranking {
 };
 
 /// Ranks sites by their robust score. Intervals and ties come from a bootstrap over the samples
-/// (Efron 1979, percentile intervals): `resamples` times n samples are drawn with replacement, the
-/// same ones for all sites, and the sites are ordered anew by robust score and median. Two sites
-/// are tied when each comes before the other in more than tie_share of the draws, draws in which
-/// they are equal counting half to either. With one sample there is no interval and no tie but
-/// exact equality. Same input and seed, same result. Note that with few samples the robust score
-/// is their worst, whose bootstrap interval reaches upwards only.
+/// (Efron 1979, percentile intervals; docs/theory/sensor_metrics.md 12): `resamples` times n
+/// samples are drawn with replacement, the same ones for all sites, and the sites are ordered anew
+/// by robust score and median. Two sites are tied when each comes before the other in more than
+/// tie_share of the draws, draws in which they are equal counting half to either. With one sample
+/// there is no interval and no tie but exact equality. Same input and seed, same result. Note that
+/// with few samples the robust score is their worst, whose bootstrap interval reaches upwards only.
 /// \throws InvalidInput when sites have no samples, or not equally many, or options are out of
 /// range.
 Ranking rank_sites(const std::vector<SiteSamples>& sites, const Scorecard& scorecard,
