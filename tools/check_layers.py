@@ -121,7 +121,7 @@ def file_pairs(source):
 
 
 def knots(pairs):
-    """Largest sets of file pairs that all reach each other (Tarjan 1972), each sorted."""
+    """Largest sets of file pairs that all reach each other (Tarjan's algorithm), each sorted."""
     index, lowest, stack, found = {}, {}, [], []
 
     def visit(pair):

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
@@ -18,7 +19,7 @@
 #include "loosefit/io/mesh_file.h"
 #include "loosefit/io/mesh_obj.h"
 #include "loosefit/io/run_folder.h"
-#include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_write.h"
 
 namespace loosefit {
 namespace {
@@ -113,7 +114,7 @@ void run(Wish wish) {
       }
     }
     const BodyModel model = BodyModel::load();
-    fit = model.fit(wish.spec);
+    fit = fit_body(model, wish.spec);
     body = SoftBody(model, fit.parameters).in(posture_of(wish));
   }
   print_table(fit.table);

@@ -14,7 +14,7 @@
 #include "loosefit/base/version.h"
 #include "loosefit/body/body_data.h"
 #include "loosefit/io/material_file.h"
-#include "loosefit/render/render_pictures.h"
+#include "loosefit/render/display.h"
 
 namespace loosefit {
 namespace {

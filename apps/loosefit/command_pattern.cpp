@@ -11,7 +11,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/measures_file.h"
 #include "loosefit/io/pattern_svg.h"
 #include "loosefit/io/run_folder.h"

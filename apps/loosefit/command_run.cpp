@@ -11,7 +11,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/run_log.h"
-#include "loosefit/render/render_pictures.h"
+#include "loosefit/render/display.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/study/run_case.h"
 #include "planned_files.h"

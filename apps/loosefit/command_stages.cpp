@@ -8,7 +8,7 @@
 #include "case_output.h"
 #include "exit_code.h"
 #include "loosefit/io/run_folder.h"
-#include "loosefit/render/render_pictures.h"
+#include "loosefit/render/display.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
 #include "planned_files.h"

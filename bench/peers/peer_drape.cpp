@@ -12,7 +12,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/drape/drape_session.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/mesh_file.h"
 #include "loosefit/io/mesh_obj.h"
 #include "loosefit/solver/pin_blas.h"

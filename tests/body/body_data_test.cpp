@@ -7,6 +7,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
 #include "loosefit/body/catmull_clark.h"
 #include "loosefit/body/raw_body_data.h"
 #include "support/body_fixture.h"

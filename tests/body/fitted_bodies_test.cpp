@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_tape.h"
 #include "support/body_fixture.h"
 
@@ -146,7 +147,7 @@ TEST(BodyFit, SevenReferenceBodiesWithoutSubdivision) {
   const BodyModel& model = body_model();
   for (const auto& body : fitted_bodies()) {
     SCOPED_TRACE(body.name);
-    const BodyFit fit = model.fit(spec_of(body), BodyDetail::coarse);
+    const BodyFit fit = fit_body(model, spec_of(body), BodyDetail::coarse);
     EXPECT_NEAR(fit.parameters.height, body.h, 0.005);
     EXPECT_NEAR(fit.parameters.weight, body.w, 0.02);
     for (const auto& [key, value] : body.details) {
@@ -161,7 +162,7 @@ TEST(BodyFit, SevenReferenceBodiesWithoutSubdivision) {
 
 TEST(BodyFit, MeasuresTheSurfaceThatIsBuilt) {
   const BodyModel& model = body_model();
-  const BodyFit fit = model.fit(spec_of(fitted_bodies()[5]));
+  const BodyFit fit = fit_body(model, spec_of(fitted_bodies()[5]));
   const Body body = model.build(fit.parameters, {});
   EXPECT_NEAR(body.measured.at("height"), 1.68, 0.001);
   EXPECT_NEAR(body.measured.at("chest"), 0.88, 0.001);
@@ -178,7 +179,7 @@ TEST(BodyFit, ManyMeasuresTogether) {
                        {"thigh", 0.56},        {"back_length", 0.42},
                        {"arm_length", 0.56},   {"shoulder_breadth", 0.38},
                        {"crotch_height", 0.78}};
-  const BodyFit fit = body_model().fit(spec);
+  const BodyFit fit = fit_body(body_model(), spec);
   EXPECT_EQ(fit.table.size(), 12u);
   for (const auto& row : fit.table) EXPECT_NEAR(row.measured, row.asked, 0.001) << row.name;
 }
@@ -187,7 +188,7 @@ TEST(BodyFit, HeavyBodiesExtrapolateAndSaySo) {
   BodySpec spec;
   spec.sex = 1, spec.height = 1.78;
   spec.measurements = {{"chest", 1.20}, {"waist", 1.15}, {"hip", 1.18}};
-  const BodyFit fit = body_model().fit(spec, BodyDetail::coarse);
+  const BodyFit fit = fit_body(body_model(), spec, BodyDetail::coarse);
   EXPECT_NEAR(fit.parameters.weight, 1.57, 0.05);
   for (const auto& row : fit.table) EXPECT_NEAR(row.measured, row.asked, 0.002) << row.name;
   ASSERT_FALSE(fit.warnings.empty());
@@ -205,7 +206,7 @@ TEST(BodyFit, TheTapeGoesRoundTheArmOfStoutPeople) {
         .age = 73.5,
         .height = 1.663,
         .measurements = {{"chest", 1.093}, {"waist", 1.036}, {"hip", 1.203}}}}) {
-    const BodyFit fit = body_model().fit(spec);
+    const BodyFit fit = fit_body(body_model(), spec);
     const Body body = body_model().build(fit.parameters, {});
     EXPECT_GT(body.measured.at("upper_arm"), 0.28);
     EXPECT_LT(body.measured.at("upper_arm"), 0.52);
@@ -215,11 +216,11 @@ TEST(BodyFit, TheTapeGoesRoundTheArmOfStoutPeople) {
 // In the plane of their shoulder joint arm, trunk and leg are one: the fold is looked for farther
 // out.
 TEST(BodyFit, TheScyeOfStoutMenEndsUnderTheArm) {
-  const BodyFit fit =
-      body_model().fit({.sex = 1,
-                        .age = 38.5,
-                        .height = 1.777,
-                        .measurements = {{"chest", 1.203}, {"waist", 1.137}, {"hip", 1.155}}});
+  const BodyFit fit = fit_body(
+      body_model(), {.sex = 1,
+                     .age = 38.5,
+                     .height = 1.777,
+                     .measurements = {{"chest", 1.203}, {"waist", 1.137}, {"hip", 1.155}}});
   const Body body = body_model().build(fit.parameters, {});
   EXPECT_GT(body.measured.at("scye_depth"), 0.12);
   EXPECT_LT(body.measured.at("scye_depth"), 0.35);
@@ -230,7 +231,7 @@ TEST(BodyFit, WishesThatNoBodyMeetsTogetherAreRefusedWithTheNearest) {
   spec.height = 1.68;
   spec.measurements = {{"chest", 0.60}, {"waist", 1.40}, {"hip", 0.50}};
   try {
-    body_model().fit(spec);
+    fit_body(body_model(), spec);
     FAIL() << "this body does not exist";
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.place().key, "chest");
@@ -242,7 +243,7 @@ TEST(BodyFit, AWishOutOfReachIsReportedAndSpoilsNothingElse) {
   BodySpec spec;
   spec.sex = 0.4, spec.age = 10, spec.height = 1.40;
   spec.measurements = {{"chest", 0.66}, {"neck", 0.28}};
-  const BodyFit fit = body_model().fit(spec);
+  const BodyFit fit = fit_body(body_model(), spec);
   std::map<std::string, double> off;
   for (const auto& row : fit.table) off[row.name] = std::abs(row.measured - row.asked);
   EXPECT_LT(off.at("height"), 0.001);
@@ -255,7 +256,7 @@ TEST(BodyFit, AWishOutOfReachIsReportedAndSpoilsNothingElse) {
 TEST(BodyFit, HeightAloneIsEnough) {
   BodySpec spec;
   spec.sex = 1, spec.age = 40, spec.height = 1.90;
-  const BodyFit fit = body_model().fit(spec);
+  const BodyFit fit = fit_body(body_model(), spec);
   ASSERT_EQ(fit.table.size(), 1u);
   EXPECT_NEAR(fit.table[0].measured, 1.90, 0.001);
   EXPECT_TRUE(fit.parameters.details.empty());
@@ -271,7 +272,7 @@ TEST(BodyFit, AbsurdWishesAreRefusedByName) {
       spec.measurements[name] = value;
     }
     try {
-      body_model().fit(spec);
+      fit_body(body_model(), spec);
     } catch (const InvalidInput& error) {
       return std::string(error.what()) + " | " + error.hint();
     }

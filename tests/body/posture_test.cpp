@@ -3,6 +3,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/skeleton_pose.h"
 #include "loosefit/geometry/exact_intersection.h"
@@ -17,7 +18,7 @@ BodyFit study_child(double chest, double waist, double hip) {
   BodySpec spec;
   spec.sex = 0.4, spec.age = 10, spec.height = 1.40;
   spec.measurements = {{"chest", chest}, {"waist", waist}, {"hip", hip}};
-  return body_model().fit(spec, BodyDetail::coarse);
+  return fit_body(body_model(), spec, BodyDetail::coarse);
 }
 
 // The coarse surface in a posture given by bone rotations.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/scan_girths.h"
 #include "loosefit/body/surface_topology.h"
@@ -30,7 +31,7 @@ Body person(const Person& p) {
   BodySpec spec;
   spec.sex = p.sex, spec.age = p.age, spec.height = p.height;
   spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
-  const BodyFit fit = body_model().fit(spec);
+  const BodyFit fit = fit_body(body_model(), spec);
   return body_model().build(fit.parameters, {radians(40), 0, 0});
 }
 
@@ -268,7 +269,7 @@ TEST(ScanBody, TellsLimbsApartInEveryPosture) {
     BodySpec spec;
     spec.sex = p.sex, spec.age = p.age, spec.height = p.height;
     spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
-    const BodyFit fit = body_model().fit(spec);
+    const BodyFit fit = fit_body(body_model(), spec);
     for (const double raised : {12., 40., 90.}) {
       const Body known = body_model().build(fit.parameters, {radians(raised), 0, 0});
       const Body found = body_from_scan(as_scan(known), {"scan.obj", "", ""}).body;
@@ -303,7 +304,7 @@ TEST(ScanBody, DepthOfTheArmholeIsThatOfHangingArms) {
   for (const double height : {1.35, 1.68}) {
     BodySpec spec;
     spec.age = height < 1.5 ? 9 : 30, spec.height = height;
-    const BodyFit fit = body_model().fit(spec);
+    const BodyFit fit = fit_body(body_model(), spec);
     for (const double raised : {25., 41., 55., 70., 90.}) {
       const Body known = body_model().build(fit.parameters, {radians(raised), 0, 0});
       const Body found = body_from_scan(as_scan(known), {"scan.obj", "", ""}).body;
@@ -384,7 +385,8 @@ TEST(ScanBody, AHandGrownToTheHipIsNotTaped) {
   BodySpec spec;
   spec.sex = 1, spec.age = 30, spec.height = 1.80;
   spec.measurements = {{"chest", 1.0}, {"waist", 0.86}, {"hip", 1.02}};
-  const Body known = body_model().build(body_model().fit(spec).parameters, {radians(18), 0, 0});
+  const Body known =
+      body_model().build(fit_body(body_model(), spec).parameters, {radians(18), 0, 0});
   const double apart = body_from_scan(known.surface, {"scan.obj", "m", "z"}).body.measured["hip"];
   const TriangleMesh mesh = with_grown_hand(known, known.measured.at("hip_level"));
   ScanBody grown = body_from_scan(mesh, {"scan.obj", "m", "z"});

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "loosefit/body/body_fit.h"
 #include "support/body_fixture.h"
 
 namespace loosefit {
@@ -17,7 +18,7 @@ double askew(const TriangleMesh& mesh, const Body& known) {
 }
 
 TEST(ScanFrame, PersonsWhoStandAskewAreTurned) {
-  const BodyParameters parameters = body_model().fit({}).parameters;
+  const BodyParameters parameters = fit_body(body_model(), {}).parameters;
   for (const double arms : {20.0, 45.0, 90.0}) {
     const Body known = body_model().build(parameters, {radians(arms), 0, 0});
     for (const double turn : {15.0, 25.0, -40.0, 60.0, -75.0, 120.0, 200.0}) {
@@ -33,7 +34,7 @@ TEST(ScanFrame, PersonsWhoStandAskewAreTurned) {
 }
 
 TEST(ScanFrame, PersonsWhoStandStraightStayAsTheyAre) {
-  const Body known = body_model().build(body_model().fit({}).parameters, {radians(30), 0, 0});
+  const Body known = body_model().build(fit_body(body_model(), {}).parameters, {radians(30), 0, 0});
   TriangleMesh mesh = known.surface;
   std::vector<std::string> warnings;
   const RigidMotion motion = stand_in_our_frame(mesh, {"scan.obj", "m", "z"}, warnings);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/catmull_clark.h"
 #include "loosefit/body/rulers.h"
@@ -76,7 +77,7 @@ TEST(Subdivision, ShrinksTheGirthsOfTheStudyChildrenAsTheReferenceSays) {
     BodySpec spec;
     spec.sex = 0.4, spec.age = 10, spec.height = 1.40;
     spec.measurements = {{"chest", child.chest}, {"waist", child.waist}, {"hip", child.hip}};
-    const BodyFit fit = model.fit(spec, BodyDetail::coarse);
+    const BodyFit fit = fit_body(model, spec, BodyDetail::coarse);
     const RestBody coarse = model.rest(fit.parameters, BodyDetail::coarse);
     const RestBody fine = model.rest(fit.parameters);
     const auto loss_cm = [&](const char* ring) {  // at the level of the unrefined body
@@ -135,7 +136,7 @@ TEST(Subdivision, MeasuresOfAWomanAreThoseOfATailor) {
   BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
   spec.measurements = {{"chest", 0.88}, {"waist", 0.72}, {"hip", 0.96}};
-  const Body body = body_model().build(body_model().fit(spec).parameters, {});
+  const Body body = body_model().build(fit_body(body_model(), spec).parameters, {});
   EXPECT_NEAR(body.measured.at("neck"), 0.36, 0.02);
   EXPECT_NEAR(body.measured.at("shoulder_breadth"), 0.385, 0.03);
   EXPECT_NEAR(degrees(body.measured.at("shoulder_slope")), 20, 5);

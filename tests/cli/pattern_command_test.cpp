@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/shirt_draft.h"

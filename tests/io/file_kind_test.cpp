@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
 
 namespace loosefit {
 namespace {

@@ -1,5 +1,3 @@
-#include "loosefit/io/garmentcode.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,8 @@
 #include "loosefit/base/error.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/io/garmentcode_read.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/pattern/garment_size.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/shirt_draft.h"

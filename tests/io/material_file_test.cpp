@@ -13,6 +13,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/io/toml_file.h"
 #include "support/wool_sample.h"
 
 namespace loosefit {

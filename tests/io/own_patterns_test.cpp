@@ -5,7 +5,8 @@
 #include <regex>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/garment_size.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <regex>
 
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/shirt_draft.h"
 

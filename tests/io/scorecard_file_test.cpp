@@ -81,7 +81,9 @@ TEST(Scorecards, LimitsAreTheDocumentedOnes) {
   EXPECT_DOUBLE_EQ(score(pressed, load_scorecard("ppg")).q.value(), 1);
   EXPECT_EQ(score(pressed, load_scorecard("eda")).q.value(), 0) << "too hard for the trunk";
   const Scorecard temperature = load_scorecard("temperature");
-  EXPECT_NEAR(with_derived({{"gap_mm", 0.5}}, temperature).at("temperature_error_K"), 0.24, 0.005);
+  EXPECT_NEAR(with_derived({{"gap_mm", 0.5}}, temperature.parameters, temperature.footprint)
+                  .at("temperature_error_K"),
+              0.24, 0.005);
 }
 
 TEST(Scorecards, ReadByPathToo) {

@@ -1,12 +1,12 @@
-#include "loosefit/io/vtp.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/vtp_read.h"
 #include "loosefit/io/vtp_seal.h"
+#include "loosefit/io/vtp_write.h"
 #include "support/tube_garment.h"
 
 namespace loosefit {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "loosefit/pattern/curve.h"
+#include "loosefit/pattern/self_crossing.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit {

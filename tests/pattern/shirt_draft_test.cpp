@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/pattern/garment_size.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/self_crossing.h"
 
 namespace loosefit {
 namespace {

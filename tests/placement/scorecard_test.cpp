@@ -104,7 +104,7 @@ TEST(Vocabulary, UnitsAreThoseOfTheNames) {
 class Derived : public ::testing::Test {
  protected:
   double of(const std::string& name, const MetricValues& metrics) {
-    const MetricValues all = with_derived(metrics, card_);
+    const MetricValues all = with_derived(metrics, card_.parameters, card_.footprint);
     const auto at = all.find(name);
     return at == all.end() ? std::nan("") : at->second;
   }

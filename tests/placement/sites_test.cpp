@@ -5,6 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/maps/compute_maps.h"
 #include "loosefit/placement/ray.h"
+#include "loosefit/placement/site_points.h"
 #include "support/tube_garment.h"
 
 namespace loosefit {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/body/surface_topology.h"
@@ -140,7 +141,7 @@ std::vector<Vec3> tube_round(const Garment& tube, const Vec3& hips, const Vec3& 
 }
 
 TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
-  const BodyFit fit = body_model().fit({});
+  const BodyFit fit = fit_body(body_model(), {});
   const Garment tube = testing::tube_garment(0.8, 0.5, 60, 30);
   for (const char* posture :
        {"standing", "forward-bend-45", "slouch", "arms-overhead", "sitting"}) {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/render/display.h"
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 #include "support/tube_garment.h"

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
 #include "support/body_fixture.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/placement/site_points.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/study/case_stages.h"
 #include "support/measured_woman.h"
 

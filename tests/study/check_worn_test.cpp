@@ -7,7 +7,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_read.h"
+#include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_files.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
 #include "loosefit/study/case_stages.h"
 
 namespace loosefit {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/study/run_case.h"
 
@@ -14,7 +15,7 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
   const BodyModel model = BodyModel::load();
   BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
-  const Body known = model.build(model.fit(spec).parameters, {radians(30), 0, 0});
+  const Body known = model.build(fit_body(model, spec).parameters, {radians(30), 0, 0});
   const auto file = std::filesystem::path(::testing::TempDir()) / "person.obj";
   {
     std::ofstream out(file);

@@ -7,7 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/posed_body.h"
-#include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_files.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/check_worn.h"

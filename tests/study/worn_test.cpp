@@ -7,7 +7,7 @@
 #include "loosefit/drape/openings.h"
 #include "loosefit/dress/dress.h"
 #include "loosefit/garment/hierarchy.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 #include "support/trunk_tubes.h"

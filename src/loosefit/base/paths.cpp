@@ -4,8 +4,9 @@
 
 namespace loosefit {
 
+namespace fs = std::filesystem;
+
 std::filesystem::path data_directory() {
-  namespace fs = std::filesystem;
   if (const char* chosen = std::getenv("LOOSEFIT_SHARE"); chosen && *chosen) return chosen;
   std::error_code error;
   const fs::path binary = fs::read_symlink("/proc/self/exe", error);
@@ -14,6 +15,17 @@ std::filesystem::path data_directory() {
     if (fs::is_directory(installed, error)) return installed;
   }
   return fs::path(LOOSEFIT_SOURCE_DIR) / "data";
+}
+
+std::string default_body_data_path() {
+  const char* asked = std::getenv("LOOSEFIT_DATA");
+  if (asked && *asked) {
+    const std::filesystem::path path(asked);
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored) ? (path / "body.lfb").string()
+                                                        : path.string();
+  }
+  return LOOSEFIT_SOURCE_DIR "/var/body/body.lfb";
 }
 
 }  // namespace loosefit

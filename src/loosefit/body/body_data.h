@@ -46,10 +46,6 @@ struct BodyData {
   int bone(const std::string& name) const;
 };
 
-/// Where the baked body lives: $LOOSEFIT_DATA (a folder holding body.lfb, or the file itself) or
-/// var/body/body.lfb of the source tree.
-std::string default_body_data_path();
-
 /// Reads a baked file. \throws IoError when missing (says how to make it), damaged or of another
 /// version.
 BodyData read_body_data(const std::string& path);

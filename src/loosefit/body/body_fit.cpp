@@ -1,3 +1,5 @@
+#include "loosefit/body/body_fit.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/body/body_model.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/bounded_least_squares.h"
 
@@ -245,7 +246,7 @@ void add_warnings(const BodySpec& spec, BodyFit& fit) {
 
 }  // namespace
 
-BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
+BodyFit fit_body(const BodyModel& model, const BodySpec& spec, BodyDetail detail) {
   check_spec(spec);
   BodyParameters fixed;
   fixed.sex = spec.sex;
@@ -263,7 +264,7 @@ BodyFit BodyModel::fit(const BodySpec& spec, BodyDetail detail) const {
     if (found != spec.measurements.end()) asked.push_back({name, found->second, 0});
   }
 
-  Fitter fitter(*this, detail, fixed, asked);
+  Fitter fitter(model, detail, fixed, asked);
   double heaviest = 1;
   fitter.solve(unknowns_of(spec, heaviest, {}));
   if (fitter.misses() && fitter.give_up_unreachable()) {

@@ -1,6 +1,9 @@
 #include "loosefit/garment/assemble.h"
 
+#include "loosefit/garment/attach.h"
+#include "loosefit/garment/sew_panels.h"
 #include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/mesher.h"
 
 namespace loosefit {
 

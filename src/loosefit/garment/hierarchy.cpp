@@ -1,7 +1,9 @@
 #include "loosefit/garment/hierarchy.h"
 
-#include "loosefit/garment/assemble.h"
+#include "loosefit/garment/attach.h"
+#include "loosefit/garment/sew_panels.h"
 #include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/mesher.h"
 
 namespace loosefit {
 namespace {

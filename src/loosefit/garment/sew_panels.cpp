@@ -1,3 +1,5 @@
+#include "loosefit/garment/sew_panels.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/union_find.h"
-#include "loosefit/garment/assemble.h"
 #include "loosefit/garment/surface_check.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"

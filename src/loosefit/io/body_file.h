@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 
 namespace loosefit {

@@ -24,14 +24,6 @@ struct ConfigNode {
   std::string describe() const;
 };
 
-/// Parses TOML 1.0. `file` only appears in messages.
-/// \throws InvalidInput with file and line for anything that is not TOML, for input above 1 MB and
-/// for nesting deeper than 32.
-ConfigNode parse_toml(const std::string& text, const std::string& file);
-
-/// Reads and parses a file. \throws IoError if it cannot be read; InvalidInput as parse_toml.
-ConfigNode read_toml(const std::string& path);
-
 /// A TOML basic string with its quotes, escaped.
 std::string toml_quoted(const std::string& text);
 

@@ -1,8 +1,8 @@
+#include "loosefit/io/garmentcode_merge.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
-
-#include "loosefit/io/garmentcode_steps.h"
 
 namespace loosefit {
 namespace {

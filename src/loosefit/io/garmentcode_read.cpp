@@ -1,3 +1,5 @@
+#include "loosefit/io/garmentcode_read.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,11 +10,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/file_kind.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_cleanup.h"
 #include "loosefit/io/garmentcode_frame.h"
-#include "loosefit/io/garmentcode_steps.h"
+#include "loosefit/io/garmentcode_merge.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/pattern_check.h"
 #include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {

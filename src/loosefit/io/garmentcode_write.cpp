@@ -1,3 +1,5 @@
+#include "loosefit/io/garmentcode_write.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,12 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/garmentcode.h"
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/curve.h"
-#include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/pattern_check.h"
 #include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {

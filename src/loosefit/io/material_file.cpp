@@ -9,6 +9,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/material_curves.h"
 #include "loosefit/io/material_kes.h"
+#include "loosefit/io/toml_file.h"
 
 namespace loosefit {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/pattern_check.h"
 
 namespace loosefit {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "loosefit/io/scenario_sections.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/io/toml_file.h"
 
 namespace loosefit {
 namespace {

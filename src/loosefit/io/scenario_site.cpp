@@ -2,6 +2,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario_sections.h"
+#include "loosefit/placement/site_points.h"
 
 // [[site]]: where a sensor is wanted and what it is.
 namespace loosefit {

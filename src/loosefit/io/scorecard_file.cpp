@@ -10,6 +10,7 @@
 #include "loosefit/body/regions.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/io/toml_file.h"
 #include "loosefit/placement/derived_metrics.h"
 
 namespace loosefit {

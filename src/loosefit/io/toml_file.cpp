@@ -1,10 +1,11 @@
+#include "loosefit/io/toml_file.h"
+
 #include <toml++/toml.h>
 
 #include <algorithm>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/config_node.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit {

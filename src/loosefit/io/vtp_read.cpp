@@ -1,3 +1,5 @@
+#include "loosefit/io/vtp_read.h"
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -10,8 +12,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/flat_triangle.h"
-#include "loosefit/io/vtp.h"
-#include "loosefit/io/vtp_sealed.h"
+#include "loosefit/io/vtp_polydata.h"
 
 namespace loosefit {
 namespace {

@@ -1,3 +1,5 @@
+#include "loosefit/io/vtp_write.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -14,7 +16,6 @@
 #include <fstream>
 
 #include "loosefit/base/error.h"
-#include "loosefit/io/vtp.h"
 #include "loosefit/io/vtp_seal.h"
 
 namespace loosefit {

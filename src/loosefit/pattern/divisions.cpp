@@ -8,6 +8,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/pattern_check.h"
+#include "loosefit/pattern/self_crossing.h"
 
 namespace loosefit {
 namespace {

@@ -16,8 +16,4 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
 /// 0.
 std::vector<Vec2> divided_outline(const Panel& panel, const std::vector<int>& divisions);
 
-/// Structure every later step relies on: indices in range, closed simple counter-clockwise loops,
-/// finite sizes, each edge in at most one seam. \throws GeometryError naming panel and edge.
-void check_pattern(const Pattern& pattern);
-
 }  // namespace loosefit

@@ -23,6 +23,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/self_crossing.h"
 
 namespace loosefit {
 namespace {

@@ -1,18 +1,9 @@
 #pragma once
-#include <array>
 #include <vector>
 
-#include "loosefit/pattern/pattern.h"
+#include "loosefit/pattern/panel_mesh.h"
 
 namespace loosefit {
-
-/// Flat triangle mesh of one panel.
-struct PanelMesh {
-  std::vector<Vec2> vertices;       ///< [m]; the outline comes first, in order
-  std::vector<Triangle> triangles;  ///< counter-clockwise; neighbours mostly near in the list
-  /// Per panel edge: vertices along it, ends included, even in arc length.
-  std::vector<std::vector<int>> edge_vertices;
-};
 
 /// Irregular triangle mesh of a panel whose edge e is divided into divisions[e] segments:
 /// constrained Delaunay triangulation refined at circumcentres (Chew 1989; Shewchuk 2000), but
@@ -20,22 +11,5 @@ struct PanelMesh {
 /// their surroundings, which brings triangles close to equilateral. \throws GeometryError when the
 /// panel cannot be meshed.
 PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length);
-
-/// Smallest interior angle of a triangle [rad].
-double smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c);
-
-/// Shape of a mesh in numbers.
-struct MeshQuality {
-  double smallest_angle = kPi;  ///< over all triangles [rad]
-  double mean_angle = 0;        ///< mean over triangles of their smallest angle [rad]; 60° at best
-  double mean_edge = 0;         ///< [m]
-};
-MeshQuality mesh_quality(const PanelMesh& mesh);
-
-/// Every triangle split into four. Midpoints on an edge of the panel are moved onto its curve at
-/// the middle of their arc. `parents[i]` are the two coarse vertices vertex i lies between, equal
-/// for a kept one; the coarse vertices keep their numbers.
-PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
-                    std::vector<std::array<int, 2>>& parents);
 
 }  // namespace loosefit

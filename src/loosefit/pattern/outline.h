@@ -33,9 +33,6 @@ std::vector<double> edge_lengths(const Panel& panel);
 std::vector<Vec2> outline_polygon(const Panel& panel, int per_curve = 40);
 /// Signed area of a closed polygon [m²], positive counter-clockwise.
 double signed_area(const std::vector<Vec2>& polygon);
-/// Index pair of two polygon sides that cross or touch away from a shared corner; {-1, -1} if
-/// simple.
-std::pair<int, int> first_self_crossing(const std::vector<Vec2>& polygon);
 /// Even-odd rule.
 bool inside_polygon(const std::vector<Vec2>& polygon, const Vec2& p);
 /// Nearest point on the polygon's sides.

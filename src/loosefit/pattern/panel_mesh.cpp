@@ -1,10 +1,11 @@
+#include "loosefit/pattern/panel_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "loosefit/geometry/flat_triangle.h"
-#include "loosefit/pattern/mesher.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit {

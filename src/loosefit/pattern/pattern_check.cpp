@@ -1,11 +1,13 @@
+#include "loosefit/pattern/pattern_check.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/self_crossing.h"
 
 namespace loosefit {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/self_crossing.h"
 #include "loosefit/pattern/shirt_refusal.h"
 
 namespace loosefit {

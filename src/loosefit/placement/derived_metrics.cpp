@@ -95,14 +95,16 @@ std::vector<std::string> parameters_of(const std::string& metric) {
   return {};
 }
 
-MetricValues with_derived(const MetricValues& metrics, const Scorecard& scorecard) {
+MetricValues with_derived(const MetricValues& metrics,
+                          const std::map<std::string, double>& parameters,
+                          const FootprintShape& footprint) {
   MetricValues all = metrics;
   for (const Derived& d : derived()) {
     if (all.count(d.name)) continue;
     const Inputs metric = look_up(d.metrics, metrics);
-    const Inputs parameter = look_up(d.parameters, scorecard.parameters);
+    const Inputs parameter = look_up(d.parameters, parameters);
     if (metric.size() != d.metrics.size() || parameter.size() != d.parameters.size()) continue;
-    const double value = d.value(metric, parameter, scorecard.footprint);
+    const double value = d.value(metric, parameter, footprint);
     if (std::isfinite(value)) all[d.name] = value;
   }
   return all;

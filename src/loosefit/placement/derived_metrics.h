@@ -1,8 +1,10 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
-#include "loosefit/placement/scorecard.h"
+#include "loosefit/placement/footprint.h"
+#include "loosefit/placement/metric_names.h"
 
 namespace loosefit {
 
@@ -22,8 +24,8 @@ const std::vector<SensorParameter>& sensor_parameters();
 /// needs none.
 std::vector<std::string> parameters_of(const std::string& metric);
 
-/// The metrics with all that follow from them and from the scorecard (docs/theory/sensor_metrics.md
-/// 6 and 8):
+/// The metrics with all that follow from them, from a scorecard's parameters (SI) and from its
+/// footprint (docs/theory/sensor_metrics.md 6 and 8):
 ///
 ///   usable_signal_ratio = strain_swing / ε_err
 ///   pre_strain_margin   = strain − strain_swing   (≥ 0: no posture makes the sensor slack, since
@@ -35,10 +37,12 @@ std::vector<std::string> parameters_of(const std::string& metric);
 ///   temperature_error_K = (T_skin − T_air) R_gap / (R_gap + R_out),  R_gap = g / (0.026 W/(m K))
 ///   sensor_diameter_mm  = 2 r of a disc
 ///
-/// with g the footprint's mean gap, Δg its range over postures, A and r of the scorecard's
-/// footprint, ε_err strain_error, t dielectric_thickness, ε_r dielectric_constant, R_out
-/// outer_resistance. The mean gap makes capacitance_pF a lower bound: C is convex in g. A derived
-/// metric that is already among `metrics` is kept; one that lacks an input is left out.
-MetricValues with_derived(const MetricValues& metrics, const Scorecard& scorecard);
+/// with g the footprint's mean gap, Δg its range over postures, A and r of the footprint, ε_err
+/// strain_error, t dielectric_thickness, ε_r dielectric_constant, R_out outer_resistance. The mean
+/// gap makes capacitance_pF a lower bound: C is convex in g. A derived metric that is already among
+/// `metrics` is kept; one that lacks an input is left out.
+MetricValues with_derived(const MetricValues& metrics,
+                          const std::map<std::string, double>& parameters,
+                          const FootprintShape& footprint);
 
 }  // namespace loosefit

@@ -82,6 +82,26 @@ Footprint of_line(const Garment& garment, int triangle, const Vec2& centre, doub
 
 }  // namespace
 
+double area(const FootprintShape& footprint) {
+  if (footprint.kind == FootprintShape::Kind::disc)
+    return kPi * footprint.radius * footprint.radius;
+  return footprint.kind == FootprintShape::Kind::rectangle ? footprint.size.prod() : 0;
+}
+
+double outer_radius(const FootprintShape& footprint) {
+  switch (footprint.kind) {
+    case FootprintShape::Kind::disc:
+      return footprint.radius;
+    case FootprintShape::Kind::rectangle:
+      return 0.5 * footprint.size.norm();
+    case FootprintShape::Kind::line:
+      return 0.5 * footprint.length;
+    case FootprintShape::Kind::girth:
+      break;
+  }
+  return 0;
+}
+
 Vec2 axis_in_pattern(double angle) { return {-std::sin(angle), std::cos(angle)}; }
 
 Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,

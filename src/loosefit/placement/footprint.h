@@ -56,6 +56,11 @@ Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, 
 Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
                           const Vec3& barycentric, const Vec3& normal);
 
+/// Area of a footprint [m²]; 0 for a line and a girth.
+double area(const FootprintShape& footprint);
+/// Radius of the circle about a footprint [m]; 0 for a girth, which goes across everything.
+double outer_radius(const FootprintShape& footprint);
+
 /// A map's values in a sensor's footprint.
 struct FootprintValue {
   double mean = 0;   ///< area mean over the footprint

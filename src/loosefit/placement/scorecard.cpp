@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "loosefit/base/text.h"
-#include "loosefit/base/types.h"
 #include "loosefit/placement/derived_metrics.h"
 
 namespace loosefit {
@@ -50,28 +49,8 @@ double Criterion::ramp(double value, bool* above) const {
   return std::min(below, over);
 }
 
-double area(const FootprintShape& footprint) {
-  if (footprint.kind == FootprintShape::Kind::disc)
-    return kPi * footprint.radius * footprint.radius;
-  return footprint.kind == FootprintShape::Kind::rectangle ? footprint.size.prod() : 0;
-}
-
-double outer_radius(const FootprintShape& footprint) {
-  switch (footprint.kind) {
-    case FootprintShape::Kind::disc:
-      return footprint.radius;
-    case FootprintShape::Kind::rectangle:
-      return 0.5 * footprint.size.norm();
-    case FootprintShape::Kind::line:
-      return 0.5 * footprint.length;
-    case FootprintShape::Kind::girth:
-      break;
-  }
-  return 0;
-}
-
 Score score(const MetricValues& metrics, const Scorecard& scorecard) {
-  const MetricValues all = with_derived(metrics, scorecard);
+  const MetricValues all = with_derived(metrics, scorecard.parameters, scorecard.footprint);
   Score result;
   result.margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < scorecard.criteria.size(); ++i) {
@@ -98,7 +77,7 @@ Score score(const MetricValues& metrics, const Scorecard& scorecard) {
 }
 
 Scorecard known_part(const Scorecard& scorecard, const MetricValues& metrics) {
-  const MetricValues all = with_derived(metrics, scorecard);
+  const MetricValues all = with_derived(metrics, scorecard.parameters, scorecard.footprint);
   Scorecard part = scorecard;
   part.criteria.clear();
   for (const Criterion& criterion : scorecard.criteria) {

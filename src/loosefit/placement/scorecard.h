@@ -32,11 +32,6 @@ struct Criterion {
   double ramp(double value, bool* above = nullptr) const;
 };
 
-/// Area of a footprint [m²]; 0 for a line and a girth.
-double area(const FootprintShape& footprint);
-/// Radius of the circle about a footprint [m]; 0 for a girth, which goes across everything.
-double outer_radius(const FootprintShape& footprint);
-
 /// What one modality needs of its place (docs/theory/sensor_metrics.md 8), read by
 /// io/scorecard_file.h.
 struct Scorecard {

@@ -1,3 +1,5 @@
+#include "loosefit/placement/site_points.h"
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -5,7 +7,6 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/placement/ray.h"
-#include "loosefit/placement/sites.h"
 
 namespace loosefit {
 namespace {

@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/closest_point_tree.h"
+#include "loosefit/placement/site_points.h"
 
 namespace loosefit {
 namespace {

@@ -1,3 +1,5 @@
+#include "loosefit/render/display.h"
+
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -7,7 +9,6 @@
 #include <cstring>
 
 #include "loosefit/base/error.h"
-#include "loosefit/render/render_pictures.h"
 
 namespace loosefit {
 namespace {

@@ -51,26 +51,6 @@ void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
 }
 }  // namespace
 
-const char* name(View view) {
-  switch (view) {
-    case View::front:
-      return "front";
-    case View::back:
-      return "back";
-    case View::left:
-      return "left";
-    case View::right:
-      return "right";
-  }
-  return "front";
-}
-
-View view_from_name(const std::string& text) {
-  for (View view : {View::front, View::back, View::left, View::right})
-    if (text == name(view)) return view;
-  throw InvalidInput("unknown view '" + text + "', expected front, back, left or right");
-}
-
 std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
                                      const Garment& garment, const std::vector<Vec3>& positions,
                                      const std::vector<PerformanceMap>& maps,

@@ -7,14 +7,9 @@
 #include "loosefit/body/body.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/performance_map.h"
+#include "loosefit/render/view.h"
 
 namespace loosefit {
-
-/// Where the camera stands, seen from the wearer: `left` looks at the wearer's left side.
-enum class View { front, back, left, right };
-const char* name(View view);
-/// \throws InvalidInput for anything but front, back, left, right.
-View view_from_name(const std::string& text);
 
 /// Size and quality of the pictures.
 struct PictureOptions {
@@ -43,9 +38,5 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
                                      const std::vector<PerformanceMap>& maps,
                                      const PictureOptions& options = {},
                                      const std::function<void(double)>& after_each = nullptr);
-
-/// VTK aborts the process without a display, so this is asked first.
-/// \throws Error "pictures need a display" with the way out as hint.
-void check_display();
 
 }  // namespace loosefit

@@ -21,6 +21,8 @@
 #include <Eigen/Geometry>
 
 #include "loosefit/base/error.h"
+#include "loosefit/render/colour_table.h"
+#include "loosefit/render/display.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkInteractionStyle)

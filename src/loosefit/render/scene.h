@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "loosefit/geometry/triangle_mesh.h"
+#include "loosefit/maps/performance_map.h"
 #include "loosefit/render/image.h"
-#include "loosefit/render/render_pictures.h"
+#include "loosefit/render/view.h"
 
 namespace loosefit {
 

@@ -25,7 +25,8 @@ std::map<std::string, std::vector<double>> by_metric(const SiteSamples& site,
                                                      const Scorecard& scorecard) {
   std::map<std::string, std::vector<double>> values;
   for (std::size_t k = 0; k < site.samples.size(); ++k)
-    for (const auto& [name, value] : with_derived(site.samples[k], scorecard)) {
+    for (const auto& [name, value] :
+         with_derived(site.samples[k], scorecard.parameters, scorecard.footprint)) {
       auto& list = values[name];
       list.resize(site.samples.size(), std::nan(""));
       list[k] = value;

@@ -7,6 +7,7 @@
 
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/placement/site_points.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/case_stages.h"
 

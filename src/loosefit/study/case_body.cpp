@@ -61,7 +61,7 @@ CaseBody body_from_file(const ScenarioBody& wished) {
 CaseBody make_body(const ScenarioBody& wished) {
   if (!wished.file.empty()) return body_from_file(wished);
   const BodyModel& model = shared_model();
-  const BodyFit fit = model.fit(spec_of(wished));
+  const BodyFit fit = fit_body(model, spec_of(wished));
   CaseBody result;
   result.from = wished.dress_posture, result.to = wished.posture;
   let_ask(result, std::make_shared<SoftBody>(model, fit.parameters),

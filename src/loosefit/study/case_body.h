@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/io/scenario.h"

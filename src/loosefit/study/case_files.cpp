@@ -1,8 +1,8 @@
 #include "loosefit/study/case_files.h"
 
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/sites_csv.h"
 #include "loosefit/study/summary.h"

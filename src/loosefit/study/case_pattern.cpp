@@ -5,7 +5,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/garmentcode.h"
+#include "loosefit/io/garmentcode_read.h"
 #include "loosefit/pattern/garment_size.h"
 #include "loosefit/study/carry_with_scan.h"
 

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/run_folder.h"
-#include "loosefit/io/vtp.h"
+#include "loosefit/io/vtp_read.h"
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/case_layers.h"
 #include "loosefit/study/check_worn.h"

@@ -1,4 +1,4 @@
-#include "loosefit/garment/attachment.h"
+#include "loosefit/garment/attach.h"
 
 #include <gtest/gtest.h>
 

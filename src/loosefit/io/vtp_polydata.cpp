@@ -1,4 +1,4 @@
-#include "loosefit/io/vtp_sealed.h"
+#include "loosefit/io/vtp_polydata.h"
 
 #include <vtkCellArray.h>
 #include <vtkLogger.h>

@@ -1,5 +1,6 @@
 #pragma once
 #include "loosefit/garment/attachment.h"
+#include "loosefit/pattern/pattern.h"
 
 namespace loosefit {
 

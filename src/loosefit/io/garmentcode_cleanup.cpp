@@ -1,4 +1,4 @@
-#include "loosefit/io/garmentcode_steps.h"
+#include "loosefit/io/garmentcode_cleanup.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "loosefit/garment/attachment_checks.h"
+#include "loosefit/garment/check_attachment.h"
 
 #include <fmt/format.h>
 

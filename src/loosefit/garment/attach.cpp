@@ -1,11 +1,11 @@
-#include "loosefit/garment/attachment.h"
+#include "loosefit/garment/attach.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "loosefit/base/error.h"
-#include "loosefit/garment/attachment_checks.h"
+#include "loosefit/garment/check_attachment.h"
 #include "loosefit/geometry/closest_point.h"
 
 namespace loosefit {

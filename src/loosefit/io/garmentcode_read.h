@@ -7,11 +7,6 @@
 
 namespace loosefit {
 
-/// Key of "properties" that tells by which draft of ours a pattern was made; readers of other
-/// programs pass over it.
-inline constexpr const char* kDraftKey = "loosefit_draft";
-inline constexpr const char* kShirtDraft = "shirt 1";  ///< pattern/shirt_draft.h
-
 /// A pattern read from a file and what had to be assumed for it.
 struct PatternFile {
   Pattern pattern;
@@ -34,13 +29,5 @@ struct PatternFile {
 PatternFile parse_garmentcode(const std::string& text, const std::string& file);
 /// \throws IoError if the file cannot be read, and as parse_garmentcode.
 PatternFile read_garmentcode(const std::filesystem::path& path);
-
-/// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
-/// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
-/// What is written and read again is written as the same bytes. \throws GeometryError for an
-/// invalid pattern.
-std::string garmentcode_text(const Pattern& pattern);
-/// \throws IoError if the file cannot be written.
-void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern);
 
 }  // namespace loosefit

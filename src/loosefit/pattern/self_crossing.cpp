@@ -1,10 +1,10 @@
+#include "loosefit/pattern/self_crossing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "loosefit/geometry/flat_triangle.h"
-#include "loosefit/pattern/outline.h"
-
 namespace loosefit {
 namespace {
 

@@ -15,11 +15,6 @@ void close_loops(Pattern& pattern);
 /// space and its outside outside.
 void make_counter_clockwise(Panel& panel);
 
-/// Consecutive edges of the same non-empty name become one edge if their seams allow it: all parts
-/// sewn, in order, to all parts of one other edge, or none sewn. Otherwise they stay apart as
-/// name_1, name_2, …. Afterwards every edge and stitch has a unique name.
-void merge_named_edges(Pattern& pattern);
-
 /// Order by the names given; the rest by GarmentCode's rule: 3D top-middle point by x, y, z (file
 /// frame), values closer than 10 cm counting as equal.
 void set_panel_order(Pattern& pattern, const std::vector<std::string>& names);

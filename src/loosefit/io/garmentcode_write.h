@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// Key of "properties" that tells by which draft of ours a pattern was made; readers of other
+/// programs pass over it.
+inline constexpr const char* kDraftKey = "loosefit_draft";
+inline constexpr const char* kShirtDraft = "shirt 1";  ///< pattern/shirt_draft.h
+
+/// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
+/// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
+/// What is written and read again is written as the same bytes. \throws GeometryError for an
+/// invalid pattern.
+std::string garmentcode_text(const Pattern& pattern);
+/// \throws IoError if the file cannot be written.
+void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern);
+
+}  // namespace loosefit

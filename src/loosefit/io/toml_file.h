@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "loosefit/io/config_node.h"
+
+namespace loosefit {
+
+/// Parses TOML 1.0. `file` only appears in messages.
+/// \throws InvalidInput with file and line for anything that is not TOML, for input above 1 MB and
+/// for nesting deeper than 32.
+ConfigNode parse_toml(const std::string& text, const std::string& file);
+
+/// Reads and parses a file. \throws IoError if it cannot be read; InvalidInput as parse_toml.
+ConfigNode read_toml(const std::string& path);
+
+}  // namespace loosefit

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace loosefit {
+
+/// A named array of a VTP file: `components` doubles per point or per cell.
+struct VtpArray {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+};
+
+}  // namespace loosefit

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "loosefit/placement/address.h"
+#include "loosefit/placement/footprint.h"
+
+namespace loosefit {
+
+/// The sensor as a part of the garment: what lies under a disc or rectangle footprint.
+struct SensorBoard {
+  double mass = 0;              ///< [kg]
+  double bending = 1e-3;        ///< rigidity added [N m]
+  double membrane_factor = 10;  ///< in-plane stiffness multiplier, ≥ 1
+};
+
+/// Where a sensor is wanted, in one of three ways: a place in the pattern, a body landmark or
+/// preset by name, or an anatomical address; and what it is.
+struct SiteSpec {
+  std::string name;
+  std::string panel;                        ///< with `at`; wins over the other two
+  Vec2 at = Vec2::Zero();                   ///< u (weft), v (warp) in the panel [m]
+  std::string landmark = {};                ///< any of SitePoints::names
+  std::optional<BodyAddress> anatomy = {};  ///< when neither panel nor landmark is given
+  double angle = 0;  ///< of the sensor's axis in the pattern (FootprintShape)
+  FootprintShape footprint = {};
+  std::optional<SensorBoard> board = {};  ///< simulated as a stiff part
+};
+
+}  // namespace loosefit
