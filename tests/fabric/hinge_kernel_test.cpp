@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "loosefit/fabric/hinge_blocks.h"
 #include "support/dihedral.h"
 
 namespace loosefit {

@@ -188,11 +188,5 @@ TEST(Html, NumbersReadWell) {
   EXPECT_EQ(escaped("<a href='x'>&"), "&lt;a href=&#39;x&#39;&gt;&amp;");
 }
 
-TEST(ResidualChart, NeedsAHistory) {
-  EXPECT_TRUE(residual_chart({}, 1e-3).empty());
-  EXPECT_TRUE(residual_chart({{0, 0, 0, 1.0}}, 1e-3).empty());
-  EXPECT_FALSE(residual_chart({{0, 0, 0, 1.0}, {1, 0, 1, 1e-5}}, 1e-3).empty());
-}
-
 }  // namespace
 }  // namespace loosefit

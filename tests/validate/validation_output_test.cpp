@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "loosefit/validate/svg_plot.h"
 #include "loosefit/validate/validation_json.h"
 #include "loosefit/validate/validation_page.h"
 #include "loosefit/validate/validation_table.h"
@@ -87,41 +86,6 @@ TEST(ValidationPage, IsSelfContainedAndShowsPlotsTablesAndSettings) {
   EXPECT_NE(page.find("Settings, the same for all benchmarks"), std::string::npos);
   EXPECT_NE(page.find("1 of 4") == std::string::npos ? page.find("0 of 4") : page.find("1 of 4"),
             std::string::npos);
-}
-
-TEST(SvgPlot, DrawsReferenceAsLineAndPointsAsMarks) {
-  Plot plot{"t", "x", "y", true, false, {}};
-  plot.series = {{"exact", {1, 10, 100}, {0, 1, 2}, true},
-                 {"found", {1, 10, -5, 100}, {0, 1, 1, std::nan("")}, false}};
-  const std::string svg = svg_plot(plot);
-  EXPECT_EQ(count(svg, "<polyline"), 1);
-  // Two points can be drawn; the third mark is in the legend.
-  EXPECT_EQ(count(svg, "<circle"), 3);
-  EXPECT_NE(svg.find(">exact<"), std::string::npos);
-  EXPECT_NE(svg.find(">found<"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-}
-
-TEST(SvgPlot, IsEmptyWithoutPoints) {
-  Plot plot{"t", "x", "y", true, false, {}};
-  EXPECT_TRUE(svg_plot(plot).empty());
-  plot.series = {{"s", {-1}, {1}, false}};
-  EXPECT_TRUE(svg_plot(plot).empty()) << "nothing is positive on a logarithmic axis";
-}
-
-TEST(AxisTicks, AreRoundAndSpanTheValues) {
-  const AxisTicks linear = axis_ticks({0.13, 1.9}, false);
-  EXPECT_LE(linear.low, 0.13);
-  EXPECT_GE(linear.high, 1.9);
-  ASSERT_GE(linear.at.size(), 4u);
-  EXPECT_NEAR(linear.at[1] - linear.at[0], 0.2, 1e-12);
-  const AxisTicks decades = axis_ticks({0.01, 1e4}, true);
-  EXPECT_EQ(decades.at.size(), 7u);
-  EXPECT_DOUBLE_EQ(decades.low, -2);
-  EXPECT_DOUBLE_EQ(decades.high, 4);
-  const AxisTicks single = axis_ticks({5}, false);
-  EXPECT_LT(single.low, 5);
-  EXPECT_GT(single.high, 5);
 }
 
 }  // namespace

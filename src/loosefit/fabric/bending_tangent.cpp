@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "loosefit/fabric/bending_energy.h"
+#include "loosefit/fabric/hinge_blocks.h"
 
 namespace loosefit {
 

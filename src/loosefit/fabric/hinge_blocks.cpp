@@ -1,6 +1,6 @@
-#include <cmath>
+#include "loosefit/fabric/hinge_blocks.h"
 
-#include "loosefit/fabric/hinge_kernel.h"
+#include <cmath>
 
 namespace loosefit {
 namespace {

@@ -41,8 +41,4 @@ std::string fit_section(const CaseResult& result);
 /// Cloth and garment, stage timings, versions, resolved scenario.
 std::string provenance_section(const CaseResult& result);
 
-/// Residual over iterations on a logarithmic scale with the tolerance as a line; empty without a
-/// history. Inline SVG.
-std::string residual_chart(const std::vector<SettleSample>& history, double tolerance);
-
 }  // namespace loosefit

@@ -5,6 +5,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/residual_chart.h"
 #include "loosefit/report/sections.h"
 
 namespace loosefit {

@@ -5,16 +5,12 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/sections.h"
+#include "loosefit/report/svg.h"
 
 namespace loosefit {
 namespace {
 
 constexpr double kWidth = 640, kRow = 24, kName = 170, kRight = 16, kTop = 8, kBottom = 34;
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& look) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>", x1, y1,
-                     x2, y2, look);
-}
 
 /// Scores on a scale from 0 to 1: the robust one as a disc with its interval, the median as a bar.
 std::string score_chart(const RankingTable& table) {
@@ -22,40 +18,35 @@ std::string score_chart(const RankingTable& table) {
   const double height = kTop + kRow * static_cast<double>(sites.size()) + kBottom;
   const double bottom = height - kBottom;
   const auto x = [](double q) { return kName + q * (kWidth - kName - kRight); };
-  std::string svg = fmt::format(
-      "<svg viewBox=\"0 0 {:.0f} {:.0f}\" style=\"max-width:{:.0f}px;width:100%\" role=\"img\" "
-      "aria-label=\"Scores of the sites\">\n",
-      kWidth, height, kWidth);
+  std::string svg = svg_open(kWidth, height, "Scores of the sites");
   for (double q : {0.0, 0.25, 0.5, 0.75, 1.0})
-    svg += line(x(q), kTop, x(q), bottom, "stroke=\"#e3e7eb\"") +
-           fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:g}</text>", x(q),
-                       bottom + 14, q);
-  svg += line(x(table.scorecard.pass), kTop, x(table.scorecard.pass), bottom,
-              "stroke=\"#1d6b3a\" stroke-dasharray=\"5 4\"") +
+    svg += svg_line(x(q), kTop, x(q), bottom, "stroke=\"#e3e7eb\"") +
+           svg_text(x(q), bottom + 14, "middle", fmt::format("{:g}", q));
+  svg += svg_line(x(table.scorecard.pass), kTop, x(table.scorecard.pass), bottom,
+                  "stroke=\"#1d6b3a\" stroke-dasharray=\"5 4\"") +
          "\n";
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const RankedSite& site = sites[i];
     const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kName - 8,
-                       y + 4, escaped(site.name));
+    svg += svg_text(kName - 8, y + 4, "end", escaped(site.name));
     if (!site.score.rated()) {
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">not rated</text>\n", x(0) + 4, y + 4);
+      svg += svg_text(x(0) + 4, y + 4, "start", "not rated");
       continue;
     }
     const char* blue = "stroke=\"#2458a8\" stroke-width=\"2\"";
     if (const auto& interval = site.robust_interval)
-      svg += line(x(interval->low), y, x(interval->high), y, blue) +
-             line(x(interval->low), y - 4, x(interval->low), y + 4, blue) +
-             line(x(interval->high), y - 4, x(interval->high), y + 4, blue);
-    svg += line(x(site.score.median), y - 8, x(site.score.median), y + 8,
-                "stroke=\"#5c6b7a\" stroke-width=\"2\"");
+      svg += svg_line(x(interval->low), y, x(interval->high), y, blue) +
+             svg_line(x(interval->low), y - 4, x(interval->low), y + 4, blue) +
+             svg_line(x(interval->high), y - 4, x(interval->high), y + 4, blue);
+    svg += svg_line(x(site.score.median), y - 8, x(site.score.median), y + 8,
+                    "stroke=\"#5c6b7a\" stroke-width=\"2\"");
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"#2458a8\"/>\n",
                        x(site.score.robust), y);
   }
-  return svg + fmt::format(
-                   "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">score: disc robust with "
-                   "90 % interval, upright bar median, dashed line pass</text>\n</svg>\n",
-                   0.5 * (kName + kWidth), height - 6);
+  return svg +
+         svg_text(0.5 * (kName + kWidth), height - 6, "middle",
+                  "score: disc robust with 90 % interval, upright bar median, dashed line pass") +
+         "</svg>\n";
 }
 
 std::string interval_text(const std::optional<Interval>& interval, int decimals) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loosefit/base/progress.h"
+#include "loosefit/report/plot.h"
 
 namespace loosefit {
 
@@ -23,18 +24,6 @@ struct Finding {
 
   double error() const;  ///< in the measure of the gate
   bool pass() const;     ///< false also when `obtained` is not finite
-};
-
-/// Points obtained on a reference curve, for the page.
-struct Plot {
-  struct Series {
-    std::string name;
-    std::vector<double> x, y;
-    bool reference = false;  ///< drawn as a line; obtained points are drawn as marks
-  };
-  std::string title, x_label, y_label;
-  bool log_x = false, log_y = false;
-  std::vector<Series> series;
 };
 
 /// What one benchmark found.

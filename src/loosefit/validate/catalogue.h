@@ -3,7 +3,7 @@
 
 namespace loosefit {
 
-// One function per benchmark, each in the file of its group; catalogue.cpp puts them in order.
+// One function per benchmark, each in a file of benchmarks/; catalogue.cpp puts them in order.
 
 BenchmarkResult benchmark_homogeneous_strain(Effort effort, Progress& progress);
 BenchmarkResult benchmark_derivatives(Effort effort, Progress& progress);

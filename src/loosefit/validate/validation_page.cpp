@@ -6,9 +6,9 @@
 
 #include "loosefit/base/version.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/plot.h"
 #include "loosefit/report/report_style.h"
 #include "loosefit/validate/solver_settings.h"
-#include "loosefit/validate/svg_plot.h"
 #include "loosefit/validate/validation_table.h"
 
 namespace loosefit {

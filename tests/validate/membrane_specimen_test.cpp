@@ -1,4 +1,4 @@
-#include "loosefit/validate/membrane_benchmarks.h"
+#include "loosefit/validate/membrane_specimen.h"
 
 #include <gtest/gtest.h>
 

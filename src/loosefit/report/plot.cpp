@@ -1,4 +1,4 @@
-#include "loosefit/validate/svg_plot.h"
+#include "loosefit/report/plot.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,15 @@
 #include <cmath>
 
 #include "loosefit/report/html.h"
+#include "loosefit/report/svg.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kWidth = 560, kHeight = 360;
+constexpr double kWidth = 560;
 constexpr double kLeft = 66, kRight = 16, kTop = 14, kBottom = 46;
+constexpr const char* kGrid = "stroke=\"#e3e7eb\"";
+constexpr const char* kBorder = "stroke=\"#5b6670\"";
 constexpr std::array<const char*, 6> kColours = {"#b3401f", "#2458a8", "#1d6b3a",
                                                  "#7a4fa3", "#a06c00", "#3c7d86"};
 
@@ -35,34 +38,24 @@ struct Axis {
   }
 };
 
-std::string line(double x1, double y1, double x2, double y2, const char* colour) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>", x1, y1, x2,
-      y2, colour);
-}
-
-std::string text(double x, double y, const char* anchor, const std::string& content,
-                 const std::string& more = {}) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, more, content);
-}
-
+/// Grid lines, tick labels, the two axes and their names.
 std::string frame(const Plot& plot, const Axis& x, const Axis& y) {
+  const double bottom = plot.height - kBottom, right = kWidth - kRight;
   std::string svg;
   for (const double t : x.ticks.at) {
-    svg += line(x.at(t), kTop, x.at(t), kHeight - kBottom, "#e3e7eb");
-    svg += text(x.at(t), kHeight - kBottom + 16, "middle", x.label(t));
+    svg += svg_line(x.at(t), kTop, x.at(t), bottom, kGrid);
+    svg += svg_text(x.at(t), bottom + 16, "middle", x.label(t));
   }
   for (const double t : y.ticks.at) {
-    svg += line(kLeft, y.at(t), kWidth - kRight, y.at(t), "#e3e7eb");
-    svg += text(kLeft - 6, y.at(t) + 4, "end", y.label(t));
+    svg += svg_line(kLeft, y.at(t), right, y.at(t), kGrid);
+    svg += svg_text(kLeft - 6, y.at(t) + 4, "end", y.label(t));
   }
-  svg += line(kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom, "#5b6670");
-  svg += line(kLeft, kTop, kLeft, kHeight - kBottom, "#5b6670");
-  svg += text(0.5 * (kLeft + kWidth - kRight), kHeight - 8, "middle", escaped(plot.x_label));
-  const double middle = 0.5 * (kTop + kHeight - kBottom);
-  svg += text(14, middle, "middle", escaped(plot.y_label),
-              fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
+  svg += svg_line(kLeft, bottom, right, bottom, kBorder);
+  svg += svg_line(kLeft, kTop, kLeft, bottom, kBorder);
+  svg += svg_text(0.5 * (kLeft + right), plot.height - 8, "middle", escaped(plot.x_label));
+  const double middle = 0.5 * (kTop + bottom);
+  svg += svg_text(14, middle, "middle", escaped(plot.y_label),
+                  fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
   return svg;
 }
 
@@ -128,6 +121,7 @@ AxisTicks axis_ticks(const std::vector<double>& values, bool logarithmic) {
 }
 
 std::string svg_plot(const Plot& plot) {
+  // What can be drawn decides the range of the axes.
   std::vector<double> xs, ys;
   for (const auto& s : plot.series)
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
@@ -139,26 +133,20 @@ std::string svg_plot(const Plot& plot) {
     }
   if (xs.empty()) return {};
   const Axis x{axis_ticks(xs, plot.log_x), plot.log_x, kLeft, kWidth - kRight};
-  const Axis y{axis_ticks(ys, plot.log_y), plot.log_y, kHeight - kBottom, kTop};
+  const Axis y{axis_ticks(ys, plot.log_y), plot.log_y, plot.height - kBottom, kTop};
 
   const double legend = 16 * static_cast<double>(plot.series.size()) + 6;
-  std::string svg = fmt::format(
-      "<svg viewBox=\"0 0 {:.0f} {:.0f}\" style=\"max-width:{:.0f}px;width:100%\" role=\"img\" "
-      "aria-label=\"{}\">\n",
-      kWidth, kHeight + legend, kWidth, escaped(plot.title));
-  svg += frame(plot, x, y);
+  std::string svg = svg_open(kWidth, plot.height + legend, plot.title) + frame(plot, x, y);
   int references = 0, obtained = 0;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const Plot::Series& s = plot.series[k];
-    const double row = kHeight + 8 + 16 * static_cast<double>(k);
+    const double row = plot.height + 8 + 16 * static_cast<double>(k);
     // A reference and the points held against it come in pairs: the same colour for both.
     const char* colour = kColours[(s.reference ? references : obtained) % kColours.size()];
     if (s.reference) {
       svg += curve(s, x, y, colour) +
-             fmt::format(
-                 "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{row:.1f}\" y2=\"{row:.1f}\" "
-                 "stroke=\"{}\" stroke-width=\"1.5\"/>",
-                 kLeft, kLeft + 22, colour, fmt::arg("row", row));
+             svg_line(kLeft, row, kLeft + 22, row,
+                      fmt::format("stroke=\"{}\" stroke-width=\"1.5\"", colour));
       ++references;
     } else {
       for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
@@ -167,7 +155,7 @@ std::string svg_plot(const Plot& plot) {
       svg += mark(obtained, kLeft + 11, row, colour);
       ++obtained;
     }
-    svg += text(kLeft + 30, row + 4, "start", escaped(s.name));
+    svg += svg_text(kLeft + 30, row + 4, "start", escaped(s.name));
   }
   return svg + "</svg>\n";
 }

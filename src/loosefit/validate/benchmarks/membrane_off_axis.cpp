@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "loosefit/validate/catalogue.h"
-#include "loosefit/validate/membrane_benchmarks.h"
+#include "loosefit/validate/membrane_specimen.h"
 
 // M3: modulus of an orthotropic strip cut at an angle (docs/theory/validation.md 6.3), and the bias
 // strip in clamped jaws (1.4 b).

@@ -1,11 +1,23 @@
 #pragma once
 #include <string>
-
-#include "loosefit/validate/benchmark.h"
+#include <vector>
 
 namespace loosefit {
 
-/// The plot as inline SVG: reference series as lines, obtained ones as marks, axes with ticks
+/// Curves and points over two axes, for a page.
+struct Plot {
+  struct Series {
+    std::string name;
+    std::vector<double> x, y;
+    bool reference = false;  ///< drawn as a line; others as marks
+  };
+  std::string title, x_label, y_label;
+  bool log_x = false, log_y = false;
+  std::vector<Series> series;
+  double height = 360;  ///< [pixels] without the legend; the width is 560
+};
+
+/// The plot as inline SVG: reference series as lines, others as marks, axes with ticks
 /// (decades where logarithmic), labels and a legend. Points that are not finite, or not positive
 /// on a logarithmic axis, are left out; empty when nothing is left.
 std::string svg_plot(const Plot& plot);

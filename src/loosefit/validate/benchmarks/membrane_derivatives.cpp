@@ -5,7 +5,7 @@
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/validate/catalogue.h"
-#include "loosefit/validate/membrane_benchmarks.h"
+#include "loosefit/validate/membrane_specimen.h"
 
 // M2: force = −∂E/∂x and stiffness = ∂²E/∂x² by finite differences (docs/theory/validation.md 1.1).
 namespace loosefit {
