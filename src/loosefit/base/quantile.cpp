@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/base/check.h"
+
 namespace loosefit {
 
 std::size_t quantile_index(std::size_t n, double share) {
@@ -29,6 +31,7 @@ double median(std::vector<double> values) {
 
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights,
                          const std::vector<int>& ascending, double total, double share) {
+  LOOSEFIT_ASSERT(!ascending.empty());
   double below = 0;
   for (int i : ascending) {
     below += weights[i];

@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 
 namespace loosefit {
@@ -101,7 +102,7 @@ class Share : public Progress {
 }  // namespace
 
 void side_by_side(const std::vector<SideJob>& jobs, int at_once, Progress& progress) {
-  if (at_once < 1) throw Error("at least one job has to run at a time");
+  require(at_once >= 1, "at least one job at a time");
   Board board(jobs, progress);
   const auto work = [&](int) {
     try {

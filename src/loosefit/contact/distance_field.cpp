@@ -1,8 +1,10 @@
 #include "loosefit/contact/distance_field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "loosefit/base/check.h"
 #include "loosefit/particles/tile.h"
 
 namespace loosefit {
@@ -36,6 +38,21 @@ struct Weights {
   }
 };
 
+/// Whether every edge belongs to two triangles, which run along it in opposite senses, and the
+/// inside is inside.
+bool closed_outwards(const TriangleMesh& mesh) {
+  std::vector<std::pair<int, int>> there, back;
+  for (const Triangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      there.emplace_back(t[k], t[(k + 1) % 3]);
+      back.emplace_back(t[(k + 1) % 3], t[k]);
+    }
+  std::sort(there.begin(), there.end());
+  std::sort(back.begin(), back.end());
+  return there == back && std::adjacent_find(there.begin(), there.end()) == there.end() &&
+         enclosed_volume(mesh) > 0;
+}
+
 }  // namespace
 
 DistanceField::Cover::Cover(const TriangleMesh& surface) : mesh(surface), tree(mesh) {
@@ -45,6 +62,10 @@ DistanceField::Cover::Cover(const TriangleMesh& surface) : mesh(surface), tree(m
 DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing,
                              const std::vector<TriangleMesh>& covers)
     : tree_(tree), spacing_(spacing) {
+  LOOSEFIT_ASSERT(closed_outwards(tree.mesh()) &&
+                  std::all_of(covers.begin(), covers.end(), [](const TriangleMesh& cover) {
+                    return cover.triangles.empty() || closed_outwards(cover);
+                  }));
   constexpr double kMaxNodes = 2e7;  // 100 MB
   const Vec3 margin = Vec3::Constant(4 * spacing_);
   origin_ = region.min() - margin;

@@ -23,7 +23,7 @@ class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m]; covers: further closed surfaces
   /// that hide the body in them (mittens over hands), the field is that of all together.
-  /// \pre surfaces are closed and oriented outwards; the tree outlives the field.
+  /// Keeps a reference to the tree. \pre surfaces are closed and oriented outwards
   DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing,
                 const std::vector<TriangleMesh>& covers = {});
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/base/check.h"
+
 namespace loosefit {
 namespace {
 
@@ -89,6 +91,7 @@ Barrier evaluate_barrier(const BarrierPair& pair, const PairPoints& x) {
 }
 
 PairPoints barrier_gradient(const BarrierPair& pair, const PairPoints& x, const Barrier& b) {
+  LOOSEFIT_ASSERT(b.active && b.d.distance > 0);
   PairPoints g;
   for (int k = 0; k < 4; ++k) g[k] = b.slope * b.d.weight[k] * b.d.normal;
   const Mollifier m = mollify(pair, x);
@@ -127,6 +130,7 @@ PairMatrix without_negative_part(const PairMatrix& h) {
 
 PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
                            HessianKind kind) {
+  LOOSEFIT_ASSERT(b.active && b.d.distance > 0);
   Column gap;  // ∂d/∂x
   for (int k = 0; k < 4; ++k) gap.segment<3>(3 * k) = b.d.weight[k] * b.d.normal;
   const bool exact = kind == HessianKind::exact;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/check.h"
 #include "loosefit/geometry/closest_point.h"
 
 namespace loosefit {
@@ -58,6 +59,7 @@ PairDistance pair_distance(PairKind kind, const PairPoints& x) {
 }
 
 PairMatrix distance_hessian(PairKind kind, const PairPoints& x, const PairDistance& d) {
+  LOOSEFIT_ASSERT(d.distance > 0);
   // ½ d² is the minimum over the free parameters p of ½ |r|², r = Σ w_k(p) x_k, w linear in p. With
   // c_j = ∂w/∂p_j and t_j = Σ c_jk x_k its Hessian is (envelope theorem, then Schur complement)
   //   w wᵀ ⊗ I − Σ_ij (c_i ⊗ r + w ⊗ t_i) (tᵀt)⁻¹_ij (c_j ⊗ r + w ⊗ t_j)ᵀ.

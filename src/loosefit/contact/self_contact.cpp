@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 
 namespace loosefit {
@@ -118,6 +119,19 @@ void SelfContact::evaluate(const VectorField& x) const {
   active_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (barrier_[i].active) active_.push_back(static_cast<int>(i));
+}
+
+void SelfContact::recall(const Memory& memory) {
+  LOOSEFIT_ASSERT(
+      std::all_of(memory.pairs.begin(), memory.pairs.end(), [&](const FeaturePair& pair) {
+        const ContactFeatures& mesh = candidates_.features();
+        const bool edges = pair.kind == PairKind::edge_edge;
+        return pair.first < static_cast<int>(edges ? mesh.edges.size() : mesh.of_vertex.size()) &&
+               pair.second < static_cast<int>(edges ? mesh.edges.size() : mesh.triangles.size());
+      }));
+  pairs_ = memory.pairs;
+  friction_ = memory.friction;
+  blocks_ = memory.blocks;
 }
 
 void SelfContact::begin_step(const VectorField& x, double dt) {

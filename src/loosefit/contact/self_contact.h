@@ -54,11 +54,7 @@ class SelfContact : public Energy, public LaggedState, public StepLimit, public 
   };
   Memory memory() const { return {pairs_, friction_, blocks_}; }
   /// \pre memory is of a contact of the same mesh
-  void recall(const Memory& memory) {
-    pairs_ = memory.pairs;
-    friction_ = memory.friction;
-    blocks_ = memory.blocks;
-  }
+  void recall(const Memory& memory);
 
   /// The part of add_gradient that is friction.
   void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }

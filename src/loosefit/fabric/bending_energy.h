@@ -74,8 +74,9 @@ class BendingEnergy : public Energy,
   void build_tiles(const std::vector<Mat3>& rigidity);
   /// Angles into angle_, with gradients into gradient_ if these are wanted.
   void find_angles(const VectorField& x, bool with_gradient) const;
-  /// Energy; moments about the hinges into moment_ if these are wanted. \pre find_angles
-  double bend(bool with_moments) const;
+  /// Energy, with angles into angle_; on demand also their gradients into gradient_ and the moments
+  /// about the hinges into moment_.
+  double bend(const VectorField& x, bool with_moments) const;
   void patch_response(int tile, PlaneRows& curvature, PlaneResponse& response) const;
   TileRow moments_about(const HingeTile& tile) const;
   Mat3 friction_tangent(const PlaneRows& curvature, int tile, int i) const;

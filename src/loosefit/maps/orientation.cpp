@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/base/check.h"
 #include "loosefit/maps/body_frame.h"
 #include "loosefit/maps/strain.h"
 
@@ -26,6 +27,8 @@ double rotation_angle(const Mat3& r) {
 }
 
 Orientation orientation_of(const Mat3& relative) {
+  LOOSEFIT_ASSERT(!relative.allFinite() ||
+                  (relative.isUnitary(1e-6) && relative.determinant() > 0));
   const Vec3 n = relative.col(2);  // the garment's normal in the body frame
   const double sine = std::hypot(n.x(), n.y());
   Orientation o;

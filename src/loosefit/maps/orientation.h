@@ -30,8 +30,8 @@ struct Orientation {
   double rotation = 0;  ///< total angle of R, 0 … π
 };
 
-/// \pre `relative` is a rotation. The tilts are NaN for opposite normals and the twist then too:
-/// every way round is as short.
+/// \pre `relative` is a rotation, or NaN as the result then is. The tilts are NaN for opposite
+/// normals and the twist then too: every way round is as short.
 Orientation orientation_of(const Mat3& relative);
 
 /// Angle of a rotation, 0 … π [rad]; exact also near zero.

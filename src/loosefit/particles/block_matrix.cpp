@@ -1,6 +1,7 @@
 #include "loosefit/particles/block_matrix.h"
 
 #include <atomic>
+#include <functional>
 
 namespace loosefit {
 
@@ -28,6 +29,9 @@ BlockMatrix::BlockMatrix(std::vector<int> column_start, std::vector<int> rows)
 
 BlockMatrix::BlockMatrix(const BlockPattern& pattern) : pattern_id_(new_pattern_id()) {
   const auto& columns = pattern.rows_of_column();
+  LOOSEFIT_ASSERT(std::all_of(columns.begin(), columns.end(), [](const std::vector<int>& rows) {
+    return std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end();
+  }));
   column_start_.reserve(columns.size() + 1);
   for (const auto& rows : columns) {
     rows_.insert(rows_.end(), rows.begin(), rows.end());

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/types.h"
 
 namespace loosefit {
@@ -64,7 +65,9 @@ class BlockMatrix {
   int find(int row, int column) const {
     const auto first = rows_.begin() + column_start_[column];
     const auto last = rows_.begin() + column_start_[column + 1];
-    return static_cast<int>(std::lower_bound(first, last, row) - rows_.begin());
+    const auto at = std::lower_bound(first, last, row);
+    LOOSEFIT_ASSERT(at != last && *at == row);
+    return static_cast<int>(at - rows_.begin());
   }
   std::uint64_t pattern_id_ = 0;
   std::vector<int> column_start_{0};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "loosefit/base/check.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/svg.h"
 
@@ -95,6 +96,9 @@ std::string curve(const Plot::Series& series, const Axis& x, const Axis& y, cons
 }  // namespace
 
 AxisTicks axis_ticks(const std::vector<double>& values, bool logarithmic) {
+  LOOSEFIT_ASSERT(!values.empty() && std::all_of(values.begin(), values.end(), [&](double v) {
+    return std::isfinite(v) && (v > 0 || !logarithmic);
+  }));
   double low = *std::min_element(values.begin(), values.end());
   double high = *std::max_element(values.begin(), values.end());
   AxisTicks ticks;

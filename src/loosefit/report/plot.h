@@ -28,7 +28,8 @@ struct AxisTicks {
   std::vector<double> at;    ///< in the same scale
 };
 /// Ticks at round numbers that span the values: steps of 1, 2 or 5 times a power of ten, or whole
-/// decades. \pre all values are finite, and positive where logarithmic
+/// decades. \pre there are values; all are finite, and positive where
+/// logarithmic
 AxisTicks axis_ticks(const std::vector<double>& values, bool logarithmic);
 
 }  // namespace loosefit

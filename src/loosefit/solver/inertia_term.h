@@ -7,7 +7,7 @@ namespace loosefit {
 /// particles, x̂ where they would fly without forces. Nothing where dt = ∞.
 class InertiaTerm {
  public:
-  /// dt [s]. \pre both live longer than this
+  /// dt [s]. Keeps references to both.
   InertiaTerm(const ParticleSystem& system, const VectorField& target, double dt);
 
   /// 1/dt² [1/s²].

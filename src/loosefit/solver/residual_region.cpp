@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "loosefit/base/check.h"
+
 namespace loosefit {
 namespace {
 
@@ -64,6 +66,9 @@ ResidualRegion residual_region(const BlockMatrix& matrix, const VectorField& for
 
 void restrict_to(const ResidualRegion& region, const BlockMatrix& matrix, BlockMatrix& part,
                  RestrictedBlocks& blocks) {
+  LOOSEFIT_ASSERT(blocks.of_pattern != matrix.pattern_id() ||
+                  (part.particles() == static_cast<int>(region.particles.size()) &&
+                   part.blocks().size() == blocks.source.size()));
   if (blocks.of_pattern != matrix.pattern_id()) {
     blocks.of_pattern = matrix.pattern_id();
     blocks.source.clear();

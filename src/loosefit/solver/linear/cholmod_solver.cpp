@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 #include "loosefit/solver/linear/fill_order.h"
 
@@ -119,6 +120,7 @@ bool CholmodSolver::factorise(const BlockMatrix& a, const std::vector<double>& s
 
 void CholmodSolver::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const {
   Work& w = *work_;
+  LOOSEFIT_ASSERT(w.factor && w.factor->minor == w.factor->n && w.factor->n == kSize * rhs.size());
   // A view of the right-hand side: CHOLMOD only reads it.
   cholmod_dense b = {};
   b.nrow = b.nzmax = b.d = kSize * rhs.size();

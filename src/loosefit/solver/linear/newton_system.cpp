@@ -1,5 +1,6 @@
 #include "loosefit/solver/linear/newton_system.h"
 
+#include "loosefit/base/check.h"
 #include "loosefit/particles/vector_sums.h"
 
 namespace loosefit {
@@ -37,6 +38,7 @@ bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& sh
 }
 
 void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
+  LOOSEFIT_ASSERT(a_ && static_cast<int>(g.size()) == a_->particles());
   std::vector<Vec3> b(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) b[i] = -g[i];
   drop_held(b);

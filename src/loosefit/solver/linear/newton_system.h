@@ -17,7 +17,7 @@ class NewtonSystem {
   bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held);
   /// dx to a residual of kAccuracy ‖g‖; a direction of descent in any case. Held particles get
-  /// zero. \pre factorise returned true, and its arguments still live unchanged
+  /// zero. Uses the arguments of factorise again. \pre factorise returned true
   void solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx);
   bool in_double() const { return in_double_; }
   /// As SparseCholesky::order and set_order; a new order also starts in single precision again.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 #include "loosefit/solver/linear/fill_order.h"
 #include "loosefit/solver/linear/multifrontal/buffer_pool.h"
@@ -257,6 +258,8 @@ template <class Real>
 void SparseCholesky<Real>::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const {
   const Work& w = *work_;
   const int n = static_cast<int>(rhs.size());
+  LOOSEFIT_ASSERT(w.definite && rhs.size() == w.tree.order.size() && !w.factor.empty() &&
+                  w.factor.front());
   Eigen::Matrix<Real, Eigen::Dynamic, 1> y(3 * n), part;
   for (int k = 0; k < n; ++k)
     y.template segment<3>(3 * k) = rhs[w.tree.order[k]].template cast<Real>();
