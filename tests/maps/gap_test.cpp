@@ -56,7 +56,7 @@ TEST(Gap, OfATiltedPlaneGrowsWithTheSineAndTouchesWhereItIsBelowTheTolerance) {
   const auto positions = testing::before_wall(patch, 0.0005 + 0.05 * std::sin(tilt),
                                               testing::turn_about(Vec3::UnitZ(), -tilt));
   const WornGarment worn = relate(patch, positions, testing::wall_body());
-  const auto maps = gap_maps(worn, m);
+  const auto maps = make_maps("gap", {patch, positions, worn, &m});
   for (int v = 0; v < patch.vertex_count; ++v) {
     const double gap = (patch.vertex_uv[v].x() + 0.05) * std::sin(tilt);
     EXPECT_NEAR(maps[0].values[v], 1000 * gap, 1e-6);
@@ -72,7 +72,7 @@ TEST(Gap, ShowsWhereClothBridgesAHollow) {
   const Material m = cloth(0.001);
   const auto positions = testing::before_wall(patch, 0.0005);
   const WornGarment worn = relate(patch, positions, body);
-  const auto maps = gap_maps(worn, m);
+  const auto maps = make_maps("gap", {patch, positions, worn, &m});
   // Off a bank the edge is the nearest skin until the floor is: √(x² + ½t²) − ½t.
   const double reach = std::sqrt(std::pow(0.00075 + 0.0005, 2) - std::pow(0.0005, 2));
   for (int v = 0; v < patch.vertex_count; ++v) {

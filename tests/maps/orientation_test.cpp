@@ -45,7 +45,7 @@ TEST_P(KnownTurn, OfARigidShellIsReadFromTheMap) {
   const Mat3 frame = testing::wall_frame();
   const auto positions = testing::before_wall(patch, 0.05, frame * rotation(t) * frame.transpose());
   const WornGarment worn = relate(patch, positions, testing::wall_body());
-  const auto maps = orientation_maps(patch, positions, worn);
+  const auto maps = make_maps("orientation", {patch, positions, worn});
   ASSERT_EQ(maps.size(), 4u);
   const double total =
       degrees(2 * std::acos(std::cos(radians(t.tilt) / 2) * std::cos(radians(t.twist) / 2)));
@@ -54,7 +54,7 @@ TEST_P(KnownTurn, OfARigidShellIsReadFromTheMap) {
     EXPECT_NEAR(maps[1].values[v], t.tilt * std::sin(radians(t.azimuth)), kTenth);
     EXPECT_NEAR(maps[2].values[v], t.twist, kTenth);
     EXPECT_NEAR(maps[3].values[v], total, kTenth);
-    EXPECT_NEAR(angle_deg(worn.normals[v], worn.partners[v].normal), t.tilt, kTenth);
+    EXPECT_NEAR(degrees(angle_between(worn.normals[v], worn.partners[v].normal)), t.tilt, kTenth);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Turns, KnownTurn,
@@ -70,7 +70,7 @@ TEST(Orientation, TiltIsPositiveForANormalThatLeansDownAndToTheWearersRightOnThe
         Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal.normalized()).toRotationMatrix();
     const auto positions = testing::before_wall(patch, 0.05, turn);
     const WornGarment worn = relate(patch, positions, testing::wall_body());
-    const auto maps = orientation_maps(patch, positions, worn);
+    const auto maps = make_maps("orientation", {patch, positions, worn});
     return Vec2(maps[0].values[0], maps[1].values[0]);
   };
   const double angle = degrees(std::atan(0.2));
@@ -134,7 +134,7 @@ TEST(Orientation, TakesTheGrainOfTheVerticesOwnPanelAtASeam) {
   for (int v = 0; v < patch.vertex_count; ++v) patch.vertex_panel[v] = left[v] ? 0 : 1;
   const auto positions = testing::before_wall(patch, 0.05);
   const WornGarment worn = relate(patch, positions, testing::wall_body());
-  const auto twist = orientation_maps(patch, positions, worn)[2].values;
+  const auto twist = make_maps("orientation", {patch, positions, worn})[2].values;
   for (int v = 0; v < patch.vertex_count; ++v)
     EXPECT_NEAR(std::abs(twist[v]), left[v] ? 0 : 90, 1e-6) << v;
 }
@@ -145,7 +145,7 @@ TEST(Orientation, IsNotDefinedWithoutASegmentAxis) {
   const Garment patch = testing::patch_garment(0.04, 0.01);
   const auto positions = testing::before_wall(patch, 0.02);
   const WornGarment worn = relate(patch, positions, body);
-  for (const PerformanceMap& map : orientation_maps(patch, positions, worn))
+  for (const PerformanceMap& map : make_maps("orientation", {patch, positions, worn}))
     for (double value : map.values) EXPECT_TRUE(std::isnan(value));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/maps/compute_maps.h"
 #include "loosefit/maps/orientation_error.h"
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"

@@ -154,9 +154,9 @@ TEST_F(SealedDrape, PositionsMustFitTheGarment) {
 }
 
 TEST(Angle, IsExactNearZeroAndBeyondARightAngle) {
-  EXPECT_NEAR(angle_deg({1, 0, 0}, Vec3(std::cos(1e-9), std::sin(1e-9), 0)), degrees(1e-9), 1e-15);
-  EXPECT_NEAR(angle_deg({1, 0, 0}, {-1, 0, 0}), 180, 1e-12);
-  EXPECT_NEAR(angle_deg({0, 0, 1}, Vec3(1, 0, -1).normalized()), 135, 1e-12);
+  EXPECT_NEAR(angle_between({1, 0, 0}, Vec3(std::cos(1e-9), std::sin(1e-9), 0)), 1e-9, 1e-17);
+  EXPECT_NEAR(angle_between({1, 0, 0}, {-1, 0, 0}), kPi, 1e-14);
+  EXPECT_NEAR(angle_between({0, 0, 1}, Vec3(1, 0, -1).normalized()), radians(135.0), 1e-14);
 }
 
 }  // namespace

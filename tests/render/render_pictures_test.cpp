@@ -35,7 +35,7 @@ class Pictures : public ::testing::Test {
                    return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.9 + uv.y());
                  }).positions;
     // Left half 0 mm, right half 40 mm: a jump at x = 0.
-    map_ = {"distance_mm", "Body-garment distance", "mm", 0, 40, {}, "distance", true, false};
+    map_ = {{"distance_mm", "Body-garment distance", "mm", 0, 40, "distance"}, {}};
     for (const Vec3& p : positions_) map_.values.push_back(p.x() > 0 ? 40 : 0);
     options_.width = 300;
     options_.height = 320;

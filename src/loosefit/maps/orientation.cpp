@@ -11,14 +11,6 @@
 namespace loosefit {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-// Fixed ranges of the pictures: signed tilts to both sides, their sum as far as the deviation map.
-constexpr double kTiltRange = 30, kRotationRange = 40;  // [deg]
-
-PerformanceMap degree_map(const std::string& array, const std::string& title,
-                          const std::string& map, bool signed_angle) {
-  const double range = signed_angle ? kTiltRange : kRotationRange;
-  return {array, title, "deg", signed_angle ? -range : 0, range, {}, map, true, signed_angle};
-}
 }  // namespace
 
 double rotation_angle(const Mat3& r) {
@@ -82,26 +74,21 @@ std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>&
   return frames;
 }
 
-std::vector<PerformanceMap> orientation_maps(const Garment& garment,
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::vector<Orientation> vertex_orientations(const Garment& garment,
                                              const std::vector<Vec3>& positions,
                                              const WornGarment& worn, const Vec2& direction) {
-  std::vector<PerformanceMap> maps = {
-      degree_map("tilt_sagittal_deg", "Tilt about the axis across the segment",
-                 "orientation-tilt-sagittal", true),
-      degree_map("tilt_lateral_deg", "Tilt about the segment's long axis",
-                 "orientation-tilt-lateral", true),
-      degree_map("twist_deg", "Twist about the normal", "orientation-twist", true),
-      degree_map("rotation_deg", "Total rotation against the body", "orientation", false)};
   const std::vector<Mat3> frames = vertex_frames(garment, positions, worn.normals, direction);
+  std::vector<Orientation> orientations(garment.vertex_count, {kNan, kNan, kNan, kNan, kNan});
   for (int v = 0; v < garment.vertex_count; ++v) {
     const SurfaceFrame body = surface_frame(worn.partners[v].normal, worn.segment_axes[v]);
-    Orientation o{kNan, kNan, kNan, kNan, kNan};
     if (body.has_direction && frames[v].allFinite())
-      o = orientation_of(body.axes.transpose() * frames[v]);
-    const double values[] = {o.tilt_sagittal, o.tilt_lateral, o.twist, o.rotation};
-    for (std::size_t k = 0; k < maps.size(); ++k) maps[k].values.push_back(degrees(values[k]));
+      orientations[v] = orientation_of(body.axes.transpose() * frames[v]);
   }
-  return maps;
+  return orientations;
 }
 
 }  // namespace loosefit

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "loosefit/garment/garment.h"
-#include "loosefit/maps/performance_map.h"
 #include "loosefit/maps/worn_garment.h"
 
 namespace loosefit {
@@ -51,9 +50,12 @@ Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3
 std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>& positions,
                                 const std::vector<Vec3>& normals, const Vec2& direction = kGrain);
 
-/// Arrays tilt_sagittal_deg, tilt_lateral_deg, twist_deg and rotation_deg against the body at each
-/// vertex's partner; NaN where the body gives no long axis (SurfaceFrame::has_direction).
-std::vector<PerformanceMap> orientation_maps(const Garment& garment,
+/// Angle between two unit vectors as atan2(|a × b|, a · b), exact also near zero [rad].
+double angle_between(const Vec3& a, const Vec3& b);
+
+/// Of every vertex of the cloth, in its vertex_frames, against the body at its partner; all NaN
+/// where the body gives no long axis (SurfaceFrame::has_direction).
+std::vector<Orientation> vertex_orientations(const Garment& garment,
                                              const std::vector<Vec3>& positions,
                                              const WornGarment& worn,
                                              const Vec2& direction = kGrain);

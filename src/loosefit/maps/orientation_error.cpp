@@ -23,23 +23,11 @@ ErrorSummary summarise(const std::vector<double>& errors) {
   return {std::sqrt(squares / static_cast<double>(errors.size())), s.p95};
 }
 
-std::vector<PerformanceMap> orientation_error_maps(const Garment& garment,
-                                                   const DressedState& reference,
-                                                   const std::vector<DressedState>& states,
-                                                   const Vec2& direction) {
-  constexpr double kRange = 20;  // beyond 15° a sensor only tells posture classes apart [deg]
+std::vector<ErrorSummary> vertex_orientation_errors(const Garment& garment,
+                                                    const DressedState& reference,
+                                                    const std::vector<DressedState>& states,
+                                                    const Vec2& direction) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  PerformanceMap rms{
-      "coe_rms_deg",      "Calibrated orientation error, RMS over postures", "deg", 0, kRange, {},
-      "orientation-error"};
-  PerformanceMap p95{"coe_p95_deg",
-                     "Calibrated orientation error, 95 % of postures",
-                     "deg",
-                     0,
-                     kRange,
-                     {},
-                     "orientation-error-p95",
-                     false};
   require_fit(garment, reference);
   const std::vector<SkinPoint> partners = skin_partners(reference);
   /// R = F_bᵀ F_g of every vertex in one state.
@@ -58,13 +46,13 @@ std::vector<PerformanceMap> orientation_error_maps(const Garment& garment,
     for (std::size_t v = 0; v < now.size(); ++v)
       errors[v].push_back(calibrated_error(now[v], calibrated[v]));
   }
+  std::vector<ErrorSummary> summaries;
   for (const std::vector<double>& own : errors) {
     const bool whole = std::all_of(own.begin(), own.end(), [](double e) { return !std::isnan(e); });
-    const ErrorSummary s = summarise(own);
-    rms.values.push_back(whole ? degrees(s.rms) : kNan);
-    p95.values.push_back(whole ? degrees(s.p95) : kNan);
+    const ErrorSummary summary = summarise(own);
+    summaries.push_back(whole ? summary : ErrorSummary{kNan, kNan});
   }
-  return {std::move(rms), std::move(p95)};
+  return summaries;
 }
 
 }  // namespace loosefit

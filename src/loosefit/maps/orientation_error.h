@@ -19,12 +19,12 @@ struct ErrorSummary {
 ErrorSummary summarise(const std::vector<double>& errors);
 
 /// Calibrated orientation error (COE) of every garment vertex over several states against the
-/// reference: arrays coe_rms_deg and coe_p95_deg over `states`, in which the reference itself
-/// should not be counted. The body frame is that of the material partner (maps/skin_partner.h); NaN
-/// where the cloth has no frame. \throws InvalidInput for no states, or another body or garment.
-std::vector<PerformanceMap> orientation_error_maps(const Garment& garment,
-                                                   const DressedState& reference,
-                                                   const std::vector<DressedState>& states,
-                                                   const Vec2& direction = Vec2(0, 1));
+/// reference, in which the reference itself should not be counted [rad]. The body frame is that of
+/// the material partner (maps/skin_partner.h); NaN where the cloth has no frame. \throws
+/// InvalidInput for no states, or another body or garment.
+std::vector<ErrorSummary> vertex_orientation_errors(const Garment& garment,
+                                                    const DressedState& reference,
+                                                    const std::vector<DressedState>& states,
+                                                    const Vec2& direction = Vec2(0, 1));
 
 }  // namespace loosefit

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
+#include "loosefit/body/regions.h"
 #include "loosefit/drape/drape.h"
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/body/regions.h"
 
 namespace loosefit {
 

@@ -35,41 +35,19 @@ void require_fit(const Garment& garment, const DressedState& state) {
                      " partners, expected " + std::to_string(n) + ", as many as garment vertices");
 }
 
-std::vector<PerformanceMap> slip_maps(const Garment& garment, const DressedState& reference,
-                                      const DressedState& now) {
+std::vector<Slip> vertex_slips(const Garment& garment, const DressedState& reference,
+                               const DressedState& now) {
   require_fit(garment, reference);
   require_fit(garment, now);
   require_same_wearer(reference.body, now.body);
-  constexpr double kRange = 20;  // [mm]
-  std::vector<PerformanceMap> maps = {{"slip_mm", "Slip on the skin", "mm", 0, kRange, {}, "slip"},
-                                      {"slip_along_mm",
-                                       "Slip along the segment",
-                                       "mm",
-                                       -kRange,
-                                       kRange,
-                                       {},
-                                       "slip-along",
-                                       false,
-                                       true},
-                                      {"slip_around_mm",
-                                       "Slip around the segment",
-                                       "mm",
-                                       -kRange,
-                                       kRange,
-                                       {},
-                                       "slip-around",
-                                       false,
-                                       true}};
   const std::vector<SkinPoint> partners = skin_partners(reference);
+  std::vector<Slip> slips;
   for (std::size_t v = 0; v < partners.size(); ++v) {
     const Vec3 change = offset_on_skin(partners[v], now.body, now.positions[v]) -
                         offset_on_skin(partners[v], reference.body, reference.positions[v]);
-    const Slip slip = slip_of(change, partners[v].has_direction);
-    maps[0].values.push_back(1000 * slip.distance);
-    maps[1].values.push_back(1000 * slip.along);
-    maps[2].values.push_back(1000 * slip.around);
+    slips.push_back(slip_of(change, partners[v].has_direction));
   }
-  return maps;
+  return slips;
 }
 
 }  // namespace loosefit

@@ -3,7 +3,6 @@
 
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/body_frame.h"
-#include "loosefit/maps/performance_map.h"
 #include "loosefit/maps/worn_garment.h"
 
 namespace loosefit {
@@ -40,10 +39,9 @@ Vec3 offset_on_skin(const SkinPoint& partner, const Body& body, const Vec3& posi
 /// arm of 82 mm radius).
 Slip slip_of(const Vec3& change_of_offset, bool has_direction);
 
-/// Arrays slip_mm, slip_along_mm (to the near end of the segment) and slip_around_mm (along s of
-/// maps/body_frame.h) of `now` against the reference. \throws InvalidInput when the bodies are not
-/// the same wearer's or the positions do not fit the garment.
-std::vector<PerformanceMap> slip_maps(const Garment& garment, const DressedState& reference,
-                                      const DressedState& now);
+/// Slip of every garment vertex now against the reference. \throws InvalidInput when the bodies are
+/// not the same wearer's or the positions do not fit the garment.
+std::vector<Slip> vertex_slips(const Garment& garment, const DressedState& reference,
+                               const DressedState& now);
 
 }  // namespace loosefit

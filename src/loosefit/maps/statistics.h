@@ -2,8 +2,8 @@
 #include <map>
 #include <vector>
 
-#include "loosefit/maps/performance_map.h"
 #include "loosefit/body/regions.h"
+#include "loosefit/maps/performance_map.h"
 
 namespace loosefit {
 

@@ -8,7 +8,6 @@
 namespace loosefit {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
 DeformationGradient garment_gradient(const Garment& garment, int triangle,
@@ -17,14 +16,20 @@ DeformationGradient garment_gradient(const Garment& garment, int triangle,
                               positions);
 }
 
-double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
-                    const Vec2& direction) {
-  return (garment_gradient(garment, triangle, positions) * direction).norm() - 1;
+double strain_along(const DeformationGradient& f, const Vec2& direction) {
+  return (f * direction).norm() - 1;
 }
 
 TriangleStrain triangle_strain(const Garment& garment, int triangle,
                                const std::vector<Vec3>& positions) {
-  const DeformationGradient f = garment_gradient(garment, triangle, positions);
+  return triangle_strain(garment_gradient(garment, triangle, positions));
+}
+
+double slack_of(const TriangleStrain& strain) {
+  return std::isnan(strain.min) ? kNan : strain.min < kSlackStrain ? 1.0 : 0.0;
+}
+
+TriangleStrain triangle_strain(const DeformationGradient& f) {
   const double uu = f.col(0).squaredNorm(), vv = f.col(1).squaredNorm();
   const double uv_product = f.col(0).dot(f.col(1));
   // Eigenvalues of FᵀF. std::max passes NaN of its first argument on.
@@ -54,14 +59,6 @@ std::vector<double> to_vertices(const Garment& garment, const std::vector<double
   }
   for (int v = 0; v < garment.vertex_count; ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : kNan;
   return sum;
-}
-
-std::vector<double> slack_share(const Garment& garment,
-                                const std::vector<TriangleStrain>& strains) {
-  std::vector<double> slack;
-  for (const TriangleStrain& s : strains)
-    slack.push_back(std::isnan(s.min) ? kNan : s.min < kSlackStrain ? 1.0 : 0.0);
-  return to_vertices(garment, slack);
 }
 
 std::vector<double> vertical_strain(const Garment& garment, const std::vector<Vec3>& positions) {

@@ -21,7 +21,8 @@ struct TriangleStrain {
   double min = 0;   ///< least principal stretch − 1; below zero the cloth is shortened or buckled
 };
 
-/// NaN for a triangle without flat area.
+/// From the deformation gradient; NaN for that of a triangle without flat area.
+TriangleStrain triangle_strain(const DeformationGradient& f);
 TriangleStrain triangle_strain(const Garment& garment, int triangle,
                                const std::vector<Vec3>& positions);
 /// The same of every triangle.
@@ -30,20 +31,17 @@ std::vector<TriangleStrain> triangle_strains(const Garment& garment,
 
 /// Strain |F d| − 1 along the unit direction d = (weft, warp) of the pattern, the reading of a
 /// strain sensor that is sewn on along d (docs/theory/sensor_metrics.md 6). NaN without flat area.
-double strain_along(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
-                    const Vec2& direction);
+double strain_along(const DeformationGradient& f, const Vec2& direction);
 
 /// Cloth whose least principal strain is below this is slack: buckled within an element, so that no
 /// strain sensor reads it (docs/theory/sensor_metrics.md 6).
 inline constexpr double kSlackStrain = -0.005;
+/// 1 for slack cloth, 0 for other; NaN without flat area.
+double slack_of(const TriangleStrain& strain);
 
 /// Mean of a triangle quantity at each vertex, weighted by flat triangle area; NaN where no
 /// triangle with a value touches the vertex.
 std::vector<double> to_vertices(const Garment& garment, const std::vector<double>& per_triangle);
-
-/// Share of each vertex's cloth that is slack: to_vertices of 1 for a triangle whose least strain
-/// is below kSlackStrain and 0 for the others.
-std::vector<double> slack_share(const Garment& garment, const std::vector<TriangleStrain>& strains);
 
 /// Elongation of the garment edges along the grain, the paper's "vertical strain": initial and
 /// actual distances between neighbouring particles are compared,

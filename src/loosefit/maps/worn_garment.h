@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
+#include "loosefit/body/regions.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/body_partner.h"
-#include "loosefit/body/regions.h"
 
 namespace loosefit {
 

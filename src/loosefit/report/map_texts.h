@@ -12,9 +12,6 @@ std::string with_unit(const PerformanceMap& map);
 /// A value of the map in that unit.
 std::string value_text(const PerformanceMap& map, double value);
 
-/// Written and summed up, but not shown per region and site.
-bool is_companion(const PerformanceMap& map);
-
 /// Underscores of a name as spaces.
 std::string spaced(std::string text);
 

@@ -64,7 +64,7 @@ std::string map_section(const CaseResult& result) {
   std::vector<std::string> head = {"Region"};
   std::vector<const CaseMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
-    if (is_companion(entry.map)) continue;
+    if (entry.map.companion) continue;
     shown.push_back(&entry);
     head.push_back(with_unit(entry.map));
   }
@@ -98,7 +98,7 @@ std::string site_section(const CaseResult& result) {
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
   std::vector<const PerformanceMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
-    if (is_companion(entry.map)) continue;
+    if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
   }

@@ -21,7 +21,7 @@ std::string repeat_section(const CaseResult& result) {
   std::vector<std::string> head = {"where"}, whole = {"whole garment, area mean"};
   std::vector<const PerformanceMap*> shown;
   for (const CaseMap& entry : result.maps.maps) {
-    if (is_companion(entry.map)) continue;
+    if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
     whole.push_back(spread_text(result, entry.map, map_key(entry.map.array)));

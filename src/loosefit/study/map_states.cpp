@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "loosefit/maps/orientation_error.h"
 #include "loosefit/maps/skin_partner.h"
 #include "loosefit/study/case_stages.h"
 #include "loosefit/study/wear_states.h"

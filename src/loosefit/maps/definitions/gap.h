@@ -1,0 +1,52 @@
+#pragma once
+#include "loosefit/maps/gap.h"
+#include "loosefit/maps/map_definition.h"
+
+namespace loosefit {
+
+/// Gap under the cloth, and whether it touches (maps/gap.h).
+inline MapDefinition gap_map() {
+  MapArray gap{
+      .style =
+          {.array = "gap_mm",
+           .title = "Gap between the cloth's inner face and the skin",
+           .unit = "mm",
+           .range_high = 40,
+           .map = "gap",
+           // Fine where electrodes and temperature sensors live, coarse where cloth hangs free.
+           .breaks = {0, 0.5, 2, 5, 10, 20, 40}},
+      .meaning =
+          "From the cloth's inner face to the skin. The colour scale has its ticks at equal "
+          "steps.",
+      .formula = "max(0, distance − ½ thickness)",
+      .source = "docs/theory/sensor_metrics.md 4",
+      .read = ReadOverSkin(
+          [](const ClothOverSkin& at) { return gap_of(at.partner.exact.distance, *at.material); }),
+      .in_unit = millimetres,
+      .metrics = {{"gap_mm", "gap to the skin, mean of the footprint"},
+                  {"gap_worst_mm", "gap to the skin, worst 5 % of the footprint",
+                   OverFootprint::highest, OverStates::greatest},
+                  {"gap_swing_mm", "range of the gap over postures", OverFootprint::mean,
+                   OverStates::swing}}};
+  MapArray contact{.style = {.array = "contact",
+                             .title = "Contact with the skin",
+                             .map = "contact",
+                             .pictured = false,
+                             .companion = true},
+                   .meaning =
+                       "1 where the gap is within the contact tolerance, else 0; the area "
+                       "mean is the share of the cloth that touches.",
+                   .formula = "gap ≤ max(0.5 mm, ¾ thickness)",
+                   .source = "docs/theory/sensor_metrics.md 4",
+                   .read = ReadOverSkin([](const ClothOverSkin& at) {
+                     const double below = gap_of(at.partner.exact.distance, *at.material);
+                     return touches(below, *at.material) ? 1.0 : 0.0;
+                   }),
+                   .metrics = {{"contact_ratio", "share of the footprint that touches the skin",
+                                OverFootprint::mean, OverStates::least},
+                               {"contact_duty", "share of postures with at least 0.9 in contact",
+                                OverFootprint::mean, OverStates::contact_duty}}};
+  return {.name = "gap", .arrays = {gap, contact}, .needs_material = true};
+}
+
+}  // namespace loosefit

@@ -1,0 +1,88 @@
+#pragma once
+#include "loosefit/maps/map_definition.h"
+
+namespace loosefit {
+
+/// Strains of the fabric against the flat pattern (maps/strain.h).
+inline MapDefinition strain_map() {
+  // Fixed, so that pictures of different garments and people can be compared; 2 decimals of a
+  // per cent.
+  const auto style = [](const char* array, const char* title, const char* picture) {
+    return MapArrayStyle{.array = array,
+                         .title = title,
+                         .range_low = -0.05,
+                         .range_high = 0.05,
+                         .map = picture,
+                         .pictured = false,
+                         .diverging = true,
+                         .decimals = 2,
+                         .percent = true};
+  };
+  MapArray vertical{
+      .style = style("strain_vertical", "Vertical strain", "strain"),
+      .meaning =
+          "Elongation of the mesh edges round a point, weighted by cos² of their angle to "
+          "the grain. Above zero the cloth is stretched along the grain, which hangs "
+          "vertically in the body of a shirt and runs along the arm in a sleeve.",
+      .formula =
+          "ε = Σ w (|x_j − x_i| − L) / L / Σ w, w = cos²(edge, grain), L in the flat pattern",
+      .source = "Harms, Amft and Tröster 2012, section 2.2",
+      .read =
+          ReadField([](const MapInput& in) { return vertical_strain(in.garment, in.positions); })};
+  vertical.style.pictured = true;
+  MapArray warp{
+      .style = style("strain_warp", "Strain along warp", "strain-warp"),
+      .meaning =
+          "Engineering strain along the grain, free of the mesh's edge directions. Under a "
+          "sensor it is read along the sensor's own direction.",
+      .formula = "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space",
+      .source = "docs/theory/sensor_metrics.md 6",
+      .read = ReadGradient(
+          [](const DeformationGradient& f, const Vec2& along) { return strain_along(f, along); }),
+      .along_sensor = true,
+      .metrics = {{"strain", "strain along the sensor", OverFootprint::mean, OverStates::reference},
+                  {"strain_swing", "range of the strain over postures", OverFootprint::mean,
+                   OverStates::swing}}};
+  MapArray weft{.style = style("strain_weft", "Strain along weft", "strain-weft"),
+                .meaning = "Engineering strain across the grain.",
+                .formula = "|F u| − 1",
+                .source = "docs/theory/sensor_metrics.md 6",
+                .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+                  return triangle_strain(f).weft;
+                })};
+  MapArray max{.style = style("strain_max", "Greatest principal strain", "strain-max"),
+               .meaning = "The greatest strain of any direction, whichever that is at the place.",
+               .formula = "larger singular value of F, minus 1",
+               .source = "docs/theory/sensor_metrics.md 6",
+               .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+                 return triangle_strain(f).max;
+               })};
+  MapArray min{.style = style("strain_min", "Least principal strain", "strain-min"),
+               .meaning =
+                   "The least strain of any direction; below zero the cloth is shortened or "
+                   "buckled.",
+               .formula = "smaller singular value of F, minus 1",
+               .source = "docs/theory/sensor_metrics.md 6",
+               .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+                 return triangle_strain(f).min;
+               })};
+  MapArray slack{
+      .style = {.array = "slack",
+                .title = "Share of slack cloth",
+                .map = "slack",
+                .pictured = false,
+                .companion = true},
+      .meaning =
+          "Share of the triangles round a point whose least principal strain is below "
+          "−0.5 %: cloth that is buckled within an element, on which no strain sensor reads.",
+      .formula = "mean of [strain_min < −0.005] by flat area",
+      .source = "docs/theory/sensor_metrics.md 6",
+      .read = ReadGradient(
+          [](const DeformationGradient& f, const Vec2&) { return slack_of(triangle_strain(f)); }),
+      .metrics = {{"slack", "share of the footprint that is buckled", OverFootprint::mean,
+                   OverStates::greatest}}};
+  max.style.companion = min.style.companion = true;
+  return {.name = "strain", .arrays = {vertical, warp, weft, max, min, slack}, .by_default = true};
+}
+
+}  // namespace loosefit

@@ -1,0 +1,63 @@
+#include "loosefit/maps/vertex_reader.h"
+
+#include "loosefit/base/error.h"
+
+namespace loosefit {
+namespace {
+
+template <class Read, class Value>
+std::vector<double> each(Read read, const std::vector<Value>& of) {
+  std::vector<double> values;
+  values.reserve(of.size());
+  for (const Value& value : of) values.push_back(read(value));
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> VertexReader::values(const MapArray& array) {
+  std::vector<double> values =
+      std::visit([this](auto reading) { return this->of(reading); }, array.read);
+  for (double& value : values) value = array.in_unit(value);
+  return values;
+}
+
+std::vector<double> VertexReader::of(ReadGradient read) {
+  if (!gradients_) {
+    gradients_.emplace();
+    for (int t = 0; t < static_cast<int>(input_.garment.triangles.size()); ++t)
+      gradients_->push_back(garment_gradient(input_.garment, t, input_.positions));
+  }
+  std::vector<double> per_triangle;
+  per_triangle.reserve(gradients_->size());
+  for (const DeformationGradient& f : *gradients_) per_triangle.push_back(read(f, kGrain));
+  return to_vertices(input_.garment, per_triangle);
+}
+
+std::vector<double> VertexReader::of(ReadOverSkin read) const {
+  const WornGarment& worn = input_.worn;
+  std::vector<double> values;
+  values.reserve(worn.partners.size());
+  for (std::size_t v = 0; v < worn.partners.size(); ++v)
+    values.push_back(read({worn.partners[v], worn.normals[v], input_.material}));
+  return values;
+}
+
+std::vector<double> VertexReader::of(ReadOrientation read) {
+  if (!orientations_)
+    orientations_ = vertex_orientations(input_.garment, input_.positions, input_.worn);
+  return each(read, *orientations_);
+}
+
+std::vector<double> VertexReader::of(ReadSlip read) {
+  if (!slips_) slips_ = vertex_slips(input_.garment, *input_.reference, input_.states->front());
+  return each(read, *slips_);
+}
+
+std::vector<double> VertexReader::of(ReadError read) {
+  if (!errors_)
+    errors_ = vertex_orientation_errors(input_.garment, *input_.reference, *input_.states);
+  return each(read, *errors_);
+}
+
+}  // namespace loosefit
