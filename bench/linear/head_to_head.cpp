@@ -16,6 +16,7 @@
 #include "loosefit/solver/linear/cholmod_solver.h"
 #include "loosefit/solver/linear/newton_system.h"
 #include "loosefit/solver/pin_blas.h"
+#include "loosefit/solver/quasi_static.h"
 #include "loosefit/solver/tangent_matrix.h"
 
 extern "C" void openblas_set_num_threads(int);

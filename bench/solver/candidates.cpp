@@ -1,22 +1,20 @@
+#include <limits>
+
+#include "loosefit/solver/newton.h"
 #include "method.h"
 
 namespace loosefit::bakeoff {
 namespace {
 
-/// The program's own Newton.
-class Default : public Method {
- public:
-  explicit Default(const ParticleSystem& system) : newton_(system) {}
-  Newton::Outcome iterate(VectorField& x, const VectorField& target, double dt) override {
-    return newton_.iterate(x, target, dt);
-  }
-  void begin_step(const VectorField& x, double dt) override { newton_.begin_step(x, dt); }
-  const VectorField& gradient(const VectorField& x) override { return newton_.gradient(x); }
-  const SolverWork& work() const override { return newton_.work(); }
-
- private:
-  Newton newton_;
-};
+/// The program's Newton with other tuning.
+template <class Change>
+auto newton(const Change& change) {
+  return [=](const ParticleSystem& system) {
+    SolverTuning tuning;
+    change(tuning);
+    return std::make_unique<Newton>(system, tuning);
+  };
+}
 
 template <class MakeRule>
 auto factored(const FactoredOptions& options, MakeRule make_rule) {
@@ -30,13 +28,17 @@ std::vector<Candidate> candidates() {
   const auto either = Kind::exact_or_projected;
   const MatrixUse once{Kind::projected, 1, true}, laplacian{Kind::isotropic, 1, true};
   const auto use = [](MatrixUse matrix, bool curved = false) {
-    return FactoredOptions{matrix, curved, 0.02};
+    return FactoredOptions{matrix, curved};
   };
   return {
-      {"default", "exact Hessian while definite, projected otherwise, factorised every iteration",
-       3, [](const ParticleSystem& s) { return std::make_unique<Default>(s); }},
-      {"projected", "projected Hessian, factorised every iteration", 3,
-       factored(use({Kind::projected, 1, false}), make_plain)},
+      {"default", "the program's own Newton: its choice of matrices, its search, its regions", 3,
+       [](const ParticleSystem& s) { return std::make_unique<Newton>(s); }},
+      {"projected", "as default, with the projected Hessian alone", 3, newton([](SolverTuning& t) {
+         for (MatrixTuning* m : {&t.matrix, &t.region.matrix})
+           m->exact = m->half_compression = m->mass_shift = false;
+       })},
+      {"no-regions", "as default, without steps of regions", 3,
+       newton([](SolverTuning& t) { t.region.min_particles = std::numeric_limits<int>::max(); })},
       {"reused-5", "a factor serves five iterations as it is", 5,
        factored(use({either, 5, false}), make_plain)},
       {"inexact-5", "a factor serves five iterations as preconditioner of CG on the exact Hessian",
@@ -51,7 +53,7 @@ std::vector<Candidate> candidates() {
        factored(use(laplacian), [] { return make_anderson(5); })},
       {"conjugate-isotropic", "nonlinear conjugate gradients with that matrix", 10,
        factored(use(laplacian), make_conjugate)},
-      {"curved", "as default, along second-order paths", 3,
+      {"curved", "exact Hessian or projected, along second-order paths", 3,
        factored(use({either, 1, false}, true), make_plain)},
   };
 }

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "factored_problem.h"
+#include "loosefit/solver/inertia_term.h"
+#include "loosefit/solver/line_search.h"
+#include "loosefit/solver/matrix_choice.h"
 #include "loosefit/solver/stopwatch.h"
 #include "method.h"
 #include "vector_sums.h"
@@ -9,50 +12,108 @@
 namespace loosefit::bakeoff {
 namespace {
 
-constexpr double kStretch = 8;      ///< longest extension of a fresh projected Newton step
-constexpr double kShortStep = 0.3;  ///< share below which the matrix is taken anew
-constexpr int kBacktracks = 25;
-constexpr int kStaleBacktracks = 3;  ///< rather a new matrix than tiny steps with an old one
+constexpr double kShortStep = 0.3;   ///< share below which the matrix is taken anew
+constexpr int kStaleBacktracks = 4;  ///< rather a new matrix than tiny steps with an old one
 constexpr double kProbe = 0.1;       ///< of the differences along the direction
 constexpr double kMostBend = 0.75;   ///< longest second-order part over the first-order one
 
-class Factored : public Method {
+/// The path x + t dx + t² bend. Collisions limit straight segments, so on a curved path every trial
+/// is limited by itself.
+class Path : public SearchLine {
+ public:
+  Path(FactoredProblem& problem, const InertiaTerm& inertia, const VectorField& x,
+       const VectorField& dx, const VectorField& bend)
+      : problem_(problem), inertia_(inertia), x_(x), dx_(dx), bend_(bend) {}
+
+  double energy(double t) override {
+    VectorField delta(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) delta[i] = t * dx_[i];
+    if (!bend_.empty()) {
+      add(t * t, bend_, delta);
+      const double limit = problem_.max_step(x_, delta);
+      for (Vec3& d : delta) d *= limit;
+    }
+    trial_.x = x_;
+    add(1, delta, trial_.x);
+    trial_.potential = problem_.evaluate(trial_.x, trial_.gradient);
+    return trial_.potential + inertia_.energy(trial_.x);
+  }
+  double slope() override { return dot(force(), dx_); }
+  double squared_force() override {
+    const VectorField f = force();
+    return dot(f, f);
+  }
+  void keep() override { best_ = trial_; }
+  Iterate& best() { return best_; }
+
+ private:
+  VectorField force() const {
+    VectorField f = trial_.gradient;
+    inertia_.add_gradient(trial_.x, f);
+    return f;
+  }
+  FactoredProblem& problem_;
+  const InertiaTerm& inertia_;
+  const VectorField &x_, &dx_, &bend_;
+  Iterate trial_, best_;
+};
+
+MatrixTuning matrix_tuning(const MatrixUse& use) {
+  MatrixTuning tuning;
+  tuning.exact = use.kind == MatrixUse::Kind::exact_or_projected;
+  tuning.half_compression = tuning.mass_shift = false;
+  return tuning;
+}
+
+class Factored : public DescentMethod {
  public:
   Factored(const ParticleSystem& system, const FactoredOptions& options,
            std::unique_ptr<DirectionRule> rule)
-      : system_(system), options_(options), rule_(std::move(rule)) {}
+      : system_(system),
+        options_(options),
+        rule_(std::move(rule)),
+        problem_(system, options.matrix),
+        matrix_(matrix_tuning(options.matrix)) {}
 
-  const SolverWork& work() const override { return work_; }
+  void restart(double max_move) override {
+    step_.max_move = max_move;
+    problem_.work() = {};
+    evaluated_ = false;
+  }
+  const SolverWork& work() const override { return problem_.work(); }
   void begin_step(const VectorField& x, double dt) override {
-    const Stopwatch watch(work_.refresh);
+    const Stopwatch watch(problem_.work().refresh);
     system_.begin_step(x, dt);
     evaluated_ = false;
   }
   const VectorField& gradient(const VectorField& x) override {
-    if (!evaluated_ || x != place_) {
-      evaluate(x, energy_, gradient_);
-      place_ = x;
+    if (!evaluated_ || x != at_.x) {
+      at_.potential = problem_.evaluate(x, at_.gradient);
+      at_.x = x;
       evaluated_ = true;
     }
-    return gradient_;
+    return at_.gradient;
   }
 
-  Newton::Outcome iterate(VectorField& x, const VectorField& target, double dt) override {
-    per_dt2_ = std::isfinite(dt) ? 1 / (dt * dt) : 0;
-    Newton::Outcome outcome;
+  StepOutcome iterate(VectorField& x, const VectorField& target, double dt) override {
+    const InertiaTerm inertia(system_, target, dt);
+    StepOutcome outcome;
     VectorField g = gradient(x);
-    add_inertia(x, target, g);
+    inertia.add_gradient(x, g);
     outcome.force = norm(g);
-    ++work_.iterations;
+    ++problem_.work().iterations;
     if (!(outcome.force > 0)) return outcome;
     while (true) {
-      const bool fresh = is_stale();
-      if (fresh && !refresh(x)) return outcome;
+      const bool fresh = is_stale(inertia.per_dt2());
+      if (fresh && !refresh(x, inertia.per_dt2())) return outcome;
       if (!fresh) {
         ++used_;
-        if (rule_->multiplies()) assemble(x, HessianKind::exact);
+        if (rule_->multiplies()) problem_.assemble(x, HessianKind::exact);
       }
-      if (advance(x, target, g, fresh, outcome)) return outcome;
+      if (advance(inertia, g, fresh, outcome)) {
+        x = at_.x;
+        return outcome;
+      }
       rule_->forget();
       if (!options_.matrix.constant) has_factor_ = false;
       // The rule's past is gone: try once more, without it or with a new matrix.
@@ -65,212 +126,101 @@ class Factored : public Method {
   }
 
  private:
-  void evaluate(const VectorField& x, double& energy, VectorField& g) {
-    const Stopwatch watch(work_.evaluate);
-    energy = system_.potential_and_gradient(x, g);
-  }
-  void add_inertia(const VectorField& x, const VectorField& target, VectorField& g) const {
-    if (per_dt2_ > 0)
-      for (std::size_t i = 0; i < x.size(); ++i)
-        if (!system_.is_held(static_cast<int>(i)))
-          g[i] += system_.mass[i] * per_dt2_ * (x[i] - target[i]);
-  }
-  double inertia(const VectorField& x, const VectorField& target) const {
-    double sum = 0;
-    if (per_dt2_ > 0)
-      for (std::size_t i = 0; i < x.size(); ++i)
-        sum += 0.5 * system_.mass[i] * per_dt2_ * (x[i] - target[i]).squaredNorm();
-    return sum;
-  }
-  void free_only(VectorField& v) const {
-    if (!system_.held.empty())
-      for (std::size_t i = 0; i < v.size(); ++i)
-        if (system_.held[i]) v[i].setZero();
-  }
-
-  bool is_stale() const {
+  bool is_stale(double per_dt2) const {
     if (!has_factor_) return true;
-    const double ratio = (per_dt2_ + 1) / (factor_per_dt2_ + 1);
+    const double ratio = (per_dt2 + 1) / (factor_per_dt2_ + 1);
     if (options_.matrix.constant) return ratio > 4 || ratio < 0.25;
     return used_ >= options_.matrix.iterations_per_factor || ratio > 4.1;
   }
-  void assemble(const VectorField& x, HessianKind kind) {
-    const Stopwatch watch(work_.assemble);
-    const std::uint64_t version = system_.pattern_version(x);
-    if (matrix_.particles() != system_.particles() || version != pattern_version_) {
-      BlockPattern pattern(system_.particles());
-      for (const Energy* e : system_.energies) e->add_pattern(x, pattern);
-      pattern.compress();
-      if (!matrix_.same_pattern(pattern)) matrix_ = BlockMatrix(pattern);
-      pattern_version_ = version;
-    }
-    matrix_.set_zero();
-    for (const Energy* e : system_.energies) e->add_hessian(x, matrix_, kind);
-  }
-  bool attempt(double extra) {
-    std::vector<double> shift(system_.particles());
-    for (int i = 0; i < system_.particles(); ++i) shift[i] = (per_dt2_ + extra) * system_.mass[i];
-    ++work_.factorisations;
-    const Stopwatch watch(work_.factorise);
-    return has_factor_ = cholesky_.factorise(matrix_, shift, system_.held);
-  }
-  bool refresh(const VectorField& x) {
-    const bool exact_wanted = options_.matrix.kind == MatrixUse::Kind::exact_or_projected;
-    factor_per_dt2_ = per_dt2_;
+  bool refresh(const VectorField& x, double per_dt2) {
+    factor_per_dt2_ = per_dt2;
     used_ = 1;
-    exact_ = exact_wanted && wait_ == 0;
-    if (exact_) {
-      assemble(x, HessianKind::exact);
-      if (attempt(0)) {
-        patience_ = 1;
-        return true;
-      }
-      exact_ = false;
-      wait_ = patience_;  // each failure in a row doubles the wait before the next try
-      patience_ = std::min(8, 2 * patience_);
-    } else if (exact_wanted) {
-      --wait_;
-    }
-    if (!options_.matrix.constant || matrix_.particles() == 0) assemble(x, HessianKind::projected);
-    for (double extra = 0; extra < 1e24; extra = std::max(1.0, 100 * extra))
-      if (attempt(extra)) {
-        if (rule_->multiplies() && exact_wanted) assemble(x, HessianKind::exact);
-        return true;
-      }
-    return false;
+    const auto kind = matrix_.factorise(problem_, x, per_dt2);
+    has_factor_ = kind.has_value();
+    exact_ = kind == MatrixKind::exact;
+    if (has_factor_ && !exact_ && rule_->multiplies()) problem_.assemble(x, HessianKind::exact);
+    return has_factor_;
   }
 
-  VectorField direction(const VectorField& g) {
-    const Stopwatch watch(work_.solve);
-    const auto solve = [&](const VectorField& r, VectorField& z) {
-      cholesky_.solve(r, z);
-      free_only(z);
-    };
-    const auto multiply = [&](const VectorField& v, VectorField& hv) {
-      hv.assign(v.size(), Vec3::Zero());
-      matrix_.add_product(v, hv);
-      free_only(hv);
-    };
+  VectorField direction(const InertiaTerm& inertia, const VectorField& g) {
+    const Stopwatch watch(problem_.work().solve);
+    const auto solve = [&](const VectorField& r, VectorField& z) { problem_.precondition(r, z); };
+    const auto multiply = [&](const VectorField& v, VectorField& hv) { problem_.multiply(v, hv); };
     const auto inertial = [&](const VectorField& v) {
       VectorField m(v.size());
-      for (std::size_t i = 0; i < v.size(); ++i) m[i] = system_.mass[i] * per_dt2_ * v[i];
+      for (std::size_t i = 0; i < v.size(); ++i) m[i] = system_.mass[i] * inertia.per_dt2() * v[i];
       return m;
     };
     return rule_->direction(g, solve, multiply, inertial);
   }
   /// The part of the path x + t dx + t² bend that follows the curved valley.
-  VectorField bend_of(const VectorField& x, const VectorField& dx) {
-    VectorField bend(x.size(), Vec3::Zero()), probe = x, plus, minus;
-    double unused = 0;
+  VectorField bend_of(const VectorField& dx) {
+    VectorField bend(dx.size(), Vec3::Zero()), probe = at_.x, plus, minus;
     add(kProbe, dx, probe);
-    evaluate(probe, unused, plus);
+    problem_.evaluate(probe, plus);
     add(-2 * kProbe, dx, probe);
-    evaluate(probe, unused, minus);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      plus[i] = (plus[i] + minus[i] - 2 * gradient_[i]) / (kProbe * kProbe);
-    {
-      const Stopwatch watch(work_.solve);
-      cholesky_.solve(plus, bend);
-    }
-    free_only(bend);
+    problem_.evaluate(probe, minus);
+    for (std::size_t i = 0; i < dx.size(); ++i)
+      plus[i] = (plus[i] + minus[i] - 2 * at_.gradient[i]) / (kProbe * kProbe);
+    problem_.precondition(plus, bend);
     const double ratio = norm(bend) / norm(dx);
     const double factor = std::isfinite(ratio) ? -0.5 * std::min(1.0, kMostBend / ratio) : 0;
     for (Vec3& v : bend) v = std::isfinite(ratio) ? Vec3(factor * v) : Vec3(Vec3::Zero());
     return bend;
   }
 
-  /// Searches along a direction; true when x moved. For a curved path every trial is a search of
-  /// its own, since contact limits straight segments.
-  bool advance(VectorField& x, const VectorField& target, const VectorField& g, bool fresh,
-               Newton::Outcome& outcome) {
+  /// Searches along a direction from at_; true when it moved.
+  bool advance(const InertiaTerm& inertia, const VectorField& g, bool fresh, StepOutcome& outcome) {
     outcome.exact = fresh && exact_;
-    VectorField dx = direction(g);
+    VectorField dx = direction(inertia, g);
     if (!(dot(g, dx) < 0)) return false;
     double largest = 0;
     for (const Vec3& d : dx) largest = std::max(largest, d.squaredNorm());
-    largest = std::sqrt(largest);
     const bool extend = fresh && !exact_ && !options_.matrix.constant;
-    const double stretch = std::min(extend ? kStretch : 1.0, options_.max_move / largest);
-    for (Vec3& d : dx) d *= stretch;
-    const double slope = dot(g, dx), whole = std::min(1.0, 1.0 / stretch);
-    const VectorField bend = options_.curved ? bend_of(x, dx) : VectorField{};
-    double straight_limit = 1;
-    if (!options_.curved) {
-      const Stopwatch watch(work_.collide);
-      straight_limit = system_.max_step(x, dx);
-    }
-    const double before = energy_ + inertia(x, target);
-    VectorField trial(x.size()), g_trial, delta(x.size());
-    double e_trial = 0;
-    const auto at = [&](double t) {
-      for (std::size_t i = 0; i < x.size(); ++i) delta[i] = t * dx[i];
-      if (options_.curved) {
-        add(t * t, bend, delta);
-        const Stopwatch watch(work_.collide);
-        const double limit = system_.max_step(x, delta);
-        for (Vec3& d : delta) d *= limit;
-      }
-      trial = x;
-      add(1, delta, trial);
-      evaluate(trial, e_trial, g_trial);
-      return e_trial + inertia(trial, target);
-    };
-    double t = std::min(straight_limit, whole);
-    for (int k = 0; k < kBacktracks; ++k, t *= 0.5) {
-      if (!fresh && !options_.matrix.constant && k > kStaleBacktracks) return false;
-      double after = at(t);
-      const bool drowned = std::abs(slope * t) < 1e-13 * (std::abs(before) + 1e-12);
-      const double wanted = options_.curved ? std::min(0.0, dot(g, delta)) : t * slope;
-      bool accept = after <= before + 1e-4 * wanted;
-      if (!accept && drowned && std::isfinite(after)) {
-        VectorField force = g_trial;
-        add_inertia(trial, target, force);
-        accept = norm(force) < outcome.force;
-      }
-      if (!accept) continue;
-      VectorField best = trial, g_best = g_trial;
-      double e_best = e_trial;
-      if (extend && k == 0 && !drowned)
-        while (2 * t <= straight_limit) {
-          const double farther = at(2 * t);
-          if (!(farther < after)) break;
-          after = farther;
-          t *= 2;
-          best = trial;
-          g_best = g_trial;
-          e_best = e_trial;
-        }
-      rule_->accepted(difference(best, x), difference(g_best, gradient_));
-      x.swap(best);
-      place_ = x;
-      gradient_.swap(g_best);
-      energy_ = e_best;
-      evaluated_ = outcome.moved = true;
-      outcome.share = t * stretch;
-      if (outcome.share < kShortStep && !options_.matrix.constant) has_factor_ = false;
-      retried_ = false;
-      return true;
-    }
-    return false;
+    const double extension =
+        std::min(extend ? step_.max_extension : 1.0, step_.max_move / std::sqrt(largest));
+    for (Vec3& d : dx) d *= extension;
+    const VectorField bend = options_.curved ? bend_of(dx) : VectorField{};
+
+    SearchStart start;
+    start.slope = dot(g, dx);
+    start.force = outcome.force;
+    start.first = std::min(1.0, 1.0 / extension);
+    start.limit = options_.curved ? 1.0 : problem_.max_step(at_.x, dx);
+    start.energy = at_.potential + inertia.energy(at_.x);
+    LineSearchTuning search;
+    if (!fresh && !options_.matrix.constant) search.max_backtracks = kStaleBacktracks;
+    Path path(problem_, inertia, at_.x, dx, bend);
+    const SearchResult found = line_search(path, start, search);
+    if (!found.found) return false;
+
+    rule_->accepted(difference(path.best().x, at_.x),
+                    difference(path.best().gradient, at_.gradient));
+    std::swap(at_, path.best());
+    outcome.moved = true;
+    outcome.share = found.t * extension;
+    if (outcome.share < kShortStep && !options_.matrix.constant) has_factor_ = false;
+    retried_ = false;
+    return true;
   }
 
   const ParticleSystem& system_;
   FactoredOptions options_;
   std::unique_ptr<DirectionRule> rule_;
-  SolverWork work_;
-  SparseCholesky<double> cholesky_;
-  BlockMatrix matrix_;
-  std::uint64_t pattern_version_ = 0;
+  FactoredProblem problem_;
+  MatrixChoice matrix_;
+  StepTuning step_;
+  Iterate at_;
   bool has_factor_ = false, exact_ = false, retried_ = false, evaluated_ = false;
-  double per_dt2_ = 0, factor_per_dt2_ = 0, energy_ = 0;
-  int used_ = 0, wait_ = 0, patience_ = 1;
-  VectorField place_, gradient_;
+  double factor_per_dt2_ = 0;
+  int used_ = 0;  ///< iterations that the factor has served
 };
 
 }  // namespace
 
-std::unique_ptr<Method> make_factored(const ParticleSystem& system, const FactoredOptions& options,
-                                      std::unique_ptr<DirectionRule> rule) {
+std::unique_ptr<DescentMethod> make_factored(const ParticleSystem& system,
+                                             const FactoredOptions& options,
+                                             std::unique_ptr<DirectionRule> rule) {
   return std::make_unique<Factored>(system, options, std::move(rule));
 }
 

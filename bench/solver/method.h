@@ -5,20 +5,9 @@
 #include <vector>
 
 #include "direction_rule.h"
-#include "loosefit/solver/newton.h"
+#include "loosefit/solver/descent_method.h"
 
 namespace loosefit::bakeoff {
-
-/// What the outer loop asks of a method: one iteration at a time on the function of one
-/// pseudo-step.
-class Method {
- public:
-  virtual ~Method() = default;
-  virtual Newton::Outcome iterate(VectorField& x, const VectorField& target, double dt) = 0;
-  virtual void begin_step(const VectorField& x, double dt) = 0;
-  virtual const VectorField& gradient(const VectorField& x) = 0;
-  virtual const SolverWork& work() const = 0;
-};
 
 /// Which matrix is factorised, and how long a factor serves.
 struct MatrixUse {
@@ -38,18 +27,18 @@ struct MatrixUse {
 /// Line-searched descent with a direction rule on factors that may be old.
 struct FactoredOptions {
   MatrixUse matrix;
-  bool curved =
-      false;  ///< second-order path by differences of the gradient (Transtrum, Sethna 2012)
-  double max_move = 0.02;
+  /// Second-order path by differences of the gradient (Transtrum, Sethna 2012).
+  bool curved = false;
 };
-std::unique_ptr<Method> make_factored(const ParticleSystem& system, const FactoredOptions& options,
-                                      std::unique_ptr<DirectionRule> rule);
+std::unique_ptr<DescentMethod> make_factored(const ParticleSystem& system,
+                                             const FactoredOptions& options,
+                                             std::unique_ptr<DirectionRule> rule);
 
 /// A method of the contest.
 struct Candidate {
   std::string name, what;
-  int per_step = 3;  ///< iterations between two refreshes of friction and contacts, at most
-  std::function<std::unique_ptr<Method>(const ParticleSystem&)> make;
+  int per_step = 3;  ///< iterations between two renewals of friction and contacts, at first
+  std::function<std::unique_ptr<DescentMethod>(const ParticleSystem&)> make;
 };
 std::vector<Candidate> candidates();
 

@@ -25,8 +25,8 @@ struct RaceOptions {
   double cpu_limit = 120;  ///< [s]
 };
 
-/// The loop of the quasi-static integrator (solver/quasi_static.cpp) with any method inside: the
-/// same pseudo-time, the same refresh of friction and contacts, the same meaning of rest.
+/// Settles by the program's quasi-static integrator with the candidate inside, and records samples
+/// on the way.
 Race run_race(const ParticleSystem& system, VectorField& x, const Candidate& candidate,
               const RaceOptions& options);
 

@@ -9,6 +9,7 @@
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/solver/integrator.h"
+#include "loosefit/solver/quasi_static.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
 #include "loosefit/validate/drape_specimen.h"

@@ -96,7 +96,7 @@ TEST(SelfContact, AnActiveSetForgetsNoBlocksOfTheOthers) {
     return n;
   };
   const std::size_t all = blocks();
-  ASSERT_GT(all, StickyPattern::kSpare + 500);  // so many that most would be forgotten
+  ASSERT_GT(all, kContact.barrier.pattern_slack + 500);  // so many that most would be forgotten
   const auto version = contact.pattern_version(layers.x);
   ActiveSet active_set{{5}, std::vector<char>(layers.x.size(), 0)};
   active_set.inside[5] = 1;

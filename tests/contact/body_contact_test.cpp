@@ -259,7 +259,7 @@ TEST(Friction, IterationsOnOneBalanceTakeBackWhatSlidTooFar) {
   // Farther than the memory the anchor follows.
   x[0][0] = 500 * kReach;
   friction.iterate({c}, x);
-  x[0][0] = (500 - Friction::kMemory) * kReach;
+  x[0][0] = (500 - kContact.friction.memory) * kReach;
   EXPECT_NEAR(force().norm(), 0, 1e-12);
 }
 

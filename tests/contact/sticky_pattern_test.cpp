@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/contact/contact_tuning.h"
+
 namespace loosefit {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(StickyPattern, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {
     r.begin();
     r.use(Stencil{i, i + 1, i + 2, i + 3}, 4);
     r.end();
-    EXPECT_LE(r.size(), 2 * r.used() + StickyPattern::kSpare);
+    EXPECT_LE(r.size(), 2 * r.used() + kContact.barrier.pattern_slack);
     EXPECT_NE(r.version(), last);
     last = r.version();
     if (r.size() > before) continue;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "loosefit/solver/implicit_euler.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 
 namespace loosefit {

@@ -5,6 +5,9 @@
 
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/solver/implicit_euler.h"
+#include "loosefit/solver/quasi_static.h"
+#include "loosefit/solver/semi_implicit_euler.h"
 #include "support/cloth_scene.h"
 
 namespace loosefit {

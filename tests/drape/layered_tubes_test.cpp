@@ -4,6 +4,7 @@
 #include "loosefit/drape/posed_body.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/solver/integrator.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/shapes.h"
 #include "support/tube_garment.h"
 

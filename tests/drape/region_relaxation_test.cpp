@@ -9,6 +9,7 @@
 
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/solver/newton.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 #include "support/shapes.h"
 
@@ -90,12 +91,12 @@ TEST(RegionRelaxation, TakesTheForceAwayAndMovesNothingElse) {
   const DentedSheet sheet;
   const Relaxed relaxed(sheet, sheet.scene.x, kStatic);
   ASSERT_FALSE(relaxed.region.empty());
-  ASSERT_GE(relaxed.region.place[sheet.dent], 0);
+  ASSERT_GE(relaxed.region.index[sheet.dent], 0);
   ASSERT_LT(relaxed.region.particles.size(), relaxed.x.size() / 6);
   EXPECT_GT(relaxed.steps, 0);
   EXPECT_LT(relaxed.after, relaxed.before);
   for (std::size_t i = 0; i < relaxed.x.size(); ++i)
-    if (relaxed.region.place[i] < 0) {
+    if (relaxed.region.index[i] < 0) {
       EXPECT_EQ(relaxed.x[i], sheet.scene.x[i]);
     }
   EXPECT_LT(relaxed.share_left(), 0.01);
@@ -116,7 +117,7 @@ TEST(RegionRelaxation, MovesNothingThatIsHeld) {
   const int held = sheet.dent + 1;
   sheet.scene.system.held[held] = true;
   const Relaxed relaxed(sheet, sheet.scene.x, kStatic);
-  ASSERT_GE(relaxed.region.place[held], 0);
+  ASSERT_GE(relaxed.region.index[held], 0);
   EXPECT_GT(relaxed.steps, 0);
   EXPECT_LT(relaxed.after, relaxed.before);
   EXPECT_EQ(relaxed.x[held], sheet.scene.x[held]);
@@ -129,11 +130,11 @@ struct Way {
 };
 
 /// Newton until the force is below a millionth of the weight.
-Way way_down(int relax_from) {
+Way way_down(int min_particles) {
   DentedSheet sheet;
-  Newton::Options options;
-  options.relax_from = relax_from;
-  Newton newton(sheet.scene.system, options);
+  SolverTuning tuning;
+  tuning.region.min_particles = min_particles;
+  Newton newton(sheet.scene.system, tuning);
   Way way{sheet.scene.x};
   for (; way.iterations < 100; ++way.iterations) {
     if (residual_of(sheet.scene.system, newton.gradient(way.x)).norm < 1e-6) break;

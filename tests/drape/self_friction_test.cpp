@@ -2,6 +2,7 @@
 
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 
 namespace loosefit {

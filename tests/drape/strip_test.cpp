@@ -3,7 +3,10 @@
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/gravity_energy.h"
+#include "loosefit/solver/implicit_euler.h"
 #include "loosefit/solver/integrator.h"
+#include "loosefit/solver/quasi_static.h"
+#include "loosefit/solver/semi_implicit_euler.h"
 #include "support/flat_garment.h"
 
 namespace loosefit {

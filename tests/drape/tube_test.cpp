@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 
 namespace loosefit {

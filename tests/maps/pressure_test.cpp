@@ -10,6 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/maps/compute_maps.h"
+#include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 #include "support/tube_garment.h"
 

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "loosefit/particles/energy_capabilities.h"
+#include "loosefit/solver/implicit_euler.h"
+#include "loosefit/solver/quasi_static.h"
+#include "loosefit/solver/semi_implicit_euler.h"
 
 namespace loosefit {
 namespace {
@@ -115,8 +118,10 @@ TEST_P(EveryIntegrator, StopsAtTheIterationLimitAndWhenAsked) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryIntegrator,
-                         ::testing::Values(&make_quasi_static, &make_implicit_euler,
-                                           &make_semi_implicit_euler));
+                         ::testing::Values(
+                             +[](const ParticleSystem& s) { return make_quasi_static(s); },
+                             +[](const ParticleSystem& s) { return make_implicit_euler(s); },
+                             +[](const ParticleSystem& s) { return make_semi_implicit_euler(s); }));
 
 /// A spring whose anchor is lagged and jumps to the other side: static iterates mirror x for ever.
 class MirroredSpring : public Energy, public LaggedState {

@@ -49,7 +49,7 @@ void expect_solved(NewtonSystem& system, const BlockMatrix& m) {
   ASSERT_TRUE(system.factorise(m, shift, held));
   std::vector<Vec3> dx;
   system.solve(g, dx);
-  EXPECT_LT(relative_residual(m, g, dx), 1.01 * NewtonSystem::kAccuracy);
+  EXPECT_LT(relative_residual(m, g, dx), 1.01 * PrecisionTuning{}.accuracy);
 }
 
 TEST(NewtonSystem, SolvesToItsAccuracyInSinglePrecision) {

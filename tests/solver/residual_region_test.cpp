@@ -21,13 +21,13 @@ BlockMatrix chain(int n) {
   return m;
 }
 
-ResidualRegion::Bounds bounds(double force, double seeds, int rings, double extent) {
-  ResidualRegion::Bounds b;
-  b.force = force;
-  b.seeds = seeds;
-  b.rings = rings;
-  b.extent = extent;
-  return b;
+RegionTuning bounds(double force, double seeds, int rings, double extent) {
+  RegionTuning t;
+  t.force_share = force;
+  t.max_seeds = seeds;
+  t.rings = rings;
+  t.max_extent = extent;
+  return t;
 }
 
 TEST(ResidualRegion, IsTheLargestForcesAndTheRingsRoundThem) {
@@ -40,7 +40,7 @@ TEST(ResidualRegion, IsTheLargestForcesAndTheRingsRoundThem) {
   EXPECT_EQ(r.particles, (std::vector<int>{18, 19, 20, 21, 22, 68, 69, 70, 71, 72}));
   for (int i = 0; i < 100; ++i) {
     const auto at = std::find(r.particles.begin(), r.particles.end(), i);
-    EXPECT_EQ(r.place[i], at == r.particles.end() ? -1 : at - r.particles.begin());
+    EXPECT_EQ(r.index[i], at == r.particles.end() ? -1 : at - r.particles.begin());
   }
 }
 
@@ -63,9 +63,9 @@ TEST(RestrictTo, TakesRowsAndColumnsOfTheRegionAndFollowsThePattern) {
   RestrictedBlocks blocks;
   BlockMatrix part;
   const auto expect_part_of = [&](const BlockMatrix& m) {
-    region.place.assign(m.particles(), -1);
+    region.index.assign(m.particles(), -1);
     for (std::size_t k = 0; k < region.particles.size(); ++k)
-      region.place[region.particles[k]] = static_cast<int>(k);
+      region.index[region.particles[k]] = static_cast<int>(k);
     restrict_to(region, m, part, blocks);
     const Eigen::MatrixXd whole = support::dense(m), small = support::dense(part);
     ASSERT_EQ(small.rows(), 15);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/particles/tile.h"
 
 namespace loosefit {
@@ -62,7 +63,7 @@ BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, dou
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
 
 void BodyContact::set_active_set(const ActiveSet* active_set) {
-  place_.clear();
+  evaluated_at_.clear();
   friction_.set_active_set(active_set);
   restricted_ = active_set != nullptr;
   if (!active_set) return;
@@ -78,14 +79,13 @@ Vec3 ContactPoint::position(const VectorField& x) const {
 }
 
 LayerResponse compress_layer(double k, double offset, double compression) {
-  constexpr double kOnset = 0.6, kHardening = 20;
   LayerResponse r;
-  const double d = compression, over = std::min(d, offset) - kOnset * offset;
+  const double d = compression, over = std::min(d, offset) - kContact.layer.onset * offset;
   r.energy = 0.5 * k * d * d;
   r.pressure = k * d;
   r.stiffness = k;
   if (over <= 0) return r;
-  const double h = kHardening * k / offset;
+  const double h = kContact.layer.hardening * k / offset;
   const double pressure = h * over * over, slope = 2 * h * over, beyond = std::max(0.0, d - offset);
   r.energy += h * over * over * over / 3 + beyond * (pressure + 0.5 * slope * beyond);
   r.pressure += pressure + slope * beyond;
@@ -104,7 +104,8 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool wi
   if (!field_) return touch;
   const Vec3 p = points_[i].position(x);
   Clear& clear = clear_[i];
-  if (clear.slack > 0 && (p - clear.place).squaredNorm() < clear.slack * clear.slack) return touch;
+  if (clear.slack > 0 && (p - clear.position).squaredNorm() < clear.slack * clear.slack)
+    return touch;
   touch.active = field_->sample(p, points_[i].offset, with_hessian, touch.sample);
   clear = {p, touch.active
                   ? -1
@@ -114,13 +115,13 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool wi
 
 const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x,
                                                             bool with_hessian) const {
-  if (place_ == x && (with_hessian_ || !with_hessian)) return touch_;
+  if (evaluated_at_ == x && (with_hessian_ || !with_hessian)) return touch_;
   touch_.resize(points_.size());
   clear_.resize(points_.size());
-  for_ranges(live(), 256, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) touch_[number(k)] = ask(number(k), x, with_hessian);
+  for_ranges(point_count(), 256, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) touch_[point_index(k)] = ask(point_index(k), x, with_hessian);
   });
-  place_ = x;
+  evaluated_at_ = x;
   with_hessian_ = with_hessian;
   return touch_;
 }
@@ -156,8 +157,8 @@ void BodyContact::begin_step(const VectorField& x, double dt) {
 double BodyContact::value(const VectorField& x) const {
   double energy = 0;
   const auto& touch = touches(x, false);
-  for (int n = 0; n < live(); ++n)
-    if (const int i = number(n); touch[i].active) {
+  for (int n = 0; n < point_count(); ++n)
+    if (const int i = point_index(n); touch[i].active) {
       const double depth = points_[i].offset - touch[i].sample.distance;
       energy += points_[i].area * compress_layer(stiffness_, points_[i].offset, depth).energy;
     }
@@ -167,8 +168,8 @@ double BodyContact::value(const VectorField& x) const {
 double BodyContact::value_and_gradient(const VectorField& x, VectorField& g) const {
   const auto& touch = touches(x, false);
   double energy = 0;
-  for (int n = 0; n < live(); ++n)
-    if (const int i = number(n); touch[i].active) {
+  for (int n = 0; n < point_count(); ++n)
+    if (const int i = point_index(n); touch[i].active) {
       const ContactPoint& p = points_[i];
       const LayerResponse layer =
           compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance);
@@ -192,8 +193,8 @@ void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
 void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
   const bool exact = kind == HessianKind::exact;
   const auto& touch = touches(x, exact);
-  for (int n = 0; n < live(); ++n) {
-    const int i = number(n);
+  for (int n = 0; n < point_count(); ++n) {
+    const int i = point_index(n);
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
     const auto& s = touch[i].sample;

@@ -107,21 +107,23 @@ class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
   void add_normal_force(const VectorField& x, std::vector<double>& f) const;
 
  private:
-  /// How many points count, and which is the k-th of them.
-  int live() const { return restricted_ ? active_.size() : static_cast<int>(points_.size()); }
-  int number(int k) const { return restricted_ ? active_[k] : k; }
+  /// Number of points that the active set touches (all without one), and the index of the k-th.
+  int point_count() const {
+    return restricted_ ? active_.size() : static_cast<int>(points_.size());
+  }
+  int point_index(int k) const { return restricted_ ? active_[k] : k; }
   struct Touch {
     bool active = false;
     DistanceField::Sample sample;
   };
-  /// Where a point was when it was found to be clear of the skin, and how far it may move from
-  /// there before it is asked again.
+  /// Position of a point at which it was found clear of the skin, and how far it may move from
+  /// there before its distance is sampled again [m].
   struct Clear {
-    Vec3 place = Vec3::Zero();
+    Vec3 position = Vec3::Zero();
     double slack = -1;
   };
   void forget_touches() {
-    place_.clear();
+    evaluated_at_.clear();
     clear_.clear();
   }
   Touch ask(std::size_t point, const VectorField& x, bool with_hessian) const;
@@ -132,8 +134,8 @@ class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
   Friction friction_;
   bool restricted_ = false;
   IndexSubset active_;                ///< points, while an active set is given
-  mutable std::vector<Touch> touch_;  ///< at place_
-  mutable VectorField place_;
+  mutable std::vector<Touch> touch_;  ///< at evaluated_at_
+  mutable VectorField evaluated_at_;
   mutable std::vector<Clear> clear_;
   mutable bool with_hessian_ = false;
 };

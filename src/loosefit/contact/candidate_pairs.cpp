@@ -7,21 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/particles/vector_sums.h"
 
 namespace loosefit {
 namespace {
 
-/// Margin in mean edge lengths: wide enough to last for many calls, narrow enough to leave out the
-/// next but one neighbours in an unfolded sheet.
-constexpr double kMargin = 0.25;
+constexpr BroadPhaseTuning kTuning = kContact.broad_phase;
 /// What both features of a pair may lose of their distance when each particle is off by 1, as
 /// motion_bound has it: 4/√3, rounded up.
 constexpr double kTwoMargins = 2.3095;
-/// By how much quick tests are wider than what they stand for [m].
-constexpr double kRounding = 1e-12;
-/// Share of the particles that may have strayed before a new list is made.
-constexpr double kStrays = 0.02;
 
 double root_mean_square(const std::vector<Vec3>& v) {
   return std::sqrt(dot(v, v) / std::max<double>(1, static_cast<double>(v.size())));
@@ -32,7 +27,7 @@ double longest_move(const Triangle& t, const std::vector<Vec3>& dx) {
       std::max({dx[t[0]].squaredNorm(), dx[t[1]].squaredNorm(), dx[t[2]].squaredNorm()}));
 }
 
-/// A triangle on its way, `around` on all sides.
+/// The swept triangle, enlarged by `around` on all sides.
 Box3 box_of(const Triangle& t, const std::vector<Vec3>& x, const std::vector<Vec3>* dx,
             double around) {
   Box3 box;
@@ -99,45 +94,48 @@ double motion_of_triangles(const std::array<Vec3, 6>& d) {
 
 }  // namespace
 
-/// A list for a long way is long itself: when the moves have become short, a shorter one pays.
+/// A list made for a long move is long itself: when moves have become short, a new one pays.
 bool CandidatePairs::is_too_long(Move dx) const {
-  return dx && list_.rms_way > 0.5 * list_.margin && root_mean_square(*dx) < 0.25 * list_.rms_way;
+  return dx && list_.rms_displacement > kTuning.long_move * list_.margin &&
+         root_mean_square(*dx) < kTuning.short_again * list_.rms_displacement;
 }
 
-/// Measures how far the particles are from the way of the list, and on dx will be. False when the
-/// list is of no use: there is none, or too many have strayed.
-bool CandidatePairs::find_strays(const std::vector<Vec3>& x, Move dx) {
+/// Measures how far the particles are from the line of the list, and on dx will be. False when the
+/// list is of no use: there is none, or too many are outliers.
+bool CandidatePairs::find_outliers(const std::vector<Vec3>& x, Move dx) {
   const List& list = list_;
-  for (int i : strays_) has_strayed_[i] = 0;
-  strays_.clear();
+  for (int i : outliers_) is_outlier_[i] = 0;
+  outliers_.clear();
   if (list.start.size() != x.size() || list.margin < 0) return false;
-  // The share of the way that has been gone, and that dx is about to go.
-  double gone = 0, next = 0;
-  if (const double length2 = dot(list.way, list.way); length2 > 0) {
-    for (std::size_t i = 0; i < x.size(); ++i) gone += (x[i] - list.start[i]).dot(list.way[i]);
-    gone = std::clamp(gone / length2, 0.0, 1.0);
-    if (dx) next = std::clamp(dot(*dx, list.way) / length2, 0.0, 1 - gone);
+  // The share of the displacement that is done, and that dx is about to do.
+  double done = 0, next = 0;
+  if (const double length2 = dot(list.displacement, list.displacement); length2 > 0) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      done += (x[i] - list.start[i]).dot(list.displacement[i]);
+    done = std::clamp(done / length2, 0.0, 1.0);
+    if (dx) next = std::clamp(dot(*dx, list.displacement) / length2, 0.0, 1 - done);
   }
   const double margin = (1 - 1e-9) * list.margin;
   motion_.resize(x.size());
-  has_strayed_.resize(x.size(), 0);
+  is_outlier_.resize(x.size(), 0);
   longest_motion_ = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec3 moved = x[i] - list.start[i];
-    double off = (moved - gone * list.way[i]).norm();
+    double off = (moved - done * list.displacement[i]).norm();
     motion_[i] = moved.norm();
     if (dx) {
-      off += ((*dx)[i] - next * list.way[i]).norm();
+      off += ((*dx)[i] - next * list.displacement[i]).norm();
       motion_[i] += (*dx)[i].norm();
     }
     if (off <= margin) {
       longest_motion_ = std::max(longest_motion_, motion_[i]);
       continue;
     }
-    strays_.push_back(static_cast<int>(i));
-    has_strayed_[i] = 1;
+    outliers_.push_back(static_cast<int>(i));
+    is_outlier_[i] = 1;
   }
-  return static_cast<double>(strays_.size()) <= kStrays * static_cast<double>(x.size());
+  return static_cast<double>(outliers_.size()) <=
+         kTuning.max_outliers * static_cast<double>(x.size());
 }
 
 /// Whether the pair is to be returned, were its reach longer by `extra`. motion: an upper bound of
@@ -167,7 +165,7 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
   bool neighbours = false;  // these are never apart
   for (int v : ta) neighbours |= v == tb[0] || v == tb[1] || v == tb[2];
   const std::array<Vec3, 6> corners{x[ta[0]], x[ta[1]], x[ta[2]], x[tb[0]], x[tb[1]], x[tb[2]]};
-  const double extra = kTwoMargins * margin, limit = f.max_thickness + extra + kRounding;
+  const double extra = kTwoMargins * margin, limit = f.max_thickness + extra + kTuning.rounding;
   if (!neighbours && far_apart(corners, limit + motion)) return;
   if (!neighbours && motion > margin) {
     const auto& d = *dx;
@@ -177,8 +175,8 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
   }
   const auto add = [&](const FeaturePair& pair) {
     Candidate candidate{pair};
-    if (is_near(pair, x, dx, motion, extra, &candidate.spare)) {
-      candidate.spare -= pair.reach;
+    if (is_near(pair, x, dx, motion, extra, &candidate.slack)) {
+      candidate.slack -= pair.reach;
       found.push_back(candidate);
     }
   };
@@ -239,13 +237,15 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   for (const auto& e : features_.edges) sum += (x[e[1]] - x[e[0]]).norm();
   list_.start = x;
   if (dx)
-    list_.way = *dx;
+    list_.displacement = *dx;
   else
-    list_.way.assign(x.size(), Vec3::Zero());
-  list_.rms_way = root_mean_square(list_.way);
-  list_.margin = kMargin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
-  // After a long way the next one will not be like it, whatever the margin.
-  if (list_.rms_way > 0.5 * list_.margin) list_.margin *= 0.1;
+    list_.displacement.assign(x.size(), Vec3::Zero());
+  list_.rms_displacement = root_mean_square(list_.displacement);
+  list_.margin =
+      kTuning.margin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
+  // After a long move the next one will not be like it, whatever the margin.
+  if (list_.rms_displacement > kTuning.long_move * list_.margin)
+    list_.margin *= kTuning.long_move_margin;
 
   const std::size_t triangles = features_.triangles.size();
   const double around = 0.5 * features_.max_thickness + list_.margin;
@@ -259,9 +259,9 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   find_all(x, dx);
   sort_found();
   list_.candidates.swap(sorted_);
-  list_.spare.resize(list_.candidates.size());
-  for (std::size_t i = 0; i < list_.spare.size(); ++i)
-    list_.spare[i] = std::nextafter(static_cast<float>(list_.candidates[i].spare), -1e30f);
+  list_.slack.resize(list_.candidates.size());
+  for (std::size_t i = 0; i < list_.slack.size(); ++i)
+    list_.slack[i] = std::nextafter(static_cast<float>(list_.candidates[i].slack), -1e30f);
   set_active_set(active_set_);
 }
 
@@ -275,29 +275,29 @@ void CandidatePairs::set_active_set(const ActiveSet* active_set) {
           : IndexSubset(n);
 }
 
-/// Fills sorted_ with the pairs of which a particle has strayed: their triangles now, against the
+/// Fills sorted_ with the pairs that have an outlier: their triangles now, against the
 /// others where the list has them, and against each other.
-void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
-  is_stray_.assign(features_.triangles.size(), 0);
-  stray_triangles_.clear();
+void CandidatePairs::find_outlier_pairs(const std::vector<Vec3>& x, Move dx) {
+  is_outlier_triangle_.assign(features_.triangles.size(), 0);
+  outlier_triangles_.clear();
   boxes_.clear();
   for (std::size_t t = 0; t < features_.triangles.size(); ++t) {
     const Triangle& triangle = features_.triangles[t];
-    is_stray_[t] =
-        has_strayed_[triangle[0]] | has_strayed_[triangle[1]] | has_strayed_[triangle[2]];
-    if (!is_stray_[t]) continue;
-    stray_triangles_.push_back(static_cast<int>(t));
-    boxes_.push_back(box_of(triangle, x, dx, 0.5 * features_.max_thickness + kRounding));
+    is_outlier_triangle_[t] =
+        is_outlier_[triangle[0]] | is_outlier_[triangle[1]] | is_outlier_[triangle[2]];
+    if (!is_outlier_triangle_[t]) continue;
+    outlier_triangles_.push_back(static_cast<int>(t));
+    boxes_.push_back(box_of(triangle, x, dx, 0.5 * features_.max_thickness + kTuning.rounding));
   }
-  stray_grid_.build(boxes_);
+  outlier_grid_.build(boxes_);
   constexpr std::size_t kPart = 16;  // of triangles
-  const std::size_t triangles = stray_triangles_.size();
+  const std::size_t triangles = outlier_triangles_.size();
   found_.resize((triangles + kPart - 1) / kPart);
   tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t part) {
     auto& found = found_[part];
     found.clear();
     for (std::size_t k = part * kPart; k < std::min(triangles, (part + 1) * kPart); ++k) {
-      const int a = stray_triangles_[k];
+      const int a = outlier_triangles_[k];
       const auto meet = [&](int b) {
         const double motion = dx ? longest_move(features_.triangles[a], *dx) +
                                        longest_move(features_.triangles[b], *dx)
@@ -305,15 +305,15 @@ void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
         add_pairs(std::min(a, b), std::max(a, b), motion, 0, x, dx, found);
       };
       list_.grid.query(boxes_[k], [&](int b) {
-        if (!is_stray_[b]) meet(b);
+        if (!is_outlier_triangle_[b]) meet(b);
       });
-      stray_grid_.query(boxes_[k], [&](int other) {
-        if (stray_triangles_[other] > a) meet(stray_triangles_[other]);
+      outlier_grid_.query(boxes_[k], [&](int other) {
+        if (outlier_triangles_[other] > a) meet(outlier_triangles_[other]);
       });
     }
     const auto wanted = [&](const FeaturePair& pair) {
       const auto& p = pair.particle;
-      return (has_strayed_[p[0]] | has_strayed_[p[1]] | has_strayed_[p[2]] | has_strayed_[p[3]]) &&
+      return (is_outlier_[p[0]] | is_outlier_[p[1]] | is_outlier_[p[2]] | is_outlier_[p[3]]) &&
              (!active_set_ || active_set_->touches(p, 4));
     };
     std::erase_if(found, [&](const Candidate& c) { return !wanted(c); });
@@ -321,44 +321,44 @@ void CandidatePairs::find_stray_pairs(const std::vector<Vec3>& x, Move dx) {
   sort_found();
 }
 
-/// Tells in chosen_ which of the listed candidates are near now, but for strays.
-void CandidatePairs::choose(const std::vector<Vec3>& x, Move dx) {
+/// Tells in is_near_ which of the listed candidates are near now, but for those with an outlier.
+void CandidatePairs::classify(const std::vector<Vec3>& x, Move dx) {
   const double longest = longest_motion_;
-  const bool any_stray = !strays_.empty();
-  chosen_.resize(active_.size());
+  const bool any_outlier = !outliers_.empty();
+  is_near_.resize(active_.size());
   using Range = tbb::blocked_range<int>;
   tbb::parallel_for(Range(0, active_.size(), 512), [&](const Range& range) {
     for (int k = range.begin(); k < range.end(); ++k) {
-      chosen_[k] = 0;
+      is_near_[k] = 0;
       const Candidate& pair = list_.candidates[active_[k]];
-      const float spare = list_.spare[active_[k]];
+      const float slack = list_.slack[active_[k]];
       // What has moved too little since the list was made needs no new distance.
-      if (spare >= 2 * longest) continue;
+      if (slack >= 2 * longest) continue;
       const auto& p = pair.particle;
-      if (any_stray &&
-          (has_strayed_[p[0]] | has_strayed_[p[1]] | has_strayed_[p[2]] | has_strayed_[p[3]]))
+      if (any_outlier &&
+          (is_outlier_[p[0]] | is_outlier_[p[1]] | is_outlier_[p[2]] | is_outlier_[p[3]]))
         continue;
       const bool point = pair.kind == PairKind::point_triangle;
       const double m0 = motion_[p[0]], m1 = motion_[p[1]], m2 = motion_[p[2]], m3 = motion_[p[3]];
-      if (spare >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
+      if (slack >= (point ? m0 + std::max({m1, m2, m3}) : std::max(m0, m1) + std::max(m2, m3)))
         continue;
       double distance = 0;
-      chosen_[k] = is_near(pair, x, dx, 2 * longest, 0, &distance);
+      is_near_[k] = is_near(pair, x, dx, 2 * longest, 0, &distance);
     }
   });
 }
 
 const std::vector<FeaturePair>& CandidatePairs::select(const std::vector<Vec3>& x, Move dx) {
-  if (!find_strays(x, dx) || (!active_set_ && is_too_long(dx))) {
+  if (!find_outliers(x, dx) || (!active_set_ && is_too_long(dx))) {
     build(x, dx);
-    find_strays(x, dx);  // none but what is no number
+    find_outliers(x, dx);  // none but what is no number
   }
-  choose(x, dx);
+  classify(x, dx);
   near_.clear();
   for (int k = 0; k < active_.size(); ++k)
-    if (chosen_[k]) near_.push_back(list_.candidates[active_[k]]);
-  if (strays_.empty()) return near_;
-  find_stray_pairs(x, dx);
+    if (is_near_[k]) near_.push_back(list_.candidates[active_[k]]);
+  if (outliers_.empty()) return near_;
+  find_outlier_pairs(x, dx);
   const auto middle = static_cast<long>(near_.size());
   near_.insert(near_.end(), sorted_.begin(), sorted_.end());
   std::inplace_merge(near_.begin(), near_.begin() + middle, near_.end(),

@@ -13,10 +13,10 @@ namespace loosefit {
 ///
 ///   d(r) − motion_bound(s) < reach + 4/√3 m
 ///
-/// so it is complete for all particles that remain within m of the common way r + λ s, since
-/// motion_bound of a deviation by m is no more than that. The few that have strayed are looked for
-/// anew in each call; when they are many, a new list is made. Which pairs a call returns, and in
-/// which order, does not depend on when the list was made.
+/// so it is complete for all particles that remain within m of the common line r + λ s, since
+/// motion_bound of a deviation by m is no more than that. The few beyond it, the outliers, are
+/// looked for anew in each call; when they are many, a new list is made. Which pairs a call
+/// returns, and in which order, does not depend on when the list was made.
 class CandidatePairs {
  public:
   explicit CandidatePairs(ContactFeatures features) : features_(std::move(features)) {}
@@ -24,9 +24,9 @@ class CandidatePairs {
 
   /// Pairs at x nearer than their reach, sorted by key.
   const std::vector<FeaturePair>& touching(const std::vector<Vec3>& x);
-  /// Pairs that might come nearer than their reach on the way from x to x + dx, sorted by key:
+  /// Pairs that might come nearer than their reach between x and x + dx, sorted by key:
   /// distance at x less motion_bound below the reach, and no gap as wide as the reach between the
-  /// projections on one of a few fixed axes at both ends of the way.
+  /// projections on one of a few fixed axes at both ends of the move.
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
   /// From now on only pairs with a particle in the active set are returned; null: all again.
@@ -37,27 +37,27 @@ class CandidatePairs {
  private:
   using Move = const std::vector<Vec3>*;  ///< null: no motion
   struct Candidate : FeaturePair {
-    double spare = 0;  ///< distance at r less the reach [m]
+    double slack = 0;  ///< distance at r less the reach [m]
   };
   struct List {
     std::vector<Candidate> candidates;
-    std::vector<float> spare;      ///< of the candidates, rounded down
-    std::vector<Vec3> start, way;  ///< r and s
-    double margin = -1;            ///< m [m]
-    double rms_way = 0;            ///< root mean square of s [m]
-    BoxGrid grid;  ///< of the triangles on their way, m and half a thickness round them
+    std::vector<float> slack;               ///< of the candidates, rounded down
+    std::vector<Vec3> start, displacement;  ///< r and s
+    double margin = -1;                     ///< m [m]
+    double rms_displacement = 0;            ///< root mean square of s [m]
+    BoxGrid grid;  ///< of the swept triangles, enlarged by m and half a thickness
   };
   bool is_too_long(Move dx) const;
-  bool find_strays(const std::vector<Vec3>& x, Move dx);
+  bool find_outliers(const std::vector<Vec3>& x, Move dx);
   static bool is_near(const FeaturePair& pair, const std::vector<Vec3>& x, Move dx, double motion,
                       double extra, double* distance);
   void build(const std::vector<Vec3>& x, Move dx);
   void find_all(const std::vector<Vec3>& x, Move dx);
-  void find_stray_pairs(const std::vector<Vec3>& x, Move dx);
+  void find_outlier_pairs(const std::vector<Vec3>& x, Move dx);
   void add_pairs(int a, int b, double motion, double margin, const std::vector<Vec3>& x, Move dx,
                  std::vector<Candidate>& found) const;
   void sort_found();
-  void choose(const std::vector<Vec3>& x, Move dx);
+  void classify(const std::vector<Vec3>& x, Move dx);
   const std::vector<FeaturePair>& select(const std::vector<Vec3>& x, Move dx);
 
   ContactFeatures features_;
@@ -72,14 +72,14 @@ class CandidatePairs {
   std::vector<double> travel_;  ///< longest move of a corner of each triangle [m]
   std::vector<std::pair<std::uint64_t, int>> order_;
   std::vector<Candidate> unsorted_, sorted_;
-  std::vector<char> chosen_;
+  std::vector<char> is_near_;
   std::vector<double> motion_;  ///< of each particle since the list was made and on dx [m]
-  double longest_motion_ = 0;   ///< of those that have not strayed [m]
-  std::vector<int> strays_;
-  std::vector<char> has_strayed_;     ///< of every particle
-  std::vector<int> stray_triangles_;  ///< with a corner that has strayed
-  std::vector<char> is_stray_;        ///< of every triangle: whether it is one of them
-  BoxGrid stray_grid_;
+  double longest_motion_ = 0;   ///< of all but outliers [m]
+  std::vector<int> outliers_;
+  std::vector<char> is_outlier_;           ///< of every particle
+  std::vector<int> outlier_triangles_;     ///< with an outlier at a corner
+  std::vector<char> is_outlier_triangle_;  ///< of every triangle: whether it is one of them
+  BoxGrid outlier_grid_;
 };
 
 }  // namespace loosefit

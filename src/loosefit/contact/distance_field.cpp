@@ -11,12 +11,6 @@ namespace loosefit {
 namespace {
 
 constexpr auto kRelaxed = std::memory_order_relaxed;
-/// Half width of the sampled band in cells, and of its rim, where the interpolant may lack nodes
-/// and gives way to the surface itself.
-constexpr double kBandCells = 4.2, kRimCells = 2;
-/// How much less than at the nearest node the interpolant can be, in cells: half a cell's diagonal
-/// off, from node values that fall off as steeply as distances can.
-constexpr double kFall = 1.6;
 
 /// Catmull-Rom weights of the four nodes around t ∈ [0, 1], with first and second derivatives.
 struct Weights {
@@ -61,16 +55,16 @@ DistanceField::Cover::Cover(const TriangleMesh& surface) : mesh(surface), tree(m
 
 DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing,
                              const std::vector<TriangleMesh>& covers)
-    : tree_(tree), spacing_(spacing) {
+    : tree_(tree), requested_spacing_(spacing), spacing_(spacing) {
   LOOSEFIT_ASSERT(closed_outwards(tree.mesh()) &&
                   std::all_of(covers.begin(), covers.end(), [](const TriangleMesh& cover) {
                     return cover.triangles.empty() || closed_outwards(cover);
                   }));
-  constexpr double kMaxNodes = 2e7;  // 100 MB
   const Vec3 margin = Vec3::Constant(4 * spacing_);
   origin_ = region.min() - margin;
   const Vec3 extent = region.sizes() + 2 * margin;
-  while (extent.prod() / (spacing_ * spacing_ * spacing_) > kMaxNodes) spacing_ *= 1.25;
+  while (extent.prod() / (spacing_ * spacing_ * spacing_) > kContact.field.max_nodes)
+    spacing_ *= kContact.field.coarsening;
   for (int k = 0; k < 3; ++k) size_[k] = 4 + static_cast<int>(extent[k] / spacing_);
   const int count = size_[0] * size_[1] * size_[2];
   value_ = std::vector<std::atomic<float>>(count);
@@ -162,7 +156,7 @@ void DistanceField::flood_outside() {
 }
 
 void DistanceField::mark_near(const TriangleMesh& mesh) {
-  const double band = kBandCells * spacing_;
+  const double band = kContact.field.band_cells * spacing_;
   for (const Triangle& t : mesh.triangles) {
     Box3 box;
     for (int v : t) box.extend(mesh.vertices[v]);
@@ -229,12 +223,14 @@ bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, b
 }
 
 bool DistanceField::covers(const Box3& box) const {
-  const Vec3 rim = Vec3::Constant(kRimCells * spacing_);
+  const Vec3 rim = Vec3::Constant(kContact.field.rim_cells * spacing_);
   const Vec3 end = origin_ + spacing_ * Vec3(size_[0] - 1, size_[1] - 1, size_[2] - 1);
   return Box3(origin_ + rim, end - rim).contains(box);
 }
 
-double DistanceField::smooth_reach() const { return (kBandCells - kRimCells) * spacing_; }
+double DistanceField::smooth_reach() const {
+  return (kContact.field.band_cells - kContact.field.rim_cells) * spacing_;
+}
 
 bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const {
   const Vec3 q = (p - origin_) / spacing_;
@@ -253,8 +249,8 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
     if (zone != Zone::inside) {
       const bool far = zone == Zone::outside;
       const double least =
-          (far ? kBandCells * spacing_ : value(nearest[0], nearest[1], nearest[2])) -
-          kFall * spacing_;
+          (far ? kContact.field.band_cells * spacing_ : value(nearest[0], nearest[1], nearest[2])) -
+          kContact.field.largest_fall * spacing_;
       if (far || least > reach) {
         out.distance = std::max(least, reach);
         return false;

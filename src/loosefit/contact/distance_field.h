@@ -5,12 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/geometry/box_pairs.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
 
-inline constexpr double kFieldSpacing = 0.005;  ///< of the grid in every drape [m]
+inline constexpr double kFieldSpacing = kContact.field.spacing;  ///< in every drape [m]
 
 /// Smooth signed distance to a body surface for contact: exact point-to-surface distance sampled on
 /// a grid in a narrow band, interpolated by tricubic Catmull-Rom splines (C¹, reproduces the node
@@ -35,6 +36,10 @@ class DistanceField {
   /// Whether places in the box can be interpolated, as far as the grid goes.
   bool covers(const Box3& box) const;
   double spacing() const { return spacing_; }  ///< [m]
+  /// Whether the region needed more nodes than FieldTuning::max_nodes, so that the grid is coarser
+  /// than was asked for: contact is then less exact, and callers should tell.
+  bool is_coarsened() const { return spacing_ > requested_spacing_; }
+  double requested_spacing() const { return requested_spacing_; }  ///< [m]
   /// Distance up to which every place on the grid is interpolated [m].
   double smooth_reach() const;
 
@@ -75,7 +80,7 @@ class DistanceField {
   const ClosestPointTree& tree_;
   std::deque<Cover> covers_;
   Vec3 origin_;
-  double spacing_;
+  double requested_spacing_, spacing_;
   std::array<int, 3> size_;
   mutable std::vector<std::atomic<float>> value_;  ///< NaN off the band, and where not yet measured
   std::vector<Zone> zone_;

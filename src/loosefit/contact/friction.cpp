@@ -31,7 +31,7 @@ void Friction::restart(std::vector<FrictionContact> contacts, const VectorField&
   contacts_ = std::move(contacts);
   set_active_set(nullptr);
   start_ = x;
-  lag_ = 0;
+  lagged_force_ = 0;
 }
 
 void Friction::set_active_set(const ActiveSet* active_set) {
@@ -48,10 +48,12 @@ void Friction::carry(const VectorField& motion) {
 
 /// Takes a share of the change since `old`; returns what is left out [N].
 double Friction::relax(FrictionContact& c, const FrictionContact& old, double normal_force) const {
-  constexpr double kLeast = 0.05, kBack = 0.5, kOn = 1.5;
+  constexpr FrictionTuning kTuning = kContact.friction;
   c.change = normal_force - old.normal_force;
-  c.relaxation = c.change * old.change < 0 ? std::max(kLeast, kBack * old.relaxation)
-                                           : std::min(1.0, kOn * old.relaxation);
+  c.relaxation =
+      c.change * old.change < 0
+          ? std::max(kTuning.min_relaxation, kTuning.relaxation_decrease * old.relaxation)
+          : std::min(1.0, kTuning.relaxation_increase * old.relaxation);
   c.normal_force = c.relaxation == 1 ? normal_force : old.normal_force + c.relaxation * c.change;
   return coefficient_ * c.relative_friction * (normal_force - c.normal_force);
 }
@@ -59,25 +61,25 @@ double Friction::relax(FrictionContact& c, const FrictionContact& old, double no
 void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField& x) {
   std::vector<FrictionContact> all;
   all.reserve(contacts.size());
-  double lag2 = 0;
+  double squared_lag = 0;
   std::size_t k = 0;
   for (const FrictionContact& old : contacts_) {
     while (k < contacts.size() && contacts[k].key < old.key) all.push_back(contacts[k++]);
     if (k < contacts.size() && contacts[k].key == old.key) {
       all.push_back(contacts[k]);
-      lag2 += std::pow(relax(all.back(), old, contacts[k++].normal_force), 2);
-    } else if (old.lost < patience_) {
+      squared_lag += std::pow(relax(all.back(), old, contacts[k++].normal_force), 2);
+    } else if (old.lost < lost_iterations_) {
       all.push_back(old);
       ++all.back().lost;
-      lag2 += std::pow(relax(all.back(), old, 0), 2);
+      squared_lag += std::pow(relax(all.back(), old, 0), 2);
     }
   }
   all.insert(all.end(), contacts.begin() + static_cast<long>(k), contacts.end());
-  carry_anchors(all, x, kMemory * reach_);
+  carry_anchors(all, x, kContact.friction.memory * reach_);
   contacts_ = std::move(all);
   set_active_set(nullptr);
   start_ = x;
-  lag_ = std::sqrt(lag2);
+  lagged_force_ = std::sqrt(squared_lag);
 }
 
 double Friction::value(const VectorField& x) const {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/particles/energy_capabilities.h"
 
 namespace loosefit {
@@ -34,20 +35,19 @@ struct FrictionContact {
 ///
 /// Iterations on one static balance are not steps of a history: the normal forces are still on
 /// their way, and where they lag behind, the cloth slides too far. So between them `iterate` renews
-/// normals and normal forces but lets the anchor trail by up to kMemory ε, also through a lost
-/// contact; what slid too far comes back, and the forces end on the cone that belongs to the final
-/// normal forces. A contact that friction opens and its loss closes would alternate for ever: where
-/// a normal force turns back, only a share of its change is taken (Silva and Almeida 1990), and
-/// `lag` tells how much that leaves out. Source: Coulomb; smoothing as in Li et al. 2020 (IPC) eq.
-/// 19; return mapping, Simo and Hughes 1998.
+/// normals and normal forces but lets the anchor trail by up to FrictionTuning::memory ε, also
+/// through a lost contact; what slid too far comes back, and the forces end on the cone that
+/// belongs to the final normal forces. A contact that friction opens and its loss closes would
+/// alternate for ever: where a normal force turns back, only a share of its change is taken (Silva
+/// and Almeida 1990), and `lagged_friction_force` tells how much that leaves out. Source: Coulomb;
+/// smoothing as in Li et al. 2020 (IPC) eq. 19; return mapping, Simo and Hughes 1998.
 class Friction {
  public:
-  /// patience: how many iterations a lost contact keeps its anchor; see `iterate`.
-  Friction(double coefficient, double stick_reach, int patience = std::numeric_limits<int>::max())
-      : coefficient_(coefficient), reach_(stick_reach), patience_(patience) {}
+  /// lost_iterations: for how many of them a lost contact keeps its anchor; see `iterate`.
+  Friction(double coefficient, double stick_reach,
+           int lost_iterations = std::numeric_limits<int>::max())
+      : coefficient_(coefficient), reach_(stick_reach), lost_iterations_(lost_iterations) {}
   double coefficient() const { return coefficient_; }
-
-  static constexpr double kMemory = 100;  ///< of `iterate`, in stick reaches
 
   /// Contacts of the new step at x (sorted by key); contacts known before keep their anchors.
   void restart(std::vector<FrictionContact> contacts, const VectorField& x);
@@ -65,7 +65,7 @@ class Friction {
   void set_active_set(const ActiveSet* active_set);
 
   /// Norm of the friction that the shares of `iterate` left out [N].
-  double lagged_friction_force() const { return lag_; }
+  double lagged_friction_force() const { return lagged_force_; }
 
   double value(const VectorField& x) const;
   void add_gradient(const VectorField& x, VectorField& g) const { value_and_gradient(x, g); }
@@ -83,8 +83,8 @@ class Friction {
   void carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
                      double reach) const;
   double relax(FrictionContact& contact, const FrictionContact& old, double normal_force) const;
-  double coefficient_, reach_, lag_ = 0;
-  int patience_;
+  double coefficient_, reach_, lagged_force_ = 0;
+  int lost_iterations_;
   std::vector<FrictionContact> contacts_;
   IndexSubset active_contacts_;  ///< contacts
   VectorField start_;

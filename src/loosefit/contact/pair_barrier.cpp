@@ -6,13 +6,10 @@
 #include <limits>
 
 #include "loosefit/base/check.h"
+#include "loosefit/contact/contact_tuning.h"
 
 namespace loosefit {
 namespace {
-
-/// Share of the reach below which the turning of the normal counts in a definite matrix: left out,
-/// Newton slides features along each other so far that they meet on the bend.
-constexpr double kPressed = 0.5;
 
 /// e(c) = r (2 − r), r = c/threshold, with its derivatives; 1 from the threshold on.
 struct Mollifier {
@@ -134,7 +131,7 @@ PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const B
   Column gap;  // ∂d/∂x
   for (int k = 0; k < 4; ++k) gap.segment<3>(3 * k) = b.d.weight[k] * b.d.normal;
   const bool exact = kind == HessianKind::exact;
-  const bool pressed = b.d.distance < kPressed * pair.reach;
+  const bool pressed = b.d.distance < kContact.barrier.pressed * pair.reach;
   if (!(b.d.distance > 0) || (!exact && !pressed)) return b.curvature * gap * gap.transpose();
   const PairMatrix h = exact_hessian(pair, x, b, gap);
   return exact ? h : without_negative_part(h);

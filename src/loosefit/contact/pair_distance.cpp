@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "loosefit/base/check.h"
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/geometry/closest_point.h"
 
 namespace loosefit {
@@ -147,32 +148,32 @@ double projected_gap(PairKind kind, const PairPoints& x, const Vec3& axis) {
 }  // namespace
 
 double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx, double upper) {
-  constexpr double kKeep = 0.1;      // share of the distance that is kept
-  constexpr int kMaxAdvances = 200;  // a conservative stop; the bound stays valid
+  constexpr ImpactTuning kTuning = kContact.impact;
   const double reach = motion_bound(kind, dx);
   if (reach <= 0) return upper;
-  // From the first point, so that a gap of nanometres is not lost in the place of the pair.
-  PairPoints from = x0, way = dx;
+  // Relative to the first point, so that round-off of its coordinates does not hide a gap of
+  // nanometres; and relative to the mean motion, which closes no gap.
+  PairPoints from = x0, displacement = dx;
   const Vec3 mean = 0.25 * (dx[0] + dx[1] + dx[2] + dx[3]);
-  for (int k = 0; k < 4; ++k) from[k] -= x0[0], way[k] -= mean;
+  for (int k = 0; k < 4; ++k) from[k] -= x0[0], displacement[k] -= mean;
   PairPoints x = from;
   PairDistance d = pair_distance(kind, x);
-  const double keep = kKeep * d.distance;
+  const double keep = kTuning.kept_distance * d.distance;
   double t = 0;
-  for (int i = 0; i < kMaxAdvances && d.distance > keep; ++i) {
+  for (int i = 0; i < kTuning.max_advances && d.distance > keep; ++i) {
     // Nearest points of convex features: along their normal the projections are as far apart, and
     // near as fast as this speed at most. Where round-off has tilted the normal, any motion counts.
     double room = projected_gap(kind, x, d.normal) - keep;
-    double speed = -projected_gap(kind, way, d.normal);
+    double speed = -projected_gap(kind, displacement, d.normal);
     if (!(room > 0)) {
       room = d.distance - keep;
       speed = reach;
     }
     if (!std::isfinite(speed)) return t;
     if (speed * (upper - t) < room) return upper;
-    if (i > 0 && room < 1e-3 * keep) return t;
+    if (i > 0 && room < kTuning.min_gain * keep) return t;
     t += room / speed;
-    for (int k = 0; k < 4; ++k) x[k] = from[k] + t * way[k];
+    for (int k = 0; k < 4; ++k) x[k] = from[k] + t * displacement[k];
     d = pair_distance(kind, x);
   }
   return t;

@@ -12,10 +12,6 @@
 namespace loosefit {
 namespace {
 
-/// Iterations on one static balance for which a lost contact keeps its anchor. Pairs follow each
-/// other as cloth slides over cloth; without an end they would pile up.
-constexpr int kPatience = 50;
-
 template <class F>
 void for_each_index(std::size_t n, std::size_t grain, F f) {
   if (n <= grain) {
@@ -49,7 +45,7 @@ SelfContact::SelfContact(const std::vector<Triangle>& triangles,
     : options_(options),
       candidates_(ContactFeatures(triangles, triangle_area, particles, options.thickness,
                                   options.triangle_thickness, options.triangle_layer)),
-      friction_(largest_friction(options), options.stick_reach, kPatience),
+      friction_(largest_friction(options), options.stick_reach, kContact.friction.lost_iterations),
       blocks_(particles) {}
 
 double SelfContact::friction_between(const FeaturePair& pair) const {
@@ -74,7 +70,8 @@ void SelfContact::take_pairs(const std::vector<FeaturePair>& near, const VectorF
     const double area = 0.5 * (f.of_edge[pair.first].area + f.of_edge[pair.second].area);
     pair.scale = options_.pressure * area;
     const PairPoints p = pair.points(x);
-    pair.parallel_threshold = 1e-3 * (p[1] - p[0]).squaredNorm() * (p[3] - p[2]).squaredNorm();
+    pair.parallel_threshold = kContact.barrier.parallel_threshold * (p[1] - p[0]).squaredNorm() *
+                              (p[3] - p[2]).squaredNorm();
   }
 }
 

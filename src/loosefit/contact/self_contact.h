@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "loosefit/contact/candidate_pairs.h"
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/contact/friction.h"
 #include "loosefit/contact/pair_barrier.h"
 #include "loosefit/contact/sticky_pattern.h"
@@ -18,10 +19,10 @@ namespace loosefit {
 class SelfContact : public Energy, public LaggedState, public StepLimit, public ActiveSetUser {
  public:
   struct Options {
-    double thickness = 5e-4;    ///< d̂ [m]
-    double pressure = 1000;     ///< p₀ [Pa]
-    double friction = 0.4;      ///< Coulomb [–]
-    double stick_reach = 1e-4;  ///< ε [m]
+    double thickness = 5e-4;                      ///< d̂ [m]
+    double pressure = kContact.barrier.pressure;  ///< p₀ [Pa]
+    double friction = 0.4;                        ///< Coulomb [–]
+    double stick_reach = 1e-4;                    ///< ε [m]
     /// Thickness of each triangle [m], for several materials in one mesh; empty: `thickness`.
     std::vector<double> triangle_thickness;
     /// Layer of each triangle, 0, 1, …; empty: all in layer 0.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "loosefit/contact/contact_tuning.h"
+
 namespace loosefit {
 
 void StickyPattern::use_block(int i, int j) {
@@ -20,7 +22,7 @@ void StickyPattern::use_block(int i, int j) {
 }
 
 void StickyPattern::end(bool complete) {
-  const bool trim = complete && size_ > 2 * used_ + kSpare;
+  const bool trim = complete && size_ > 2 * used_ + kContact.barrier.pattern_slack;
   if (trim) {
     for (auto& rows : rows_of_column_)
       rows.erase(std::remove_if(rows.begin(), rows.end(),

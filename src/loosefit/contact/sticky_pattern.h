@@ -8,11 +8,10 @@
 namespace loosefit {
 
 /// The blocks of a matrix that changing contacts have needed lately. It only grows while contacts
-/// come and go, so that a matrix and its symbolic factor last; when more than twice the blocks that
-/// are in use plus kSpare have piled up it shrinks to those in use.
+/// come and go, so that a matrix and its symbolic factor last; when more than twice the blocks in
+/// use plus BarrierTuning::pattern_slack have piled up it shrinks to those in use.
 class StickyPattern {
  public:
-  static constexpr std::size_t kSpare = 2000;
   explicit StickyPattern(int particles) : rows_of_column_(particles) {}
 
   /// A new set of contacts follows: `use` each of them, then `end`; `complete`: there are no

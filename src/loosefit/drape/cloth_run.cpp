@@ -9,6 +9,9 @@
 #include "loosefit/drape/certify.h"
 #include "loosefit/drape/explain_unsettled.h"
 #include "loosefit/drape/worn_detail.h"
+#include "loosefit/solver/implicit_euler.h"
+#include "loosefit/solver/quasi_static.h"
+#include "loosefit/solver/semi_implicit_euler.h"
 
 namespace loosefit {
 namespace {

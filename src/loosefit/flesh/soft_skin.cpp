@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "loosefit/solver/integrator.h"
+#include "loosefit/solver/quasi_static.h"
 
 namespace loosefit {
 namespace {

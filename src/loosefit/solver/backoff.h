@@ -3,26 +3,27 @@
 
 namespace loosefit {
 
-/// When to try again what may fail: each failure in a row doubles the wait before the next try.
+/// Exponential backoff: when to try again what may fail. Each failure in a row doubles the pause
+/// before the next try.
 class Backoff {
  public:
-  /// most: tries that are left out in a row, at most.
-  explicit Backoff(int most) : most_(most) {}
-  /// Whether it is time; otherwise one try less is to be left out.
+  /// max_pause: longest pause, in tries that are left out.
+  explicit Backoff(int max_pause) : max_pause_(max_pause) {}
+  /// Whether it is time; otherwise the pause is one try shorter.
   bool ready() {
-    if (wait_ == 0) return true;
-    --wait_;
+    if (pause_ == 0) return true;
+    --pause_;
     return false;
   }
-  void succeeded() { next_wait_ = 1; }
+  void succeeded() { next_pause_ = 1; }
   void failed() {
-    wait_ = next_wait_;
-    next_wait_ = std::min(most_, 2 * next_wait_);
+    pause_ = next_pause_;
+    next_pause_ = std::min(max_pause_, 2 * next_pause_);
   }
 
  private:
-  int most_;
-  int wait_ = 0, next_wait_ = 1;
+  int max_pause_;
+  int pause_ = 0, next_pause_ = 1;
 };
 
 }  // namespace loosefit

@@ -1,18 +1,18 @@
-#include "loosefit/solver/integrator.h"
+#include "loosefit/solver/implicit_euler.h"
+
 #include "loosefit/solver/newton.h"
 
 namespace loosefit {
 namespace {
 
-constexpr int kNewtonPerStep = 8;
-constexpr double kStepReduction = 0.02;
-
 class ImplicitEuler : public Integrator {
  public:
-  explicit ImplicitEuler(const ParticleSystem& system) : system_(system) {}
+  ImplicitEuler(const ParticleSystem& system, const SolverTuning& tuning)
+      : system_(system), tuning_(tuning) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    Newton newton(system_, {options.max_move});
+    Newton newton(system_, tuning_);
+    newton.restart(options.max_move);
     system_.set_tangent(BendingTangent::plate);
     SettleOutcome outcome;
     VectorField v(x.size(), Vec3::Zero());
@@ -28,16 +28,19 @@ class ImplicitEuler : public Integrator {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }
+      // Free flight from here is the target of the inertia term.
       newton.begin_step(x, dt);
       const VectorField start = x;
       VectorField target(x.size());
       for (std::size_t i = 0; i < x.size(); ++i)
         target[i] = system_.is_held(static_cast<int>(i)) ? x[i] : Vec3(x[i] + dt * v[i]);
+      // Newton steps until the force has fallen far enough.
       double first_force = -1;
-      for (int k = 0; k < kNewtonPerStep; ++k) {
+      for (int k = 0; k < tuning_.implicit_euler.newton_per_step; ++k) {
         const auto n = newton.iterate(x, target, dt);
         if (first_force < 0) first_force = n.force;
-        if (!n.moved || (k > 0 && n.force < kStepReduction * first_force)) break;
+        if (!n.moved || (k > 0 && n.force < tuning_.implicit_euler.step_reduction * first_force))
+          break;
       }
       for (std::size_t i = 0; i < x.size(); ++i) v[i] = (x[i] - start[i]) / dt;
     }
@@ -45,12 +48,15 @@ class ImplicitEuler : public Integrator {
 
  private:
   const ParticleSystem& system_;
+  SolverTuning tuning_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_implicit_euler(const ParticleSystem& system) {
-  return std::make_unique<ImplicitEuler>(system);
+std::unique_ptr<Integrator> make_implicit_euler(const ParticleSystem& system,
+                                                const SolverTuning& tuning) {
+  tuning.validate();
+  return std::make_unique<ImplicitEuler>(system, tuning);
 }
 
 }  // namespace loosefit

@@ -1,123 +1,168 @@
+#include "loosefit/solver/quasi_static.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "loosefit/solver/integrator.h"
 #include "loosefit/solver/newton.h"
 
 namespace loosefit {
-
 namespace {
 
-/// Iterations, at most, before friction and contacts are refreshed: few while they are far from
-/// what they will be, twice as many after each kNoProgress without kProgress of the residual, for
-/// then friction is what the cloth chases.
-constexpr int kNewtonPerStep = 3, kMostPerStep = 12, kNoProgress = 20;
-constexpr double kStepReduction = 0.1;  ///< wanted drop of the force within one step
-constexpr double kGrowth = 4;           ///< of pseudo-steps that are taken whole
-/// Without such a fall of the residual in so many static iterations the cloth snaps to and fro
-/// between two shapes: then damped steps of that length [s], which grow more slowly each time.
-constexpr double kProgress = 0.7, kDampedDt = 0.1, kLeastGrowth = 1.2;
-constexpr int kCycle = 60;
-constexpr double kStaticDt = 1e3;  ///< pseudo-time [s] beyond which inertia is left out
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The lowest residual so far and the iteration that it was found at.
-struct Lowest {
-  double residual = std::numeric_limits<double>::infinity();
-  int at = 0;
-  bool is_beaten_by(double other) const { return other < kProgress * residual; }
-  void take(double other, int iteration) {
-    residual = std::min(residual, other);
-    at = iteration;
+/// The lowest residual so far, and the iteration of the last progress.
+struct Progress {
+  double lowest = kInfinity;
+  int since = 0;
+  void record(double residual, int iteration) {
+    lowest = std::min(lowest, residual);
+    since = iteration;
   }
+};
+
+/// Newton steps on one pseudo-step.
+struct Round {
+  bool moved = false;
+  bool stopped = false;   ///< by the watch
+  double last_share = 1;  ///< of the last Newton step; 0 if it failed
 };
 
 class QuasiStatic : public Integrator {
  public:
-  explicit QuasiStatic(const ParticleSystem& system) : system_(system), newton_(system) {}
+  QuasiStatic(const ParticleSystem& system, std::unique_ptr<DescentMethod> method,
+              const QuasiStaticTuning& tuning)
+      : system_(system), tuning_(tuning), method_(std::move(method)) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
-    newton_.restart({options.max_move});
+    start(x, options);
     SettleOutcome outcome;
-    const double infinity = std::numeric_limits<double>::infinity();
-    double dt = options.first_dt;
-    int stalls = 0;
-    double growth = kGrowth;
-    int newton_per_step = kNewtonPerStep;
-    Lowest at_rest, lately;  // of the static iterations; since friction's rounds were made longer
-    system_.set_tangent(options.tangent);
-    // One step of the load history; what follows iterates on its balance.
-    newton_.begin_step(x, dt);
+    const auto end = [&](SettleOutcome::Reason reason) {
+      outcome.reason = reason;
+      return outcome;
+    };
     while (true) {
-      newton_.begin_step(x, infinity);
-      const bool rest = check_convergence(system_, newton_.gradient(x), options.tolerance, outcome);
-      outcome.work = newton_.work();
-      if (rest) return outcome;
-      if (outcome.work.iterations >= options.max_iterations) {
-        outcome.reason = SettleOutcome::Reason::iteration_limit;
-        return outcome;
-      }
-      const int done = outcome.work.iterations;
-      if (at_rest.is_beaten_by(outcome.residual) || dt <= kStaticDt) {
-        at_rest.take(outcome.residual, done);
-      } else if (done - at_rest.at > kCycle) {
-        dt = kDampedDt;
-        growth = std::max(kLeastGrowth, std::sqrt(growth));
-      }
-      if (lately.is_beaten_by(outcome.residual)) {
-        lately.take(outcome.residual, done);
-      } else if (done - lately.at > kNoProgress) {
-        newton_per_step = std::min(2 * newton_per_step, kMostPerStep);
-        lately.at = done;
-      }
-      const VectorField start = x;
-      double first_force = -1, last_share = 1;
-      bool moved = false;
-      for (int k = 0; k < newton_per_step; ++k) {
-        if (options.watch && options.watch(newton_.work().iterations, outcome.residual)) {
-          outcome.reason = SettleOutcome::Reason::stopped;
-          return outcome;
-        }
-        const auto step = newton_.iterate(x, start, dt < kStaticDt ? dt : infinity);
-        if (first_force < 0) first_force = step.force;
-        if (!step.moved) {
-          last_share = 0;
-          break;
-        }
-        moved = true;
-        last_share = step.share;
-        const bool reduced = k > 0 && step.force < kStepReduction * first_force;
-        // Newton proper gets there at once: what is left then is friction and contacts.
-        if (reduced || (step.exact && last_share > 0.9)) break;
-      }
-      // No way down with the near tangent: it may be too far from the truth here.
-      if (stalls == 4) system_.set_tangent(BendingTangent::plate);
-      // Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
-      if (last_share > 0.9)
-        dt *= growth;
-      else if (last_share > 0.4)
-        dt *= std::min(1.5, growth);
-      else if (last_share < 0.1)
-        dt *= 0.4;
-      dt = std::clamp(dt, 1e-4, 10 * kStaticDt);
-      stalls = moved ? 0 : stalls + 1;
-      if (!moved) dt = std::max(1e-4, 0.1 * dt);
-      if (stalls > 8) {
-        outcome.reason = SettleOutcome::Reason::stuck;
-        return outcome;
-      }
+      renew_friction(x);
+      const bool is_over =
+          check_convergence(system_, method_->gradient(x), options.tolerance, outcome);
+      outcome.work = method_->work();
+      if (is_over) return outcome;
+      if (outcome.work.iterations >= options.max_iterations)
+        return end(SettleOutcome::Reason::iteration_limit);
+      detect_cycle(outcome);
+      choose_friction_interval(outcome);
+      const Round round = minimise(x, options, outcome);
+      if (round.stopped) return end(SettleOutcome::Reason::stopped);
+      if (stalls_ == tuning_.stalls_to_plate) system_.set_tangent(BendingTangent::plate);
+      choose_pseudo_step(round);
+      if (detect_stall(round)) return end(SettleOutcome::Reason::stuck);
     }
   }
 
  private:
+  /// One step of the load history; everything after it iterates on its balance.
+  void start(const VectorField& x, const SettleOptions& options) {
+    method_->restart(options.max_move);
+    dt_ = options.first_dt;
+    growth_ = tuning_.growth;
+    newton_per_step_ = tuning_.newton_per_step;
+    stalls_ = 0;
+    static_progress_ = recent_progress_ = {};
+    system_.set_tangent(options.tangent);
+    method_->begin_step(x, dt_);
+  }
+
+  /// Contact sets, normal forces and anchors of the present place.
+  void renew_friction(const VectorField& x) { method_->begin_step(x, kInfinity); }
+
+  /// Static steps that only send the cloth to and fro between two shapes: damped ones follow.
+  void detect_cycle(const SettleOutcome& now) {
+    const int iteration = now.work.iterations;
+    const bool fell = now.residual < tuning_.progress * static_progress_.lowest;
+    if (fell || dt_ <= tuning_.inertialess_dt) {
+      static_progress_.record(now.residual, iteration);
+    } else if (iteration - static_progress_.since > tuning_.cycle) {
+      dt_ = tuning_.damped_dt;
+      growth_ = std::max(tuning_.min_growth, std::sqrt(growth_));
+    }
+  }
+
+  /// Without progress the cloth chases friction that changes under it: renew it less often.
+  void choose_friction_interval(const SettleOutcome& now) {
+    const int iteration = now.work.iterations;
+    if (now.residual < tuning_.progress * recent_progress_.lowest) {
+      recent_progress_.record(now.residual, iteration);
+    } else if (iteration - recent_progress_.since > tuning_.no_progress) {
+      newton_per_step_ = std::min(2 * newton_per_step_, tuning_.max_newton_per_step);
+      recent_progress_.since = iteration;
+    }
+  }
+
+  /// Newton steps on the energy of one pseudo-step from x.
+  Round minimise(VectorField& x, const SettleOptions& options, const SettleOutcome& now) {
+    Round round;
+    const VectorField start = x;
+    const double dt = dt_ < tuning_.inertialess_dt ? dt_ : kInfinity;
+    double first_force = -1;
+    for (int k = 0; k < newton_per_step_; ++k) {
+      if (options.watch && options.watch(method_->work().iterations, now.residual)) {
+        round.stopped = true;
+        return round;
+      }
+      const StepOutcome step = method_->iterate(x, start, dt);
+      if (first_force < 0) first_force = step.force;
+      round.last_share = step.moved ? step.share : 0;
+      if (!step.moved) return round;
+      round.moved = true;
+      const bool reduced = k > 0 && step.force < tuning_.step_reduction * first_force;
+      // A whole exact step has solved the step: what is left is friction and contacts.
+      if (reduced || (step.exact && step.share > tuning_.whole)) return round;
+    }
+    return round;
+  }
+
+  /// Longer steps while Newton takes them whole, shorter ones when it has to be cut back.
+  void choose_pseudo_step(const Round& round) {
+    if (round.last_share > tuning_.whole)
+      dt_ *= growth_;
+    else if (round.last_share > tuning_.most)
+      dt_ *= std::min(tuning_.slow_growth, growth_);
+    else if (round.last_share < tuning_.cut_back)
+      dt_ *= tuning_.shrink;
+    dt_ = std::clamp(dt_, tuning_.min_dt, tuning_.max_dt);
+    if (!round.moved) dt_ = std::max(tuning_.min_dt, tuning_.stall_shrink * dt_);
+  }
+
+  /// True when too many rounds in a row have not moved.
+  bool detect_stall(const Round& round) {
+    stalls_ = round.moved ? 0 : stalls_ + 1;
+    return stalls_ > tuning_.max_stalls;
+  }
+
   const ParticleSystem& system_;
-  Newton newton_;  ///< keeps what it learned of the matrix from one call to the next
+  QuasiStaticTuning tuning_;
+  std::unique_ptr<DescentMethod> method_;
+  double dt_ = 0;             ///< pseudo-time step [s]
+  double growth_ = 1;         ///< of dt_ after steps that were taken whole
+  int newton_per_step_ = 0;   ///< until friction is renewed
+  int stalls_ = 0;            ///< rounds in a row without a step
+  Progress static_progress_;  ///< of the static iterations
+  Progress recent_progress_;  ///< since friction was last renewed less often
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system) {
-  return std::make_unique<QuasiStatic>(system);
+std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system,
+                                              const SolverTuning& tuning) {
+  tuning.validate();
+  return std::make_unique<QuasiStatic>(system, std::make_unique<Newton>(system, tuning),
+                                       tuning.quasi_static);
+}
+
+std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system,
+                                              std::unique_ptr<DescentMethod> method,
+                                              const QuasiStaticTuning& tuning) {
+  return std::make_unique<QuasiStatic>(system, std::move(method), tuning);
 }
 
 }  // namespace loosefit

@@ -43,22 +43,24 @@ void add_ring(const BlockMatrix& matrix, std::vector<char>& inside) {
 }  // namespace
 
 ResidualRegion residual_region(const BlockMatrix& matrix, const VectorField& force,
-                               const ResidualRegion::Bounds& bounds) {
+                               const RegionTuning& tuning) {
   const auto n = static_cast<double>(force.size());
   std::vector<char> inside(force.size(), 0);
-  const auto seeds = seeds_of(force, bounds.force, static_cast<std::size_t>(bounds.seeds * n));
+  const auto seeds =
+      seeds_of(force, tuning.force_share, static_cast<std::size_t>(tuning.max_seeds * n));
   for (int i : seeds) inside[i] = 1;
-  for (int ring = 0; ring < bounds.rings && !seeds.empty(); ++ring) {
+  for (int ring = 0; ring < tuning.rings && !seeds.empty(); ++ring) {
     std::vector<char> wider = inside;
     add_ring(matrix, wider);
-    if (static_cast<double>(std::count(wider.begin(), wider.end(), 1)) > bounds.extent * n) break;
+    if (static_cast<double>(std::count(wider.begin(), wider.end(), 1)) > tuning.max_extent * n)
+      break;
     inside.swap(wider);
   }
   ResidualRegion region;
-  region.place.assign(force.size(), -1);
+  region.index.assign(force.size(), -1);
   for (std::size_t i = 0; i < force.size(); ++i)
     if (inside[i]) {
-      region.place[i] = static_cast<int>(region.particles.size());
+      region.index[i] = static_cast<int>(region.particles.size());
       region.particles.push_back(static_cast<int>(i));
     }
   return region;
@@ -74,10 +76,10 @@ void restrict_to(const ResidualRegion& region, const BlockMatrix& matrix, BlockM
     blocks.source.clear();
     const auto &start = matrix.column_start(), &rows = matrix.rows();
     std::vector<int> part_start{0}, part_rows;
-    // The order of blocks is the same in both, since places rise with the particles.
+    // The order of blocks is the same in both, since indices rise with the particles.
     for (int j : region.particles) {
       for (int k = start[j]; k < start[j + 1]; ++k)
-        if (const int i = region.place[rows[k]]; i >= 0) {
+        if (const int i = region.index[rows[k]]; i >= 0) {
           part_rows.push_back(i);
           blocks.source.push_back(k);
         }

@@ -1,7 +1,8 @@
+#include "loosefit/solver/semi_implicit_euler.h"
+
 #include <cmath>
 
 #include "loosefit/particles/vector_sums.h"
-#include "loosefit/solver/integrator.h"
 
 namespace loosefit {
 
@@ -21,8 +22,7 @@ void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, Vect
     v[i] -= dt / system.mass[i] * g[i];
     dx[i] = dt * v[i];
   }
-  // The movement is constrained so that nothing collides; what is cut off is lost as in an
-  // inelastic impact.
+  // Collisions limit the step; the velocity that it cuts off is lost, a perfectly inelastic impact.
   const double share = system.max_step(x, dx);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
   if (share < 1)
@@ -31,22 +31,19 @@ void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, Vect
 
 namespace {
 
-constexpr int kWatchStep = 10;           ///< steps between two calls of the watch
-constexpr int kRefreshStep = 250;        ///< steps between two estimates of the stable dt
-constexpr double kStabilityShare = 0.5;  ///< of the limit 2/ω
-
 /// Largest eigenvalue of M⁻¹H by power iteration [1/s²].
-double largest_frequency2(const ParticleSystem& system, const VectorField& x) {
+double largest_frequency2(const ParticleSystem& system, const VectorField& x, int iterations) {
   BlockPattern pattern(system.particles());
   for (const Energy* e : system.energies) e->add_pattern(x, pattern);
   pattern.compress();
   BlockMatrix h(pattern);
   for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::projected);
+  // Any start that is not orthogonal to the mode of the largest eigenvalue will do.
   VectorField u(system.particles()), hu;
   for (int i = 0; i < system.particles(); ++i)
     for (int c = 0; c < 3; ++c) u[i][c] = std::sin(1.0 + 7.3 * (3 * i + c));
   double value = std::sqrt(dot(u, u));
-  for (int k = 0; k < 30; ++k) {
+  for (int k = 0; k < iterations; ++k) {
     for (Vec3& v : u) v /= value;
     hu.assign(u.size(), Vec3::Zero());
     h.add_product(u, hu);
@@ -61,29 +58,32 @@ double largest_frequency2(const ParticleSystem& system, const VectorField& x) {
 
 class SemiImplicitEuler : public Integrator {
  public:
-  explicit SemiImplicitEuler(const ParticleSystem& system) : system_(system) {}
+  SemiImplicitEuler(const ParticleSystem& system, const SemiImplicitTuning& tuning)
+      : system_(system), tuning_(tuning) {}
 
   SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
     SettleOutcome outcome;
     VectorField v(x.size(), Vec3::Zero());
     double dt = 0, kinetic_before = 0;
     for (int step = 0;; ++step) {
-      if (step % kRefreshStep == 0) {
+      if (step % tuning_.refresh_interval == 0) {
         outcome.work.iterations = step;
         if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
         if (step >= options.max_iterations) {
           outcome.reason = SettleOutcome::Reason::iteration_limit;
           return outcome;
         }
-        const double omega2 = largest_frequency2(system_, x);
+        const double omega2 = largest_frequency2(system_, x, tuning_.power_iterations);
         // Without any stiffness (free fall) the caller's step is as good as any.
-        dt = omega2 > 0 ? kStabilityShare * 2 / std::sqrt(omega2) : options.first_dt;
+        dt = omega2 > 0 ? tuning_.stability_share * 2 / std::sqrt(omega2) : options.first_dt;
       }
-      if (options.watch && step % kWatchStep == 0 && options.watch(step, outcome.residual)) {
+      if (options.watch && step % tuning_.watch_interval == 0 &&
+          options.watch(step, outcome.residual)) {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }
       semi_implicit_euler_step(system_, x, v, dt);
+      // Kinetic damping: past a peak of the kinetic energy start again from rest.
       double kinetic = 0;
       for (std::size_t i = 0; i < v.size(); ++i)
         kinetic += 0.5 * system_.mass[i] * v[i].squaredNorm();
@@ -97,12 +97,15 @@ class SemiImplicitEuler : public Integrator {
 
  private:
   const ParticleSystem& system_;
+  SemiImplicitTuning tuning_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleSystem& system) {
-  return std::make_unique<SemiImplicitEuler>(system);
+std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleSystem& system,
+                                                     const SolverTuning& tuning) {
+  tuning.validate();
+  return std::make_unique<SemiImplicitEuler>(system, tuning.semi_implicit);
 }
 
 }  // namespace loosefit

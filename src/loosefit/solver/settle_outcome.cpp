@@ -1,7 +1,7 @@
+#include "loosefit/solver/settle_outcome.h"
+
 #include <cmath>
 #include <limits>
-
-#include "loosefit/solver/integrator.h"
 
 namespace loosefit {
 

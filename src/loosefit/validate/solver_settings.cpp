@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "loosefit/solver/integrator.h"
-#include "loosefit/solver/newton.h"
+#include "loosefit/solver/solver_tuning.h"
 #include "loosefit/validate/specimen.h"
 
 namespace loosefit {
 
 std::vector<std::pair<std::string, std::string>> solver_settings() {
   const SettleOptions settle;
-  const Newton::Options newton;
+  const LineSearchTuning search;
   return {
       {"cloth",
        "the energies of the drape stage: St. Venant-Kirchhoff membrane on constant-strain "
@@ -23,7 +23,7 @@ std::vector<std::pair<std::string, std::string>> solver_settings() {
        fmt::format("pseudo-transient Newton: first pseudo-step {:g} s, at most {:g} mm of movement "
                    "per step, {} halvings of a step; the exact second derivative of bending, "
                    "where drapes take a cheaper one to the same equilibrium",
-                   settle.first_dt, 1e3 * settle.max_move, newton.max_backtracks)},
+                   settle.first_dt, 1e3 * settle.max_move, search.max_backtracks)},
       {"at rest",
        fmt::format("net force over weight (root of the sum of squares over all free particles; "
                    "without weight in newtons, or against the applied load) at most {:g}, but for "

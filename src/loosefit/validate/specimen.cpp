@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/garment/assemble.h"
+#include "loosefit/solver/quasi_static.h"
 
 namespace loosefit {
 

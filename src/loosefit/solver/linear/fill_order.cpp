@@ -6,11 +6,10 @@
 #include <mutex>
 
 #include "loosefit/base/error.h"
+#include "loosefit/solver/linear/linear_tuning.h"
 
 namespace loosefit {
 namespace {
-
-constexpr int kSmallGraph = 500;  ///< vertices up to which minimum degree is as good
 
 struct Common {
   cholmod_common c;
@@ -32,7 +31,7 @@ std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   Common common;
-  common.c.method[0].ordering = n > kSmallGraph ? CHOLMOD_METIS : CHOLMOD_AMD;
+  common.c.method[0].ordering = n > kMultifrontal.small_graph ? CHOLMOD_METIS : CHOLMOD_AMD;
   cholmod_sparse* graph =
       cholmod_allocate_sparse(n, n, rows.size(), 1, 1, -1, CHOLMOD_PATTERN, &common.c);
   if (!graph) throw SolverFailure("out of memory in the sparse factorisation");

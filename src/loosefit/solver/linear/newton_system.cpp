@@ -4,12 +4,6 @@
 #include "loosefit/particles/vector_sums.h"
 
 namespace loosefit {
-namespace {
-
-/// Iterations and breakdowns in a row beyond which single precision will not do.
-constexpr int kMostIterations = 8, kMostBreakdowns = 2;
-
-}  // namespace
 
 bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& shift,
                              const std::vector<char>& held) {
@@ -32,7 +26,7 @@ bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& sh
     return false;
   }
   used_double_ = true;
-  if (!in_double_) in_double_ = ++broke_down_ == kMostBreakdowns;
+  if (!in_double_) in_double_ = ++broke_down_ == tuning_.max_breakdowns;
   single_.release();
   return true;
 }
@@ -54,11 +48,11 @@ void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
 bool NewtonSystem::conjugate_gradients(const std::vector<Vec3>& b, std::vector<Vec3>& x) {
   std::vector<Vec3> r = b, z, p, ap(b.size());
   x.assign(b.size(), Vec3::Zero());
-  const double enough = kAccuracy * kAccuracy * dot(b, b);
+  const double enough = tuning_.accuracy * tuning_.accuracy * dot(b, b);
   single_.solve(r, z);
   p = z;
   double rz = dot(r, z);
-  for (int k = 0; k < kMostIterations; ++k) {
+  for (int k = 0; k < tuning_.max_iterations; ++k) {
     multiply(p, ap);
     const double curvature = dot(p, ap);
     if (!(curvature > 0)) {

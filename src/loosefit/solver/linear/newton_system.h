@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "loosefit/solver/backoff.h"
+#include "loosefit/solver/linear/linear_tuning.h"
 #include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
 namespace loosefit {
@@ -13,11 +14,14 @@ namespace loosefit {
 /// good.
 class NewtonSystem {
  public:
+  explicit NewtonSystem(const PrecisionTuning& tuning = {})
+      : tuning_(tuning), try_double_(tuning.max_pause) {}
+
   /// As SparseCholesky::factorise.
   bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held);
-  /// dx to a residual of kAccuracy ‖g‖; a direction of descent in any case. Held particles get
-  /// zero. Uses the arguments of factorise again. \pre factorise returned true
+  /// dx to a residual of tuning.accuracy ‖g‖; a direction of descent in any case. Held particles
+  /// get zero. Uses the arguments of factorise again. \pre factorise returned true
   void solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx);
   bool in_double() const { return in_double_; }
   /// As SparseCholesky::order and set_order; a new order also starts in single precision again.
@@ -29,19 +33,18 @@ class NewtonSystem {
     double_.set_order(order);
   }
 
-  static constexpr double kAccuracy = 1e-3;
-
  private:
   bool conjugate_gradients(const std::vector<Vec3>& b, std::vector<Vec3>& x);
   void multiply(const std::vector<Vec3>& x, std::vector<Vec3>& y) const;
   void drop_held(std::vector<Vec3>& v) const;
 
+  PrecisionTuning tuning_;
   SparseCholesky<float> single_;
   SparseCholesky<double> double_;
   bool in_double_ = false;    ///< from now on
   bool used_double_ = false;  ///< for the last factor
   int broke_down_ = 0;        ///< factors in single precision of definite matrices, in a row
-  Backoff try_double_{64};
+  Backoff try_double_;
   const BlockMatrix* a_ = nullptr;
   const std::vector<double>* shift_ = nullptr;
   const std::vector<char>* held_ = nullptr;

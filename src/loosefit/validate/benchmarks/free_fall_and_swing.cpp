@@ -5,6 +5,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/solver/implicit_euler.h"
+#include "loosefit/solver/semi_implicit_euler.h"
 #include "loosefit/validate/beam_strip.h"
 #include "loosefit/validate/catalogue.h"
 

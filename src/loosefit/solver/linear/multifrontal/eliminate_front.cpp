@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "loosefit/solver/linear/linear_tuning.h"
 #include "loosefit/solver/linear/multifrontal/dense_kernels.h"
 #include "loosefit/solver/linear/multifrontal/front_tree.h"
 
 namespace loosefit {
 namespace {
 
-constexpr double kLargeFlops = 6e6;  ///< of a front from which on sharing it out pays
-constexpr int kBlock = 128;          ///< rows or columns of a share
+constexpr int kBlock = kMultifrontal.front_block;
 
-bool is_large(int p, int r) { return elimination_flops(p, r) > kLargeFlops; }
+bool is_large(int p, int r) { return elimination_flops(p, r) > kMultifrontal.large_front_flops; }
 
 template <class Work>
 void for_blocks(int first, int end, const Work& work) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "loosefit/solver/linear/linear_tuning.h"
+
 namespace loosefit {
 namespace {
 
@@ -93,10 +95,9 @@ double entries(double p, double r) { return 0.5 * p * (p + 1) + p * r; }
 /// Merge a child of `child` columns, `zeros` blocks of explicit zeros, into fronts of `columns` in
 /// all and `total` blocks?
 bool worth_merging(double columns, double zeros, double total) {
-  if (columns <= 8) return zeros < 0.8 * total;
-  if (columns <= 16) return zeros < 0.3 * total;
-  if (columns <= 40) return zeros < 0.1 * total;
-  return zeros < 0.03 * total;
+  for (const MultifrontalTuning::Merge& rule : kMultifrontal.merge)
+    if (columns <= rule.columns) return zeros < rule.zeros * total;
+  return false;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 #include "loosefit/solver/linear/fill_order.h"
+#include "loosefit/solver/linear/linear_tuning.h"
 #include "loosefit/solver/linear/multifrontal/buffer_pool.h"
 #include "loosefit/solver/linear/multifrontal/dense_kernels.h"
 #include "loosefit/solver/linear/multifrontal/eliminate_front.h"
@@ -17,9 +18,6 @@
 
 namespace loosefit {
 namespace {
-
-constexpr double kTaskFlops = 2e6;  ///< of a subtree from which on a task of its own pays
-constexpr double kMoreWork = 1.3;   ///< than when the order was chosen: choose another
 
 /// Zeros wherever a front of p columns and r rows below is read: the lower triangle of the first
 /// `columns` columns, and of its diagonal what comes along in whole blocks.
@@ -77,7 +75,7 @@ void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
   const bool given = given_order.size() == n, keep = given || tree.order.size() == n;
   if (keep)
     tree = build_front_tree(column_start, rows, std::vector<int>(given ? given_order : tree.order));
-  if (!keep || (!given && tree.flops > kMoreWork * flops_of_order)) {
+  if (!keep || (!given && tree.flops > kMultifrontal.reorder_growth * flops_of_order)) {
     tree = build_front_tree(column_start, rows, fill_reducing_order(column_start, rows));
     flops_of_order = tree.flops;
   }
@@ -197,7 +195,7 @@ void SparseCholesky<Real>::Work::eliminate_subtree(int index) {
   bool parallel = false;
   for (std::size_t k = 0; k < front.children.size(); ++k) {
     const int child = front.children[k];
-    if (subtree_flops[child] > kTaskFlops && k + 1 < front.children.size()) {
+    if (subtree_flops[child] > kMultifrontal.task_flops && k + 1 < front.children.size()) {
       group.run([this, child] { eliminate_subtree(child); });
       parallel = true;
     } else {

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+
+#include "loosefit/solver/particle_system.h"
+#include "loosefit/solver/solver_work.h"
+
+namespace loosefit {
+
+/// Why and where settling stopped.
+struct SettleOutcome {
+  enum class Reason { converged, iteration_limit, stopped, stuck, diverged } reason = Reason::stuck;
+  double residual = 0, residual_max = 0;
+  int worst_particle = -1;
+  SolverWork work;
+  std::string text() const;
+};
+
+/// Measures the static force balance (no inertia, no viscosity) into the outcome; true when
+/// settling is over because it is met or not a number, with the reason set. gradient: ∂Π/∂x with
+/// friction renewed by the caller.
+bool check_convergence(const ParticleSystem& system, const VectorField& gradient, double tolerance,
+                       SettleOutcome& outcome);
+/// The same at x: renews friction first.
+bool check_convergence_at(const ParticleSystem& system, const VectorField& x, double tolerance,
+                          SettleOutcome& outcome);
+
+}  // namespace loosefit
