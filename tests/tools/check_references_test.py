@@ -90,6 +90,9 @@ class CheckReferences(unittest.TestCase):
         self.assert_caught("`gap_from` is not in src", {page: row.format("gap_from")})
         self.assert_caught('no file of src speaks of "air gap"',
                            {page: row.replace("| gap", "| air gap").format("gap_of")})
+        own = row.replace("| term", "| notion").replace("| gap", "| air under cloth")
+        code, text = self.run_on({page: own.format("gap_of")})
+        self.assertEqual(code, 0, text)
         for name in ("gap_of", "maps/gap.h"):
             code, text = self.run_on({page: row.format(name)})
             self.assertEqual(code, 0, text)
