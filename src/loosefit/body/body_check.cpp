@@ -107,6 +107,7 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
   const double widest = kWidestHole * stature(mesh, options);
   const auto too_wide =
       std::count_if(holes.begin(), holes.end(), [&](const Hole& h) { return h.width > widest; });
+  // Holes that are too wide to be guessed: refused with where they are.
   if (too_wide > 0) {
     std::string places;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, std::size_t(too_wide)); ++i)
@@ -123,6 +124,7 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
                         "close them in the program that the scan came from; soles, crotch, armpits "
                         "and the crown are usual places");
   }
+  // Fill the others and see how much of the skin is then a guess.
   const auto scanned = std::ptrdiff_t(mesh.triangles.size());
   for (const auto& hole : holes) fill_hole(mesh, hole);
   const auto first = mesh.triangles.begin();
@@ -138,6 +140,7 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
                     kMostHoles, 100 * kMostFilled),
         "close them in the program that the scan came from, which knows more of the skin than "
         "their rims");
+  // What was filled is said.
   warnings.push_back(fmt::format(
       "{} filled, the widest {:.3g} wide near {} (units of the file): the skin there is a guess",
       counted(holes.size(), "small hole", "small holes"), holes[0].width,

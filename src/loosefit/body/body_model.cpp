@@ -127,10 +127,12 @@ double BodyModel::scye_depth(const RestBody& rest) const {
 Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) const {
   check_parameters(parameters);
   check_posture(posture);
+  // Shape first, in rest posture, then the pose of the bones.
   const RestBody rest = this->rest(parameters);
   const auto bones =
       pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture));
 
+  // Measures belong to the shape, not to the posture.
   Body body;
   body.segment = segment_;
   body.side = side_;
@@ -146,6 +148,7 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   for (auto& p : body.surface.vertices) p -= drop;
   for (auto& map : body.pose_from_rest) map.col(3) += map.leftCols<3>() * rest_drop - drop;
 
+  // Landmarks are vertices of the skin.
   body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
   body.landmark_vertex = landmark_vertices(*data_, rest);
   for (const auto& [name, v] : body.landmark_vertex) {

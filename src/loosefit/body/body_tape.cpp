@@ -103,6 +103,7 @@ double BodyTape::measure(const std::string& name) const {
   const auto level = [&](const char* ring) {
     return trunk_girth(rest_.surface, ruler_centre(vertices, ring).z());
   };
+  // Stature, then girths from the top downwards.
   if (name == "height") {
     const auto [low, high] =
         std::minmax_element(vertices.begin(), vertices.end(),
@@ -124,6 +125,7 @@ double BodyTape::measure(const std::string& name) const {
   if (name == "knee") return ring_girth("knee_circ");
   if (name == "calf") return ring_girth("calf_circ");
   if (name == "ankle") return ring_girth("ankle_circ");
+  // Lengths along the skin or between landmarks.
   if (name == "shoulder_breadth") {
     return (vertex(kAcromionLeft) - vertex(kC7)).norm() +
            (vertex(kC7) - vertex(kAcromionRight)).norm();

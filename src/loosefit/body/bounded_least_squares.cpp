@@ -21,6 +21,7 @@ VectorXd boxed_step(const MatrixXd& jacobian, const VectorXd& residual, const Ve
   VectorXd step = VectorXd::Zero(n);
   std::vector<char> fixed(std::size_t(n), 0);
   for (Eigen::Index round = 0; round <= n; ++round) {
+    // What the unknowns on their bounds contribute goes to the right-hand side.
     std::vector<Eigen::Index> free;
     VectorXd right = -residual;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -31,10 +32,12 @@ VectorXd boxed_step(const MatrixXd& jacobian, const VectorXd& residual, const Ve
       }
     }
     if (free.empty()) break;
+    // Least squares in the free ones by QR.
     MatrixXd columns(residual.size(), Eigen::Index(free.size()));
     for (std::size_t k = 0; k < free.size(); ++k)
       columns.col(Eigen::Index(k)) = jacobian.col(free[k]);
     const VectorXd solved = columns.colPivHouseholderQr().solve(right);
+    // Those that leave the box are fixed on its bound; done when none does.
     bool inside = true;
     for (std::size_t k = 0; k < free.size(); ++k) {
       const auto i = free[k];
@@ -64,6 +67,7 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
   found.cost = residual.squaredNorm();
 
   for (int iteration = 0; iteration < kMaxSteps; ++iteration) {
+    // Jacobian by one-sided differences that stay inside the box.
     MatrixXd jacobian(residual.size(), found.x.size());
     for (Eigen::Index i = 0; i < found.x.size(); ++i) {
       double h = found.x[i] < 0 ? -problem.difference : problem.difference;
@@ -72,6 +76,7 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
       x[i] += h;
       jacobian.col(i) = (evaluate(x) - residual) / h;
     }
+    // Line search: halve the step until the cost falls.
     VectorXd step = boxed_step(jacobian, residual, found.x, problem);
     bool better = false;
     double decrease = 0;
@@ -86,6 +91,7 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
         better = true;
       }
     }
+    // Done when no step helps, or hardly.
     if (!better || decrease < kStopDecrease * (found.cost + decrease)) break;
   }
   return found;

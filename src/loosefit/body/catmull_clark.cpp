@@ -41,10 +41,12 @@ CatmullClark::CatmullClark(int vertex_count, const std::vector<std::array<int, 4
     }
   }
 
+  // Points of faces and edges as weights of the coarse vertices.
   std::vector<Stencil> face_point(quads.size()), edge_point(edges.size());
   for (std::size_t f = 0; f < quads.size(); ++f) {
     for (const int corner : quads[f]) face_point[f][corner] += 0.25;
   }
+  // What meets at a vertex: its faces' points and its edges' middles.
   struct Around {
     Stencil face_sum, edge_middle_sum;
     int valence = 0;
@@ -66,6 +68,7 @@ CatmullClark::CatmullClark(int vertex_count, const std::vector<std::array<int, 4
     for (const int corner : quads[f]) add(around[std::size_t(corner)].face_sum, face_point[f], 1);
   }
 
+  // The stencils of all new points in one list: vertices, edges, faces.
   start_.push_back(0);
   const auto push = [&](const Stencil& stencil) {
     for (const auto& [index, weight] : stencil) {
@@ -86,6 +89,7 @@ CatmullClark::CatmullClark(int vertex_count, const std::vector<std::array<int, 4
   for (const auto& point : edge_point) push(point);
   for (const auto& point : face_point) push(point);
 
+  // Each quad becomes four, cut into two triangles each.
   const int first_edge = vertex_count, first_face = vertex_count + int(edges.size());
   for (std::size_t f = 0; f < quads.size(); ++f) {
     for (std::size_t c = 0; c < 4; ++c) {

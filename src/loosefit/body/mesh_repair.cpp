@@ -35,6 +35,7 @@ std::map<int, int> places_of(const TriangleMesh& mesh, const std::vector<Edge>& 
   for (const auto& e : open) vertices.insert(vertices.end(), e.begin(), e.end());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  // A grid of cells as wide as the distance: near vertices are in neighbouring cells.
   using Cell = std::array<long long, 3>;
   std::map<Cell, std::vector<int>> cells;
   const auto cell_of = [&](int v) {
@@ -42,6 +43,7 @@ std::map<int, int> places_of(const TriangleMesh& mesh, const std::vector<Edge>& 
     return Cell{std::llround(p.x()), std::llround(p.y()), std::llround(p.z())};
   };
   for (std::size_t i = 0; i < vertices.size(); ++i) cells[cell_of(vertices[i])].push_back(int(i));
+  // Join what is near; the number of the set is the place.
   UnionFind sets(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3& p = mesh.vertices[std::size_t(vertices[i])];
@@ -67,6 +69,8 @@ std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vecto
                                       const std::map<Edge, int>& uses) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const std::size_t n = rim.size();
+  // cost[i][k]: least area over the part of the rim from i to k; apex[i][k]: third corner of the
+  // triangle on that chord.
   std::vector<std::vector<double>> cost(n, std::vector<double>(n, 0));
   std::vector<std::vector<std::size_t>> apex(n, std::vector<std::size_t>(n, 0));
   const auto at = [&](std::size_t i) -> const Vec3& { return mesh.vertices[std::size_t(rim[i])]; };
@@ -82,6 +86,7 @@ std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vecto
       }
     }
   }
+  // Read the triangles off from the whole rim downwards.
   std::vector<Triangle> span;
   if (cost[0][n - 1] == kNever) return span;
   const std::function<void(std::size_t, std::size_t)> emit = [&](std::size_t i, std::size_t k) {
@@ -126,6 +131,7 @@ int drop_repeated_triangles(TriangleMesh& mesh) {
 
 void weld_seams(TriangleMesh& mesh, double distance) {
   const std::map<Edge, int> before = uses_of_edges(mesh.triangles);
+  // Open edges, grouped by the places of their ends.
   std::vector<Edge> open;
   for (const auto& [edge, uses] : before) {
     if (uses == 1) open.push_back(edge);
@@ -141,6 +147,7 @@ void weld_seams(TriangleMesh& mesh, double distance) {
   std::vector<int> target(mesh.vertices.size());
   for (bool crowded = true; crowded;) {
     crowded = false;
+    // Unite the ends of edges that lie together.
     UnionFind sets(mesh.vertices.size());
     for (const auto& [ends, edges] : together) {
       if (edges.size() < 2) continue;
@@ -153,6 +160,8 @@ void weld_seams(TriangleMesh& mesh, double distance) {
       }
     }
     for (std::size_t v = 0; v < target.size(); ++v) target[v] = sets.find(int(v));
+    // How the surface would look then: an edge of more than two triangles shows places that must
+    // stay apart, and the round begins again.
     std::vector<Triangle> united;
     for (const auto& t : mesh.triangles) {
       const Triangle moved = {target[std::size_t(t[0])], target[std::size_t(t[1])],
@@ -172,6 +181,7 @@ void weld_seams(TriangleMesh& mesh, double distance) {
       }
     }
   }
+  // Carry it out.
   for (auto& t : mesh.triangles) {
     for (auto& corner : t) corner = target[std::size_t(corner)];
   }
@@ -210,6 +220,7 @@ std::vector<Hole> find_holes(const TriangleMesh& mesh) {
       }
     }
   }
+  // Centre and width of each, the widest first.
   for (auto& hole : holes) {
     for (const int v : hole.rim) hole.centre += mesh.vertices[std::size_t(v)];
     hole.centre /= double(hole.rim.size());

@@ -218,6 +218,7 @@ void add_skin(const json& mesh, BodyData& data) {
 
 RawBodyData read_raw_body_data(const std::string& folder) {
   RawBodyData raw;
+  // The mesh in units of 10 µm, so that equal means equal.
   const std::string mesh_path = folder + "/human_full_size.json";
   const json mesh = read_json(mesh_path);
   const auto flat = mesh.at("vertices").get<std::vector<double>>();
@@ -231,6 +232,7 @@ RawBodyData read_raw_body_data(const std::string& folder) {
   raw.faces = read_faces(mesh, mesh_path);
   raw.mirror = mirror_map(raw.base, mesh_path);
 
+  // Names of the targets in the order of their blocks.
   const std::string list_path = folder + "/target-list.json";
   const json list = read_json(list_path);
   std::vector<std::string> keys;
@@ -246,6 +248,7 @@ RawBodyData read_raw_body_data(const std::string& folder) {
         key.substr(prefix.size(), key.size() - prefix.size() - suffix.size()));
   }
 
+  // The blocks themselves are read one by one; here only their size and digest.
   raw.targets_path = folder + "/targets.bin";
   const std::string blocks = slurp(raw.targets_path);
   require(blocks.size() == kTargets * kBlockBytes, raw.targets_path, "size",
@@ -283,6 +286,7 @@ BodyData bake_body_data(const std::string& folder) {
   BodyData data;
   data.source_sha256 = raw.targets_sha256;
   data.body_vertices = kBodyVertices;
+  // Vertices of the body and markers of its joints, in our frame and in metres.
   for (int v = 0; v < int(kVertices); ++v) {
     if (row_of(v) < 0) continue;
     const auto p = turned(raw.base[std::size_t(v)]);
@@ -291,6 +295,7 @@ BodyData bake_body_data(const std::string& folder) {
   }
   data.quads.assign(raw.faces.begin(), raw.faces.begin() + kBodyFaces);
 
+  // Skeleton and skin weights.
   const json mesh = read_json(folder + "/human_full_size.json");
   add_skeleton(folder, mesh, data);
   add_skin(mesh, data);

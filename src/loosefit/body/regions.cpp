@@ -140,12 +140,14 @@ std::optional<Region> find_region(const std::string& name) {
 std::vector<Region> body_regions(const Body& body) {
   const std::vector<Vec3>& posed = body.surface.vertices;
   if (posed.empty()) return {};
+  // Regions belong to the skin, so heights are taken in rest posture.
   const std::vector<Vec3> rest = in_rest(body, posed);
   const std::vector<Vec3> normals = vertex_normals(rest, body.surface.triangles);
   const Anchors anchors = find_anchors(body, rest);
   std::vector<Region> regions(posed.size());
   for (std::size_t v = 0; v < posed.size(); ++v) {
     const bool left = body.side[v] >= 0;
+    // Limbs and head by segment; trunk and the top of the thighs by place.
     switch (body.segment[v]) {
       case Segment::head:
       case Segment::neck:

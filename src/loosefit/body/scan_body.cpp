@@ -144,6 +144,7 @@ void tell_what_touches(const ScanSections& s, const ScanLimbs& limbs,
 }  // namespace
 
 ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
+  // A closed surface in our frame and in metres.
   CheckedSurface checked = check_surface(std::move(mesh), options);
   ScanBody made;
   made.warnings = std::move(checked.warnings);
@@ -151,6 +152,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   body.surface = std::move(checked.mesh);
   body.from_world = checked.from_world;
   body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  // Limbs from sections in many heights, then the lines of the arms with wrist and elbow.
   const TriangleMesh& surface = body.surface;
   double height = 0;
   for (const auto& p : surface.vertices) height = std::max(height, p.z());
@@ -164,6 +166,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   }
   add_joints(s, arms, body);
 
+  // Landmarks at neck and shoulders, which everything else refers to.
   std::map<std::string, Vec3> place;
   const double acromion_x =
       0.5 * (arms[0].points.front().x() - arms[1].points.front().x()) + 0.002 * s.height;
@@ -177,9 +180,11 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
     place["elbow" + under] = arm.elbow();
     place["wrist" + under] = arm.wrist();
   }
+  // Segments and the three girths of the trunk need the height of the neck.
   const double c7_height = 0.25 * (hps[0].z() + hps[1].z() + acromion[0].z() + acromion[1].z());
   label_segments(s, limbs, arms, c7_height, body);
   const auto [chest, waist, hip] = tape_trunk(s, body, made.warnings);
+  // Landmarks along the middle of the trunk.
   const Vec3 c7 = place["c7"] = midline_point(surface, c7_height, 1);
   const Vec3 pit = place["neck_pit"] = midline_point(surface, c7_height - 0.008 * s.height, -1);
   place["back_waist"] = midline_point(surface, waist.level, 1);
@@ -200,14 +205,17 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   for (const char* name : {"scapula", "scapula_lower"}) {
     place[std::string(name) + "_R"] = mirrored(place[std::string(name) + "_L"]);
   }
+  // The front ends of the armpits.
   const double front = midline_point(surface, s.armpit, -1).y();
   place["armpit_front_L"] = Vec3(0.8 * acromion_x, 0.7 * front, s.armpit);
   place["armpit_front_R"] = mirrored(place["armpit_front_L"]);
+  // Every landmark is a vertex of the surface, so that it goes along with a posture.
   for (const auto& [name, p] : place) {
     const int v = body.landmark_vertex[name] = nearest_vertex(surface, p);
     body.landmarks[name] = surface.vertices[std::size_t(v)];
   }
 
+  // Measures by the names and rules of BodyTape, as far as a scan has them.
   auto& m = body.measured;
   const ArmLine& arm = arms[0];
   const Vec3 shoulder = arm.points.front(), elbow = arm.elbow(), wrist = arm.wrist();

@@ -43,10 +43,12 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
                    bool near_armpit) {
   BodySlice slice;
   slice.z = z;
+  // Sums over the loops of each arm, weighted by length.
   std::array<Vec3, 2> sum = {Vec3::Zero(), Vec3::Zero()};
   std::array<double, 2> length = {0, 0}, leg_length = {0, 0};
   slice.arm_inner.fill(std::numeric_limits<double>::infinity());
   const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
+  // Sort the loops: arms, legs below the crotch, and the longest of the rest as trunk.
   const SectionLoop* trunk = nullptr;
   for (const auto& loop : loops) {
     const ScanLimb limb = limb_of(loop, limbs.limb);
@@ -86,6 +88,7 @@ BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, c
     slice.arm_inner[side] =
         std::min(slice.arm_inner[side], std::min(std::abs(low), std::abs(high)));
   }
+  // The slice: middles of the arms, middle, girth and sides of the trunk.
   for (const std::size_t side : {std::size_t(0), std::size_t(1)})
     if (length[side] > 0) slice.arm[side] = sum[side] / length[side];
   if (trunk) {

@@ -50,6 +50,7 @@ std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vect
   const auto height = [&](std::size_t v) { return values[v] - level; };
   const auto above = [&](int v) { return height(std::size_t(v)) >= 0; };
 
+  // One segment for every triangle that the level cuts, from cut edge to cut edge.
   std::vector<Segment> segments;
   std::vector<Crossing> crossings;
   for (const auto& t : mesh.triangles) {
@@ -79,12 +80,14 @@ std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vect
         crossings[i].segment;
     ++i;
   }
+  // Where an edge is cut, linearly between its ends.
   const auto point_of = [&](std::uint64_t edge) -> Vec3 {
     const auto a = std::size_t(edge >> 32), b = std::size_t(edge & 0xffffffff);
     const double share = height(a) / (height(a) - height(b));
     return mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]);
   };
 
+  // Follow the segments from crossing to crossing until the loop closes; open chains are dropped.
   std::vector<SectionLoop> loops;
   std::vector<char> used(segments.size(), 0);
   for (std::size_t first = 0; first < segments.size(); ++first) {
@@ -108,6 +111,7 @@ std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vect
       at = std::size_t(next);
       leave = segments[at].from == edge ? 1 : 0;
     }
+    // Its length as a polygon.
     if (!closed || loop.points.size() < 3) continue;
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       loop.length += (loop.points[(i + 1) % loop.points.size()] - loop.points[i]).norm();

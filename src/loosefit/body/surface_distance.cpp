@@ -45,10 +45,12 @@ std::vector<std::vector<int>> neighbours_of(const TriangleMesh& mesh) {
 }
 
 std::vector<double> surface_distance(const TriangleMesh& mesh, int source) {
+  // Triangles at every vertex.
   std::vector<std::vector<int>> triangles_at(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int v : mesh.triangles[t]) triangles_at[std::size_t(v)].push_back(int(t));
   }
+  // Vertices become final in the order of their distance, as in Dijkstra's method.
   std::vector<double> distance(mesh.vertices.size(), std::numeric_limits<double>::infinity());
   std::vector<char> done(mesh.vertices.size(), 0);
   using Entry = std::pair<double, int>;
@@ -66,6 +68,8 @@ std::vector<double> surface_distance(const TriangleMesh& mesh, int source) {
     front.pop();
     if (done[std::size_t(v)]) continue;
     done[std::size_t(v)] = 1;
+    // A triangle with two final corners carries a straight front to the third; with one, the edge
+    // is the way.
     for (const int t : triangles_at[std::size_t(v)]) {
       const Triangle& corners = mesh.triangles[std::size_t(t)];
       for (std::size_t c = 0; c < 3; ++c) {

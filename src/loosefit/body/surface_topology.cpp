@@ -95,6 +95,7 @@ EdgeReport inspect_edges(const TriangleMesh& mesh) {
 
 Orientation orient_consistently(TriangleMesh& mesh) {
   const auto uses = edge_uses(mesh);
+  // Neighbours over each edge; two triangles agree when they run along it in opposite senses.
   struct Link {
     int other;
     bool agrees;
@@ -106,6 +107,8 @@ Orientation orient_consistently(TriangleMesh& mesh) {
     links[std::size_t(uses[i].triangle)].push_back({uses[i + 1].triangle, agrees});
     links[std::size_t(uses[i + 1].triangle)].push_back({uses[i].triangle, agrees});
   }
+  // From one triangle of each piece on, decide for the neighbours whether to turn them; a
+  // contradiction is a one-sided surface.
   std::vector<int> turn(mesh.triangles.size(), -1);
   bool any = false;
   for (std::size_t first = 0; first < turn.size(); ++first) {
@@ -127,6 +130,7 @@ Orientation orient_consistently(TriangleMesh& mesh) {
       }
     }
   }
+  // Turn those that were marked.
   for (std::size_t t = 0; t < turn.size(); ++t) {
     if (turn[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]), any = true;
   }

@@ -35,10 +35,12 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
   const std::size_t hinges = mesh_.hinges.size(), patches = mesh_.patches.size();
   hinge_tiles_.assign(tiles_for(hinges), HingeTile{});
   patch_tiles_.assign(tiles_for(patches), PatchTile{});
+  // Places behind the last one stand for what a hinge or patch lacks; they hold 0.
   const int no_angle = kTile * static_cast<int>(hinge_tiles_.size());
   const int no_moment = 9 * kTile * static_cast<int>(patch_tiles_.size());
   const int no_stiffness = 3 * kTile * static_cast<int>(patch_tiles_.size());
 
+  // Hinges: their particles, and where their forces and blocks go.
   std::vector<int> particle(4 * kTile * hinge_tiles_.size(), -1);
   std::vector<std::array<int, 2>> pairs(10 * kTile * hinge_tiles_.size(), {-1, -1});
   for (std::size_t t = 0; t < hinge_tiles_.size(); ++t) {
@@ -59,6 +61,7 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
   to_particles_ = ParticleGather(particle);
   to_blocks_ = BlockGather(pairs);
 
+  // Patches: area, rigidity and fit, and in each hinge the places of the moments about it.
   for (PatchTile& tile : patch_tiles_)
     for (TileIndex& row : tile.hinge) row.fill(no_angle);
   std::vector<int> acting(hinges, 0), owned(hinges, 0);
@@ -78,11 +81,13 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
       tile.hinge[k][i] = hinge;
       for (int c = 0; c < 3; ++c) tile.s[k][c][i] = p.s(c, k);
       about.moment[acting[hinge]++][place] = (9 * block + k) * kTile + i;
+      // The first three hinges are the triangle's own: they carry the tangent of single hinges.
       if (k >= 3) continue;
       about.own[owned[hinge]++][place] = (3 * block + k) * kTile + i;
       about.stiffness[place] += p.fit.col(k).dot(d * p.fit.col(k));
     }
   }
+  // Working memory.
   set_active_set(nullptr);
   curvature_start_.assign(patch_tiles_.size(), kZeroRows);
   anchor_.assign(patch_tiles_.size(), kZeroRows);

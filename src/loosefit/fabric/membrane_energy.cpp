@@ -35,6 +35,7 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
                                const std::vector<double>& factor, const Material& material,
                                bool viscous)
     : damping_(viscous ? material.damping : 0) {
+  // Stiffness of an orthotropic sheet; `plain_` has constant coefficients and a faster kernel.
   const Material& m = material;
   const double ku = m.stiffness_weft, kv = m.stiffness_warp, nu = m.poisson;
   const double squeeze = m.compression_factor;
@@ -44,18 +45,21 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   linear_[1].fill(kv / plate);
   linear_[2].fill(nu * std::sqrt(ku * kv) / plate);
   linear_[3].fill(m.stiffness_shear);
+  // Measured curves in place of the constants; their smallest tangents bound the coupling.
   law_u_ = tension_law(m.curve_weft, ku / plate, squeeze);
   law_v_ = tension_law(m.curve_warp, kv / plate, squeeze);
   law_s_ = m.curve_shear.empty() ? StressCurve::linear(m.stiffness_shear)
                                  : StressCurve::shear(m.curve_shear);
   coupling_ = nu * std::sqrt(std::max(0.0, law_u_.smallest_tangent()) *
                              std::max(0.0, law_v_.smallest_tangent()));
+  // One tile holds kTile triangles; missing ones at the end have no weight.
   count_ = triangles.size();
   factor_ = factor.empty() ? std::vector<double>(count_, 1.0) : factor;
   tiles_.assign(tiles_for(count_), MembraneTile{});
   std::vector<int> particle;
   std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i < count_; ++i) {
+    // Derivatives of the flat coordinates: the rows of the deformation gradient are Σ ru x, Σ rv x.
     const auto& [a, b, c] = triangle_uv[i];
     const double d = a[0] * (b[1] - c[1]) + b[0] * (c[1] - a[1]) + c[0] * (a[1] - b[1]);
     if (!(std::abs(d) > 0))
@@ -72,6 +76,7 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
     }
     tile.weight[i % kTile] = 0.5 * std::abs(d) * factor_[i];
   }
+  // Where forces and blocks go, and working memory.
   to_particles_ = ParticleGather(particle);
   to_blocks_ = BlockGather(pairs);
   active_tiles_ = IndexSubset(tiles_.size());

@@ -28,6 +28,7 @@ GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
   const double coarsest = edge_length * (1 << refinements);
   const std::vector<std::vector<int>> divisions = edge_divisions(pattern, coarsest);
 
+  // The coarsest level is meshed; every finer one is a subdivision of the one before.
   GarmentHierarchy hierarchy;
   hierarchy.pattern = pattern;
   std::vector<PanelMesh> meshes;
@@ -42,10 +43,12 @@ GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
     hierarchy.levels.push_back(sewn.garment);
     if (level == refinements) return hierarchy;
 
+    // Subdivide the panels and sew them again; old vertices keep their numbers.
     std::vector<std::vector<std::array<int, 2>>> local(pattern.panels.size());
     for (std::size_t p = 0; p < pattern.panels.size(); ++p)
       meshes[p] = subdivide(meshes[p], pattern.panels[p], local[p]);
     SewnPanels finer = sew_panels(pattern, meshes, material, &sewn.vertex_of);
+    // Parents of the panels' vertices in the numbers of the garment.
     std::vector<std::array<int, 2>> parents(finer.garment.vertex_count);
     for (std::size_t p = 0; p < local.size(); ++p)
       for (std::size_t i = 0; i < local[p].size(); ++i) {

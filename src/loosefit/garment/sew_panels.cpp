@@ -61,6 +61,7 @@ void check_gathers(const Pattern& pattern) {
 SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& meshes,
                       const Material& material, const std::vector<std::vector<int>>* coarser) {
   check_gathers(pattern);
+  // Panel vertices numbered through.
   const int panels = static_cast<int>(meshes.size());
   std::vector<int> first(panels + 1, 0);
   for (int p = 0; p < panels; ++p)
@@ -80,6 +81,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
                   first[stitch.second.panel] + b[stitch.right_wrong ? i : b.size() - 1 - i]);
   }
 
+  // Numbers of the garment: those of the coarser level stay, new ones follow in panel order.
   SewnPanels sewn;
   Garment& g = sewn.garment;
   std::vector<int> number(first[panels], -1);
@@ -98,6 +100,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
       sewn.vertex_of[p].push_back(n);
     }
 
+  // Pattern coordinates, triangles and masses; a seam vertex belongs to its first panel.
   g.vertex_panel.assign(g.vertex_count, -1);
   g.vertex_uv.assign(g.vertex_count, Vec2::Zero());
   g.vertex_mass.assign(g.vertex_count, 0);
@@ -111,6 +114,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
       g.vertex_panel[v] = p;
       g.vertex_uv[v] = meshes[p].vertices[i];
     }
+    // A panel behind a right_wrong seam shows its inside: its triangles are turned over.
     for (Triangle t : meshes[p].triangles) {
       if (sign[p] < 0) std::swap(t[1], t[2]);
       std::array<Vec2, 3> uv;
@@ -126,6 +130,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
       g.triangle_uv.push_back(uv);
       g.triangle_panel.push_back(p);
     }
+    // Pattern edges as chains of garment vertices.
     for (std::size_t e = 0; e < meshes[p].edge_vertices.size(); ++e) {
       const PanelEdge& edge = pattern.panels[p].edges[e];
       Garment::EdgeChain chain{p, static_cast<int>(e), edge.name, edge.part, {}};
@@ -133,6 +138,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
       g.edge_chains.push_back(chain);
     }
   }
+  // Attachments come later; until then cloth is the same everywhere.
   g.triangle_membrane_factor.assign(g.triangles.size(), 1.0);
   g.triangle_added_bending.assign(g.triangles.size(), 0.0);
   g.mass = g.area * material.areal_density;

@@ -69,6 +69,7 @@ std::string kind_of_file(const std::string& bytes) {
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string::npos) return "an empty file";
+  // Formats that announce themselves in their first bytes.
   if (text.starts_with("%PDF-")) return "a PDF document";
   if (text.starts_with("PK\x03\x04")) return "a ZIP archive";
   if (text.starts_with("\x1f\x8b")) return "a gzip archive";
@@ -80,8 +81,10 @@ std::string kind_of_file(const std::string& bytes) {
   if (text.starts_with("AC10")) return "a DWG file";
   if (text.starts_with("%!PS")) return "a PostScript file";
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "a mesh (PLY)";
+  // DXF as text has no such bytes: pairs of lines, a code and a value.
   const std::vector<std::string> lines = first_lines(text, 200);
   if (is_dxf(lines)) return "a DXF file";
+  // XML of all sorts, by the elements in its beginning.
   if (text[start] == '<') {
     if (has_word(text, "<svg")) return "an SVG drawing";
     if (has_word(text, "<pattern") || has_word(text, "<vit"))
@@ -91,6 +94,7 @@ std::string kind_of_file(const std::string& bytes) {
     if (has_word(text, "<html") || has_word(text, "<!DOCTYPE html")) return "a web page";
     return "an XML file";
   }
+  // JSON, by the keys in its beginning; GarmentCode itself is no other kind.
   if (text[start] == '{') {
     if (has_word(text, "\"asset\"") && has_word(text, "\"meshes\"")) return "a mesh (glTF)";
     if (has_word(text, "\"pattern\"") && has_word(text, "\"panels\"")) return {};
@@ -102,6 +106,7 @@ std::string kind_of_file(const std::string& bytes) {
     if (has_word(text, "\"measured\"") && has_word(text, "\"landmarks\"")) return "a body.json";
     return {};
   }
+  // Meshes without a mark of their own come last: these tests may err.
   if (text.starts_with("solid") && has_word(text, "facet")) return "a mesh (STL)";
   if (is_binary_stl(bytes)) return "a mesh (STL)";
   if (is_obj(lines)) return "a mesh (OBJ)";

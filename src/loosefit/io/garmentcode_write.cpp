@@ -109,6 +109,7 @@ std::string list_lines(const std::vector<Json>& items, const std::string& indent
 
 std::string garmentcode_text(const Pattern& pattern) {
   check_pattern(pattern);
+  // Each edge is cut at its own joints, and at those of the edge it is sewn to.
   std::vector<std::vector<EdgePath>> paths;
   std::vector<std::vector<std::vector<double>>> cuts;  // [panel][edge]
   for (const Panel& panel : pattern.panels) {
@@ -132,6 +133,7 @@ std::string garmentcode_text(const Pattern& pattern) {
     std::sort(b.begin(), b.end());
   }
 
+  // Panels: one file edge per curve; range[panel][edge] remembers which file edges an edge became.
   std::string panels;
   std::vector<std::vector<std::pair<int, int>>> range(pattern.panels.size());  // first, count
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
@@ -154,6 +156,7 @@ std::string garmentcode_text(const Pattern& pattern) {
       item["name"] = edge->name;
       edges.push_back(item);
     }
+    // Placement in the frame of the file, in centimetres and degrees.
     const Mat3 to_file = frame_from_y_up().transpose();
     const Vec3 translation = to_file * panel.translation * kPerMetre;
     panels += fmt::format(
@@ -165,6 +168,7 @@ std::string garmentcode_text(const Pattern& pattern) {
         list_lines(vertices, "        "), list_lines(edges, "        "));
   }
 
+  // A seam becomes as many stitches as its edges have parts.
   std::vector<Json> stitches;
   for (const Stitch& s : pattern.stitches) {
     const auto [first_a, count] = range[s.first.panel][s.first.edge];
@@ -179,6 +183,7 @@ std::string garmentcode_text(const Pattern& pattern) {
       stitches.push_back(item);
     }
   }
+  // The mark of our own draft, and the order of the panels.
   const std::string mark =
       has_shirt_parts(pattern) ? fmt::format(",\n    \"{}\": \"{}\"", kDraftKey, kShirtDraft) : "";
   Json order = Json::array();

@@ -113,6 +113,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
   check_shapes(kes, *table.node("kes"));
   const NumberRange positive{1e-9, 1e6, "a figure above 0"};
   const double load = kes.number("EMT_load", kOuterWearLoad, positive);
+  // Records a figure for the card; a key that the card had already is replaced.
   const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),
                                    [&](const KesFigure& f) { return f.key == key; });
@@ -122,6 +123,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
       same->value = figure;
   };
   if (kes.has("EMT_load")) put("EMT_load", "F", load);
+  // Reads a figure and records it; empty when the key is absent.
   const auto tell = [&](const std::string& key, const std::string& quantity) {
     const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
     const auto figure = kes.optional_number(key, range);
@@ -129,23 +131,28 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
     return figure;
   };
 
+  // Figures from which a constant of the material follows.
   for (const Constant& c : constants()) {
     const std::string quantity = c.quantity, direction = c.direction;
+    // One key for both directions, or one for each, never both.
     std::string key = quantity;
     if (!direction.empty() && kes.has(quantity + "_" + direction)) {
       key += "_" + direction;
       if (kes.has(quantity))
         throw kes.error(quantity, "either " + quantity + " for both directions or " + key);
     }
+    // A measured curve says more than a single figure.
     const auto figure = tell(key, quantity);
     if (!figure || has_curve(table, c.si_key)) continue;
     set[c.si_key] = conversion(key, quantity, *figure, load);
     const double si = in_si(quantity, *figure, load);
     const std::string told = fmt::format("{} {}", *figure, kes_unit(quantity).unit);
+    // Out of range most often means figures in other units.
     if (!(si >= c.range.low && si <= c.range.high))
       throw kes.error(key, fmt::format("{}, that is {} = {:g}", told, c.si_key, si),
                       fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
                       "figures of [kes] are in the units of the KES instruments");
+    // The card may state the SI value too; then both must agree.
     if (const auto given = table.optional_number(c.si_key, {})) {
       if (!same_within_rounding(*figure, si, *given))
         throw table.error(c.si_key, fmt::format("{}", *given),
@@ -156,6 +163,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
     }
     material.*c.value = si;
   }
+  // Figures that are recorded but not used.
   for (const Told& t : kTold) {
     const std::string quantity = t.quantity;
     tell(quantity, quantity);

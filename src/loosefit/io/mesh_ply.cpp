@@ -66,6 +66,7 @@ Header read_header(TextLines& lines) {
       if (!has_format) lines.fail("no format line", "format ascii or binary_little_endian");
       return header;
     }
+    // One kind of line after the other; properties belong to the element above them.
     if (words[0] == "format" && words.size() >= 2) {
       has_format = true;
       header.binary = words[1] == "binary_little_endian";
@@ -169,15 +170,18 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
   const Header header = read_header(lines);
   TriangleMesh mesh;
   Values values(lines, bytes, header.binary);
+  // Faces may stand before the vertices they refer to.
   std::size_t vertex_count = 0;
   for (const auto& element : header.elements) {
     if (element.name == "vertex") vertex_count = element.count;
   }
   for (const auto& element : header.elements) {
+    // Every item of every element is read, wanted or not: a body has no other structure.
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) {
       Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
       for (const auto& property : element.properties) {
+        // Single numbers: those called x, y and z are the point.
         if (!property.list) {
           const double value = values.next(property.kind);
           for (int axis = 0; axis < 3; ++axis) {
@@ -185,6 +189,7 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
           }
           continue;
         }
+        // Lists: those of a face that hold its corners.
         const double count = values.next(property.count_kind);
         if (!(count >= 0 && count <= 1000))
           lines.fail(shortest(count) + " list entries", "0 to 1000");

@@ -204,11 +204,13 @@ std::string drawn(const Piece& piece, const std::vector<int>& seams, double opac
 /// `marks` null: the plain sheet.
 std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
   check_pattern(pattern);
+  // Number of the seam at every edge, 0 for free ones.
   std::vector<std::vector<int>> seam(pattern.panels.size());
   for (std::size_t p = 0; p < seam.size(); ++p) seam[p].assign(pattern.panels[p].edges.size(), 0);
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s)
     for (const Stitch::Side& side : {pattern.stitches[s].first, pattern.stitches[s].second})
       seam[side.panel][side.edge] = static_cast<int>(s) + 1;
+  // Pieces in panel order, laid out in rows.
   std::vector<int> order = pattern.panel_order;
   if (order.size() != pattern.panels.size()) {
     order.resize(pattern.panels.size());
@@ -216,6 +218,7 @@ std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
   }
   std::vector<Piece> pieces = pieces_of(pattern, order);
   Vec2 sheet = lay_out(pieces);
+  // Below them the control square with the list of seams, or what the marks say, beside it.
   const Vec2 square(kGap, sheet.y());
   const std::vector<std::string> lines =
       marks ? marks->lines : seam_lines(pattern, sheet.x() - kSquare - 5 * kGap);
@@ -225,6 +228,7 @@ std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
   for (const std::string& line : lines) longest = std::max(longest, line.size());
   if (marks) sheet.x() = std::max(sheet.x(), kSquare + 3 * kGap + 3.2 * double(longest));
 
+  // Head: title and scale.
   const std::string title = marks                  ? marks->title
                             : pattern.name.empty() ? std::string("pattern")
                                                    : pattern.name;

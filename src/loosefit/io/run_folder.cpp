@@ -87,18 +87,21 @@ void RunFolder::check_target() const {
   std::error_code error;
   const bool folder = there && fs::is_directory(fs::symlink_status(target_, error));
   const bool summary = folder && is_plain_file(target_, "summary.json");
+  // A later stage needs the output of an earlier one.
   if (mode_ == Mode::update) {
     if (!folder || (!summary && !has_mark_of_run()))
       throw InvalidInput({target_.string(), 0, ""}, "no earlier output",
                          "a folder written by loosefit run or loosefit drape");
     return;
   }
+  // A new folder is always right; a file of that name never.
   if (!there) return;
   const char* const kind = mode_ == Mode::add ? "a folder" : "a new or empty folder";
   if (!folder)
     throw InvalidInput({target_.string(), 0, ""},
                        "something that is not an earlier output, nor a folder", kind,
                        kNothingChanged);
+  // Files may be added to a folder, but not to one whose files belong together.
   if (mode_ == Mode::add) {
     if (summary || has_mark_of_run())
       throw InvalidInput({target_.string(), 0, ""},
@@ -108,6 +111,7 @@ void RunFolder::check_target() const {
                          "another folder", kNothingChanged);
     return;
   }
+  // To replace an earlier output, its mark must say what in it Loosefit wrote.
   const auto mark = read_output_mark(target_);
   if ((mark && mark->holds(kind_)) || is_empty_output(target_)) return;
   const std::string file = kind_ == "run" ? "summary.json" : kind_ + ".json";

@@ -79,6 +79,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   const vtkSmartPointer<vtkPolyData> data = read_sealed_vtp(path, "drape.vtp");
   TriangleMesh surface = surface_of(path, data);
 
+  // Topology and positions.
   DrapeFile file;
   file.garment.vertex_count = static_cast<int>(surface.vertices.size());
   file.garment.triangles = std::move(surface.triangles);
@@ -86,6 +87,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   const vtkIdType points = data->GetNumberOfPoints();
   const auto cells = static_cast<vtkIdType>(file.garment.triangles.size());
 
+  // What ties the mesh to its pattern; the flat area follows from it.
   Garment& garment = file.garment;
   garment.panel_names = strings(path, data->GetFieldData(), "panel_names");
   const int panels = static_cast<int>(garment.panel_names.size());
@@ -103,6 +105,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
     garment.triangle_uv.push_back(triangle);
   }
 
+  // The certificate, in the field data.
   Certificate& certificate = file.drape.certificate;
   vtkDataArray* residual = need(path, data->GetFieldData(), "residual", 2, 1);
   certificate.residual = residual->GetComponent(0, 0);
@@ -115,6 +118,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   if (data->GetFieldData()->HasArray("worn_reasons"))  // absent before version 0.2
     certificate.worn_reasons = strings(path, data->GetFieldData(), "worn_reasons");
 
+  // The contact force, where the drape knew it, and whatever else is there.
   if (data->GetPointData()->HasArray("body_normal_force_N")) {
     vtkDataArray* force = need(path, data->GetPointData(), "body_normal_force_N", 1, points);
     for (vtkIdType i = 0; i < points; ++i)

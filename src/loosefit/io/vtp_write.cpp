@@ -104,10 +104,12 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
     throw InvalidInput("drape has " + std::to_string(drape.positions.size()) +
                        " positions, expected one for each of the garment's " +
                        std::to_string(points) + " vertices");
+  // The surface.
   vtkNew<vtkPolyData> data;
   set_surface(data, drape.positions, garment.triangles,
               vertex_normals(drape.positions, garment.triangles));
 
+  // Per point: maps, then what ties the mesh to its pattern.
   vtkPointData* point_data = data->GetPointData();
   for (const PerformanceMap& map : maps) add_array(point_data, map.array, 1, map.values, points);
   add_array(point_data, "pattern_uv", 2, flat(garment.vertex_uv), points);
@@ -117,6 +119,7 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   for (const VtpArray& a : point_arrays)
     add_array(point_data, a.name, a.components, a.values, points);
 
+  // Per triangle: panel and pattern coordinates of its corners (a seam vertex has several).
   vtkCellData* cell_data = data->GetCellData();
   std::vector<double> corners;
   for (const auto& uv : garment.triangle_uv)
@@ -125,6 +128,7 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   add_array(cell_data, "corner_uv", 6, corners, cells);
   for (const VtpArray& a : cell_arrays) add_array(cell_data, a.name, a.components, a.values, cells);
 
+  // The certificate and the names.
   const Certificate& c = drape.certificate;
   vtkFieldData* field = data->GetFieldData();
   add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);

@@ -86,6 +86,7 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
     throw InvalidInput(place, fmt::format("{:.6g} m", edge_length), "a positive length in metres");
   check_pattern(pattern);
 
+  // Each edge by its own length, refused before memory runs out.
   std::vector<std::vector<int>> divisions;
   double area = 0;
   for (const Panel& panel : pattern.panels) {
@@ -106,6 +107,7 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
                        fmt::format("at least {:.3g} m for a garment of {:.3g} m²",
                                    std::sqrt(area / 0.87 / kMostVertices), area));
 
+  // Both sides of a seam take the larger count.
   const auto join = [&](const Stitch& s) {
     int& first = divisions[s.first.panel][s.first.edge];
     int& second = divisions[s.second.panel][s.second.edge];

@@ -42,6 +42,7 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
   fine.vertices = coarse.vertices;
   parents.clear();
   for (int i = 0; i < static_cast<int>(coarse.vertices.size()); ++i) parents.push_back({i, i});
+  // A new vertex in the middle of every edge.
   std::map<std::pair<int, int>, int> middle_of;
   const auto middle = [&](int a, int b) {
     const auto [it, added] =
@@ -52,6 +53,7 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
     }
     return it->second;
   };
+  // Four triangles for one.
   for (const auto& [a, b, c] : coarse.triangles) {
     const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
     fine.triangles.push_back({a, ab, ca});
@@ -59,6 +61,7 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
     fine.triangles.push_back({c, ca, bc});
     fine.triangles.push_back({ab, bc, ca});
   }
+  // Middles of outline edges go onto the curve, half way along the arc.
   std::vector<Vec2> on_curve = fine.vertices;
   std::vector<bool> moved(fine.vertices.size(), false);
   for (std::size_t e = 0; e < coarse.edge_vertices.size(); ++e) {

@@ -33,12 +33,14 @@ void check_panel(const Panel& panel) {
                         const std::string& expected, const std::string& hint = {}) {
     throw GeometryError(InputPlace{{}, 0, where + key}, found, expected, hint);
   };
+  // Vertices and edges as such.
   const int corners = static_cast<int>(panel.vertices.size());
   const int n = static_cast<int>(panel.edges.size());
   if (n < 2) fail("", fmt::format("{} edges", n), "a closed loop of at least two edges");
   for (const Vec2& v : panel.vertices)
     if (!sound(v)) fail("", "a vertex that is not finite", "finite coordinates");
   for (int e = 0; e < n; ++e) {
+    // Each edge: indices, one joint fewer than curves, and curves with finite numbers.
     const PanelEdge& edge = panel.edges[e];
     const std::string key = " edge " + edge.name;
     if (edge.start < 0 || edge.start >= corners || edge.end < 0 || edge.end >= corners)
@@ -61,6 +63,7 @@ void check_panel(const Panel& panel) {
       if (curve.kind == EdgeCurve::Kind::circle && !(curve.radius > 0 && curve.radius < 1e6))
         fail(key, fmt::format("radius {:.6g} m", curve.radius), "a positive radius");
     }
+    // The edges follow each other and have a length.
     const PanelEdge& next = panel.edges[(e + 1) % n];
     if (edge.end != next.start)
       fail(key, fmt::format("end at vertex {}", edge.end),
@@ -70,6 +73,7 @@ void check_panel(const Panel& panel) {
     if (!(length > kShortest))
       fail(key, fmt::format("length {:.3g} m", length), "a length above 1e-6 m");
   }
+  // The outline as a whole: size, no crossing, counter-clockwise.
   constexpr int kPerCurve = 40;
   const std::vector<Vec2> outline = outline_polygon(panel, kPerCurve);
   Vec2 low = outline[0], high = outline[0];

@@ -92,6 +92,7 @@ std::optional<SegmentAxes> BodyAddresses::axes(BodySegment segment, int side) co
   const auto across = [&](const char* medial, const char* lateral) {
     return side > 0 ? std::pair(of(lateral), of(medial)) : std::pair(of(medial), of(lateral));
   };
+  // Chest and abdomen: the axes of the trunk between landmarks of both sides.
   if (!has_side(segment)) {
     const auto trunk = trunk_axes(body_);
     if (!trunk) return std::nullopt;
@@ -105,6 +106,7 @@ std::optional<SegmentAxes> BodyAddresses::axes(BodySegment segment, int side) co
                   {(at("asis_L") + at("asis_R")) / 2, at("psis")},
                   {at("front_waist"), at("xiphoid")}}});
   }
+  // Limbs: long axis towards the trunk, x from the wearer's left to the right.
   const bool arm = segment == BodySegment::upper_arm || segment == BodySegment::forearm;
   const auto limb = arm ? arm_of(body_, side) : leg_of(body_, side);
   if (!limb) return std::nullopt;
@@ -113,6 +115,7 @@ std::optional<SegmentAxes> BodyAddresses::axes(BodySegment segment, int side) co
   const Vec3 right = (limb->across - limb->across.dot(down) * down).normalized();
   const Mat3 axes = columns(right, right.cross(down), -down);
   const Vec3 far = upper ? limb->joint : body_.joints.at(sided(arm ? "wrist" : "ankle", side));
+  // Each axis runs from 0 to 100 % between two landmarks.
   switch (segment) {
     case BodySegment::upper_arm:
       return make(axes, {{across("epicondyle_medial", "epicondyle_lateral"),
@@ -134,6 +137,7 @@ std::optional<SegmentAxes> BodyAddresses::axes(BodySegment segment, int side) co
 }
 
 std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) const {
+  // The segment of the nearest vertex decides; hands count to the forearm, feet to the leg.
   if (skin.triangle < 0) return std::nullopt;
   int nearest = 0;
   skin.barycentric.maxCoeff(&nearest);
@@ -158,6 +162,7 @@ std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) cons
       found.segment = BodySegment::chest;
   }
   if (has_side(found.segment)) found.side = body_.side[vertex] >= 0 ? 1 : -1;
+  // Below the end of the chest's axis the trunk is abdomen, where the body has one.
   auto frame = axes(found.segment, found.side);
   if (found.segment == BodySegment::chest &&
       (!frame || frame->percent(skin.point).z() > 100 + 1e-9))
@@ -204,6 +209,7 @@ ClosestPoint BodyAddresses::nearest(const Vec3& point, const BodyAddress& addres
 }
 
 ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
+  // Segments come in pairs or not; the address has to say the same.
   const std::string words = name(address.segment);
   if (has_side(address.segment) != (address.side != 0))
     throw InvalidInput(InputPlace{"", 0, "side"}, address.side == 0 ? "nothing" : "a side",
@@ -213,12 +219,14 @@ ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
   if (!frame)
     throw InvalidInput(InputPlace{"", 0, "segment"}, words,
                        "a segment whose landmarks and joints this body has");
+  // A point that lies on the segment's skin already is taken as it is.
   const Vec3 point = frame->point(address.percent);
   const ClosestPoint near = nearest(point, address);
   if (near.triangle < 0)
     throw InvalidInput(InputPlace{"", 0, "segment"}, words, "a segment that this body has");
   if (near.distance <= kOnSkin) return near;
 
+  // Otherwise the ray from the segment's middle through the point has to meet its skin.
   const auto refuse = [&](const std::string& expected) {
     BodyAddress valid = address;
     valid.percent = frame->percent(near.point);
@@ -233,6 +241,7 @@ ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
       if (belongs(v, address)) return true;
     return false;
   };
+  // Of several crossings (folds of skin) the one nearest to the point.
   std::optional<RayCrossing> best;
   const double wanted = (point - middle).norm();
   const Vec3 direction = (point - middle) / wanted;

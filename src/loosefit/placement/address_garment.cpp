@@ -131,15 +131,19 @@ bool GarmentOverSkin::at_free_edge(const GarmentPoint& point) const {
 }
 
 GarmentOverSkin::Over GarmentOverSkin::over(const ClosestPoint& skin) const {
+  // The skin's normal says from which side cloth has to lie over it.
   const Triangle& face = body_.surface.triangles[skin.triangle];
   Vec3 normal = Vec3::Zero();
   for (int k = 0; k < 3; ++k) normal += skin.barycentric[k] * body_.normals[face[k]];
+  // Fixed-point iteration: aim at a target, see which skin lies under the cloth found there, and
+  // shift the target by what was missed.
   Over best;
   best.miss = std::numeric_limits<double>::infinity();
   bool facing = true;
   Vec3 target = skin.point;
   for (int round = 0; round < kRounds && best.miss > kCloseEnough; ++round) {
     GarmentPoint point = over_by_vertices(target, skin.point, normal, facing);
+    // No cloth faces that way: take cloth that is turned over, and say so.
     if (point.triangle < 0) {
       facing = false;
       point = over_by_vertices(target, skin.point, normal, facing);
@@ -150,6 +154,8 @@ GarmentOverSkin::Over GarmentOverSkin::over(const ClosestPoint& skin) const {
     best.miss = missed.norm();
     target += missed;
   }
+  // Cloth lies over the place when the miss is small, or a little larger away from free edges where
+  // a ray from the skin meets cloth.
   const double gap = (at(garment_, best.point, positions_) - skin.point).norm();
   const bool over =
       best.miss <= kNearMiss || (best.miss <= kInnerMiss && !at_free_edge(best.point) &&

@@ -140,6 +140,7 @@ Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& posit
   double level = 0;
   for (int k = 0; k < 3; ++k)
     level += inside[k] * normal.dot(positions[garment.triangles[triangle][k]]);
+  // From triangle to triangle over the edges that the plane cuts.
   const auto beyond = triangle_neighbours(garment);
   std::vector<char> seen(garment.triangles.size(), 0);
   std::vector<int> open{triangle};
@@ -164,11 +165,13 @@ Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& posit
       seen[other] = 1;
       open.push_back(other);
     }
+    // Each cut triangle gives one sample, weighted by the flat length of the cut.
     if (count != 2) continue;
     const double length =
         (flat_point(garment, t, ends[1]) - flat_point(garment, t, ends[0])).norm();
     result.samples.push_back({t, (ends[0] + ends[1]) / 2, length});
   }
+  // Ordered by triangle, so that the place where the search began makes no difference.
   std::sort(result.samples.begin(), result.samples.end(),
             [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   if (result.samples.empty()) result.samples.push_back({triangle, barycentric, 1});

@@ -73,9 +73,11 @@ TriangleNeighbours triangle_neighbours(const Garment& garment) {
 
 std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
                                  double reach, const TriangleNeighbours* neighbours) {
+  // The neighbours may be given, since many footprints share one garment.
   TriangleNeighbours own;
   if (!neighbours) own = triangle_neighbours(garment);
   const TriangleNeighbours& beyond = neighbours ? *neighbours : own;
+  // Triangles to visit, nearest first; equal distances by number, so that the order is unique.
   struct Step {
     double distance;
     int triangle;
@@ -93,11 +95,14 @@ std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec
     open.pop();
     if (!done.insert(step.triangle).second) continue;
     const Triangle& ids = garment.triangles[step.triangle];
+    // Nearest triangle next, laid flat by the layout of the path that leads to it.
     FlatTriangle flat{step.triangle, {}};
     for (int k = 0; k < 3; ++k)
       flat.corners[k] = step.layout(garment.triangle_uv[step.triangle][k]);
     found.push_back(flat);
     for (int k = 0; k < 3; ++k) {
+      // Its neighbours: within a panel the layout goes on, across a seam the panel is turned and
+      // shifted so that the shared edges meet.
       const int next = beyond[step.triangle][k];
       if (next < 0 || done.count(next)) continue;
       const int a = ids[k], b = ids[(k + 1) % 3];
@@ -114,6 +119,7 @@ std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec
       if (seam)
         layout = against(flat.corners[k], flat.corners[(k + 1) % 3], flat.corners[(k + 2) % 3],
                          uv[ca], uv[cb], uv[3 - ca - cb]);
+      // Only what comes within reach of the centre is followed.
       std::array<Vec2, 3> corners;
       for (int c = 0; c < 3; ++c) corners[c] = layout(uv[c]);
       const double d = distance(corners, centre);

@@ -37,12 +37,15 @@ std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& 
                                        const Vec3& direction,
                                        const std::function<bool(int)>& accept) {
   std::vector<RayCrossing> found;
+  // Only triangles whose box round the ray covers it are intersected.
   const SeenAlong seen(surface, origin, direction);
   for (int i = 0; i < static_cast<int>(surface.triangles.size()); ++i) {
     const Triangle& t = surface.triangles[i];
     if (!seen.may_cover_ray(t)) continue;
     const Vec3 &a = surface.vertices[t[0]], ab = surface.vertices[t[1]] - a,
                ac = surface.vertices[t[2]] - a;
+    // Barycentric coordinates of the crossing, with slack so that a ray
+    // through an edge is not lost.
     const Vec3 normal = ab.cross(ac);
     const double along = normal.dot(direction);
     if (along == 0) continue;

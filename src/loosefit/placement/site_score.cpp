@@ -13,6 +13,7 @@ SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecar
   if (samples.empty()) throw InvalidInput("a site to be scored has no sample");
   if (scorecard.criteria.empty())
     throw InvalidInput("scorecard " + printable(scorecard.name) + " has no criterion");
+  // Score every sample; the worst bound holds for a site that cannot be rated.
   std::vector<Score> scores;
   SiteScore result;
   result.bound = 1;
@@ -30,6 +31,7 @@ SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecar
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return scores[a].margin < scores[b].margin; });
+  // What the site has over all samples: scores, share that passes, and the robust sample.
   int passing = 0;
   for (const Score& s : scores) {
     result.samples.push_back(*s.q);

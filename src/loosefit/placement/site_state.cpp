@@ -52,6 +52,7 @@ std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) co
     throw InvalidInput("a sensor's patch: found " + std::to_string(patch.sample_directions.size()) +
                        " directions, expected " + std::to_string(patch.footprint.samples.size()) +
                        ", one for each sample");
+  // Cables have a direction per sample, boards one for all.
   const bool each = !patch.sample_directions.empty();
   std::vector<Sample> samples;
   samples.reserve(patch.footprint.samples.size());
@@ -59,17 +60,20 @@ std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) co
     const Footprint::Sample& at = patch.footprint.samples[i];
     const Triangle& corner = garment_.triangles[at.triangle];
     const int panel = garment_.triangle_panel[at.triangle];
+    // Place and weight on the garment; the direction holds in the sensor's own panel only.
     Sample sample;
     sample.triangle = at.triangle;
     sample.weight = at.area;
     sample.own_panel = each || panel == patch.panel;
     sample.direction = each ? patch.sample_directions[i] : patch.direction;
+    // Position and normal of the draped cloth.
     Vec3 normal = Vec3::Zero();
     sample.position = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
       sample.position += at.barycentric[k] * state_.positions[corner[k]];
       normal += at.barycentric[k] * state_.worn.normals[corner[k]];
     }
+    // The skin under it, with the frame that orientations are told in.
     sample.partner = finder_->find_on_surface(sample.position, normal.normalized(),
                                               state_.worn.panel_part[panel]);
     const ClosestPoint& exact = sample.partner.exact;
@@ -135,6 +139,7 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
 
 void StateMeter::add_fields(const SensorPatch& patch, const std::vector<Sample>& samples,
                             SiteState& site) const {
+  // Distance, contact, strain and slack, sample by sample.
   std::vector<double> gaps, touching, strains, slack, pressures, weights;
   for (const Sample& sample : samples) {
     const double gap = gap_of(sample.partner.exact.distance, material_);
@@ -147,6 +152,7 @@ void StateMeter::add_fields(const SensorPatch& patch, const std::vector<Sample>&
                                                       sample.direction)
                                        : kNan);
   }
+  // Means over the footprint, weighted by area or length.
   const MapStatistics gap = statistics(gaps, weights);
   site.gap = gap.area_mean;
   site.gap_worst = gap.p95;
@@ -154,6 +160,7 @@ void StateMeter::add_fields(const SensorPatch& patch, const std::vector<Sample>&
   site.strain = statistics(strains, weights).area_mean;
   site.slack = statistics(slack, weights).area_mean;
 
+  // Pressure is a field of the vertices, where the drape knows it.
   if (!state_.pressure || state_.pressure->empty()) return;
   for (const Footprint::Sample& at : patch.footprint.samples) {
     double pressure = 0;

@@ -10,6 +10,7 @@ ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep
   TriangleMesh& part = result.mesh;
   std::vector<int> kept(mesh.vertices.size(), -1);
   std::map<std::pair<int, int>, int> split;
+  // Vertices of the part: kept ones once each, and one on every edge that is cut.
   const auto add = [&](const Vec3& p, int origin) {
     part.vertices.push_back(p);
     result.origin.push_back(origin);
@@ -28,6 +29,7 @@ ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep
     }
     return place->second;
   };
+  // Walk round each triangle: what is left of it is a polygon of up to four corners.
   for (const Triangle& t : mesh.triangles) {
     std::vector<int> corners, cut;
     for (int k = 0; k < 3; ++k) {
@@ -38,6 +40,7 @@ ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep
         cut.push_back(corners.back());
       }
     }
+    // Cut into a fan; the two new corners are a piece of the rim.
     for (std::size_t k = 2; k < corners.size(); ++k)
       part.triangles.push_back({corners[0], corners[k - 1], corners[k]});
     if (cut.size() == 2) result.rim.push_back({cut[0], cut[1]});

@@ -14,12 +14,14 @@ std::string tick_text(double value) {
 }
 
 void draw_legend(Image& image, const PerformanceMap& map, int height) {
+  // Title with unit above the bar.
   const int top = image.height - height, text_size = height / 5;
   const int left = image.width / 8, right = image.width - left;
   const bool plain = map.unit.empty() || map.unit == "–" || map.unit == "-";
   draw_text(image, map.title + (plain ? "" : " [" + map.unit + "]"), image.width / 2,
             top + height / 16, text_size + 2, 0, {20, 20, 20}, true);
 
+  // The bar, all entries of the colour table from left to right.
   const int bar_top = top + height * 6 / 16, bar_bottom = top + height * 10 / 16;
   fill(image, left - 1, bar_top - 1, right + 1, bar_bottom + 1, {60, 60, 60});
   for (int x = left; x < right; ++x) {
@@ -27,12 +29,14 @@ void draw_legend(Image& image, const PerformanceMap& map, int height) {
     fill(image, x, bar_top, x + 1, bar_bottom, colours_of(map)[entry]);
   }
 
+  // Whether values lie beyond the ends of the bar.
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (double value : map.values)
     if (!std::isnan(value)) {
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
+  // Ticks at the breaks of the map, or at quarters of its range.
   std::vector<double> ticks = map.breaks;
   if (ticks.empty())
     for (int i = 0; i < 5; ++i)

@@ -57,6 +57,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
                                      const PictureOptions& options,
                                      const std::function<void(double)>& after_each) {
   check_sizes(garment, positions, maps);
+  // One scene for all pictures: what changes is view, opacity and colours.
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
   const TriangleMesh form = mannequin(body, garment, positions);
@@ -65,6 +66,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
                layered ? &options.under : nullptr},
               options.width, options.height - foot, options.supersampling,
               options.ambient_occlusion);
+  // Pictures in all, for the progress.
   std::vector<const PerformanceMap*> drawn;
   for (const PerformanceMap& map : maps)
     if (map.pictured) drawn.push_back(&map);
@@ -72,6 +74,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
       options.views.size() * (drawn.size() + (options.undecorated ? (layered ? 2 : 1) : 0)));
 
   std::vector<Picture> pictures;
+  // Writes a picture and tells of it.
   const auto finish = [&](const Image& image, const std::string& map, View view) {
     pictures.push_back({map, view, dir / (map + "-" + name(view) + ".png")});
     write_png(pictures.back().file, image);
@@ -79,7 +82,9 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
   };
   for (View view : options.views) {
     scene.look(view);
+    // Shading is drawn once per view and serves every picture of it.
     const Image light = scene.light();
+    // The plain drape; with other layers also one that is seen through.
     if (options.undecorated)
       finish(scaled_down(lit(scene.colours(nullptr, kCloth), light, kSceneAmbient),
                          options.supersampling),
@@ -92,6 +97,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
              "layers", view);
       scene.set_opacity(1);
     }
+    // The maps, each with its legend below.
     for (const PerformanceMap* map : drawn) {
       Image image = with_foot(
           scaled_down(lit(scene.colours(map), light, kMapAmbient), options.supersampling), foot);

@@ -143,6 +143,7 @@ struct Scene::Window {
 
 Scene::Scene(const SceneContent& content, int width, int height, int supersampling,
              bool ambient_occlusion) {
+  // VTK aborts without a display and cannot draw with another window class.
   check_display();
   window_ = std::make_unique<Window>();
   Window& w = *window_;
@@ -152,6 +153,7 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
   if (!w.window->IsA("vtkOpenGLRenderWindow"))
     throw Error("pictures need VTK's OpenGL window, found " +
                 std::string(w.window->GetClassName()));
+  // Off-screen, on white, lit by our own two lights only.
   w.window->SetOffScreenRendering(1);
   w.window->SetMultiSamples(0);
   w.window->SetSize(w.width, w.height);
@@ -159,6 +161,7 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
   w.renderer->SetAutomaticLightCreation(0);
   w.window->AddRenderer(w.renderer);
 
+  // Surfaces and the lines on them.
   set_surface(w.body.data, content.body.vertices, content.body.triangles);
   if (content.under) set_surface(w.under.data, content.under->vertices, content.under->triangles);
   set_surface(w.garment.data, content.positions, content.triangles);
@@ -180,6 +183,7 @@ Scene::Scene(const SceneContent& content, int width, int height, int supersampli
   w.fill_light->SetPosition(0.6, -0.1, 1.0);
   w.fill_light->SetIntensity(0.42);
 
+  // Extents of body and cloth, for the frame of the pictures.
   for (const Vec3& p : content.body.vertices) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
   for (const Vec3& p : content.positions) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
   w.lower = w.upper = content.positions.empty() ? Vec3::Zero() : content.positions[0];
