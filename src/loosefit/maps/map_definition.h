@@ -54,7 +54,6 @@ using MapReading =
 enum class OverFootprint {
   mean,     ///< area mean
   highest,  ///< the 5 % of the footprint that are highest start here
-  lowest,   ///< the 5 % that are lowest end here
   rigid,    ///< the footprint counts as one rigid piece (MapArray::rigid)
 };
 

@@ -37,6 +37,14 @@ double mean_angle(const Values& v) {
 double least(const Values& v) { return *std::min_element(v.begin(), v.end()); }
 double greatest(const Values& v) { return *std::max_element(v.begin(), v.end()); }
 
+/// Share of values that count as contact.
+double duty(const Values& v) {
+  constexpr double kInContact = 0.9;
+  Values counts;
+  for (double x : v) counts.push_back(x >= kInContact);
+  return mean(counts);
+}
+
 double range(const Values& v) {
   constexpr std::size_t kMany = 20;  // below, a percentile is the extreme itself
   const MapStatistics s = statistics(v, Values(v.size(), 1.0));
@@ -58,49 +66,62 @@ class Summary {
       if (own.size() > 1) postured_.push_back(own);
   }
 
-  void add(const std::string& name, const Values& values, double (*sum_up)(const Values&),
-           double unit) {
-    if (!values.empty()) result[name] = unit * sum_up(values);
+  void add(const CatalogueMetric& source) {
+    const Read of = [&](const SiteState& s) { return s.readings[source.reading]; };
+    switch (source.metric->states) {
+      case OverStates::reference:
+        return set(source, read(references_, of), mean);
+      case OverStates::reference_angle:
+        return set(source, read(references_, of), mean_angle);
+      case OverStates::mean:
+        return set(source, read(states_, of), mean);
+      case OverStates::least:
+        return set(source, read(states_, of), least);
+      case OverStates::greatest:
+        return set(source, read(states_, of), greatest);
+      case OverStates::swing:
+        return set(source, swings(of), mean);
+      case OverStates::least_posture:
+        if (!postured_.empty()) set(source, read(states_, of), least);
+        return;
+      case OverStates::contact_duty:
+        if (!postured_.empty()) set(source, read(states_, of), duty);
+        return;
+      case OverStates::greatest_change:
+        return set(source, read(others_, of), greatest);
+      case OverStates::error_rms:
+        return set(source, calibrated_errors(), [](const Values& v) { return summarise(v).rms; });
+      case OverStates::error_p95:
+        return set(source, calibrated_errors(), [](const Values& v) { return summarise(v).p95; });
+      case OverStates::error_of_donnings:
+        return;  // over pairs of donnings, which one donning by itself has not: see below
+    }
   }
-  void at_rest(const std::string& name, const Read& of, double unit = 1,
-               double (*sum_up)(const Values&) = mean) {
-    add(name, read(references_, of), sum_up, unit);
+
+  std::map<std::string, double> result;
+
+ private:
+  void set(const CatalogueMetric& source, const Values& values, double (*sum_up)(const Values&)) {
+    if (!values.empty()) result[source.metric->name] = source.array->in_unit(sum_up(values));
   }
-  void over_all(const std::string& name, const Read& of, double (*sum_up)(const Values&),
-                double unit = 1) {
-    add(name, read(states_, of), sum_up, unit);
-  }
-  /// Only where a donning has several postures.
-  void over_postures(const std::string& name, const Read& of, double (*sum_up)(const Values&),
-                     double unit = 1) {
-    if (!postured_.empty()) over_all(name, of, sum_up, unit);
-  }
-  void swing(const std::string& name, const Read& of, double unit = 1) {
-    Values swings;
+  /// Of each donning with several postures.
+  Values swings(const Read& of) const {
+    Values ranges;
     for (const auto& own : postured_)
-      if (const Values values = read(own, of); values.size() > 1) swings.push_back(range(values));
-    add(name, swings, mean, unit);
+      if (const Values values = read(own, of); values.size() > 1) ranges.push_back(range(values));
+    return ranges;
   }
-  void add_calibrated_error() {
+  /// Of all states but the references, each against its own reference.
+  Values calibrated_errors() const {
     Values errors;
     for (const SiteState& s : others_)
       for (const SiteState& reference : references_)
         if (reference.donning == s.donning && reference.on_skin.allFinite() &&
             s.on_skin.allFinite())
           errors.push_back(calibrated_error(s.on_skin, reference.on_skin));
-    if (errors.empty()) return;
-    const ErrorSummary summary = summarise(errors);
-    result["coe_rms_deg"] = degrees(summary.rms);
-    result["coe_p95_deg"] = degrees(summary.p95);
-  }
-  void add_slip() {
-    add("slip_mm", read(others_, [](const SiteState& s) { return s.slip.distance; }), greatest,
-        1000);
+    return errors;
   }
 
-  std::map<std::string, double> result;
-
- private:
   const std::vector<SiteState>& states_;
   std::vector<SiteState> references_, others_;
   std::vector<std::vector<SiteState>> postured_;  ///< donnings with several postures
@@ -122,39 +143,8 @@ Values donning_errors(const std::vector<SiteState>& states, int reference, int d
 }
 
 std::map<std::string, double> summarised(const std::vector<SiteState>& states, int reference) {
-  constexpr double kDegree = 180 / kPi;
-  const auto angle = [](double Orientation::*part) {
-    return [part](const SiteState& s) { return s.orientation.*part; };
-  };
-  const auto value = [](double SiteState::*part) {
-    return [part](const SiteState& s) { return s.*part; };
-  };
   Summary of(states, reference);
-  of.at_rest("angular_deviation_deg", angle(&Orientation::angular_deviation), kDegree);
-  of.at_rest("tilt_sagittal_deg", angle(&Orientation::tilt_sagittal), kDegree);
-  of.at_rest("tilt_lateral_deg", angle(&Orientation::tilt_lateral), kDegree);
-  of.at_rest("twist_deg", angle(&Orientation::twist), kDegree, mean_angle);
-  of.at_rest("rotation_deg", angle(&Orientation::rotation), kDegree);
-  of.add_calibrated_error();
-
-  of.over_all("gap_mm", value(&SiteState::gap), mean, 1000);
-  of.over_all("gap_worst_mm", value(&SiteState::gap_worst), greatest, 1000);
-  of.swing("gap_swing_mm", value(&SiteState::gap), 1000);
-  of.over_all("contact_ratio", value(&SiteState::contact_ratio), least);
-  of.over_postures(
-      "contact_duty",
-      [](const SiteState& s) {
-        constexpr double kInContact = 0.9;
-        return std::isnan(s.contact_ratio) ? s.contact_ratio : s.contact_ratio >= kInContact;
-      },
-      mean);
-  of.over_all("pressure_kPa", value(&SiteState::pressure), mean, 1e-3);
-  of.over_postures("pressure_min_kPa", value(&SiteState::pressure), least, 1e-3);
-  of.swing("pressure_swing_kPa", value(&SiteState::pressure), 1e-3);
-  of.at_rest("strain", value(&SiteState::strain));
-  of.swing("strain_swing", value(&SiteState::strain));
-  of.over_all("slack", value(&SiteState::slack), greatest);
-  of.add_slip();
+  for (const CatalogueMetric& source : catalogue_metrics()) of.add(source);
   return of.result;
 }
 

@@ -5,7 +5,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/nearest_rotation.h"
-#include "loosefit/maps/gap.h"
 #include "loosefit/maps/statistics.h"
 #include "loosefit/maps/strain.h"
 
@@ -32,6 +31,7 @@ struct StateMeter::Sample {
   bool own_panel = true;  ///< the patch's direction holds here
   Vec2 direction;         ///< in the sample's panel
   Vec3 position;
+  Vec3 normal;  ///< of the cloth, unit
   BodyPartner partner;
   SurfaceFrame body;  ///< at the partner
 };
@@ -44,6 +44,12 @@ StateMeter::StateMeter(const Garment& garment, const Material& material, const W
       finder_(std::move(finder)),
       axes_(segment_axes(state.body)) {
   require_fit(garment, {state.positions, state.body, state.worn});
+  const MapInput input{garment, state.positions, state.worn, &material_, state.pressure};
+  for (const FootprintReading& reading : footprint_readings()) {
+    const auto* field = std::get_if<ReadField>(&reading.array->read);
+    const bool known = !reading.map->needs_forces || (state.pressure && !state.pressure->empty());
+    if (field && known) fields_[reading.array] = (*field)(input);
+  }
 }
 
 std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) const {
@@ -67,15 +73,16 @@ std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) co
     sample.own_panel = each || panel == patch.panel;
     sample.direction = each ? patch.sample_directions[i] : patch.direction;
     // Position and normal of the draped cloth.
-    Vec3 normal = Vec3::Zero();
+    sample.normal = Vec3::Zero();
     sample.position = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
       sample.position += at.barycentric[k] * state_.positions[corner[k]];
-      normal += at.barycentric[k] * state_.worn.normals[corner[k]];
+      sample.normal += at.barycentric[k] * state_.worn.normals[corner[k]];
     }
+    sample.normal.normalize();
     // The skin under it, with the frame that orientations are told in.
-    sample.partner = finder_->find_on_surface(sample.position, normal.normalized(),
-                                              state_.worn.panel_part[panel]);
+    sample.partner =
+        finder_->find_on_surface(sample.position, sample.normal, state_.worn.panel_part[panel]);
     const ClosestPoint& exact = sample.partner.exact;
     sample.body = surface_frame(sample.partner.normal, at_point(state_.body.surface, axes_,
                                                                 exact.triangle, exact.barycentric));
@@ -137,40 +144,46 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
   return skin;
 }
 
-void StateMeter::add_fields(const SensorPatch& patch, const std::vector<Sample>& samples,
-                            SiteState& site) const {
-  // Distance, contact, strain and slack, sample by sample.
-  std::vector<double> gaps, touching, strains, slack, pressures, weights;
-  for (const Sample& sample : samples) {
-    const double gap = gap_of(sample.partner.exact.distance, material_);
-    const TriangleStrain strain = triangle_strain(garment_, sample.triangle, state_.positions);
-    weights.push_back(sample.weight);
-    gaps.push_back(gap);
-    touching.push_back(touches(gap, material_) ? 1 : 0);
-    slack.push_back(std::isnan(strain.min) ? kNan : strain.min < kSlackStrain ? 1 : 0);
-    strains.push_back(sample.own_panel ? strain_along(garment_, sample.triangle, state_.positions,
-                                                      sample.direction)
-                                       : kNan);
+std::vector<double> StateMeter::sample_values(const MapArray& array, const SensorPatch& patch,
+                                              const std::vector<Sample>& samples) const {
+  std::vector<double> values(samples.size(), kNan);
+  if (const auto* of_gradient = std::get_if<ReadGradient>(&array.read)) {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (samples[i].own_panel || !array.along_sensor)
+        values[i] =
+            (*of_gradient)(garment_gradient(garment_, samples[i].triangle, state_.positions),
+                           samples[i].direction);
+  } else if (const auto* over_skin = std::get_if<ReadOverSkin>(&array.read)) {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      values[i] = (*over_skin)({samples[i].partner, samples[i].normal, &material_});
+  } else if (const auto field = fields_.find(&array); field != fields_.end()) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const Footprint::Sample& at = patch.footprint.samples[i];
+      values[i] = 0;
+      for (int k = 0; k < 3; ++k)
+        values[i] += at.barycentric[k] * field->second[garment_.triangles[at.triangle][k]];
+    }
   }
-  // Means over the footprint, weighted by area or length.
-  const MapStatistics gap = statistics(gaps, weights);
-  site.gap = gap.area_mean;
-  site.gap_worst = gap.p95;
-  site.contact_ratio = statistics(touching, weights).area_mean;
-  site.strain = statistics(strains, weights).area_mean;
-  site.slack = statistics(slack, weights).area_mean;
+  return values;
+}
 
-  // Pressure is a field of the vertices, where the drape knows it.
-  if (!state_.pressure || state_.pressure->empty()) return;
-  for (const Footprint::Sample& at : patch.footprint.samples) {
-    double pressure = 0;
-    for (int k = 0; k < 3; ++k)
-      pressure += at.barycentric[k] * state_.pressure->contact[garment_.triangles[at.triangle][k]];
-    pressures.push_back(pressure);
+void StateMeter::add_readings(const SensorPatch& patch, const std::vector<Sample>& samples,
+                              SiteState& site) const {
+  std::vector<double> weights;
+  for (const Sample& sample : samples) weights.push_back(sample.weight);
+  const MapArray* summed_up = nullptr;  // readings of one array stand next to each other
+  MapStatistics summary;
+  for (const FootprintReading& reading : footprint_readings()) {
+    const MapArray& array = *reading.array;
+    if (reading.over == OverFootprint::rigid) {
+      const auto* of_slip = std::get_if<ReadSlip>(&array.read);
+      site.readings.push_back(of_slip ? (*of_slip)(site.slip) : array.rigid(site.orientation));
+      continue;
+    }
+    if (summed_up != &array) summary = statistics(sample_values(array, patch, samples), weights);
+    summed_up = &array;
+    site.readings.push_back(reading.over == OverFootprint::mean ? summary.area_mean : summary.p95);
   }
-  const MapStatistics pressure = statistics(pressures, weights);
-  site.pressure = pressure.area_mean;
-  site.pressure_low = pressure.p5;
 }
 
 void StateMeter::add_orientation(const std::vector<Sample>& samples, SiteState& site) const {
@@ -223,9 +236,9 @@ SiteState StateMeter::measure(const SensorPatch& patch, const SkinUnderSensor* r
   site.posture = state_.posture;
   site.donning = state_.donning;
   site.garment_frame = cloth_frame(patch, samples);
-  add_fields(patch, samples, site);
   add_orientation(samples, site);
   if (reference) add_change(*reference, samples, site);
+  add_readings(patch, samples, site);
   return site;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "loosefit/maps/orientation.h"
 #include "loosefit/maps/pressure.h"
 #include "loosefit/maps/skin_partner.h"
+#include "loosefit/placement/catalogue_metrics.h"
 #include "loosefit/placement/footprint.h"
 
 namespace loosefit {
@@ -42,15 +44,13 @@ struct SiteState {
   /// docs/theory/sensor_metrics.md 3.2) [rad]. Without a segment axis there only the angular
   /// deviation is known.
   Orientation orientation{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
-  double gap = kUnknown, gap_worst = kUnknown;  ///< inner face to skin: mean, highest 5 % [m]
-  double contact_ratio = kUnknown;              ///< share of the footprint that touches
-  double pressure = kUnknown, pressure_low = kUnknown;  ///< contact force: mean, lowest 5 % [Pa]
-  double strain = kUnknown;                             ///< along the sensor's direction, mean
-  double slack = kUnknown;                              ///< share of the footprint that is slack
   /// Relative rotation R = F_bᵀ F_g with the frame of the skin that lay under the footprint in the
   /// reference state and has moved with the body since.
   Mat3 on_skin = Mat3::Constant(kUnknown);
   Slip slip{kUnknown, kUnknown, kUnknown};  ///< of the footprint's mean against that skin [m]
+  /// What the sensor reads of the arrays of the catalogue, in SI units, in the order of
+  /// footprint_readings() (catalogue_metrics.h).
+  std::vector<double> readings = {};
 };
 
 /// The skin under a sensor in its reference state: the partners of the footprint's samples.
@@ -80,17 +80,21 @@ class StateMeter {
   struct Sample;
   std::vector<Sample> sampled(const SensorPatch& patch) const;
   Mat3 cloth_frame(const SensorPatch& patch, const std::vector<Sample>& samples) const;
-  void add_fields(const SensorPatch& patch, const std::vector<Sample>& samples,
-                  SiteState& site) const;
   void add_orientation(const std::vector<Sample>& samples, SiteState& site) const;
   void add_change(const SkinUnderSensor& reference, const std::vector<Sample>& samples,
                   SiteState& site) const;
+  void add_readings(const SensorPatch& patch, const std::vector<Sample>& samples,
+                    SiteState& site) const;
+  std::vector<double> sample_values(const MapArray& array, const SensorPatch& patch,
+                                    const std::vector<Sample>& samples) const;
 
   const Garment& garment_;
   Material material_;
   WornState state_;
   std::shared_ptr<const PartnerFinder> finder_;
   std::vector<Vec3> axes_;  ///< segment_axes of the body
+  /// Vertex fields [SI] of those arrays that are read of the whole garment, as far as known.
+  std::map<const MapArray*, std::vector<double>> fields_;
 };
 
 }  // namespace loosefit

@@ -1,0 +1,76 @@
+#include "loosefit/placement/catalogue_metrics.h"
+
+#include "loosefit/base/error.h"
+#include "loosefit/maps/catalogue.h"
+
+namespace loosefit {
+namespace {
+
+/// Errors compare the rotations of two states: no state has a value of its own.
+bool compares_states(OverStates states) {
+  return states == OverStates::error_rms || states == OverStates::error_p95 ||
+         states == OverStates::error_of_donnings;
+}
+
+int find(const std::vector<FootprintReading>& readings, const std::string& array,
+         OverFootprint over) {
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i].array->style.array == array && readings[i].over == over)
+      return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace
+
+const std::vector<FootprintReading>& footprint_readings() {
+  static const std::vector<FootprintReading> kReadings = [] {
+    std::vector<FootprintReading> readings;
+    for (const MapDefinition& map : map_catalogue())
+      for (const MapArray& array : map.arrays)
+        for (const SiteMetric& metric : array.metrics)
+          if (!compares_states(metric.states) &&
+              find(readings, array.style.array, metric.footprint) < 0)
+            readings.push_back({&map, &array, metric.footprint});
+    return readings;
+  }();
+  return kReadings;
+}
+
+int footprint_reading(const std::string& array, OverFootprint over) {
+  const int index = find(footprint_readings(), array, over);
+  if (index < 0) throw Error("no metric of a site is made of the array " + array);
+  return index;
+}
+
+const std::vector<CatalogueMetric>& catalogue_metrics() {
+  static const std::vector<CatalogueMetric> kMetrics = [] {
+    std::vector<CatalogueMetric> metrics;
+    for (const MapDefinition& map : map_catalogue())
+      for (const MapArray& array : map.arrays)
+        for (const SiteMetric& metric : array.metrics)
+          metrics.push_back({&metric, &array,
+                             compares_states(metric.states)
+                                 ? -1
+                                 : footprint_reading(array.style.array, metric.footprint)});
+    return metrics;
+  }();
+  return kMetrics;
+}
+
+const char* needs(OverStates states) {
+  switch (states) {
+    case OverStates::swing:
+    case OverStates::least_posture:
+    case OverStates::contact_duty:
+    case OverStates::greatest_change:
+    case OverStates::error_rms:
+    case OverStates::error_p95:
+      return "several postures";
+    case OverStates::error_of_donnings:
+      return "several donnings";
+    default:
+      return "";
+  }
+}
+
+}  // namespace loosefit
