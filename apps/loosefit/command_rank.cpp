@@ -4,23 +4,14 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
-#include <deque>
-#include <filesystem>
 #include <memory>
-#include <set>
 
-#include "case_output.h"
 #include "exit_code.h"
-#include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/run_folder.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/report/rank_runs.h"
 #include "loosefit/report/ranking_output.h"
-#include "loosefit/study/case_stages.h"
-#include "loosefit/study/load_case.h"
-#include "loosefit/study/rank_case.h"
-#include "loosefit/study/run_case.h"
+#include "set_aside_note.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -51,95 +42,27 @@ RankingWish wish_of(const Arguments& arguments) {
   return wish;
 }
 
-/// The drape to be judged: an earlier output, or a scenario that is run now; with its maps.
-CaseResult drape_of(const std::string& input, const Arguments& arguments, Progress& progress) {
-  CaseResult result;
-  if (std::filesystem::is_directory(input)) {
-    result = load_case(input, progress);
-  } else {
-    RunOptions options;
-    options.allow_unsettled = arguments.allow_unsettled;
-    options.only_drape = true;
-    result = run_case(read_scenario(input), progress, options);
-  }
-  progress.stage("maps");
-  try {
-    add_maps(result, arguments.allow_unsettled);
-  } catch (const Error& error) {
-    if (result.drape.certificate.holds()) throw;
-    throw Error(input + ": " + error.what(), error.hint());  // which of several
-  }
-  return result;
-}
-
-/// Last part of a path: "run3" of "out/run3/".
-std::string last_part(const std::string& input) {
-  const std::filesystem::path path = std::filesystem::path(input).lexically_normal();
-  return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
-}
-
-/// Short names of the inputs, or the inputs themselves where two would be called alike.
-/// \throws InvalidInput for the same input twice, which would count as two samples.
-std::vector<std::string> names_of(const std::vector<std::string>& inputs) {
-  std::set<std::filesystem::path> places;
-  std::set<std::string> different;
-  std::vector<std::string> names;
-  for (const std::string& input : inputs) {
-    std::error_code error;
-    if (!places.insert(std::filesystem::weakly_canonical(input, error)).second)
-      throw InvalidInput({"", 0, "DIR"}, printable(input) + " twice", "every run once",
-                         "each run counts as a sample of its own");
-    names.push_back(last_part(input));
-    different.insert(names.back());
-  }
-  return different.size() == inputs.size() ? names : inputs;
-}
-
 int rank(const Arguments& arguments) {
-  RankingWish wish = wish_of(arguments);
-  const std::vector<std::string> names = names_of(arguments.inputs);
+  RankRuns asked;
+  asked.inputs = arguments.inputs;
+  asked.wish = wish_of(arguments);
+  asked.with_sites = arguments.sites || arguments.best == 0;
+  asked.allow_unsettled = arguments.allow_unsettled;
+  asked.output = arguments.output;
   TerminalProgress shown(arguments.quiet);
-  InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
-  const std::string& input = arguments.inputs.front();
-  const bool beside = arguments.inputs.size() == 1 && std::filesystem::is_directory(input) &&
-                      arguments.output.empty();
-  std::optional<RunFolder> folder;
-  if (beside) folder.emplace(RunFolder::update(input, "ranking"));
-  if (!arguments.output.empty()) folder.emplace(RunFolder::add(arguments.output, "ranking"));
-  if (folder) folder->announce(ranking_files(wish.scorecard.name));
-
-  std::deque<CaseResult> results;
-  std::vector<RankedRun> runs;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    results.push_back(drape_of(arguments.inputs[i], arguments, shown));
-    runs.push_back({names[i], &results.back()});
-  }
-  StageClock clock(shown);
-  clock.stage("placement");
-  wish.progress = [&clock](double share) {
-    clock.check_cancelled();
-    clock.update(share, "search");
-  };
-  const RankingTable table = rank_cases(runs, wish, arguments.sites || wish.best == 0);
-  clock.stop();
-  shown.clear();
-  if (!arguments.quiet) fmt::print("{}", ranking_text(table));
-  const Pattern& pattern = results.front().pattern.pattern;
-  if (folder) {
-    write_ranking(folder->path(), table, pattern);
-    folder->commit();
-    tell_what_was_set_aside(input, folder->aside());
-  }
-  if (!arguments.quiet) {
-    if (folder)
-      fmt::print("written: {}\n", terminal_line(beside ? input : arguments.output));
-    else
-      fmt::print("no files written: give a folder with -o\n");
-  }
-  const bool settled = std::all_of(results.begin(), results.end(), [](const CaseResult& result) {
-    return result.drape.certificate.holds();
+  InterruptGuard guard(shown);
+  const RankedRuns ranked = rank_runs(asked, shown, [&](const RankingTable& table) {
+    shown.clear();
+    if (!arguments.quiet) fmt::print("{}", ranking_text(table));
   });
-  return settled ? kGood : kNotSettled;
+  note_what_was_set_aside(ranked.folder, ranked.set_aside);
+  if (!arguments.quiet) {
+    if (ranked.folder.empty())
+      fmt::print("no files written: give a folder with -o\n");
+    else
+      fmt::print("written: {}\n", terminal_line(ranked.folder));
+  }
+  return ranked.all_hold ? kGood : kNotSettled;
 }
 
 }  // namespace

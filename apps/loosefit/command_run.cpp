@@ -6,15 +6,12 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
-#include "case_output.h"
 #include "exit_code.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/run_folder.h"
-#include "loosefit/io/run_log.h"
-#include "loosefit/render/display.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/report/ranking_output.h"
-#include "loosefit/study/run_case.h"
-#include "planned_files.h"
+#include "loosefit/report/result_text.h"
+#include "loosefit/report/run_into_folder.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -28,35 +25,16 @@ struct Arguments {
 
 int run(const Arguments& arguments) {
   const Scenario scenario = read_scenario(arguments.scenario);
-  const bool pictures = arguments.pictures && !arguments.options.only_drape;
-  if (pictures) check_display();  // say so now, not after the simulation
   TerminalProgress shown(arguments.quiet);
-  InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
-  RunFolder folder = RunFolder::create(arguments.output);
-  folder.announce(planned_files(scenario, {.log = true,
-                                           .sites = !arguments.options.only_drape,
-                                           .pictures = pictures,
-                                           .report = !arguments.options.only_drape}));
-  RunLog log(folder.path() / "log.jsonl", shown);
-  CaseResult result = run_case(scenario, log, arguments.options);
-  const std::optional<RankingTable> ranking = rank_as_asked(folder.path(), result, log);
-  write_output(folder.path(), result,
-               {.pictures = pictures,
-                .report = !arguments.options.only_drape,
-                .ranking = ranking ? &*ranking : nullptr},
-               log);
-  for (const std::string& warning : result.warnings) log.warning(warning);
-  const Certificate& certificate = result.drape.certificate;
-  log.end(certificate.holds()     ? "settled"
-          : certificate.settled() ? "not worn: " + join(certificate.worn_reasons, "; ")
-                                  : "not settled");
-  folder.commit();
+  InterruptGuard guard(shown);
+  const FolderOutput made =
+      run_into_folder(scenario, arguments.output, arguments.options, arguments.pictures, shown);
   shown.clear();
   if (!arguments.quiet) {
-    print_result(result, arguments.output);
-    if (ranking) fmt::print("\n{}", ranking_text(*ranking));
+    fmt::print("{}written: {}\n", result_text(made.result), terminal_line(arguments.output));
+    if (made.ranking) fmt::print("\n{}", ranking_text(*made.ranking));
   }
-  return certificate.holds() ? kGood : kNotSettled;
+  return made.result.certificate().holds() ? kGood : kNotSettled;
 }
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,

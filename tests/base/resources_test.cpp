@@ -19,5 +19,16 @@ TEST(UsableMemory, IsMoreThanThisProcessHasTaken) {
   EXPECT_GT(usable_memory_mb(), peak_memory_mb());
 }
 
+TEST(ThreadLimit, HoldsWhileItLives) {
+  const int before = usable_threads();
+  {
+    const ThreadLimit one(1);
+    EXPECT_EQ(usable_threads(), 1);
+  }
+  EXPECT_EQ(usable_threads(), before);
+  const ThreadLimit none(0);
+  EXPECT_EQ(usable_threads(), before);
+}
+
 }  // namespace
 }  // namespace loosefit

@@ -47,6 +47,18 @@ TEST(Hierarchy, CoarsestEdgeIsBetweenEighteenAndThirtySixMillimetres) {
   EXPECT_EQ(hierarchy_refinements(.050), 0);
 }
 
+TEST(Hierarchy, TheCoarsestLevelAloneIsThatOfTheWhole) {
+  const Pattern shirt = draft_shirt({});
+  const GarmentHierarchy whole = build_hierarchy(shirt, .010, {});
+  const GarmentHierarchy alone = build_coarsest_level(shirt, .010, {});
+  ASSERT_EQ(whole.levels.size(), 2u);
+  ASSERT_EQ(alone.levels.size(), 1u);
+  ASSERT_EQ(alone.parents.size(), 1u);
+  EXPECT_EQ(alone.parents[0], whole.parents[0]);
+  EXPECT_EQ(alone.finest().triangles, whole.levels[0].triangles);
+  EXPECT_EQ(alone.finest().vertex_mass, whole.levels[0].vertex_mass);
+}
+
 TEST(Hierarchy, LevelsOfTheShirtAreNestedAndSewn) {
   const Pattern shirt = draft_shirt({});
   const Material cloth;

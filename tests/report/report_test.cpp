@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 #include "loosefit/report/write_report.h"
@@ -25,23 +26,26 @@ class Report : public ::testing::Test {
     result_.body.body.measured = {{"chest", 0.754}, {"waist", 0.70}};
     result_.body.asked = {{"chest", 0.75, 0.754}};
     const Garment tube = testing::tube_garment(2 * kPi * 0.13, 0.4, 100, 40);
-    result_.garment.levels = {tube};
-    result_.drape = testing::settled_drape(tube, [](const Vec2& uv) {
+    result_.studied().hierarchy.levels = {tube};
+    result_.studied().drape = testing::settled_drape(tube, [](const Vec2& uv) {
       const double a = uv.x() / 0.13;
       return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.35 + uv.y());
     });
-    result_.drape.report.history = {{0.1, 0, 1, 2.0}, {0.5, 0, 9, 0.03}, {1.5, 1, 30, 1e-4}};
-    result_.pattern.fit = {{"chest", 0.0833}};
-    result_.pattern.girths = {{"chest", 0.8168}};
+    result_.studied().drape.report.history = {
+        {0.1, 0, 1, 2.0}, {0.5, 0, 9, 0.03}, {1.5, 1, 30, 1e-4}};
+    result_.studied().pattern.fit = {{"chest", 0.0833}};
+    result_.studied().pattern.girths = {{"chest", 0.8168}};
     result_.seconds = {{"body", 0.25}, {"settle", 1.5}};
-    result_.maps.worn = relate(tube, result_.drape.positions, result_.body.body);
-    for (PerformanceMap& map : compute_maps(tube, result_.drape, result_.maps.worn)) {
+    result_.studied().maps.worn =
+        relate(tube, result_.studied().drape.positions, result_.body.body);
+    for (PerformanceMap& map :
+         compute_maps(tube, result_.studied().drape, result_.studied().maps.worn)) {
       CaseMap entry;
-      entry.overall = statistics(map.values, result_.maps.worn.areas);
-      entry.regional =
-          regional_statistics(map.values, result_.maps.worn.areas, result_.maps.worn.regions);
+      entry.overall = statistics(map.values, result_.studied().maps.worn.areas);
+      entry.regional = regional_statistics(map.values, result_.studied().maps.worn.areas,
+                                           result_.studied().maps.worn.regions);
       entry.map = std::move(map);
-      result_.maps.maps.push_back(std::move(entry));
+      result_.studied().maps.maps.push_back(std::move(entry));
     }
     Site site;
     site.name = "<left> scapula";
@@ -88,13 +92,14 @@ TEST_F(Report, ShowsTheNumbersOfTheResult) {
 
 TEST_F(Report, ShowsThePressureByBothEstimates) {
   EXPECT_EQ(report_html(result_, {}).find("two estimates"), std::string::npos);  // none is known
-  PressureField& field = result_.maps.pressure.field;
+  PressureField& field = result_.studied().maps.pressure.field;
   field.contact = {500, 0};
   field.membrane = {450, 0};
   field.area = {0.01, 0.01};
   field.touching = {1, 0};
-  result_.maps.pressure.overall = compare_pressures(field, {});
-  result_.maps.pressure.regional[Region::upper_back] = result_.maps.pressure.overall;
+  result_.studied().maps.pressure.overall = compare_pressures(field, {});
+  result_.studied().maps.pressure.regional[Region::upper_back] =
+      result_.studied().maps.pressure.overall;
   const std::string html = report_html(result_, {});
   EXPECT_NE(html.find("two estimates"), std::string::npos);
   // 1 dm² touches; 0.5 and 0.45 kPa; 5 and 4.5 N; they differ by 0.05 kPa; no correlation of one.
@@ -107,8 +112,8 @@ TEST_F(Report, ShowsThePressureByBothEstimates) {
 
 TEST_F(Report, ShowsWhereTheFoldsRun) {
   EXPECT_EQ(report_html(result_, {}).find("Wrinkles"), std::string::npos);
-  result_.maps.wrinkles[Region::mid_back] = {radians(-3), 0.9, radians(12)};
-  result_.maps.wrinkles[Region::lower_back] = {radians(40), 0.05, radians(8)};
+  result_.studied().maps.wrinkles[Region::mid_back] = {radians(-3), 0.9, radians(12)};
+  result_.studied().maps.wrinkles[Region::lower_back] = {radians(40), 0.05, radians(8)};
   const std::string html = report_html(result_, {});
   EXPECT_NE(html.find("mid back</th><td>12.0</td><td>\u22123</td><td>0.90</td>"),
             std::string::npos);
@@ -118,17 +123,17 @@ TEST_F(Report, ShowsWhereTheFoldsRun) {
 
 TEST_F(Report, ShowsTheSpreadOverRepeats) {
   EXPECT_EQ(repeat_section(result_), "");
-  result_.repeats["maps.distance_mm.area_mean"] = {9.81, 0.44, 3};
-  result_.repeats["maps.strain_vertical.area_mean"] = {0.0123, 0.0021, 3};
-  result_.repeats["sites.<left> scapula.distance_mm"] = {10.31, 0.62, 3};
+  result_.repeats.spread["maps.distance_mm.area_mean"] = {9.81, 0.44, 3};
+  result_.repeats.spread["maps.strain_vertical.area_mean"] = {0.0123, 0.0021, 3};
+  result_.repeats.spread["sites.<left> scapula.distance_mm"] = {10.31, 0.62, 3};
   const std::string html = report_html(result_, {}, nullptr);
   for (const char* text : {"9.8 ± 0.4", "1.23 ± 0.21", "10.3 ± 0.6", "of 3 drapes"})
     EXPECT_NE(html.find(text), std::string::npos) << text;
 }
 
 TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
-  result_.drape.certificate.residual = 0.2;
-  result_.maps = {};
+  result_.studied().drape.certificate.residual = 0.2;
+  result_.studied().maps = {};
   result_.sites.clear();
   ASSERT_TRUE(result_.sealed());
   const std::string html = report_html(result_, {});
@@ -139,14 +144,14 @@ TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
 
 TEST_F(Report, UnsettledDrapeSaysWhy) {
   EXPECT_EQ(report_html(result_, {}).find("Why it did not settle"), std::string::npos);
-  result_.drape.certificate.residual = 0.2;
+  result_.studied().drape.certificate.residual = 0.2;
   Unsettled u;
   u.why = "6 triangles cut the body: front the torso (6)";
   u.hint = "more <room>";
   u.worst.push_back({.vertex = 4711, .panel = "sleeve", .near = "left forearm", .net = 0.25});
   u.worst[0].force[3] = 1.75;
   u.cuts.push_back({.triangle = 815, .panel = "front", .with = "torso", .body = true});
-  result_.drape.unsettled = u;
+  result_.studied().drape.unsettled = u;
   const std::string html = report_html(result_, {});
   for (const char* text :
        {"Why it did not settle", u.why.c_str(), "more &lt;room&gt;", "4711", "left forearm",
@@ -155,7 +160,7 @@ TEST_F(Report, UnsettledDrapeSaysWhy) {
 }
 
 TEST_F(Report, UnsettledMapsCarryAWarning) {
-  result_.drape.certificate.intersections_self = 2;
+  result_.studied().drape.certificate.intersections_self = 2;
   const std::string html = report_html(result_, {});
   EXPECT_NE(html.find("NOT SETTLED"), std::string::npos);
   EXPECT_EQ(html.find("Settled.</strong>"), std::string::npos);

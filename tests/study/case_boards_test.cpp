@@ -2,32 +2,30 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/io/scenario.h"
 #include "loosefit/placement/site_points.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/study/garment_layers.h"
 
 namespace loosefit {
 namespace {
 
-CaseResult made(const std::string& sites) {
-  CaseResult result;
-  // Without time to settle: the place is then that of the garment as it is put on.
-  result.scenario =
-      parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites, "case.toml");
-  result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
-  return result;
+// Without time to settle: the place is then that of the garment as it is put on.
+Scenario scenario_with(const std::string& sites) {
+  return parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites,
+                        "case.toml");
 }
 
 TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
-  CaseResult result = made(
+  Scenario scenario = scenario_with(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"arm\"\nsegment = \"upper_arm\"\nside = \"right\"\n"
       "ratios = [100, 50, 50]\nboard = { mass = 0.01 }\n"
       "[[site]]\nname = \"bare\"\nlandmark = \"sternum\"\n"
       "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
   Progress silent;
-  place_boards(result, silent);
-  const std::vector<SiteSpec>& sites = result.scenario.sites;
+  const CaseBody body = make_body(scenario.body);
+  const std::vector<CasePattern> patterns = make_patterns(scenario, body.body);
+  const std::vector<SiteSpec> sites = place_boards(scenario, body, patterns, silent);
   EXPECT_EQ(sites[0].panel, "back");
   EXPECT_NEAR(sites[0].at.x(), 0, 0.005);
   // T3 is about 13 cm below the high point shoulder of this woman.
@@ -36,29 +34,31 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   EXPECT_TRUE(sites[2].panel.empty()) << "nothing to carry: found on the drape itself";
   EXPECT_EQ(sites[3].at, Vec2(0.1, -0.3));
 
-  const std::vector<Attachment> all = all_attachments(result.scenario);
+  scenario.sites = sites;
+  const std::vector<Attachment> all = all_attachments(scenario);
   ASSERT_EQ(all.size(), 3u);
-  const Garment garment = build_hierarchy(result.pattern.pattern, 0.03, {}, all).finest();
-  const Garment bare = build_hierarchy(result.pattern.pattern, 0.03, {}).finest();
+  const Garment garment = build_hierarchy(patterns[0].pattern, 0.03, {}, all).finest();
+  const Garment bare = build_hierarchy(patterns[0].pattern, 0.03, {}).finest();
   EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
 }
 
 TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
-  CaseResult result = made(
+  CaseResult result;
+  result.scenario = scenario_with(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
+  result.body = make_body(result.scenario.body);
   const Vec3 wanted = SitePoints(result.body.body).at("upper_back");
   Site spine, flat;
   spine.name = "spine";
   spine.body_point = wanted + Vec3(0, 0, 0.010);
   flat.name = "flat";
   result.sites = {spine, flat};
-  warn_of_moved_boards(result);
-  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_TRUE(moved_board_warnings(result).empty());
   result.sites[0].body_point = wanted + Vec3(0, 0, 0.020);
-  warn_of_moved_boards(result);
-  ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_NE(result.warnings[0].find("board of site spine lies 20 mm"), std::string::npos);
+  const std::vector<std::string> warnings = moved_board_warnings(result);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("board of site spine lies 20 mm"), std::string::npos);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/study/case_pattern.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/study/simulation_options.h"
 
 namespace loosefit {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_write.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/study/case_body.h"
 #include "support/measured_woman.h"
 
 namespace loosefit {

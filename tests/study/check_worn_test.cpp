@@ -6,12 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_read.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_files.h"
-#include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
+#include "loosefit/study/map_case.h"
 #include "loosefit/study/run_case.h"
 #include "support/trunk_tubes.h"
 
@@ -56,20 +57,20 @@ class CheckWorn : public ::testing::Test {
 
 TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {
   const CaseResult result = tube(34, 56, 45, 60);
-  const Certificate& c = result.drape.certificate;
+  const Certificate& c = result.certificate();
   ASSERT_TRUE(c.settled()) << c.stop_reason;
   EXPECT_EQ(c.worn_reasons, std::vector<std::string>{});
   EXPECT_FALSE(result.sealed());
-  EXPECT_FALSE(result.maps.maps.empty());
+  EXPECT_FALSE(result.studied().maps.maps.empty());
 }
 
 TEST_F(CheckWorn, ATubeRoundTheThighsIsSealedNamedAndJudgedAgainWhenItIsRead) {
   const CaseResult result = tube(42, 42, 22, 50);
-  const Certificate& c = result.drape.certificate;
+  const Certificate& c = result.certificate();
   ASSERT_TRUE(c.settled()) << c.stop_reason;
   ASSERT_EQ(c.worn_reasons, std::vector<std::string>{"the waistband has slid to the thighs"});
   EXPECT_TRUE(result.sealed());
-  EXPECT_TRUE(result.maps.maps.empty());
+  EXPECT_TRUE(result.studied().maps.maps.empty());
   ASSERT_FALSE(result.warnings.empty());
   EXPECT_NE(result.warnings.back().find("slid to the thighs"), std::string::npos);
   store(result);
@@ -81,20 +82,19 @@ TEST_F(CheckWorn, ATubeRoundTheThighsIsSealedNamedAndJudgedAgainWhenItIsRead) {
   EXPECT_EQ(read_drape_vtp(folder_ / "drape.vtp").drape.certificate.worn_reasons, c.worn_reasons);
 
   // As an earlier version stored it: nothing said of being worn.
-  Drape old = result.drape;
+  Drape old = result.studied().drape;
   old.certificate.worn_reasons.clear();
-  write_drape_vtp(folder_ / "drape.vtp", result.mesh(), old);
+  write_drape_vtp(folder_ / "drape.vtp", result.studied().mesh(), old);
   Progress silent;
   CaseResult again = load_case(folder_, silent);
-  EXPECT_EQ(again.drape.certificate.worn_reasons, c.worn_reasons);
+  EXPECT_EQ(again.certificate().worn_reasons, c.worn_reasons);
   try {
-    add_maps(again, false);
+    map_case(again, false);
     ADD_FAILURE() << "maps of what is not worn";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("slid to the thighs"), std::string::npos);
   }
-  add_maps(again, true);
-  EXPECT_FALSE(again.maps.maps.empty());
+  EXPECT_FALSE(map_case(again, true).garments.back().maps.empty());
 }
 
 TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
@@ -102,9 +102,9 @@ TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
       tube(42, 42, 22, 50, "repeats = 3\n[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n",
            true);
   EXPECT_TRUE(result.wear.states.empty());
-  EXPECT_TRUE(result.repeats.empty());
+  EXPECT_TRUE(result.repeats.spread.empty());
   int named = 0;
-  for (const std::string& text : result.repeat_warnings)
+  for (const std::string& text : result.repeats.warnings)
     named += text.find("is not worn (the waistband has slid to the thighs); left out") !=
              std::string::npos;
   EXPECT_EQ(named, 2);

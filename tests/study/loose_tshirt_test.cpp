@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loosefit/io/scenario.h"
 #include "loosefit/study/run_case.h"
 
 namespace loosefit {
@@ -18,10 +19,10 @@ double above_neck(const std::string& garment) {
   RunOptions options;
   options.only_drape = true;
   const CaseResult result = run_case(scenario, silent, options);
-  EXPECT_TRUE(result.drape.certificate.settled()) << result.drape.certificate.stop_reason;
-  EXPECT_EQ(result.drape.certificate.worn_reasons, std::vector<std::string>{});
+  EXPECT_TRUE(result.certificate().settled()) << result.certificate().stop_reason;
+  EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
   double highest = 0;
-  for (const Vec3& p : result.drape.positions) highest = std::max(highest, p.z());
+  for (const Vec3& p : result.studied().drape.positions) highest = std::max(highest, p.z());
   return highest - result.body.body.landmarks.at("hps_L").z();
 }
 

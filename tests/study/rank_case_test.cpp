@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/study/garment_maps.h"
+#include "loosefit/study/prepare_case.h"
+#include "loosefit/study/simulation_options.h"
 
 namespace loosefit {
 namespace {
@@ -29,19 +32,16 @@ TEST(RankCases, WithoutRunsIsRefused) { EXPECT_THROW(rank_cases({}, {}, true), I
 
 /// A shirt as it is put on, without time to settle, with its maps all the same.
 CaseResult worn_shirt() {
-  CaseResult result;
-  result.scenario = parse_scenario(
+  const Scenario scenario = parse_scenario(
       "[[site]]\nname = \"spine\"\nlandmark = \"mid_back\"\n[output]\npreset_sites = false\n"
       "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n",
       "case.toml");
-  result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
-  result.garment = build_hierarchy(result.pattern.pattern, 0.05,
-                                   result.scenario.studied().material.material, {});
   Progress silent;
-  result.drape = drape_garment(result.garment, result.scenario.studied().material.material,
-                               result.body.path, drape_options(result.scenario.simulation), silent);
-  result.maps = make_maps(result, true);
+  CaseResult result = prepare_case(scenario, silent);
+  CaseGarment& shirt = result.studied();
+  shirt.drape = drape_garment(shirt.hierarchy, scenario.studied().material.material,
+                              result.body.path, drape_options(scenario.simulation), silent);
+  shirt.maps = make_studied_maps(result, true);
   return result;
 }
 
@@ -52,8 +52,8 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   const CaseResult one = worn_shirt();
   CaseResult away = one;
   const std::vector<RankedRun> runs = {{"one", &one}, {"away", &away}};
-  for (Vec3& p : away.drape.positions) p.y() += 0.010;  // the back 10 mm farther off
-  away.maps = make_maps(away, true);
+  for (Vec3& p : away.studied().drape.positions) p.y() += 0.010;  // the back 10 mm farther off
+  away.studied().maps = make_studied_maps(away, true);
   const RankingTable same = rank_cases(runs, wish, true);
   EXPECT_EQ(same.sample_names, (std::vector<std::string>{"one", "away"}));
   EXPECT_EQ(same.notes.at(0),
@@ -64,7 +64,7 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   EXPECT_EQ(same.ranking.sites[0].score.robust_sample, 1);
 
   away.scenario.body.posture.forward_bend = 0.5;
-  away.pattern.pattern.panels[0].vertices[0].x() += 0.01;
+  away.studied().pattern.pattern.panels[0].vertices[0].x() += 0.01;
   const RankingTable cut = rank_cases(runs, wish, true);
   EXPECT_NE(cut.notes.at(0).find("cut differently"), std::string::npos) << cut.notes[0];
   EXPECT_NE(cut.notes.at(1).find("different postures"), std::string::npos) << cut.notes[1];

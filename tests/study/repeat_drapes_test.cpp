@@ -1,12 +1,14 @@
+#include "loosefit/study/repeat_drapes.h"
+
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
 #include <filesystem>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/case_files.h"
-#include "loosefit/study/case_stages.h"
 #include "loosefit/study/load_case.h"
 #include "loosefit/study/run_case.h"
 
@@ -38,12 +40,7 @@ class RepeatDrapes : public ::testing::Test {
   /// As `loosefit map` does.
   CaseResult read_again() const {
     Progress silent;
-    CaseResult again = load_case(folder_, silent);
-    add_maps(again, false);
-    add_sites(again);
-    keep_known_repeats(again);
-    again.warnings = collected_warnings(again);
-    return again;
+    return remap_case(load_case(folder_, silent), false, silent);
   }
   void replace_in(const char* file, const std::string& from, const std::string& to) const {
     std::string text = read_text_file((folder_ / file).string(), 50000000);
@@ -61,19 +58,20 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
   CaseResult beside;
   tbb::task_arena(2).execute([&] { beside = repeated("threads = 2\n"); });
   for (const char* key : {"maps.distance_mm.area_mean", "sites.mid.distance_mm"}) {
-    ASSERT_TRUE(alone.repeats.contains(key)) << key;
-    EXPECT_EQ(alone.repeats.at(key).count, 3);
-    EXPECT_GT(alone.repeats.at(key).deviation, 0) << key;
-    EXPECT_EQ(alone.repeats.at(key).mean, beside.repeats.at(key).mean) << key;
-    EXPECT_EQ(alone.repeats.at(key).deviation, beside.repeats.at(key).deviation) << key;
+    ASSERT_TRUE(alone.repeats.spread.contains(key)) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).count, 3);
+    EXPECT_GT(alone.repeats.spread.at(key).deviation, 0) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).mean, beside.repeats.spread.at(key).mean) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).deviation, beside.repeats.spread.at(key).deviation)
+        << key;
   }
   store(beside);
   const CaseResult again = read_again();
-  ASSERT_EQ(again.repeats.size(), beside.repeats.size());
-  for (const auto& [key, spread] : beside.repeats) {
-    EXPECT_EQ(again.repeats.at(key).count, spread.count) << key;
-    EXPECT_EQ(again.repeats.at(key).mean, spread.mean) << key;
-    EXPECT_EQ(again.repeats.at(key).deviation, spread.deviation) << key;
+  ASSERT_EQ(again.repeats.spread.size(), beside.repeats.spread.size());
+  for (const auto& [key, spread] : beside.repeats.spread) {
+    EXPECT_EQ(again.repeats.spread.at(key).count, spread.count) << key;
+    EXPECT_EQ(again.repeats.spread.at(key).mean, spread.mean) << key;
+    EXPECT_EQ(again.repeats.spread.at(key).deviation, spread.deviation) << key;
   }
   EXPECT_TRUE(again.warnings.empty());
   // Damage is refused before anything is overwritten.
@@ -86,31 +84,30 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
 TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
   const CaseResult result =
       repeated("", "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n");
-  EXPECT_FALSE(result.repeats.contains("maps.slip_mm.area_mean")) << "of one drape alone";
-  ASSERT_TRUE(result.repeats.contains("maps.distance_mm.area_mean"));
-  for (const auto& [key, spread] : result.repeats) EXPECT_EQ(spread.count, 3) << key;
+  EXPECT_FALSE(result.repeats.spread.contains("maps.slip_mm.area_mean")) << "of one drape alone";
+  ASSERT_TRUE(result.repeats.spread.contains("maps.distance_mm.area_mean"));
+  for (const auto& [key, spread] : result.repeats.spread) EXPECT_EQ(spread.count, 3) << key;
 }
 
 TEST_F(RepeatDrapes, SpreadsOfAScenarioThatHasChangedAreLeftOutWithAWarning) {
   store(repeated(""));
   replace_in("scenario.toml", "mid_back", "lower_back");
   const CaseResult again = read_again();
-  EXPECT_TRUE(again.repeats.empty());
+  EXPECT_TRUE(again.repeats.spread.empty());
   EXPECT_EQ(again.warnings.size(), 2u);
 }
 
 TEST_F(RepeatDrapes, DrapesThatDidNotSettleAreNamedAlsoWhenTheRunIsReadAgain) {
   CaseResult result = repeated("");
   result.scenario.simulation.time_budget = 0.1;
-  result.repeats.clear();
   Progress silent;
-  repeat_drapes(result, 2, silent);
-  EXPECT_TRUE(result.repeats.empty()) << "one drape has no spread";
-  ASSERT_EQ(result.repeat_warnings.size(), 2u);
-  EXPECT_NE(result.repeat_warnings[1].find("repeat 3 did not settle"), std::string::npos);
+  result.repeats = repeat_drapes(result, 2, silent);
+  EXPECT_TRUE(result.repeats.spread.empty()) << "one drape has no spread";
+  ASSERT_EQ(result.repeats.warnings.size(), 2u);
+  EXPECT_NE(result.repeats.warnings[1].find("repeat 3 did not settle"), std::string::npos);
   store(result);
   const CaseResult again = read_again();
-  EXPECT_EQ(again.repeat_warnings, result.repeat_warnings);
+  EXPECT_EQ(again.repeats.warnings, result.repeats.warnings);
   EXPECT_EQ(again.warnings.size(), 3u);
 }
 

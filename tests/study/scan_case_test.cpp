@@ -5,6 +5,7 @@
 
 #include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/study/run_case.h"
 
 namespace loosefit {
@@ -30,9 +31,9 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
                      "case.toml");
   Progress silent;
   const CaseResult result = run_case(scenario, silent);
-  EXPECT_TRUE(result.drape.certificate.settled()) << result.drape.certificate.stop_reason;
+  EXPECT_TRUE(result.certificate().settled()) << result.certificate().stop_reason;
   EXPECT_FALSE(result.sites.empty());
-  EXPECT_NEAR(result.pattern.fit.at("chest"), scenario.studied().spec.fit.chest, 1e-3);
+  EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.chest, 1e-3);
   std::filesystem::remove(file);
 }
 

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/io/material_file.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/study/sites_csv.h"
 
 namespace loosefit {
@@ -20,18 +22,18 @@ CaseResult small_result() {
   mesh.triangles = {{0, 1, 2}};
   mesh.area = 0.25;
   mesh.mass = 0.03;
-  result.garment.levels = {mesh};
-  result.drape.certificate = {5e-4, 2e-3, 0, 0, "converged"};
+  result.studied().hierarchy.levels = {mesh};
+  result.studied().drape.certificate = {5e-4, 2e-3, 0, 0, "converged"};
   result.body.body.measured = {{"chest", 0.88}, {"height", 1.68}};
   result.body.asked = {{"chest", 0.90, 0.88}};
-  result.pattern.fit = {{"chest", 0.1}};
+  result.studied().pattern.fit = {{"chest", 0.1}};
   result.seconds = {{"body", 0.5}, {"settle", 2}};
   CaseMap map;
   map.map.array = "distance_mm";
   map.overall = {1, 2, 3, 4, 5, 2.5, 0.25, 7};
   map.regional[Region::mid_back] = {0, 0, 0.5, 0, 0, 0, 0, 0};
   map.overall.max = std::numeric_limits<double>::quiet_NaN();
-  result.maps.maps = {map};
+  result.studied().maps.maps = {map};
   Site site;
   site.name = "a, \"b\"";
   site.panel = "back";
@@ -68,13 +70,13 @@ TEST(Summary, HasTheStableKeys) {
 TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
   CaseResult result = small_result();
   EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("pressure"));
-  PressureField& field = result.maps.pressure.field;
+  PressureField& field = result.studied().maps.pressure.field;
   field.contact = {500, 500, 0};
   field.membrane = {450, 550, 0};
   field.area = {0.01, 0.01, 0.02};
   field.touching = {1, 1, 0};
-  result.maps.pressure.overall = compare_pressures(field, {});
-  result.maps.pressure.regional[Region::chest] = result.maps.pressure.overall;
+  result.studied().maps.pressure.overall = compare_pressures(field, {});
+  result.studied().maps.pressure.regional[Region::chest] = result.studied().maps.pressure.overall;
   const auto json = nlohmann::json::parse(summary_json(result))["pressure"];
   EXPECT_DOUBLE_EQ(json["contact_area_m2"], 0.02);
   EXPECT_DOUBLE_EQ(json["mean_kPa"], 0.5);
@@ -91,16 +93,17 @@ TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
 TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
   CaseResult result = small_result();
   EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("wrinkles"));
-  result.maps.wrinkles[Region::mid_back] = {radians(-30), 0.75, radians(12)};
+  result.studied().maps.wrinkles[Region::mid_back] = {radians(-30), 0.75, radians(12)};
   result.wear.postures = {"reference"};
   result.wear.donnings.resize(2);
   CaseState& again = result.wear.states.emplace_back();
-  again.donning = 1;
+  again.id.donning = 1;
   again.name = "reference";
-  again.drape.certificate = result.drape.certificate;
-  again.maps = result.maps.maps;
-  again.maps[0].overall.area_mean = 4.5;
-  again.wrinkles[Region::lower_back] = {radians(88), 0.5, radians(6)};
+  again.drapes.resize(1);
+  again.drapes[0].certificate = result.certificate();
+  again.maps.maps = result.studied().maps.maps;
+  again.maps.maps[0].overall.area_mean = 4.5;
+  again.maps.wrinkles[Region::lower_back] = {radians(88), 0.5, radians(6)};
   again.sites = result.sites;
   again.sites[0].values["distance_mm"] = {7.5, 9};
   const auto json = nlohmann::json::parse(summary_json(result));
@@ -128,8 +131,8 @@ TEST(Summary, DigestFollowsTheScenarioOnly) {
 
 TEST(Summary, UnsettledWithoutMapsIsSealed) {
   CaseResult result = small_result();
-  result.maps = {};
-  result.drape.certificate.intersections_self = 1;
+  result.studied().maps = {};
+  result.studied().drape.certificate.intersections_self = 1;
   const auto json = nlohmann::json::parse(summary_json(result));
   EXPECT_EQ(json["settled"], false);
   EXPECT_EQ(json["sealed"], true);
@@ -143,7 +146,7 @@ TEST(Summary, SaysWhyItIsUnsettled) {
   u.worst.push_back({.vertex = 7, .panel = "front", .at = {0.1, 0.2}, .near = "torso", .net = 2});
   u.worst[0].force[3] = 3.5;
   u.cuts.push_back({.triangle = 9, .panel = "back", .with = "right upper arm", .body = true});
-  result.drape.unsettled = u;
+  result.studied().drape.unsettled = u;
   const auto json = nlohmann::json::parse(summary_json(result))["settle"]["unsettled"];
   EXPECT_EQ(json["why"], "for a reason");
   EXPECT_EQ(json["worst"][0]["vertex"], 7);
@@ -155,6 +158,18 @@ TEST(Summary, SaysWhyItIsUnsettled) {
   EXPECT_EQ(json["cuts"][0]["triangle"], 9);
   EXPECT_EQ(json["cuts"][0]["cuts"], "body");
   EXPECT_EQ(json["cuts"][0]["with"], "right upper arm");
+}
+
+TEST(SitesCsv, NamesWithControlCharactersAreEscapedAndStayOnTheirLine) {
+  CaseResult result = small_result();
+  result.sites[0].name = "\x1b[2Jred\nline";
+  result.sites[0].panel = "ba\rck, left";
+  const std::string csv = sites_csv(result.sites, {{"gone\x07", false, "the\tgarment ends"}});
+  EXPECT_NE(csv.find("\n\\x1b[2Jred\\nline,chest,\"ba\\rck, left\","), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\ngone\\x07,"), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << "head and one line per site";
+  for (const char control : {'\x1b', '\r', '\x07', '\t'})
+    EXPECT_EQ(csv.find(control), std::string::npos) << int(control);
 }
 
 TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {

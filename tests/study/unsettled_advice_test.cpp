@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/io/scenario.h"
+
 namespace loosefit {
 namespace {
 

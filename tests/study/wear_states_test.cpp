@@ -7,12 +7,17 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/posed_body.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_files.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/study/case_folders.h"
+#include "loosefit/study/case_warnings.h"
 #include "loosefit/study/check_worn.h"
 #include "loosefit/study/load_case.h"
+#include "loosefit/study/map_case.h"
+#include "loosefit/study/prepare_case.h"
 #include "loosefit/study/rank_case.h"
+#include "loosefit/study/simulation_options.h"
 
 namespace loosefit {
 namespace {
@@ -29,41 +34,37 @@ const char* const kText =
 /// A shirt as it is put on, called settled, stuck to the skin in every other posture but for a
 /// shift of 5 mm down the back in the second donning: no time is spent on settling.
 CaseResult make_worn_case() {
-  CaseResult result;
-  result.scenario = parse_scenario(kText, "case.toml");
-  result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
-  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
-                                   result.scenario.studied().material.material, {});
+  const Scenario scenario = parse_scenario(kText, "case.toml");
   Progress silent;
-  result.drape = drape_garment(result.garment, result.scenario.studied().material.material,
-                               result.body.path, drape_options(result.scenario.simulation), silent);
-  result.drape.certificate = Certificate{};
-  result.drape.certificate.residual = 1e-4;
-  result.drape.certificate.intersections_body = result.drape.certificate.intersections_self = 0;
-  result.drape.certificate.stop_reason = "converged";
-  result.wear = plan_wear(result.scenario);
-  pose_wearers(result.body, result.wear, silent);
+  CaseResult result = prepare_case(scenario, silent);
+  CaseGarment& shirt = result.studied();
+  shirt.drape = drape_garment(shirt.hierarchy, scenario.studied().material.material,
+                              result.body.path, drape_options(scenario.simulation), silent);
+  Certificate& certificate = shirt.drape.certificate = Certificate{};
+  certificate.residual = 1e-4;
+  certificate.intersections_body = certificate.intersections_self = 0;
+  certificate.stop_reason = "converged";
+  result.wear = plan_wear(scenario);
+  result.wear.bodies = bodies_of(pose_wearers(result.body, result.wear.postures, silent));
   PosedBody posed;
   posed.body = result.body.body;
   posed.tree = std::make_unique<ClosestPointTree>(posed.body.surface);
-  for (int donning = 0; donning < 2; ++donning)
-    for (int p = donning == 0 ? 1 : 0; p < 2; ++p) {
-      CaseState state;
-      state.posture = p, state.donning = donning;
-      state.name = result.wear.postures[p];
-      state.drape = result.drape;
-      state.seconds = 1.5 + p + 2 * donning;
-      auto& x = state.drape.positions;
-      if (donning == 1)
-        for (Vec3& point : x) point.z() -= 0.005;
-      if (p > 0) {
-        const auto way = way_of(skin_motion(posed, *result.wear.bodies[p], x), x);
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
-      }
-      result.wear.states.push_back(std::move(state));
+  for (const StateId& id : planned_states(result.wear)) {
+    CaseState state;
+    state.id = id;
+    state.name = result.wear.postures[id.posture];
+    state.drapes = {shirt.drape};
+    state.seconds = 1.5 + id.posture + 2 * id.donning;
+    auto& x = state.drapes[0].positions;
+    if (!id.in_first_donning())
+      for (Vec3& point : x) point.z() -= 0.005;
+    if (!id.in_reference_posture()) {
+      const auto way = way_of(skin_motion(posed, result.body_in(id.posture), x), x);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
     }
-  add_maps(result, false);
+    result.wear.states.push_back(std::move(state));
+  }
+  result.take_maps(map_case(result, false));
   return result;
 }
 
@@ -108,20 +109,20 @@ TEST(WearStates, PosingIsShownAndEndsOnTheWayWhenAsked) {
       if (enough && fraction > 0.2) request_cancel();
     }
   } shown;
-  CaseWear wear =
-      plan_wear(parse_scenario("[postures]\nlist = [\"standing\", \"sitting\"]\n", "case.toml"));
-  pose_wearers(worn_case().body, wear, shown);
+  const std::vector<std::string> postures = {"standing", "sitting"};
+  ASSERT_TRUE(pose_wearers(worn_case().body, postures, shown)[1].body);
   EXPECT_GT(shown.fractions.size(), 5u);
-  ASSERT_TRUE(wear.bodies[1]);
   shown.fractions.clear();
   shown.enough = true;
-  EXPECT_THROW(pose_wearers(worn_case().body, wear, shown), Cancelled);
+  EXPECT_THROW(pose_wearers(worn_case().body, postures, shown), Cancelled);
   EXPECT_LT(*shown.fractions.rbegin(), 0.5);
 }
 
 TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {
   const CaseResult& result = worn_case();
   ASSERT_EQ(result.wear.states.size(), 3u);
+  EXPECT_EQ(result.wear.states[0].id, (StateId{1, 0}));
+  EXPECT_EQ(result.wear.states[1].id, (StateId{0, 1}));
   EXPECT_EQ(state_folder(result.wear.states[0]), "postures/forward-bend-15");
   EXPECT_EQ(state_folder(result.wear.states[2]), "donnings/2/forward-bend-15");
   const std::vector<WornState> states = worn_states(result);
@@ -133,7 +134,7 @@ TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {
 TEST(WearStates, MapsOfSlipAndOrientationErrorComeWithSeveralPostures) {
   const CaseResult& result = worn_case();
   std::map<std::string, const CaseMap*> maps;
-  for (const CaseMap& map : result.maps.maps) maps[map.map.array] = &map;
+  for (const CaseMap& map : result.studied().maps.maps) maps[map.map.array] = &map;
   for (const char* array : {"slip_mm", "coe_rms_deg", "coe_p95_deg"})
     ASSERT_TRUE(maps.count(array)) << array;
   EXPECT_GT(maps["slip_mm"]->overall.median, 0.1);
@@ -162,7 +163,7 @@ TEST(WearStates, AStoredRunRanksAlike) {
   CaseResult loaded = load_case(folder, silent);
   ASSERT_EQ(loaded.wear.states.size(), result.wear.states.size());
   EXPECT_EQ(loaded.wear.states[1].seconds, result.wear.states[1].seconds);
-  add_maps(loaded, false);
+  loaded.take_maps(map_case(loaded, false));
   const RankingTable a = ranked(result), b = ranked(loaded);
   for (std::size_t i = 0; i < a.sites.size(); ++i)
     for (std::size_t k = 0; k < a.sites[i].samples.size(); ++k)
@@ -183,16 +184,16 @@ TEST(WearStates, AStoredRunRanksAlike) {
   std::filesystem::remove_all(folder / "postures");
   const CaseResult poorer = load_case(folder, silent);
   EXPECT_FALSE(poorer.wear.states[0].counts());
-  EXPECT_EQ(wear_warnings(poorer).size(), 1u);
+  EXPECT_EQ(state_warnings(poorer).size(), 1u);
   std::filesystem::remove_all(folder);
 }
 
 TEST(WearStates, WhatDidNotSettleIsNamedAndCountsNowhere) {
   CaseResult result = worn_case();
-  result.wear.states[2].drape.certificate.residual = 0.1;
-  result.wear.states[2].drape.certificate.stop_reason = "time budget";
+  result.wear.states[2].drapes[0].certificate.residual = 0.1;
+  result.wear.states[2].drapes[0].certificate.stop_reason = "time budget";
   EXPECT_EQ(worn_states(result).size(), 3u);
-  const std::vector<std::string> warnings = wear_warnings(result);
+  const std::vector<std::string> warnings = state_warnings(result);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("forward-bend-15 of donning 2"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("time budget"), std::string::npos) << warnings[0];
@@ -202,10 +203,11 @@ TEST(WearStates, WhatDidNotSettleIsNamedAndCountsNowhere) {
 TEST(WearStates, AnArmBesideItsSleeveDoesNotCount) {
   CaseResult result = worn_case();
   CaseState& state = result.wear.states[0];
-  check_worn(result, state);
+  const Body& body = result.body_in(state.id.posture);
+  state = check_worn(state, body, result);
   EXPECT_TRUE(state.counts());
-  for (Vec3& p : state.drape.positions) p.z() -= 0.5;
-  check_worn(result, state);
+  for (Vec3& p : state.drapes[0].positions) p.z() -= 0.5;
+  state = check_worn(state, body, result);
   EXPECT_FALSE(state.counts());
   EXPECT_NE(state.left_out.find("the left sleeve is empty"), std::string::npos) << state.left_out;
 }

@@ -1,7 +1,6 @@
 #include "loosefit/base/resources.h"
 
 #include <sys/resource.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,6 +29,10 @@ double usable_memory_mb() {
 int usable_threads() {
   return static_cast<int>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, threads);
 }
 
 }  // namespace loosefit

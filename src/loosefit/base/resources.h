@@ -1,4 +1,7 @@
 #pragma once
+#include <tbb/global_control.h>
+
+#include <optional>
 
 namespace loosefit {
 
@@ -10,5 +13,14 @@ double usable_memory_mb();
 
 /// Threads that may work at the same time here.
 int usable_threads();
+
+/// While it lives, no more than this many threads work in the process; 0: as many as there are.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+
+ private:
+  std::optional<tbb::global_control> limit_;
+};
 
 }  // namespace loosefit

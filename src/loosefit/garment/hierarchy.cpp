@@ -20,12 +20,13 @@ int hierarchy_refinements(double edge_length) {
   return refinements;
 }
 
-GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
-                                 const Material& material,
-                                 const std::vector<Attachment>& attachments) {
+namespace {
+
+/// The first `levels` of the hierarchy, at least one.
+GarmentHierarchy build_levels(const Pattern& pattern, double edge_length, const Material& material,
+                              const std::vector<Attachment>& attachments, int levels) {
   edge_divisions(pattern, edge_length);  // refuses impossible edge lengths before the work starts
-  const int refinements = hierarchy_refinements(edge_length);
-  const double coarsest = edge_length * (1 << refinements);
+  const double coarsest = edge_length * (1 << hierarchy_refinements(edge_length));
   const std::vector<std::vector<int>> divisions = edge_divisions(pattern, coarsest);
 
   // The coarsest level is meshed; every finer one is a subdivision of the one before.
@@ -41,7 +42,7 @@ GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
   for (int level = 0;; ++level) {
     attach(sewn.garment, pattern, attachments);
     hierarchy.levels.push_back(sewn.garment);
-    if (level == refinements) return hierarchy;
+    if (level + 1 == levels) return hierarchy;
 
     // Subdivide the panels and sew them again; old vertices keep their numbers.
     std::vector<std::vector<std::array<int, 2>>> local(pattern.panels.size());
@@ -58,6 +59,21 @@ GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
     hierarchy.parents.push_back(parents);
     sewn = std::move(finer);
   }
+}
+
+}  // namespace
+
+GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
+                                 const Material& material,
+                                 const std::vector<Attachment>& attachments) {
+  return build_levels(pattern, edge_length, material, attachments,
+                      hierarchy_refinements(edge_length) + 1);
+}
+
+GarmentHierarchy build_coarsest_level(const Pattern& pattern, double edge_length,
+                                      const Material& material,
+                                      const std::vector<Attachment>& attachments) {
+  return build_levels(pattern, edge_length, material, attachments, 1);
 }
 
 }  // namespace loosefit

@@ -28,6 +28,10 @@ struct GarmentHierarchy {
 GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
                                  const Material& material,
                                  const std::vector<Attachment>& attachments = {});
+/// Only the coarsest level of build_hierarchy, for a quick first drape. \throws as build_hierarchy.
+GarmentHierarchy build_coarsest_level(const Pattern& pattern, double edge_length,
+                                      const Material& material,
+                                      const std::vector<Attachment>& attachments = {});
 /// The k above.
 int hierarchy_refinements(double edge_length);
 

@@ -4,7 +4,9 @@
 
 namespace loosefit {
 
-/// One field of a CSV line (RFC 4180): quoted where it must be.
+/// One field of a CSV line (RFC 4180): quoted where it must be. Control characters, line ends
+/// included, and bytes that are not UTF-8 are escaped as terminal_line does (`\x1b`), so that every
+/// record is one line and a file can be shown on a terminal.
 std::string csv_field(const std::string& text);
 /// Shortest text that reads back to the same number; empty when it is not finite.
 std::string csv_field(double value);

@@ -5,6 +5,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/material_origin.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
@@ -16,9 +17,9 @@ std::string percent(double share) { return signed_number(100 * share, 3) + " %";
 
 Table fit_table(const CaseResult& result) {
   Table table({"Level", "garment [mm]", "body [mm]", "fit (BGM)"});
-  for (const auto& [level, mobility] : result.pattern.fit) {
-    const auto girth = result.pattern.girths.find(level);
-    const bool known = girth != result.pattern.girths.end();
+  for (const auto& [level, mobility] : result.studied().pattern.fit) {
+    const auto girth = result.studied().pattern.girths.find(level);
+    const bool known = girth != result.studied().pattern.girths.end();
     table.add({level, known ? millimetres(girth->second) : "–",
                known ? millimetres(girth->second / (1 + mobility)) : "–", percent(mobility)});
   }
@@ -43,7 +44,7 @@ Table body_table(const CaseResult& result) {
 }
 
 Table garment_table(const CaseResult& result) {
-  const Garment& garment = result.mesh();
+  const Garment& garment = result.studied().mesh();
   const Material& m = result.scenario.studied().material.material;
   Table table({"Garment and cloth", ""});
   table.add({"vertices, triangles",
@@ -79,8 +80,8 @@ Table time_table(const CaseResult& result) {
 std::string fit_section(const CaseResult& result) {
   std::string fit = element("h2", "Fit");
   if (const Table table = fit_table(result); !table.empty()) fit += table.html();
-  if (!result.maps.maps.empty() && result.maps.chest.flat > 0) {
-    const GarmentGirth& chest = result.maps.chest;
+  if (const GarmentGirth& chest = result.studied().maps.chest;
+      !result.studied().maps.maps.empty() && chest.flat > 0) {
     fit +=
         element("p", "Cut at chest level (" + millimetres(chest.level) +
                          " mm above the floor) the draped garment is " + millimetres(chest.draped) +
@@ -104,7 +105,7 @@ std::string provenance_section(const CaseResult& result) {
                   "columns");
   html +=
       element("h3", "Constants of the cloth") + constants_table(result.scenario.studied().material);
-  for (std::size_t l = 0; l < result.under.size(); ++l)
+  for (std::size_t l = 0; l < result.worn_under().size(); ++l)
     html += element("h3", "Constants of the cloth under it, " + std::to_string(l + 1)) +
             constants_table(result.scenario.garments[l].material);
   html += element("h3", "Scenario, every default written out");

@@ -16,7 +16,7 @@ std::string text(const MapArray& array) {
 
 std::string definition_section(const CaseResult& result) {
   std::string list;
-  for (const CaseMap& entry : result.maps.maps)
+  for (const CaseMap& entry : result.studied().maps.maps)
     if (const MapArray* array = find_map_array(entry.map.array))
       list += element("dt", escaped(array->style.title)) + element("dd", text(*array));
   if (list.empty()) return {};

@@ -41,15 +41,15 @@ std::string count_text(int count) { return count < 0 ? "not tested" : std::to_st
 std::string headline_section(const CaseResult& result) {
   std::string html = element("h1", "Does loose fitting matter here?");
   std::string sentence = "The " + what(result) + " on " + who(result);
-  const auto chest = result.pattern.fit.find("chest");
-  if (chest != result.pattern.fit.end())
+  const auto chest = result.studied().pattern.fit.find("chest");
+  if (chest != result.studied().pattern.fit.end())
     sentence +=
         fmt::format(", {}{:.0f} % at the chest", chest->second < 0 ? "tight by " : "loose by ",
                     std::abs(100 * chest->second));
   sentence += ", in " + result.scenario.studied().material.material.name;
-  for (std::size_t l = result.under.size(); l-- > 0;)
-    sentence += " over the " + result.under[l].pattern.pattern.name + " in " +
-                result.scenario.garments[l].material.material.name;
+  for (std::size_t g = result.worn_under().size(); g-- > 0;)
+    sentence += " over the " + result.garments[g].pattern.pattern.name + " in " +
+                result.scenario.garments[g].material.material.name;
   sentence += ".";
   html += element("p", escaped(sentence), "lead");
   if (!result.warnings.empty()) {
@@ -61,7 +61,8 @@ std::string headline_section(const CaseResult& result) {
 }
 
 std::string certificate_section(const CaseResult& result) {
-  const Certificate& c = result.drape.certificate;
+  const Certificate& c = result.certificate();
+  const SettleReport& settling = result.studied().drape.report;
   const double tolerance = result.scenario.simulation.residual_tolerance;
   std::string text;
   if (c.holds()) {
@@ -91,16 +92,16 @@ std::string certificate_section(const CaseResult& result) {
                       fact("largest on one particle", number(c.residual_max, 3)) +
                       fact("crossings with the body", count_text(c.intersections_body)) +
                       fact("crossings with itself", count_text(c.intersections_self)) +
-                      (result.under.empty() ? ""
+                      (result.worn_under().empty() ? ""
                                             : fact("of these, between garments",
                                                    count_text(c.intersections_layers))) +
                       fact("stopped:", c.stop_reason) +
                       fact("worn:", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
-  if (result.drape.report.total().iterations > 0)
-    facts += fact("iterations", std::to_string(result.drape.report.total().iterations));
+  if (settling.total().iterations > 0)
+    facts += fact("iterations", std::to_string(settling.total().iterations));
   std::string html = element("h2", "Certificate");
   html += element("div", text + element("ul", facts, "facts"), c.holds() ? "box good" : "box bad");
-  return html + residual_chart(result.drape.report.history, tolerance);
+  return html + residual_chart(settling.history, tolerance);
 }
 
 }  // namespace loosefit

@@ -8,38 +8,35 @@
 namespace loosefit {
 namespace {
 
-std::vector<std::string> row(const std::string& place, const CasePattern& pattern,
-                             const Garment& garment, const Material& material, const Drape& drape,
-                             const CaseMaps& maps) {
+std::vector<std::string> row(const std::string& place, const CaseGarment& garment,
+                             const Material& material) {
   double force = 0, distance = std::nan("");
-  for (double f : drape.body_normal_force) force += f;
-  for (const CaseMap& map : maps.maps)
+  for (double f : garment.drape.body_normal_force) force += f;
+  for (const CaseMap& map : garment.maps.maps)
     if (map.map.array == "distance_mm") distance = map.overall.median;
-  const auto chest = pattern.fit.find("chest");
+  const auto& fit = garment.pattern.fit;
+  const auto chest = fit.find("chest");
   return {place,
-          pattern.pattern.name,
+          garment.pattern.pattern.name,
           material.name,
-          chest == pattern.fit.end() ? "–" : signed_number(chest->second, 2),
-          number(1000 * garment.mass),
+          chest == fit.end() ? "–" : signed_number(chest->second, 2),
+          number(1000 * garment.mesh().mass),
           fixed(distance, 1),
           fixed(force, 2),
-          fixed(maps.pressure.overall.contact_mean / 1000, 3)};
+          fixed(garment.maps.pressure.overall.contact_mean / 1000, 3)};
 }
 
 }  // namespace
 
 std::string layer_section(const CaseResult& result) {
-  if (result.under.empty()) return {};
+  if (result.worn_under().empty()) return {};
   Table table({"Garment", "pattern", "cloth", "fit at the chest", "mass [g]",
                "median distance from the skin [mm]", "normal force on the skin [N]",
                "mean pressure where it touches the skin [kPa]"});
-  for (std::size_t l = 0; l < result.under.size(); ++l) {
-    const CaseUnder& under = result.under[l];
-    table.add(row(fmt::format("under {}", l + 1), under.pattern, under.mesh(),
-                  result.scenario.garments[l].material.material, under.drape, under.maps));
-  }
-  table.add(row("studied, outermost", result.pattern, result.mesh(),
-                result.scenario.studied().material.material, result.drape, result.maps));
+  for (std::size_t g = 0; g < result.garments.size(); ++g)
+    table.add(row(g < result.worn_under().size() ? fmt::format("under {}", g + 1)
+                                                 : "studied, outermost",
+                  result.garments[g], result.scenario.garments[g].material.material));
   return element("h2", "Worn over each other") + table.html() +
          element("p",
                  "From the skin outwards. All garments settled together, with friction between "

@@ -18,7 +18,7 @@ std::string embedded(const std::filesystem::path& file) {
 }
 
 std::string title_of(const CaseResult& result, const std::string& map) {
-  for (const CaseMap& entry : result.maps.maps)
+  for (const CaseMap& entry : result.studied().maps.maps)
     if (entry.map.map == map) return entry.map.title;
   if (map == "layers") return "What is worn under it";
   return map == "drape" ? "The garment as it hangs" : map;
@@ -52,9 +52,9 @@ std::string picture_section(const CaseResult& result, const std::vector<Picture>
 }
 
 std::string map_section(const CaseResult& result) {
-  if (result.maps.maps.empty()) return {};
+  if (result.studied().maps.maps.empty()) return {};
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
-  for (const CaseMap& entry : result.maps.maps) {
+  for (const CaseMap& entry : result.studied().maps.maps) {
     const MapStatistics& s = entry.overall;
     std::vector<std::string> row = {with_unit(entry.map)};
     for (double value : {s.min, s.p5, s.median, s.p95, s.max, s.area_mean})
@@ -63,7 +63,7 @@ std::string map_section(const CaseResult& result) {
   }
   std::vector<std::string> head = {"Region"};
   std::vector<const CaseMap*> shown;
-  for (const CaseMap& entry : result.maps.maps) {
+  for (const CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry);
     head.push_back(with_unit(entry.map));
@@ -94,10 +94,10 @@ std::string map_section(const CaseResult& result) {
 }
 
 std::string site_section(const CaseResult& result) {
-  if (result.sites.empty() || result.maps.maps.empty()) return {};
+  if (result.sites.empty() || result.studied().maps.maps.empty()) return {};
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
   std::vector<const PerformanceMap*> shown;
-  for (const CaseMap& entry : result.maps.maps) {
+  for (const CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));

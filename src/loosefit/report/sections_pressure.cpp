@@ -23,7 +23,7 @@ std::vector<std::string> row(std::string place, const PressureAgreement& a) {
 }  // namespace
 
 std::string pressure_section(const CaseResult& result) {
-  const CasePressure& pressure = result.maps.pressure;
+  const CasePressure& pressure = result.studied().maps.pressure;
   if (pressure.field.empty()) return {};
   Table table({"Where", "contact [dm²]", "mean, by force [kPa]", "by tension [kPa]",
                "normal force [N]", "by tension [N]", "rms difference [kPa]", "correlation"});

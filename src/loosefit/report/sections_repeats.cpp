@@ -1,7 +1,7 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/sections.h"
-#include "loosefit/study/spread_keys.h"
+#include "loosefit/study/repeat_drapes.h"
 
 namespace loosefit {
 namespace {
@@ -9,34 +9,34 @@ namespace {
 /// "10.3 ± 0.4", or a dash where no drape has a value.
 std::string spread_text(const CaseResult& result, const PerformanceMap& map,
                         const std::string& key) {
-  const auto found = result.repeats.find(key);
-  if (found == result.repeats.end()) return "–";
+  const auto found = result.repeats.spread.find(key);
+  if (found == result.repeats.spread.end()) return "–";
   return value_text(map, found->second.mean) + " ± " + value_text(map, found->second.deviation);
 }
 
 }  // namespace
 
 std::string repeat_section(const CaseResult& result) {
-  if (result.repeats.empty()) return {};
+  if (result.repeats.spread.empty()) return {};
   std::vector<std::string> head = {"where"}, whole = {"whole garment, area mean"};
   std::vector<const PerformanceMap*> shown;
-  for (const CaseMap& entry : result.maps.maps) {
+  for (const CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
-    whole.push_back(spread_text(result, entry.map, map_key(entry.map.array)));
+    whole.push_back(spread_text(result, entry.map, map_spread_key(entry.map.array)));
   }
   Table table(head);
   table.add(whole);
   for (const Site& site : result.sites) {
     std::vector<std::string> row = {spaced(site.name)};
     for (const PerformanceMap* map : shown)
-      row.push_back(spread_text(result, *map, site_key(site.name, map->array)));
+      row.push_back(spread_text(result, *map, site_spread_key(site.name, map->array)));
     table.add(row);
   }
   return element("h2", "Spread over drapes from other starts") + table.html() +
          element("p", "Mean ± sample standard deviation of " +
-                          std::to_string(result.repeats.begin()->second.count) +
+                          std::to_string(result.repeats.spread.begin()->second.count) +
                           " drapes of the same garment on the same body. Folds are not unique: a "
                           "difference smaller than this may be chance.");
 }

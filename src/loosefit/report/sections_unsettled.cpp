@@ -34,8 +34,9 @@ std::string cut_table(const std::vector<CutTriangle>& cuts) {
 }  // namespace
 
 std::string unsettled_section(const CaseResult& result) {
-  if (!result.drape.unsettled) return {};
-  const Unsettled& u = *result.drape.unsettled;
+  const std::optional<Unsettled>& unsettled = result.studied().drape.unsettled;
+  if (!unsettled) return {};
+  const Unsettled& u = *unsettled;
   std::string html = element("h2", "Why it did not settle");
   html += element("p", escaped("In short: " + u.why + "."));
   html += element("p", escaped("What may help: " + u.hint + "."));

@@ -13,9 +13,9 @@ double seconds_of(const CaseResult& result) {
   return sum;
 }
 
-std::vector<std::string> row(const std::string& name, int donning, const Certificate& c,
+std::vector<std::string> row(const std::string& name, const StateId& id, const Certificate& c,
                              double seconds) {
-  return {name, std::to_string(donning + 1),
+  return {name, std::to_string(id.donning + 1),
           c.holds()     ? "settled"
           : c.settled() ? "not worn"
                         : "not settled",
@@ -29,14 +29,14 @@ std::string wear_section(const CaseResult& result) {
   if (wear.states.empty()) return {};
   Table table({"posture", "donning", "drape", "residual", "seconds, side by side", "slip median mm",
                "slip 95 % mm", "slip greatest mm"});
-  auto first = row(wear.postures.front(), 0, result.drape.certificate, seconds_of(result));
+  auto first = row(wear.postures.front(), StateId{}, result.certificate(), seconds_of(result));
   first.insert(first.end(), 3, "–");
   table.add(first);
   for (const CaseState& s : wear.states) {
-    auto cells = row(s.name, s.donning, s.drape.certificate, s.seconds);
+    auto cells = row(s.name, s.id, s.certificate(), s.seconds);
     if (!s.left_out.empty()) cells[2] = s.left_out;
-    const bool known = s.counts() && s.posture > 0 && !s.maps.empty();
-    const MapStatistics slip = known ? s.maps.front().overall : MapStatistics{};
+    const bool known = s.counts() && !s.id.in_reference_posture() && !s.maps.maps.empty();
+    const MapStatistics slip = known ? s.maps.maps.front().overall : MapStatistics{};
     for (double value : {slip.median, slip.p95, slip.max})
       cells.push_back(known ? fixed(value, 1) : "–");
     table.add(cells);

@@ -18,9 +18,9 @@ std::string row_name(Region region) {
 }  // namespace
 
 std::string wrinkle_section(const CaseResult& result) {
-  if (result.maps.wrinkles.empty()) return {};
+  if (result.studied().maps.wrinkles.empty()) return {};
   Table table({"Region", "slope [deg]", "direction [deg]", "coherence"});
-  for (const auto& [region, w] : result.maps.wrinkles)
+  for (const auto& [region, w] : result.studied().maps.wrinkles)
     table.add({row_name(region), fixed(degrees(w.slope), 1),
                w.coherence < kPlainCoherence ? "–" : fixed(degrees(w.angle), 0),
                fixed(w.coherence, 2)});

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "loosefit/base/progress.h"
@@ -10,15 +11,16 @@ namespace loosefit {
 /// \throws InvalidInput as site_boards.
 std::vector<Attachment> all_attachments(const Scenario& scenario);
 
-/// Gives every site with a board a place in the pattern, which must be known before the garment
-/// with its boards can be made. Where the scenario names a landmark or an anatomical address, the
-/// bare garment (its own attachments only) is draped on its coarsest mesh to a residual of 1 %, and
-/// the place found on that becomes `panel` and `at` of the site in result.scenario. Needs body and
-/// pattern. \throws InvalidInput as find_sites.
-void place_boards(CaseResult& result, Progress& progress);
+/// The sites of the scenario, each one with a board with its place in the pattern, which must be
+/// known before the garment with its boards can be meshed. Where the scenario names a landmark or
+/// an anatomical address, the bare garment (its own attachments only) is draped on its coarsest
+/// mesh to a residual of 1 %, and the place found on that becomes `panel` and `at` of the site.
+/// \throws InvalidInput as find_sites.
+std::vector<SiteSpec> place_boards(const Scenario& scenario, const CaseBody& body,
+                                   const std::vector<CasePattern>& patterns, Progress& progress);
 
-/// Adds a warning for every board that place_boards sewed on and whose skin partner in the final
-/// drape is more than 15 mm from where it was wanted.
-void warn_of_moved_boards(CaseResult& result);
+/// One line for every board that place_boards sewed on and whose skin partner in the final drape is
+/// more than 15 mm from the skin that the scenario names.
+std::vector<std::string> moved_board_warnings(const CaseResult& result);
 
 }  // namespace loosefit

@@ -6,7 +6,7 @@
 #include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/drape/drape_session.h"
-#include "loosefit/io/scenario.h"
+#include "loosefit/scenario/scenario.h"
 
 namespace loosefit {
 

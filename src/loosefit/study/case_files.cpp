@@ -1,59 +1,58 @@
 #include "loosefit/study/case_files.h"
 
 #include "loosefit/io/garmentcode_write.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_write.h"
-#include "loosefit/study/case_layers.h"
+#include "loosefit/study/case_folders.h"
+#include "loosefit/study/garment_maps.h"
 #include "loosefit/study/sites_csv.h"
 #include "loosefit/study/summary.h"
-#include "loosefit/study/wear_states.h"
 
 namespace loosefit {
 
 namespace {
 
-std::vector<PerformanceMap> plain(const std::vector<CaseMap>& entries) {
-  std::vector<PerformanceMap> maps;
-  for (const CaseMap& entry : entries) maps.push_back(entry.map);
-  return maps;
-}
-
-/// Drapes of the garments under the studied one; with their patterns in the folder of the run.
-void write_under(const std::filesystem::path& folder, const CaseResult& result,
-                 const CaseState* state) {
-  for (int l = 0; l < static_cast<int>(result.under.size()); ++l) {
-    const CaseUnder& under = result.under[l];
-    const std::filesystem::path place = folder / under_folder(l);
-    std::filesystem::create_directories(place);
+/// Drapes of the garments under the studied one; with maps and patterns in the folder of the run.
+void write_worn_under(const std::filesystem::path& folder, const CaseResult& result,
+                      const CaseState* state) {
+  for (int g = 0; g < static_cast<int>(result.worn_under().size()); ++g) {
+    const CaseGarment& garment = result.garments[g];
+    const std::filesystem::path own = folder / under_folder(g);
+    std::filesystem::create_directories(own);
     if (state) {
-      write_drape_vtp(place / "drape.vtp", under.mesh(), state->under[l]);
+      write_drape_vtp(own / "drape.vtp", garment.mesh(), state->drapes[g]);
     } else {
-      write_drape_vtp(place / "drape.vtp", under.mesh(), under.drape, plain(under.maps.maps));
-      write_garmentcode(place / "pattern.json", under.pattern.pattern);
+      write_drape_vtp(own / "drape.vtp", garment.mesh(), garment.drape,
+                      plain_maps(garment.maps.maps));
+      write_garmentcode(own / "pattern.json", garment.pattern.pattern);
     }
   }
 }
 
 void write_states(const std::filesystem::path& folder, const CaseResult& result) {
   for (const CaseState& state : result.wear.states) {
-    if (state.drape.positions.empty()) continue;
-    const std::filesystem::path place = folder / state_folder(state);
-    std::filesystem::create_directories(place);
-    write_drape_vtp(place / "drape.vtp", result.mesh(), state.drape, plain(state.maps));
-    write_under(place, result, &state);
-    if (state.donning == 0) write_body_vtp(place / "body.vtp", *result.wear.bodies[state.posture]);
+    if (!state.draped()) continue;
+    const std::filesystem::path own = folder / state_folder(state);
+    std::filesystem::create_directories(own);
+    write_drape_vtp(own / "drape.vtp", result.studied().mesh(), state.drape(),
+                    plain_maps(state.maps.maps));
+    write_worn_under(own, result, &state);
+    if (state.id.in_first_donning())
+      write_body_vtp(own / "body.vtp", result.body_in(state.id.posture));
   }
 }
 
 }  // namespace
 
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result) {
-  const std::vector<PerformanceMap> maps = plain(result.maps.maps);
-  write_drape_vtp(folder / "drape.vtp", result.mesh(), result.drape, maps);
-  write_under(folder, result, nullptr);
+  const CaseGarment& studied = result.studied();
+  const std::vector<PerformanceMap> maps = plain_maps(studied.maps.maps);
+  write_drape_vtp(folder / "drape.vtp", studied.mesh(), studied.drape, maps);
+  write_worn_under(folder, result, nullptr);
   write_body_vtp(folder / "body.vtp", result.body.body);
   write_states(folder, result);
-  write_garmentcode(folder / "pattern.json", result.pattern.pattern);
+  write_garmentcode(folder / "pattern.json", studied.pattern.pattern);
   write_text_file((folder / "scenario.toml").string(), scenario_toml(result.scenario));
   if (!maps.empty())
     write_text_file((folder / "sites.csv").string(),

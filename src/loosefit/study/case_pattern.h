@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
-#include "loosefit/io/scenario.h"
 #include "loosefit/pattern/pattern.h"
 #include "loosefit/pattern/shirt_adapt.h"
+#include "loosefit/scenario/scenario.h"
 
 namespace loosefit {
 

@@ -8,52 +8,55 @@
 namespace loosefit {
 namespace {
 
-/// Of all garments, the innermost first; `drape_under(l)` is that of a garment under the studied.
-template <class DrapeUnder>
-std::vector<std::string> reasons(const CaseResult& result, const Drape& drape,
-                                 const DrapeUnder& drape_under, const Body& body) {
+/// Of all garments; those of a garment under the studied one with its number and name.
+std::vector<std::string> reasons(const std::vector<Drape>& drapes,
+                                 const std::vector<CaseGarment>& garments, const Body& body) {
   std::vector<std::string> all;
-  for (std::size_t l = 0; l < result.under.size(); ++l) {
-    const CaseUnder& under = result.under[l];
-    for (const std::string& text :
-         why_not_worn(under.mesh(), under.pattern.pattern, drape_under(l).positions, body, l > 0))
-      all.push_back(
-          fmt::format("under {} ({}): {}", l + 1, printable(under.pattern.pattern.name), text));
+  for (std::size_t g = 0; g < garments.size(); ++g) {
+    const Pattern& pattern = garments[g].pattern.pattern;
+    const bool studied = g + 1 == garments.size(), over_others = g > 0;
+    for (const std::string& reason :
+         why_not_worn(garments[g].mesh(), pattern, drapes[g].positions, body, over_others))
+      all.push_back(studied
+                        ? reason
+                        : fmt::format("under {} ({}): {}", g + 1, printable(pattern.name), reason));
   }
-  const auto own = why_not_worn(result.mesh(), result.pattern.pattern, drape.positions, body,
-                                !result.under.empty());
-  all.insert(all.end(), own.begin(), own.end());
   return all;
+}
+
+std::vector<Drape> with_reasons(std::vector<Drape> drapes, const std::vector<std::string>& found) {
+  for (Drape& drape : drapes) drape.certificate.worn_reasons = found;
+  return drapes;
+}
+
+/// Whether unusual openings have the limbs through them that they have in the reference state.
+bool worn_as_in_reference(const CaseState& state, const Body& body, const CaseResult& reference) {
+  for (std::size_t g = 0; g < reference.garments.size(); ++g) {
+    const CaseGarment& garment = reference.garments[g];
+    if (!worn_alike(garment.mesh(), garment.pattern.pattern, state.drapes[g].positions, body,
+                    garment.drape.positions, reference.body.body))
+      return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-void check_worn(CaseResult& result) {
-  std::vector<std::string> found = reasons(
-      result, result.drape, [&](std::size_t l) -> const Drape& { return result.under[l].drape; },
-      result.body.body);
-  for (CaseUnder& under : result.under) under.drape.certificate.worn_reasons = found;
-  result.drape.certificate.worn_reasons = std::move(found);
+std::vector<Drape> check_worn(std::vector<Drape> drapes, const std::vector<CaseGarment>& garments,
+                              const Body& body) {
+  const std::vector<std::string> found = reasons(drapes, garments, body);
+  return with_reasons(std::move(drapes), found);
 }
 
-void check_worn(const CaseResult& result, CaseState& state) {
-  if (!state.drape.certificate.settled()) return;
-  const Body& body = state.posture == 0 ? result.body.body : *result.wear.bodies[state.posture];
-  auto& found = state.drape.certificate.worn_reasons;
-  found = reasons(
-      result, state.drape, [&](std::size_t l) -> const Drape& { return state.under[l]; }, body);
-  const auto as_before = [&](const auto& layer, const Drape& now) {
-    return worn_alike(layer.mesh(), layer.pattern.pattern, now.positions, body,
-                      layer.drape.positions, result.body.body);
-  };
-  bool same = as_before(result, state.drape);
-  for (std::size_t l = 0; l < result.under.size(); ++l)
-    same = same && as_before(result.under[l], state.under[l]);
-  if (!same && found.empty())
+CaseState check_worn(CaseState state, const Body& body, const CaseResult& reference) {
+  if (!state.certificate().settled()) return state;
+  std::vector<std::string> found = reasons(state.drapes, reference.garments, body);
+  if (found.empty() && !worn_as_in_reference(state, body, reference))
     found.push_back(
         "a limb or the trunk has left the opening it went through, or gone through the cloth");
-  for (Drape& under : state.under) under.certificate.worn_reasons = found;
+  state.drapes = with_reasons(std::move(state.drapes), found);
   if (!found.empty()) state.left_out = "not worn: " + join(found, "; ");
+  return state;
 }
 
 }  // namespace loosefit

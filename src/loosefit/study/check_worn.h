@@ -1,15 +1,18 @@
 #pragma once
+#include <vector>
+
 #include "loosefit/study/case_result.h"
 
 namespace loosefit {
 
-/// Asks whether the garments of result.drape are worn (drape/worn.h) and writes what is not into
-/// the certificates of all of them.
-void check_worn(CaseResult& result);
+/// Asks whether the garments with these drapes, one each, are worn by `body` (drape/worn.h): the
+/// drapes with what is not in the certificates of all of them.
+std::vector<Drape> check_worn(std::vector<Drape> drapes, const std::vector<CaseGarment>& garments,
+                              const Body& body);
 
-/// The same of a settled state, which is left out with the reasons when it is not worn; also when a
-/// limb no longer goes through an opening of an unusual cut that it goes through in result.drape
-/// (worn_alike).
-void check_worn(const CaseResult& result, CaseState& state);
+/// The same of a state of `reference`, when it is settled, on the body in its posture. It is left
+/// out with the reasons when it is not worn; also when a limb no longer goes through an opening of
+/// an unusual cut that it goes through in the reference state (worn_alike).
+CaseState check_worn(CaseState state, const Body& body, const CaseResult& reference);
 
 }  // namespace loosefit

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "loosefit/base/progress_part.h"
-#include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/flesh/soft_body.h"
-#include "loosefit/study/case_layers.h"
-#include "loosefit/study/case_stages.h"
 #include "loosefit/study/check_worn.h"
+#include "loosefit/study/drape_side_by_side.h"
+#include "loosefit/study/garment_layers.h"
+#include "loosefit/study/simulation_options.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -19,147 +20,179 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// One state that is to be draped.
+/// What all states are draped from.
+struct Start {
+  const CaseResult& reference;
+  const CaseWear& wear;                     ///< postures, donnings and bodies
+  const std::vector<PosedWearer>& wearers;  ///< per posture
+  int at_once;
+
+  const Body& body_in(int posture) const {
+    return posture == StateId::kReferencePosture ? reference.body.body : *wear.bodies[posture];
+  }
+  CaseState undraped(const StateId& id) const {
+    return {.id = id, .name = wear.postures[id.posture]};
+  }
+  std::string shown_name(const CaseState& state) const {
+    if (wear.donnings.size() < 2) return state.name;
+    return fmt::format("{} ({})", state.name, state.id.donning + 1);
+  }
+};
+
+/// One state that is to be draped, and what its draping leaves for other states.
 struct Task {
   CaseState state;
   std::shared_ptr<DrapeSession> session;        ///< of its donning
-  std::shared_ptr<const SoftBody> person = {};  ///< who has been in its posture, afterwards
+  std::shared_ptr<const SoftBody> person = {};  ///< who has been in its posture
   std::vector<std::string> warnings = {};
 };
 
-CaseState unmade(const CaseResult& result, int posture, int donning) {
-  CaseState state;
-  state.posture = posture, state.donning = donning;
-  state.name = result.wear.postures[posture];
-  return state;
-}
+using DrapeTask = std::function<Task(Task, int sharing, Progress&)>;
 
-std::string name_of(const CaseResult& result, const CaseState& state) {
-  if (result.wear.donnings.size() < 2) return state.name;
-  return fmt::format("{} ({})", state.name, state.donning + 1);
-}
-
-/// Carries out `drape(task, budget, progress)` for all tasks; `budget`: times the time that each
-/// has, for it shares the threads with others.
-template <class Drape>
-void drape_all(const CaseResult& result, std::vector<Task>& tasks, int at_once, Progress& progress,
-               const Drape& drape) {
-  const double budget = std::max(1, std::min(at_once, static_cast<int>(tasks.size())));
-  std::vector<SideJob> jobs;
+/// The tasks with their states draped, timed and judged.
+std::vector<Task> drape_all(const Start& start, std::vector<Task> tasks, Progress& progress,
+                            const DrapeTask& drape) {
+  std::vector<DrapeJob> jobs;
   for (Task& task : tasks)
-    jobs.push_back({name_of(result, task.state), [&](Progress& own) {
-                      const auto start = Clock::now();
-                      drape(task, budget, own);
+    jobs.push_back({start.shown_name(task.state), [&](int sharing, Progress& own) {
+                      const auto began = Clock::now();
+                      task = drape(std::move(task), sharing, own);
                       task.state.seconds =
-                          std::chrono::duration<double>(Clock::now() - start).count();
-                      check_worn(result, task.state);
+                          std::chrono::duration<double>(Clock::now() - began).count();
+                      const Body& body = start.body_in(task.state.id.posture);
+                      task.state = check_worn(std::move(task.state), body, start.reference);
                     }});
-  side_by_side(jobs, at_once, progress);
-}
-
-void follow(const CaseResult& result, Task& task, double budget, Progress& progress) {
-  const int posture = task.state.posture;
-  // Beside what putting on asked, whoever goes there knows that posture alone.
-  auto person = std::make_shared<SoftBody>(*result.body.person);
-  person->learn(*result.wear.wearers[posture]);
-  const BodyPath way = [&, to = named_posture(task.state.name)](double share) {
-    if (share == 1) return *result.wear.bodies[posture];
-    return person->in(blend(result.scenario.body.posture, to, share));
-  };
-  take_drape(task.session->follow(way, progress, budget), result, task.state);
-  task.session.reset();
-  task.person = std::move(person);
-}
-
-void put_on_again(const CaseResult& result, Task& task, double budget, Progress& progress) {
-  const CaseDonning& how = result.wear.donnings[task.state.donning];
-  DrapeOptions options = drape_options(result.scenario.simulation);
-  options.time_budget *= budget;
-  options.start_shift = how.shift;
-  options.start_twist = how.twist;
-  CaseBody body = another_caller(result.body);
-  task.session =
-      std::make_shared<DrapeSession>(cloth_layers(result, how.friction), options, progress);
-  take_drape(put_on(*task.session, body), result, task.state);
-  task.warnings = warnings_since(result.body, body);
-}
-
-/// The other postures of the first donning.
-void drape_postures(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
-                    Progress& progress) {
-  std::vector<Task> tasks;
-  for (int p = 1; p < static_cast<int>(result.wear.postures.size()); ++p)
-    tasks.push_back({unmade(result, p, 0), first});
-  drape_all(result, tasks, at_once, progress,
-            [&](Task& task, double budget, Progress& own) { follow(result, task, budget, own); });
-  for (Task& task : tasks) {
-    // Further donnings go the same way.
-    result.wear.wearers[task.state.posture] = std::move(task.person);
-    result.wear.states.push_back(std::move(task.state));
-  }
-}
-
-/// Puts the garment on for each further donning; the tasks keep their sessions.
-std::vector<Task> put_on_all(CaseResult& result, int at_once, Progress& progress) {
-  std::vector<Task> tasks;
-  for (int k = 1; k < static_cast<int>(result.wear.donnings.size()); ++k)
-    tasks.push_back({unmade(result, 0, k), nullptr});
-  drape_all(result, tasks, at_once, progress, [&](Task& task, double budget, Progress& own) {
-    put_on_again(result, task, budget, own);
-  });
-  auto& told = result.body.warnings;
-  for (const Task& task : tasks)
-    for (const std::string& warning : task.warnings)
-      if (std::find(told.begin(), told.end(), warning) == told.end()) told.push_back(warning);
+  drape_side_by_side(jobs, start.at_once, progress);
   return tasks;
 }
 
-void drape_donnings(CaseResult& result, int at_once, Progress& progress) {
-  const int postures = static_cast<int>(result.wear.postures.size());
-  const double first = 1.0 / postures;
-  ProgressPart putting_on(progress, 0, first), following(progress, first, 1 - first);
-  std::vector<Task> put_on = put_on_all(result, at_once, putting_on), tasks;
-  for (Task& task : put_on) {
-    for (int p = 1; p < postures && task.state.counts(); ++p)
-      tasks.push_back({unmade(result, p, task.state.donning), task.session});
-    task.session.reset();
-  }
-  drape_all(result, tasks, at_once, following, [&](Task& task, double budget, Progress& own) {
-    follow(result, task, budget, own);
-    task.person.reset();
+Task follow(const Start& start, Task task, int sharing, Progress& progress) {
+  const Scenario& scenario = start.reference.scenario;
+  const int posture = task.state.id.posture;
+  // Beside what putting on asked, whoever goes there knows that posture alone.
+  auto person = std::make_shared<SoftBody>(*start.reference.body.person);
+  person->learn(*start.wearers[posture].person);
+  const BodyPath path = [&, to = named_posture(task.state.name)](double share) {
+    if (share == 1) return start.body_in(posture);
+    return person->in(blend(scenario.body.posture, to, share));
+  };
+  task.state.drapes = split_drape(task.session->follow(path, progress, sharing), scenario,
+                                  start.reference.garments);
+  task.session.reset();
+  task.person = std::move(person);
+  return task;
+}
+
+Task put_on_again(const Start& start, Task task, int sharing, Progress& progress) {
+  const CaseResult& reference = start.reference;
+  const CaseDonning& how = start.wear.donnings[task.state.id.donning];
+  DrapeOptions options = drape_options(reference.scenario.simulation);
+  options.time_budget *= sharing;
+  options.start_shift = how.shift;
+  options.start_twist = how.twist;
+  CaseBody body = another_caller(reference.body);
+  task.session = std::make_shared<DrapeSession>(
+      cloth_layers(reference.scenario, reference.garments, how.friction), options, progress);
+  task.state.drapes =
+      split_drape(put_on(*task.session, body), reference.scenario, reference.garments);
+  task.warnings = warnings_since(reference.body, body);
+  return task;
+}
+
+/// The other postures of the first donning.
+std::vector<Task> drape_postures(const Start& start, std::shared_ptr<DrapeSession> first,
+                                 Progress& progress) {
+  std::vector<Task> tasks;
+  for (const StateId& id : planned_states(start.wear))
+    if (id.in_first_donning()) tasks.push_back({start.undraped(id), first});
+  return drape_all(start, std::move(tasks), progress, [&](Task task, int sharing, Progress& own) {
+    return follow(start, std::move(task), sharing, own);
   });
-  auto next = tasks.begin();
-  for (Task& task : put_on) {
-    const int donning = task.state.donning;
-    const bool counts = task.state.counts();
-    result.wear.states.push_back(std::move(task.state));
-    for (int p = 1; p < postures; ++p) {
-      if (counts) {
-        result.wear.states.push_back(std::move((next++)->state));
-        continue;
-      }
-      result.wear.states.push_back(unmade(result, p, donning));
-      result.wear.states.back().left_out = "not tried: failed in the reference posture";
+}
+
+/// The reference posture of all further donnings; the tasks keep their sessions.
+std::vector<Task> put_on_all(const Start& start, Progress& progress) {
+  std::vector<Task> tasks;
+  for (const StateId& id : planned_states(start.wear))
+    if (id.in_reference_posture()) tasks.push_back({start.undraped(id), nullptr});
+  return drape_all(start, std::move(tasks), progress, [&](Task task, int sharing, Progress& own) {
+    return put_on_again(start, std::move(task), sharing, own);
+  });
+}
+
+/// The other postures of those further donnings that count; takes their sessions.
+std::vector<Task> follow_all(const Start& start, std::vector<Task>& put_on, Progress& progress) {
+  std::vector<Task> tasks;
+  for (Task& donning : put_on) {
+    const auto session = std::move(donning.session);
+    if (!donning.state.counts()) continue;
+    for (const StateId& id : planned_states(start.wear))
+      if (id.donning == donning.state.id.donning && !id.in_reference_posture())
+        tasks.push_back({start.undraped(id), session});
+  }
+  return drape_all(start, std::move(tasks), progress, [&](Task task, int sharing, Progress& own) {
+    Task done = follow(start, std::move(task), sharing, own);
+    done.person.reset();  // nobody goes this way again
+    return done;
+  });
+}
+
+/// All further donnings: put on, then led through the postures.
+std::vector<Task> drape_donnings(const Start& start, Progress& progress) {
+  const double share = 1.0 / static_cast<double>(start.wear.postures.size());
+  ProgressPart putting_on(progress, 0, share), following(progress, share, 1 - share);
+  std::vector<Task> all = put_on_all(start, putting_on);
+  std::vector<Task> followed = follow_all(start, all, following);
+  std::move(followed.begin(), followed.end(), std::back_inserter(all));
+  return all;
+}
+
+/// States and warnings of all tasks, in the order of planned_states.
+CaseWear gathered(CaseWear wear, std::vector<Task> tasks) {
+  for (const StateId& id : planned_states(wear)) {
+    const auto task =
+        std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return t.state.id == id; });
+    if (task != tasks.end()) {
+      wear.states.push_back(std::move(task->state));
+    } else {
+      CaseState& state = wear.states.emplace_back();
+      state.id = id, state.name = wear.postures[id.posture];
+      state.left_out = "not tried: failed in the reference posture";
     }
   }
+  for (const Task& task : tasks)
+    for (const std::string& warning : task.warnings)
+      if (std::ranges::find(wear.warnings, warning) == wear.warnings.end())
+        wear.warnings.push_back(warning);
+  return wear;
 }
 
 }  // namespace
 
-void drape_states(CaseResult& result, std::shared_ptr<DrapeSession> first, int at_once,
-                  Progress& progress) {
-  result.wear = plan_wear(result.scenario);
-  if (result.wear.postures.empty() || !result.drape.certificate.holds()) return;
-  if (result.wear.postures.size() > 1) progress.stage("body");
-  pose_wearers(result.body, result.wear, progress);
-  if (result.wear.postures.size() > 1) {
+CaseWear drape_states(const CaseResult& reference, std::shared_ptr<DrapeSession> first, int at_once,
+                      Progress& progress) {
+  CaseWear wear = plan_wear(reference.scenario);
+  if (wear.postures.empty() || !reference.certificate().holds()) return wear;
+  const bool postures = wear.postures.size() > 1, donnings = wear.donnings.size() > 1;
+
+  if (postures) progress.stage("body");
+  std::vector<PosedWearer> wearers = pose_wearers(reference.body, wear.postures, progress);
+  wear.bodies = bodies_of(wearers);
+  const Start start{reference, wear, wearers, at_once};
+
+  std::vector<Task> tasks;
+  if (postures) {
     progress.stage("postures");
-    drape_postures(result, std::move(first), at_once, progress);
+    tasks = drape_postures(start, std::move(first), progress);
+    // Further donnings go the same way.
+    for (Task& task : tasks) wearers[task.state.id.posture].person = std::move(task.person);
   }
-  if (result.wear.donnings.size() > 1) {
+  if (donnings) {
     progress.stage("donnings");
-    drape_donnings(result, at_once, progress);
+    std::vector<Task> further = drape_donnings(start, progress);
+    std::move(further.begin(), further.end(), std::back_inserter(tasks));
   }
+  return gathered(std::move(wear), std::move(tasks));
 }
 
 }  // namespace loosefit

@@ -6,11 +6,16 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/run_folder.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/vtp_read.h"
-#include "loosefit/study/case_boards.h"
-#include "loosefit/study/case_layers.h"
+#include "loosefit/study/case_folders.h"
+#include "loosefit/study/case_sites.h"
+#include "loosefit/study/case_warnings.h"
 #include "loosefit/study/check_worn.h"
+#include "loosefit/study/map_case.h"
+#include "loosefit/study/prepare_case.h"
 #include "loosefit/study/recall_summary.h"
+#include "loosefit/study/repeat_drapes.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -26,6 +31,17 @@ Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
                        "the mesh that scenario.toml of the run makes with this version",
                        kMakeAgain);
   return std::move(file.drape);
+}
+
+/// One per garment, from the folder of a run or a state.
+std::vector<Drape> read_drapes(const std::filesystem::path& folder,
+                               const std::vector<CaseGarment>& garments) {
+  std::vector<Drape> drapes;
+  const int studied = static_cast<int>(garments.size()) - 1;
+  for (int g = 0; g < studied; ++g)
+    drapes.push_back(read_drape(folder / under_folder(g) / "drape.vtp", garments[g].mesh()));
+  drapes.push_back(read_drape(folder / "drape.vtp", garments[studied].mesh()));
+  return drapes;
 }
 
 /// A drape lies on the body that it was made with: its certificate and every distance hold for that
@@ -46,34 +62,32 @@ void check_body(const std::filesystem::path& path, const Body& body) {
                      "the body that scenario.toml of the run makes with this version", kMakeAgain);
 }
 
-/// Postures and donnings; none were made when the first drape is not settled and worn.
-void recall_wear(const std::filesystem::path& folder, CaseResult& result, Progress& progress) {
-  result.wear = plan_wear(result.scenario);
-  if (!result.drape.certificate.holds()) return;
-  pose_wearers(result.body, result.wear, progress);
-  const CaseWear& wear = result.wear;
-  const auto is_there = [](const std::filesystem::path& file) {
-    std::error_code error;
-    return std::filesystem::exists(file, error);
-  };
-  for (int d = 0; d < static_cast<int>(wear.donnings.size()); ++d)
-    for (int p = d == 0 ? 1 : 0; p < static_cast<int>(wear.postures.size()); ++p) {
-      CaseState state;
-      state.posture = p, state.donning = d, state.name = wear.postures[p];
-      const std::filesystem::path file = folder / state_folder(state) / "drape.vtp";
-      if (d == 0 && (is_there(file) || is_there(file.parent_path() / "body.vtp")))
-        check_body(file.parent_path() / "body.vtp", *wear.bodies[p]);
-      if (is_there(file)) {
-        state.drape = read_drape(file, result.mesh());
-        for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
-          state.under.push_back(read_drape(file.parent_path() / under_folder(l) / "drape.vtp",
-                                           result.under[l].mesh()));
-        check_worn(result, state);
-      } else {
-        state.left_out = "the run has no drape of it";
-      }
-      result.wear.states.push_back(std::move(state));
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error);
+}
+
+/// Postures and donnings; none were made when the reference state is not settled and worn.
+CaseWear recall_wear(const std::filesystem::path& folder, const CaseResult& reference,
+                     Progress& progress) {
+  CaseWear wear = plan_wear(reference.scenario);
+  if (!reference.certificate().holds()) return wear;
+  wear.bodies = bodies_of(pose_wearers(reference.body, wear.postures, progress));
+  for (const StateId& id : planned_states(wear)) {
+    CaseState state{.id = id, .name = wear.postures[id.posture]};
+    const std::filesystem::path here = folder / state_folder(state);
+    const Body& body = id.in_reference_posture() ? reference.body.body : *wear.bodies[id.posture];
+    if (id.in_first_donning() && (is_there(here / "drape.vtp") || is_there(here / "body.vtp")))
+      check_body(here / "body.vtp", body);
+    if (is_there(here / "drape.vtp")) {
+      state.drapes = read_drapes(here, reference.garments);
+      state = check_worn(std::move(state), body, reference);
+    } else {
+      state.left_out = "the run has no drape of it";
     }
+    wear.states.push_back(std::move(state));
+  }
+  return wear;
 }
 
 }  // namespace
@@ -81,30 +95,42 @@ void recall_wear(const std::filesystem::path& folder, CaseResult& result, Progre
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
   repair_output(folder);
   StageClock clock(progress);
-  CaseResult result;
-  result.scenario = read_scenario((folder / "scenario.toml").string());
-  clock.stage("body");
-  result.body = make_body(result.scenario.body);
-  check_body(folder / "body.vtp", result.body.body);
-  clock.stage("pattern");
-  result.under = make_under_patterns(result.scenario, result.body.body);
-  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
-  clock.stage("garment");
-  result.garment = build_hierarchy(result.pattern.pattern, result.scenario.simulation.edge_length,
-                                   result.scenario.studied().material.material,
-                                   all_attachments(result.scenario));
-  mesh_under(result, result.scenario.simulation.edge_length);
-  result.drape = read_drape(folder / "drape.vtp", result.mesh());
-  for (int l = 0; l < static_cast<int>(result.under.size()); ++l)
-    result.under[l].drape =
-        read_drape(folder / under_folder(l) / "drape.vtp", result.under[l].mesh());
-  check_worn(result);
-  clock.stage("body");
-  recall_wear(folder, result, clock);
+  const Scenario scenario = read_scenario((folder / "scenario.toml").string());
+  try {
+    site_boards(scenario.sites);  // refuses boards to which the run has given no place
+    CaseResult result = prepare_case(scenario, clock);
+    check_body(folder / "body.vtp", result.body.body);
+    result.take_drapes(
+        check_worn(read_drapes(folder, result.garments), result.garments, result.body.body));
+    clock.stage("body");
+    result.wear = recall_wear(folder, result, clock);
+    clock.stop();
+    result.seconds = clock.entries();
+
+    // What only the drapes of the run could tell.
+    RecalledSummary recalled = recall_summary(folder, result);
+    for (const StageClock::Entry& entry : recalled.seconds) result.seconds.push_back(entry);
+    result.studied().drape.report = std::move(recalled.report);
+    result.repeats = std::move(recalled.repeats);
+    for (std::size_t s = 0; s < result.wear.states.size(); ++s)
+      result.wear.states[s].seconds = recalled.state_seconds[s];
+    return result;
+  } catch (const InvalidInput& error) {
+    throw in_scenario(error, scenario);
+  }
+}
+
+CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progress) {
+  StageClock clock(progress);
+  clock.stage("maps");
+  loaded.take_maps(map_case(loaded, allow_unsettled));
+  clock.stage("placement");
+  loaded.take_sites(make_sites(loaded));
+  loaded.repeats = known_repeats(loaded);
   clock.stop();
-  result.seconds = clock.entries();
-  recall_summary(folder, result);
-  return result;
+  loaded.seconds.insert(loaded.seconds.end(), clock.entries().begin(), clock.entries().end());
+  loaded.warnings = case_warnings(loaded);
+  return loaded;
 }
 
 }  // namespace loosefit

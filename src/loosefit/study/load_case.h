@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "loosefit/study/case_result.h"
 
@@ -13,5 +15,10 @@ namespace loosefit {
 /// damaged, or does not belong to the scenario: another mesh, or skin more than 10 µm from the
 /// body.vtp of the run.
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress);
+
+/// A loaded case with stages "maps" and "placement" made again, by the maps of its scenario, and
+/// the spreads and warnings that go with them. \throws Error for a drape that is not settled and
+/// worn, unless `allow_unsettled`.
+CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progress);
 
 }  // namespace loosefit

@@ -10,7 +10,8 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/study/case_sites.h"
+#include "loosefit/study/case_warnings.h"
 #include "loosefit/study/wear_states.h"
 
 namespace loosefit {
@@ -26,7 +27,8 @@ bool lies_on(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
 }
 
 SiteMeter meter_of(const CaseResult& result) {
-  return SiteMeter(result.mesh(), result.scenario.studied().material.material, worn_states(result));
+  return SiteMeter(result.studied().mesh(), result.scenario.studied().material.material,
+                   worn_states(result));
 }
 
 bool has(const std::vector<Site>& sites, const std::string& name) {
@@ -71,7 +73,7 @@ std::vector<Site> common(const std::vector<Site>& sites, const std::vector<Ranki
 std::vector<std::string> notes_on(const std::vector<RankedRun>& runs, bool same) {
   std::vector<std::string> names, notes;
   for (const RankedRun& run : runs)
-    for (const std::string& text : wear_warnings(*run.result))
+    for (const std::string& text : state_warnings(*run.result))
       notes.push_back(runs.size() == 1 ? text : run.name + ": " + text);
   if (runs.size() == 1) return notes;
   for (const RankedRun& run : runs) names.push_back(run.name);
@@ -115,28 +117,36 @@ RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& w
   if (runs.empty()) throw InvalidInput("a ranking needs at least one run");
   const CaseResult& first = *runs.front().result;
   const bool same = std::all_of(runs.begin(), runs.end(), [&](const RankedRun& run) {
-    return same_pieces(first.pattern.pattern, run.result->pattern.pattern);
+    return same_pieces(first.studied().pattern.pattern, run.result->studied().pattern.pattern);
   });
   if (!same && wish.best > 0)
     throw InvalidInput({"", 0, "best"}, "a search over garments of different cuts",
                        "runs with the same pattern pieces",
                        "give every scenario the pattern.json of one run as [garment] pattern");
+  // What each run tells of a place; and its own sites where garments are cut differently.
   std::deque<SiteMeter> meters;
   std::vector<RankingWearer> wearers;
   std::vector<std::vector<UncoveredSite>> bare;
   for (const RankedRun& run : runs) {
     const CaseResult& result = *run.result;
+    const CaseGarment& garment = result.studied();
     meters.push_back(meter_of(result));
     wearers.push_back({run.name,
-                       {result.mesh(), result.drape.positions, result.body.body, result.maps.worn,
-                        meters.back()}});
+                       {garment.mesh(), garment.drape.positions, result.body.body,
+                        garment.maps.worn, meters.back()}});
     bare.emplace_back();
-    if (with_sites && !same) wearers.back().sites = make_sites(result, &bare.back());
+    if (!with_sites || same) continue;
+    SiteStage own = find_case_sites(result);
+    wearers.back().sites = std::move(own.sites);
+    bare.back() = std::move(own.uncovered);
   }
+  // Sites of the first run, as far as all have them.
   RankingWish whole = wish;
   std::vector<std::string> notes = notes_on(runs, same);
   if (with_sites) {
-    whole.sites = make_sites(first, &whole.uncovered);
+    SiteStage of_first = find_case_sites(first);
+    whole.sites = std::move(of_first.sites);
+    whole.uncovered = std::move(of_first.uncovered);
     if (!same) whole.sites = common(whole.sites, wearers, bare, whole.uncovered, notes);
     wearers.front().sites.clear();
   }

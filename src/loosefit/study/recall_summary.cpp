@@ -22,9 +22,10 @@ Number at(const Json& summary, const std::string& place) {
                                                                    : Number{0};
 }
 
-void recall_parts(const Json& summary, SettleReport& report) {
+std::vector<PartWork> parts_in(const Json& summary) {
+  std::vector<PartWork> parts;
   const Json::json_pointer place("/settle/parts");
-  if (!summary.contains(place) || !summary[place].is_array()) return;
+  if (!summary.contains(place) || !summary[place].is_array()) return parts;
   for (const Json& part : summary[place]) {
     SolverWork work;
     work.iterations = at<int>(part, "/iterations");
@@ -37,10 +38,11 @@ void recall_parts(const Json& summary, SettleReport& report) {
     work.refresh = at<double>(part, "/seconds/refresh");
     work.regional = at<int>(part, "/regional_iterations");
     work.region = at<double>(part, "/seconds/region");
-    report.parts.push_back(
+    parts.push_back(
         {part.contains("part") && part["part"].is_string() ? part["part"].get<std::string>() : "",
          at<int>(part, "/level") - 1, at<int>(part, "/vertices"), work});
   }
+  return parts;
 }
 
 /// A spread over drapes from other starts.
@@ -60,55 +62,65 @@ Spread spread_at(const std::string& file, const std::string& key, const Json& en
   return spread;
 }
 
-void recall_repeats(const std::string& file, const Json& summary, CaseResult& result) {
-  if (result.scenario.simulation.repeats < 2) return;
+CaseRepeats repeats_in(const std::string& file, const Json& summary, const Scenario& scenario) {
+  CaseRepeats repeats;
+  if (scenario.simulation.repeats < 2) return repeats;
   // Spreads hold for the sites and the garment that the scenario had then.
   if (!summary.contains("scenario_sha256") ||
-      summary["scenario_sha256"] != sha256_hex(scenario_toml(result.scenario))) {
-    result.repeat_warnings.push_back(
+      summary["scenario_sha256"] != sha256_hex(scenario_toml(scenario))) {
+    repeats.warnings.push_back(
         "scenario.toml has been changed since the drapes from other starts: their spread is left "
         "out");
-    return;
+    return repeats;
   }
   if (summary.contains("repeats")) {
     const Json& all = summary["repeats"];
     if (!all.is_object())
       throw InvalidInput({file, 0, "repeats"}, all.type_name(), "a table of spreads", kMakeAgain);
-    for (const auto& [key, entry] : all.items()) result.repeats[key] = spread_at(file, key, entry);
+    for (const auto& [key, entry] : all.items()) repeats.spread[key] = spread_at(file, key, entry);
   }
   if (summary.contains("repeat_warnings") && summary["repeat_warnings"].is_array())
     for (const Json& text : summary["repeat_warnings"])
-      if (text.is_string()) result.repeat_warnings.push_back(text.get<std::string>());
+      if (text.is_string()) repeats.warnings.push_back(text.get<std::string>());
+  return repeats;
 }
 
-/// What was counted and timed when the drape was made.
-void recall(const std::string& file, const Json& summary, CaseResult& result) {
+std::vector<StageClock::Entry> draping_seconds(const Json& summary) {
+  std::vector<StageClock::Entry> seconds;
   for (const char* stage : {"dress", "settle", "postures", "donnings", "repeats"})
     if (const std::string place = std::string("/seconds/") + stage;
         summary.contains(Json::json_pointer(place)))
-      result.seconds.push_back({stage, at<double>(summary, place)});
-  recall_repeats(file, summary, result);
-  SettleReport& report = result.drape.report;
-  recall_parts(summary, report);
+      seconds.push_back({stage, at<double>(summary, place)});
+  return seconds;
+}
+
+SettleReport report_in(const Json& summary) {
+  SettleReport report;
+  report.parts = parts_in(summary);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
   report.contacts_body = at<int>(summary, "/settle/contacts_body");
   report.contacts_self = at<int>(summary, "/settle/contacts_self");
   report.held_off_triangles = at<int>(summary, "/settle/held_off_triangles");
   report.largest_contact_offset = 1e-3 * at<double>(summary, "/settle/largest_contact_offset_mm");
+  return report;
 }
 
 }  // namespace
 
-void recall_summary(const std::filesystem::path& folder, CaseResult& result) {
+RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseResult& loaded) {
   const std::string file = (folder / "summary.json").string();
   const Json summary = Json::parse(read_text_file(file, 50000000), nullptr, false);
   if (!summary.is_object())
     throw InvalidInput({file, 0, ""}, summary.is_discarded() ? "no JSON" : summary.type_name(),
                        "a summary.json as loosefit wrote it", kMakeAgain);
-  recall(file, summary, result);
-  for (std::size_t k = 0; k < result.wear.states.size(); ++k)
-    result.wear.states[k].seconds =
-        at<double>(summary, "/states/" + std::to_string(k) + "/seconds");
+  RecalledSummary recalled;
+  recalled.seconds = draping_seconds(summary);
+  recalled.report = report_in(summary);
+  recalled.repeats = repeats_in(file, summary, loaded.scenario);
+  for (std::size_t k = 0; k < loaded.wear.states.size(); ++k)
+    recalled.state_seconds.push_back(
+        at<double>(summary, "/states/" + std::to_string(k) + "/seconds"));
+  return recalled;
 }
 
 }  // namespace loosefit

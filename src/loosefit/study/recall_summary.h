@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "loosefit/study/case_result.h"
 
@@ -8,10 +9,17 @@ namespace loosefit {
 /// The way out where files of an earlier output are damaged or do not belong together.
 inline constexpr char kMakeAgain[] = "make the drape again: loosefit run scenario.toml -o DIR";
 
-/// Takes from the summary.json of an earlier output what only its drapes could tell: seconds and
-/// counters of draping, also of the states of result.wear, and the spread over repeats unless
-/// scenario.toml has been changed since. \throws IoError when it is missing, InvalidInput when it
-/// is damaged.
-void recall_summary(const std::filesystem::path& folder, CaseResult& result);
+/// What only the drapes of a run could tell.
+struct RecalledSummary {
+  std::vector<StageClock::Entry> seconds;  ///< of draping
+  SettleReport report;                     ///< counters; without history
+  CaseRepeats repeats;
+  std::vector<double> state_seconds;  ///< as CaseWear::states
+};
+
+/// Reads it from the summary.json of an earlier output, of which `loaded` has scenario and states.
+/// The spread over repeats is left out, with a warning, if scenario.toml has been changed since.
+/// \throws IoError when it is missing, InvalidInput when it is damaged.
+RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseResult& loaded);
 
 }  // namespace loosefit

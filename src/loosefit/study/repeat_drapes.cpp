@@ -1,3 +1,5 @@
+#include "loosefit/study/repeat_drapes.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,27 +7,30 @@
 #include <optional>
 #include <set>
 
-#include "loosefit/base/side_by_side.h"
 #include "loosefit/base/text.h"
 #include "loosefit/drape/drape_session.h"
-#include "loosefit/study/case_layers.h"
-#include "loosefit/study/case_stages.h"
 #include "loosefit/study/check_worn.h"
-#include "loosefit/study/spread_keys.h"
+#include "loosefit/study/drape_side_by_side.h"
+#include "loosefit/study/garment_layers.h"
+#include "loosefit/study/garment_maps.h"
+#include "loosefit/study/simulation_options.h"
 
 namespace loosefit {
 namespace {
 
-using Samples = std::map<std::string, std::vector<double>>;
+using Samples = std::map<std::string, double>;
 
-/// What a drape has; places that a map leaves undefined have nothing.
-void gather(const CaseResult& result, Samples& samples) {
+/// What one drape has; places that a map leaves undefined have nothing.
+Samples samples_of(const std::vector<CaseMap>& maps, const std::vector<Site>& sites) {
+  Samples samples;
   const auto take = [&](const std::string& key, double value) {
-    if (std::isfinite(value)) samples[key].push_back(value);
+    if (std::isfinite(value)) samples[key] = value;
   };
-  for (const CaseMap& map : result.maps.maps) take(map_key(map.map.array), map.overall.area_mean);
-  for (const Site& site : result.sites)
-    for (const auto& [array, value] : site.values) take(site_key(site.name, array), value.mean);
+  for (const CaseMap& map : maps) take(map_spread_key(map.map.array), map.overall.area_mean);
+  for (const Site& site : sites)
+    for (const auto& [array, value] : site.values)
+      take(site_spread_key(site.name, array), value.mean);
+  return samples;
 }
 
 /// Of two values or more.
@@ -39,85 +44,96 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
-/// What one drape has given; nothing when it did not settle or is not worn.
+/// What one drape has given; no samples when it did not settle or is not worn.
 struct Repeat {
   std::optional<Samples> samples;
   std::vector<std::string> warnings;
 };
 
-/// `budget`: times the time that one drape has, for it shares the threads with others.
-Repeat drape_again(const CaseResult& result, int repeat, double budget, Progress& progress) {
+Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& progress) {
+  // Put on once more, from another start.
+  const Scenario& scenario = result.scenario;
+  CaseBody body = another_caller(result.body);
+  DrapeOptions options = drape_options(scenario.simulation, repeat);
+  options.time_budget *= sharing;
+  DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
+  std::vector<Drape> drapes = split_drape(put_on(session, body), scenario, result.garments);
+
+  // Left out with the reason unless it is settled and worn.
   Repeat made;
-  CaseResult other;
-  other.scenario = result.scenario;
-  other.body = another_caller(result.body);
-  other.pattern = result.pattern;
-  other.garment = result.garment;
-  other.under = result.under;
-  DrapeOptions options = drape_options(result.scenario.simulation, repeat);
-  options.time_budget *= budget;
-  DrapeSession session(cloth_layers(result), options, progress);
-  take_drape(put_on(session, other.body), other);
-  const auto tell = [&](const std::string& what) {
+  const auto warn = [&](const std::string& what) {
     made.warnings.push_back(fmt::format("repeat {} {}", repeat + 1, what));
   };
-  for (const std::string& warning : warnings_since(result.body, other.body)) tell(warning);
-  if (!other.drape.certificate.settled()) {
-    tell(fmt::format("did not settle ({}); left out", other.drape.certificate.stop_reason));
+  for (const std::string& warning : warnings_since(result.body, body)) warn(warning);
+  if (const Certificate& c = drapes.back().certificate; !c.settled()) {
+    warn(fmt::format("did not settle ({}); left out", c.stop_reason));
     return made;
   }
-  check_worn(other);
-  if (!other.drape.certificate.worn()) {
-    tell(fmt::format("is not worn ({}); left out",
-                     join(other.drape.certificate.worn_reasons, "; ")));
+  drapes = check_worn(std::move(drapes), result.garments, body.body);
+  const Drape& drape = drapes.back();
+  if (!drape.certificate.worn()) {
+    warn(fmt::format("is not worn ({}); left out", join(drape.certificate.worn_reasons, "; ")));
     return made;
   }
-  other.maps = make_maps(other, false);
-  other.sites = same_sites(other, result.sites);
-  gather(other, made.samples.emplace());
+
+  // The same maps, and the same sensors where they are sewn.
+  const Garment& mesh = result.studied().mesh();
+  const CaseMaps maps =
+      make_maps({mesh, drape, scenario.studied().material.material, body.body}, scenario, false);
+  const std::vector<Site> sites = revisit_sites(result.sites, mesh, drape.positions, body.body,
+                                                maps.worn, plain_maps(maps.maps));
+  made.samples = samples_of(maps.maps, sites);
   return made;
 }
 
-void add_spread(const std::vector<Repeat>& made, CaseResult& result) {
-  Samples all;
+CaseRepeats gathered(const std::vector<Repeat>& made) {
+  CaseRepeats repeats;
+  std::map<std::string, std::vector<double>> all;
   std::size_t drapes = 0;
   for (const Repeat& one : made) {
-    result.repeat_warnings.insert(result.repeat_warnings.end(), one.warnings.begin(),
-                                  one.warnings.end());
+    repeats.warnings.insert(repeats.warnings.end(), one.warnings.begin(), one.warnings.end());
     if (!one.samples) continue;
     ++drapes;
-    for (const auto& [key, values] : *one.samples)
-      all[key].insert(all[key].end(), values.begin(), values.end());
+    for (const auto& [key, value] : *one.samples) all[key].push_back(value);
   }
-  if (drapes < 2) return;
+  if (drapes < 2) return repeats;
   for (const auto& [key, values] : all)
-    if (values.size() == drapes) result.repeats[key] = spread_of(values);
+    if (values.size() == drapes) repeats.spread[key] = spread_of(values);
+  return repeats;
 }
 
 }  // namespace
 
-void repeat_drapes(CaseResult& result, int at_once, Progress& progress) {
+CaseRepeats repeat_drapes(const CaseResult& result, int at_once, Progress& progress) {
   const int repeats = result.scenario.simulation.repeats;
-  if (repeats < 2) return;
+  if (repeats < 2) return {};
   progress.stage("repeats");
-  at_once = std::min(at_once, repeats - 1);
   std::vector<Repeat> made(repeats);
-  if (result.drape.certificate.holds()) gather(result, made[0].samples.emplace());
-  std::vector<SideJob> jobs;
+  if (result.certificate().holds())
+    made.front().samples = samples_of(result.studied().maps.maps, result.sites);
+  std::vector<DrapeJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
-    jobs.push_back({fmt::format("repeat {}", repeat + 1), [&, repeat](Progress& own) {
-                      made[repeat] = drape_again(result, repeat, at_once, own);
+    jobs.push_back({fmt::format("repeat {}", repeat + 1), [&, repeat](int sharing, Progress& own) {
+                      made[repeat] = drape_again(result, repeat, sharing, own);
                     }});
-  side_by_side(jobs, at_once, progress);
-  add_spread(made, result);
+  drape_side_by_side(jobs, at_once, progress);
+  return gathered(made);
 }
 
-void keep_known_repeats(CaseResult& result) {
+CaseRepeats known_repeats(const CaseResult& result) {
   std::set<std::string> known;
-  for (const CaseMap& map : result.maps.maps) known.insert(map_key(map.map.array));
+  for (const CaseMap& map : result.studied().maps.maps) known.insert(map_spread_key(map.map.array));
   for (const Site& site : result.sites)
-    for (const auto& [array, value] : site.values) known.insert(site_key(site.name, array));
-  std::erase_if(result.repeats, [&](const auto& entry) { return !known.contains(entry.first); });
+    for (const auto& [array, value] : site.values) known.insert(site_spread_key(site.name, array));
+  CaseRepeats repeats = result.repeats;
+  std::erase_if(repeats.spread, [&](const auto& entry) { return !known.contains(entry.first); });
+  return repeats;
+}
+
+std::string map_spread_key(const std::string& array) { return "maps." + array + ".area_mean"; }
+
+std::string site_spread_key(const std::string& site, const std::string& array) {
+  return "sites." + site + "." + array;
 }
 
 }  // namespace loosefit

@@ -1,68 +1,52 @@
 #include "loosefit/study/run_case.h"
 
-#include <tbb/global_control.h>
-
-#include <optional>
-
 #include "loosefit/base/resources.h"
-#include "loosefit/study/case_boards.h"
-#include "loosefit/study/case_layers.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/base/stage_clock.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/study/case_sites.h"
+#include "loosefit/study/case_warnings.h"
 #include "loosefit/study/check_worn.h"
+#include "loosefit/study/drape_side_by_side.h"
 #include "loosefit/study/drape_states.h"
-#include "loosefit/study/drapes_at_once.h"
+#include "loosefit/study/garment_layers.h"
+#include "loosefit/study/map_case.h"
+#include "loosefit/study/prepare_case.h"
+#include "loosefit/study/repeat_drapes.h"
+#include "loosefit/study/simulation_options.h"
 
 namespace loosefit {
 
 CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) try {
+  const ThreadLimit threads(scenario.simulation.threads);
   StageClock clock(progress);
-  std::optional<tbb::global_control> threads;
-  if (scenario.simulation.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, scenario.simulation.threads);
-  CaseResult result;
-  result.scenario = scenario;
 
-  clock.stage("body");
-  result.body = make_body(scenario.body);
-
-  clock.stage("pattern");
-  result.under = make_under_patterns(scenario, result.body.body);
-  result.pattern = make_pattern(scenario.studied().spec, result.body.body);
-
-  clock.stage("garment");
-  place_boards(result, clock);
-  clock.stage("garment");
-  result.garment =
-      build_hierarchy(result.pattern.pattern, scenario.simulation.edge_length,
-                      scenario.studied().material.material, all_attachments(result.scenario));
-  mesh_under(result, scenario.simulation.edge_length);
-  check_sites(result.mesh(), result.body.body, scenario.sites);  // before the long part
+  CaseResult result = prepare_case(scenario, clock);  // body, pattern, garment
 
   int at_once = 1;
   {
-    const auto session = std::make_shared<DrapeSession>(cloth_layers(result),
-                                                        drape_options(scenario.simulation), clock);
-    take_drape(put_on(*session, result.body), result);  // dress, settle
-    check_worn(result);
+    const auto session = std::make_shared<DrapeSession>(
+        cloth_layers(result.scenario, result.garments), drape_options(scenario.simulation), clock);
+    const Drape drape = put_on(*session, result.body);  // dress, settle
+    result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
+                                  result.garments, result.body.body));
     at_once = drapes_at_once();
-    drape_states(result, session, at_once, clock);  // postures, donnings
+    result.wear = drape_states(result, session, at_once, clock);  // postures, donnings
   }
 
-  const bool open = result.drape.certificate.holds() || options.allow_unsettled;
+  const bool open = result.certificate().holds() || options.allow_unsettled;
   if (open && !options.only_drape) {
     clock.stage("maps");
-    add_maps(result, options.allow_unsettled);
+    result.take_maps(map_case(result, options.allow_unsettled));
 
     clock.stage("placement");
-    add_sites(result);
-    warn_of_moved_boards(result);
+    result.take_sites(make_sites(result));
 
-    repeat_drapes(result, at_once, clock);
+    result.repeats = repeat_drapes(result, at_once, clock);  // repeats
   }
   clock.stop();
   result.seconds = clock.entries();
   result.peak_memory_mb = peak_memory_mb();
-  result.warnings = collected_warnings(result);
+  result.warnings = case_warnings(result);
   return result;
 } catch (const InvalidInput& error) {
   throw in_scenario(error, scenario);

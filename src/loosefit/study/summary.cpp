@@ -6,6 +6,7 @@
 #include "loosefit/base/version.h"
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/material_origin.h"
+#include "loosefit/io/scenario.h"
 
 namespace loosefit {
 namespace {
@@ -64,12 +65,12 @@ Json body_json(const CaseBody& body) {
   return json;
 }
 
-Json fit_json(const CasePattern& pattern, const CaseMaps& maps) {
+Json fit_json(const CaseGarment& garment) {
   Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
-  for (const auto& [level, mobility] : pattern.fit) json["measured"][level] = mobility;
-  for (const auto& [level, girth] : pattern.girths) json["girths"][level] = girth;
-  if (!maps.maps.empty()) {
-    const GarmentGirth& chest = maps.chest;
+  for (const auto& [level, mobility] : garment.pattern.fit) json["measured"][level] = mobility;
+  for (const auto& [level, girth] : garment.pattern.girths) json["girths"][level] = girth;
+  if (!garment.maps.maps.empty()) {
+    const GarmentGirth& chest = garment.maps.chest;
     json["chest_cut"] = {{"level", chest.level},
                          {"draped", chest.draped},
                          {"flat", chest.flat},
@@ -87,30 +88,33 @@ Json material_json(const MaterialCard& card) {
   return json;
 }
 
-Json garment_json(const CasePattern& pattern, const Garment& garment, const MaterialCard& material,
-                  const Drape& drape) {
+Json garment_json(const CaseGarment& garment, const MaterialCard& material) {
+  const Garment& mesh = garment.mesh();
   double force = 0;
-  for (double f : drape.body_normal_force) force += f;
-  return {{"pattern", pattern.pattern.name},  {"material", material_json(material)},
-          {"vertices", garment.vertex_count}, {"triangles", garment.triangles.size()},
-          {"area_m2", garment.area},          {"mass_kg", garment.mass},
+  for (double f : garment.drape.body_normal_force) force += f;
+  return {{"pattern", garment.pattern.pattern.name},
+          {"material", material_json(material)},
+          {"vertices", mesh.vertex_count},
+          {"triangles", mesh.triangles.size()},
+          {"area_m2", mesh.area},
+          {"mass_kg", mesh.mass},
           {"normal_force_on_body_N", force}};
 }
 
-/// What is worn, the innermost first; the studied garment last, its maps are those of the case.
+/// What is worn, the innermost first; the maps of the last, the studied one, are those of the case.
 Json garments_json(const CaseResult& result) {
   Json json = Json::array();
-  for (std::size_t l = 0; l < result.under.size(); ++l) {
-    const CaseUnder& under = result.under[l];
-    const ScenarioGarment& wished = result.scenario.garments[l];
-    Json entry = garment_json(under.pattern, under.mesh(), wished.material, under.drape);
-    entry["fit"] = fit_json(under.pattern, under.maps);
-    entry["maps"] = maps_json(under.maps.maps);
-    if (!under.maps.pressure.field.empty()) entry["pressure"] = pressure_json(under.maps.pressure);
+  for (std::size_t g = 0; g < result.garments.size(); ++g) {
+    const CaseGarment& garment = result.garments[g];
+    Json entry = garment_json(garment, result.scenario.garments[g].material);
+    if (g + 1 < result.garments.size()) {
+      entry["fit"] = fit_json(garment);
+      entry["maps"] = maps_json(garment.maps.maps);
+      if (!garment.maps.pressure.field.empty())
+        entry["pressure"] = pressure_json(garment.maps.pressure);
+    }
     json.push_back(std::move(entry));
   }
-  json.push_back(garment_json(result.pattern, result.mesh(), result.scenario.studied().material,
-                              result.drape));
   return json;
 }
 
@@ -226,10 +230,11 @@ void add_wear(const CaseWear& wear, Json& json) {
                                 {"friction", d.friction}});
   json["states"] = Json::array();
   for (const CaseState& s : wear.states) {
-    const Certificate& c = s.drape.certificate;
+    const Certificate c = s.certificate();
+    const SettleReport report = s.draped() ? s.drape().report : SettleReport{};
     Json entry = {
         {"posture", s.name},
-        {"donning", s.donning + 1},
+        {"donning", s.id.donning + 1},
         {"counts", s.counts()},
         {"settled", c.settled()},
         {"worn", c.worn()},
@@ -238,20 +243,19 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"intersections", {{"body", c.intersections_body}, {"self", c.intersections_self}}},
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
-        {"iterations", s.drape.report.total().iterations}};
-    if (s.drape.unsettled) entry["unsettled"] = unsettled_json(*s.drape.unsettled);
-    if (!s.maps.empty()) entry["maps"] = maps_json(s.maps);
-    if (!s.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.wrinkles);
+        {"iterations", report.total().iterations}};
+    if (s.draped() && s.drape().unsettled)
+      entry["unsettled"] = unsettled_json(*s.drape().unsettled);
+    if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps);
+    if (!s.maps.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.maps.wrinkles);
     for (const Site& site : s.sites) entry["sites"][site.name] = site_json(site);
-    if (!s.drape.report.parts.empty()) entry["parts"] = parts_json(s.drape.report.parts);
+    if (!report.parts.empty()) entry["parts"] = parts_json(report.parts);
     json["states"].push_back(std::move(entry));
   }
 }
 
-}  // namespace
-
-std::string summary_json(const CaseResult& result) {
-  const Certificate& certificate = result.drape.certificate;
+Json certificate_json(const CaseResult& result) {
+  const Certificate& certificate = result.certificate();
   Json json;
   json["settled"] = certificate.settled();
   json["worn"] = certificate.worn();
@@ -261,31 +265,51 @@ std::string summary_json(const CaseResult& result) {
   json["residual_max"] = certificate.residual_max;
   json["intersections"] = {{"body", certificate.intersections_body},
                            {"self", certificate.intersections_self}};
-  if (!result.under.empty()) json["intersections"]["layers"] = certificate.intersections_layers;
+  if (!result.worn_under().empty())
+    json["intersections"]["layers"] = certificate.intersections_layers;
   json["stop_reason"] = certificate.stop_reason;
-  json["vertices"] = result.mesh().vertex_count;
-  json["triangles"] = result.mesh().triangles.size();
+  return json;
+}
+
+}  // namespace
+
+std::string summary_json(const CaseResult& result) {
+  const CaseGarment& studied = result.studied();
+  const Garment& mesh = studied.mesh();
+  const CaseMaps& maps = studied.maps;
+
+  // Whether the numbers count, and what they took.
+  Json json = certificate_json(result);
+  json["vertices"] = mesh.vertex_count;
+  json["triangles"] = mesh.triangles.size();
   json["seconds"] = seconds_json(result.seconds);
   json["peak_memory_mb"] = result.peak_memory_mb;
-  json["settle"] = settle_json(result.drape.report);
-  if (result.drape.unsettled) json["settle"]["unsettled"] = unsettled_json(*result.drape.unsettled);
+  json["settle"] = settle_json(studied.drape.report);
+  if (studied.drape.unsettled)
+    json["settle"]["unsettled"] = unsettled_json(*studied.drape.unsettled);
+
+  // Who wears what.
   json["body"] = body_json(result.body);
-  json["fit"] = fit_json(result.pattern, result.maps);
-  json["garment"] = {{"area_m2", result.mesh().area}, {"mass_kg", result.mesh().mass}};
+  json["fit"] = fit_json(studied);
+  json["garment"] = {{"area_m2", mesh.area}, {"mass_kg", mesh.mass}};
   json["material"] = material_json(result.scenario.studied().material);
-  if (!result.under.empty()) json["garments"] = garments_json(result);
-  json["maps"] = maps_json(result.maps.maps);
-  if (!result.maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(result.maps.wrinkles);
-  if (!result.maps.pressure.field.empty()) json["pressure"] = pressure_json(result.maps.pressure);
+  if (!result.worn_under().empty()) json["garments"] = garments_json(result);
+
+  // Maps, states, sites and spreads.
+  json["maps"] = maps_json(maps.maps);
+  if (!maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(maps.wrinkles);
+  if (!maps.pressure.field.empty()) json["pressure"] = pressure_json(maps.pressure);
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
   for (const UncoveredSite& site : result.uncovered_sites)
     json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
-  for (const auto& [key, spread] : result.repeats)
+  for (const auto& [key, spread] : result.repeats.spread)
     json["repeats"][key] = {
         {"mean", spread.mean}, {"deviation", spread.deviation}, {"count", spread.count}};
-  if (!result.repeat_warnings.empty()) json["repeat_warnings"] = result.repeat_warnings;
+  if (!result.repeats.warnings.empty()) json["repeat_warnings"] = result.repeats.warnings;
+
+  // What made them.
   json["warnings"] = result.warnings;
   for (const auto& [library, number] : versions()) json["versions"][library] = number;
   json["scenario_sha256"] = sha256_hex(scenario_toml(result.scenario));

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "loosefit/drape/drape.h"
-#include "loosefit/io/scenario.h"
+#include "loosefit/scenario/scenario.h"
 
 namespace loosefit {
 

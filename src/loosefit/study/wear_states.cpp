@@ -1,7 +1,5 @@
 #include "loosefit/study/wear_states.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -10,8 +8,6 @@
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/flesh/soft_body.h"
-#include "loosefit/study/case_layers.h"
-#include "loosefit/study/case_stages.h"
 
 namespace loosefit {
 
@@ -33,56 +29,51 @@ CaseWear plan_wear(const Scenario& scenario) {
   return wear;
 }
 
-void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress) {
-  wear.bodies.resize(wear.postures.size());
-  wear.wearers.resize(wear.postures.size());
+std::vector<StateId> planned_states(const CaseWear& wear) {
+  std::vector<StateId> ids;
+  for (int d = 0; d < static_cast<int>(wear.donnings.size()); ++d)
+    for (int p = 0; p < static_cast<int>(wear.postures.size()); ++p)
+      if (const StateId id{p, d}; id != StateId{}) ids.push_back(id);
+  return ids;
+}
+
+std::vector<PosedWearer> pose_wearers(const CaseBody& body,
+                                      const std::vector<std::string>& postures,
+                                      Progress& progress) {
+  std::vector<PosedWearer> wearers(postures.size());
   std::vector<SideJob> jobs;
-  for (std::size_t p = 1; p < wear.postures.size(); ++p)
-    jobs.push_back({wear.postures[p], [&, p](Progress& own) {
+  for (int p = 0; p < static_cast<int>(postures.size()); ++p) {
+    if (p == StateId::kReferencePosture) continue;
+    jobs.push_back({postures[p], [&, p](Progress& own) {
                       own.check_cancelled();
                       const auto anew = std::make_shared<SoftBody>(body.person->anew());
-                      wear.bodies[p] = std::make_shared<const Body>(
-                          anew->in(named_posture(wear.postures[p]), &own));
-                      wear.wearers[p] = anew;
+                      wearers[p].body =
+                          std::make_shared<const Body>(anew->in(named_posture(postures[p]), &own));
+                      wearers[p].person = anew;
                     }});
+  }
   side_by_side(jobs, usable_threads(), progress);
-  if (!wear.bodies.empty()) wear.bodies[0] = std::make_shared<const Body>(body.body);
+  return wearers;
+}
+
+std::vector<std::shared_ptr<const Body>> bodies_of(const std::vector<PosedWearer>& wearers) {
+  std::vector<std::shared_ptr<const Body>> bodies;
+  for (const PosedWearer& wearer : wearers) bodies.push_back(wearer.body);
+  return bodies;
 }
 
 std::vector<WornState> worn_states(const CaseResult& result) {
-  std::vector<WornState> all = {
-      {0, 0, result.drape.positions, result.body.body, result.maps.worn,
-       result.maps.pressure.field.empty() ? nullptr : &result.maps.pressure.field}};
+  const auto known = [](const PressureField& field) { return field.empty() ? nullptr : &field; };
+  const StateId reference;
+  const CaseGarment& garment = result.studied();
+  std::vector<WornState> all = {{reference.posture, reference.donning, garment.drape.positions,
+                                 result.body.body, garment.maps.worn,
+                                 known(garment.maps.pressure.field)}};
   for (const CaseState& s : result.wear.states)
     if (s.counts())
-      all.push_back({s.posture, s.donning, s.drape.positions,
-                     s.posture == 0 ? result.body.body : *result.wear.bodies[s.posture], s.worn,
-                     s.pressure.empty() ? nullptr : &s.pressure});
+      all.push_back({s.id.posture, s.id.donning, s.drape().positions, result.body_in(s.id.posture),
+                     s.maps.worn, known(s.maps.pressure)});
   return all;
-}
-
-std::vector<std::string> wear_warnings(const CaseResult& result) {
-  std::vector<std::string> all;
-  const CaseWear& wear = result.wear;
-  if (!wear.postures.empty() && wear.states.empty())
-    all.push_back(
-        "postures: none taken and nothing put on again: the first drape is not settled and worn");
-  for (const CaseState& s : wear.states) {
-    if (s.counts()) continue;
-    const std::string where =
-        wear.donnings.size() > 1 ? fmt::format("{} of donning {}", s.name, s.donning + 1) : s.name;
-    const Certificate& c = s.drape.certificate;
-    all.push_back(fmt::format("postures: {} is left out of all statistics: {}", where,
-                              s.left_out.empty() ? fmt::format("not settled ({}), residual {:.2e}",
-                                                               c.stop_reason, c.residual)
-                                                 : s.left_out));
-  }
-  return all;
-}
-
-std::filesystem::path state_folder(const CaseState& state) {
-  if (state.donning == 0) return std::filesystem::path("postures") / state.name;
-  return std::filesystem::path("donnings") / std::to_string(state.donning + 1) / state.name;
 }
 
 }  // namespace loosefit

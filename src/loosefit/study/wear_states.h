@@ -1,5 +1,7 @@
 #pragma once
-#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "loosefit/base/progress.h"
 #include "loosefit/placement/site_state.h"
@@ -7,28 +9,33 @@
 
 namespace loosefit {
 
+class SoftBody;
+
 /// Postures and the drawn donnings of a case; no bodies and no states yet. Donnings are drawn from
 /// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
 /// normally, kept within two deviations.
 CaseWear plan_wear(const Scenario& scenario);
 
-/// The bodies of the postures of `wear`: the first is `body` as it is, each other one is led there
-/// from rest, whatever the person has been asked. Neither what else is listed nor whether the
-/// garment was put on before makes a difference, so a run that is read again finds the same bodies.
-/// Side by side, a thread each. \throws Cancelled
-void pose_wearers(const CaseBody& body, CaseWear& wear, Progress& progress);
+/// All states of a plan but the reference state, in their order: the other postures of the first
+/// donning, then all postures of each further donning, the reference posture first.
+std::vector<StateId> planned_states(const CaseWear& wear);
 
-/// Worn garment, pressure and slip of every state that counts. \pre result.maps
-void map_states(CaseResult& result);
+/// A wearer who has taken a posture, led into it from rest and into no other before.
+struct PosedWearer {
+  std::shared_ptr<const Body> body;
+  std::shared_ptr<const SoftBody> person;
+};
 
-/// All states that count, with those of `result` itself first, to measure sensors in.
+/// The wearer in each posture, none for the reference posture. Neither what else is listed nor
+/// whether the garment was put on before makes a difference, so a run that is read again finds the
+/// same bodies. Side by side, a thread each. \throws Cancelled
+std::vector<PosedWearer> pose_wearers(const CaseBody& body,
+                                      const std::vector<std::string>& postures, Progress& progress);
+
+/// CaseWear::bodies.
+std::vector<std::shared_ptr<const Body>> bodies_of(const std::vector<PosedWearer>& wearers);
+
+/// All states that count, with the reference state first, to measure sensors in.
 std::vector<WornState> worn_states(const CaseResult& result);
-
-/// What does not count and why, one line each.
-std::vector<std::string> wear_warnings(const CaseResult& result);
-
-/// Where the files of a state lie in the folder of its run: "postures/NAME" for the first donning,
-/// "donnings/2/NAME" for the second.
-std::filesystem::path state_folder(const CaseState& state);
 
 }  // namespace loosefit

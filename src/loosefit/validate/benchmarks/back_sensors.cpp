@@ -9,8 +9,12 @@
 #include "loosefit/base/progress_part.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/material_file.h"
-#include "loosefit/study/case_stages.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/study/case_sites.h"
 #include "loosefit/study/check_worn.h"
+#include "loosefit/study/garment_maps.h"
+#include "loosefit/study/prepare_case.h"
+#include "loosefit/study/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 
 namespace loosefit {
@@ -88,28 +92,26 @@ struct Study {
 };
 
 Study study(const Child& child, int first_part, int parts, Progress& progress) {
-  CaseResult result;
-  result.scenario = scenario_of(child);
-  result.body = make_body(result.scenario.body);
-  result.pattern = make_pattern(result.scenario.studied().spec, result.body.body);
-  const Material& material = result.scenario.studied().material.material;
-  result.garment = build_hierarchy(result.pattern.pattern, kEdge, material);
+  const Scenario scenario = scenario_of(child);
+  Progress silent;
+  CaseResult result = prepare_case(scenario, silent);
+  const Material& material = scenario.studied().material.material;
   Study study;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     OneDrape part(progress, first_part + repeat, parts,
                   fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
-    result.drape = drape_garment(result.garment, material, result.body.path,
-                                 drape_options(result.scenario.simulation, repeat), part);
-    check_worn(result);
-    if (const Certificate& c = result.drape.certificate; !c.holds()) {
+    Drape drape = drape_garment(result.studied().hierarchy, material, result.body.path,
+                                drape_options(scenario.simulation, repeat), part);
+    result.take_drapes(check_worn({std::move(drape)}, result.garments, result.body.body));
+    if (const Certificate& c = result.certificate(); !c.holds()) {
       study.warnings.push_back(
           fmt::format("{} child: drape {} {} ({}), left out.", child.name, repeat + 1,
                       c.settled() ? "is not worn" : "did not settle",
                       c.settled() ? join(c.worn_reasons, "; ") : c.stop_reason));
       continue;
     }
-    result.maps = make_maps(result, false);
-    study.samples.push_back(sample_of(make_sites(result)));
+    result.studied().maps = make_studied_maps(result, false);
+    study.samples.push_back(sample_of(find_case_sites(result).sites));
   }
   const double n = static_cast<double>(study.samples.size());
   for (int k = 0; k < kPlaces; ++k) {

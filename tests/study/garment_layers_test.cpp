@@ -1,10 +1,11 @@
-#include "loosefit/study/case_layers.h"
+#include "loosefit/study/garment_layers.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/study/summary.h"
 #include "support/measured_woman.h"
 
@@ -26,43 +27,44 @@ CaseResult two_layers() {
       "[material]\nname = \"wool\"\nfriction_body = 0.5\nfriction_self = 0.6\n"
       "[[under]]\npattern = \"t-shirt\"\nfriction = 0.2\n[under.material]\nname = \"silk\"\n",
       "case.toml");
-  result.under.resize(1);
-  result.under[0].garment.levels = {triangle(0.5)};
-  result.under[0].pattern.pattern.name = "t-shirt";
-  result.garment.levels = {triangle(0.8)};
+  result.garments.resize(2);
+  result.garments[0].hierarchy.levels = {triangle(0.5)};
+  result.garments[0].pattern.pattern.name = "t-shirt";
+  result.garments[1].hierarchy.levels = {triangle(0.8)};
   Drape all;
   for (int i = 0; i < 6; ++i) all.positions.emplace_back(i, 0, 0);
   all.body_normal_force = {1, 2, 3, 0, 0, 0.5};
   all.certificate = {1e-4, 1e-3, 0, 2, "converged", 1};
-  take_drape(all, result);
+  result.take_drapes(split_drape(all, result.scenario, result.garments));
   return result;
 }
 
-TEST(CaseLayers, EachGarmentGetsItsPartOfTheDrapeAndTheCertificateOfAll) {
+TEST(GarmentLayers, EachGarmentGetsItsPartOfTheDrapeAndTheCertificateOfAll) {
   const CaseResult result = two_layers();
-  ASSERT_EQ(result.under[0].drape.positions.size(), 3u);
-  ASSERT_EQ(result.drape.positions.size(), 3u);
-  EXPECT_EQ(result.under[0].drape.positions[2], Vec3(2, 0, 0));
-  EXPECT_EQ(result.drape.positions[0], Vec3(3, 0, 0));
-  EXPECT_EQ(result.drape.body_normal_force, (std::vector<double>{0, 0, 0.5}));
-  EXPECT_EQ(result.under[0].drape.certificate.intersections_self, 2);
-  const TriangleMesh under = under_surface(result);
+  const Drape &inner = result.garments[0].drape, &studied = result.studied().drape;
+  ASSERT_EQ(inner.positions.size(), 3u);
+  ASSERT_EQ(studied.positions.size(), 3u);
+  EXPECT_EQ(inner.positions[2], Vec3(2, 0, 0));
+  EXPECT_EQ(studied.positions[0], Vec3(3, 0, 0));
+  EXPECT_EQ(studied.body_normal_force, (std::vector<double>{0, 0, 0.5}));
+  EXPECT_EQ(inner.certificate.intersections_self, 2);
+  const TriangleMesh under = surface_under_studied(result);
   EXPECT_EQ(under.vertices.size(), 3u);
   EXPECT_EQ(under.triangles.size(), 1u);
 }
 
-TEST(CaseLayers, FrictionOfADonningHoldsForEveryContact) {
+TEST(GarmentLayers, FrictionOfADonningHoldsForEveryContact) {
   const CaseResult result = two_layers();
-  const std::vector<ClothLayer> layers = cloth_layers(result, 0.5);
+  const std::vector<ClothLayer> layers = cloth_layers(result.scenario, result.garments, 0.5);
   ASSERT_EQ(layers.size(), 2u);
-  EXPECT_EQ(layers[0].garment, &result.under[0].garment) << "the innermost first";
+  EXPECT_EQ(layers[0].garment, &result.garments[0].hierarchy) << "the innermost first";
   EXPECT_NEAR(*layers[0].friction_over, 0.1, 1e-15);
   EXPECT_NEAR(layers[1].material.friction_body, 0.25, 1e-15);
   EXPECT_NEAR(layers[1].material.friction_self, 0.3, 1e-15);
   EXPECT_NEAR(layer_friction(layers)(0, 1), 0.1, 1e-15);
 }
 
-TEST(CaseLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {
+TEST(GarmentLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {
   const auto json = nlohmann::json::parse(summary_json(two_layers()));
   EXPECT_EQ(json["intersections"]["layers"], 1);
   ASSERT_EQ(json["garments"].size(), 2u);
@@ -74,16 +76,16 @@ TEST(CaseLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {
   EXPECT_EQ(json["garment"]["area_m2"], 0.8) << "that of the studied garment";
   CaseResult alone;
   alone.scenario = default_scenario();
-  alone.garment.levels = {triangle(1)};
+  alone.studied().hierarchy.levels = {triangle(1)};
   EXPECT_FALSE(nlohmann::json::parse(summary_json(alone)).contains("garments"));
 }
 
-TEST(CaseLayers, WhatCannotBeDraftedIsToldWithItsSection) {
+TEST(GarmentLayers, WhatCannotBeDraftedIsToldWithItsSection) {
   const Body body = support::measured_woman();
   const Scenario scenario = parse_scenario(
       "[[under]]\n[[under]]\npattern = \"t-shirt\"\nfit = { sleeve = 2 }\n", "case.toml");
   try {
-    make_under_patterns(scenario, body);
+    make_patterns(scenario, body);
     FAIL();
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.place().key, "under[1].fit.sleeve");

@@ -1,0 +1,67 @@
+#include "loosefit/report/result_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/base/text.h"
+
+namespace loosefit {
+namespace {
+
+std::string number_or_dash(double value) {
+  return std::isnan(value) ? fmt::format("{:>10}", "-") : fmt::format("{:10.4g}", value);
+}
+
+std::string certificate_text(const CaseResult& result) {
+  const Certificate& certificate = result.certificate();
+  std::string text =
+      fmt::format("{}: residual {:.2e}, intersections body {} self {} ({})\n",
+                  certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
+                  certificate.intersections_body, certificate.intersections_self,
+                  terminal_line(certificate.stop_reason));
+  if (certificate.worn())
+    text += "worn: every limb goes through its opening, and no opening has left its place\n";
+  else
+    text += fmt::format("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));
+  if (const auto& unsettled = result.studied().drape.unsettled)
+    text += fmt::format("because {}\nhint: {}\n", terminal_line(unsettled->why),
+                        terminal_line(unsettled->hint));
+  return text;
+}
+
+std::string map_table(const std::vector<CaseMap>& maps) {
+  if (maps.empty()) return {};
+  std::string text = fmt::format("{:24} {:>10} {:>10} {:>10}\n", "map", "p5", "median", "p95");
+  for (const CaseMap& map : maps)
+    text += fmt::format("{:24} {} {} {}\n", map.map.array, number_or_dash(map.overall.p5),
+                        number_or_dash(map.overall.median), number_or_dash(map.overall.p95));
+  return text;
+}
+
+std::string timings(const CaseResult& result) {
+  double total = 0;
+  std::string stages;
+  for (const StageClock::Entry& entry : result.seconds) {
+    stages += fmt::format("{} {:.1f}  ", entry.stage, entry.seconds);
+    total += entry.seconds;
+  }
+  return fmt::format("seconds: {}total {:.1f}; peak memory {:.0f} MB\n", stages, total,
+                     result.peak_memory_mb);
+}
+
+}  // namespace
+
+std::string result_text(const CaseResult& result) {
+  std::string text;
+  for (const std::string& warning : result.warnings)
+    text += fmt::format("warning: {}\n", terminal_line(warning));
+  text += certificate_text(result);
+  for (const auto& [level, mobility] : result.studied().pattern.fit)
+    text += fmt::format("fit {:8} {:+.3f}\n", terminal_line(level), mobility);
+  text += map_table(result.studied().maps.maps);
+  if (result.sealed()) text += "sealed: no maps; see log.jsonl, or use --allow-unsettled\n";
+  return text + timings(result);
+}
+
+}  // namespace loosefit

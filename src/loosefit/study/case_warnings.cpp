@@ -1,0 +1,83 @@
+#include "loosefit/study/case_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "loosefit/base/text.h"
+#include "loosefit/study/case_boards.h"
+
+namespace loosefit {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+void add(Lines& all, const std::string& stage, const Lines& warnings) {
+  for (const std::string& text : warnings) all.push_back(stage + ": " + text);
+}
+
+/// Of patterns and materials; the studied garment first.
+void add_garments(Lines& all, const CaseResult& result) {
+  add(all, "pattern", result.studied().pattern.warnings);
+  add(all, "material", result.scenario.studied().material.notes);
+  for (std::size_t g = 0; g < result.worn_under().size(); ++g) {
+    add(all, fmt::format("pattern of under {}", g + 1), result.garments[g].pattern.warnings);
+    add(all, fmt::format("material of under {}", g + 1),
+        result.scenario.garments[g].material.notes);
+  }
+}
+
+void add_certificate(Lines& all, const Certificate& certificate) {
+  if (!certificate.settled())
+    all.push_back(
+        fmt::format("settle: not settled ({}): residual {:.2e}, intersections with the "
+                    "body {}, with itself {}",
+                    certificate.stop_reason, certificate.residual, certificate.intersections_body,
+                    certificate.intersections_self));
+  if (!certificate.worn()) all.push_back("not worn: " + join(certificate.worn_reasons, "; "));
+}
+
+}  // namespace
+
+std::vector<std::string> state_warnings(const CaseResult& result) {
+  Lines all;
+  const CaseWear& wear = result.wear;
+  if (!wear.postures.empty() && wear.states.empty())
+    all.push_back(
+        "postures: none taken and nothing put on again: the first drape is not settled and worn");
+  for (const CaseState& s : wear.states) {
+    if (s.counts()) continue;
+    const std::string where = wear.donnings.size() > 1
+                                  ? fmt::format("{} of donning {}", s.name, s.id.donning + 1)
+                                  : s.name;
+    const Certificate c = s.certificate();
+    all.push_back(fmt::format("postures: {} is left out of all statistics: {}", where,
+                              s.left_out.empty() ? fmt::format("not settled ({}), residual {:.2e}",
+                                                               c.stop_reason, c.residual)
+                                                 : s.left_out));
+  }
+  return all;
+}
+
+std::vector<std::string> case_warnings(const CaseResult& result) {
+  Lines all = moved_board_warnings(result);
+  add(all, "body", result.body.warnings);
+  Lines of_donnings = result.wear.warnings;
+  std::erase_if(of_donnings, [&](const std::string& text) {
+    return std::ranges::count(result.body.warnings, text) > 0;
+  });
+  add(all, "body", of_donnings);
+  add_garments(all, result);
+  for (const UncoveredSite& site : result.uncovered_sites)
+    if (!site.preset)
+      all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);
+  add_certificate(all, result.certificate());
+  add(all, "settle", result.repeats.warnings);
+  if (result.scenario.simulation.repeats > 1 && result.repeats.spread.empty())
+    all.push_back("settle: no spread over repeats: it takes two drapes from different starts");
+  const Lines states = state_warnings(result);
+  all.insert(all.end(), states.begin(), states.end());
+  return all;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,57 @@
+#include "loosefit/study/garment_maps.h"
+
+#include "loosefit/maps/compute_maps.h"
+
+namespace loosefit {
+namespace {
+
+CasePressure make_pressure(const DressedGarment& dressed, const WornGarment& worn, double gravity) {
+  CasePressure made;
+  if (dressed.drape.body_normal_force.empty()) return made;
+  made.field =
+      contact_pressure(dressed.mesh, dressed.drape, dressed.body, dressed.material, gravity);
+  made.overall = compare_pressures(made.field, worn.regions);
+  for (Region region : all_regions()) {
+    const PressureAgreement here = compare_pressures(made.field, worn.regions, region);
+    if (here.contact_area > 0) made.regional[region] = here;
+  }
+  return made;
+}
+
+}  // namespace
+
+CaseMaps make_maps(const DressedGarment& dressed, const Scenario& scenario, bool allow_unsettled) {
+  CaseMaps made;
+  made.worn = relate(dressed.mesh, dressed.drape.positions, dressed.body);
+  made.pressure = make_pressure(dressed, made.worn, scenario.simulation.gravity);
+  for (PerformanceMap& map :
+       compute_maps(dressed.mesh, dressed.drape, made.worn, scenario.output.maps,
+                    {allow_unsettled, &made.pressure.field, &dressed.material}))
+    made.maps.push_back(with_statistics(std::move(map), made.worn));
+  made.wrinkles = regional_wrinkles(dressed.mesh, made.worn);
+  made.chest =
+      torso_girth(dressed.mesh, dressed.drape.positions, made.worn, chest_height(dressed.body));
+  return made;
+}
+
+CaseMaps make_studied_maps(const CaseResult& draped, bool allow_unsettled) {
+  return make_maps({draped.studied().mesh(), draped.studied().drape,
+                    draped.scenario.studied().material.material, draped.body.body},
+                   draped.scenario, allow_unsettled);
+}
+
+CaseMap with_statistics(PerformanceMap map, const WornGarment& worn) {
+  CaseMap entry;
+  entry.overall = statistics(map.values, worn.areas);
+  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
+  entry.map = std::move(map);
+  return entry;
+}
+
+std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps) {
+  std::vector<PerformanceMap> plain;
+  for (const CaseMap& entry : maps) plain.push_back(entry.map);
+  return plain;
+}
+
+}  // namespace loosefit

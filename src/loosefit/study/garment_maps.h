@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/study/case_result.h"
+
+namespace loosefit {
+
+/// A garment as somebody wears it; only referred to.
+struct DressedGarment {
+  const Garment& mesh;
+  const Drape& drape;
+  const Material& material;
+  const Body& body;
+};
+
+/// Stage "maps" of one garment: the maps that the scenario asks for, pressure, wrinkles and girth.
+/// \throws Error if the drape is not settled and worn, unless `allow_unsettled`.
+CaseMaps make_maps(const DressedGarment& dressed, const Scenario& scenario, bool allow_unsettled);
+
+/// The same of the studied garment of a case in its reference state.
+CaseMaps make_studied_maps(const CaseResult& draped, bool allow_unsettled);
+
+/// One map with its statistics.
+CaseMap with_statistics(PerformanceMap map, const WornGarment& worn);
+
+/// The maps alone.
+std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps);
+
+}  // namespace loosefit

@@ -1,0 +1,26 @@
+#include "loosefit/study/prepare_case.h"
+
+#include "loosefit/study/case_boards.h"
+#include "loosefit/study/garment_layers.h"
+
+namespace loosefit {
+
+CaseResult prepare_case(const Scenario& scenario, Progress& progress) {
+  CaseResult result;
+  result.scenario = scenario;
+
+  progress.stage("body");
+  result.body = make_body(scenario.body);
+
+  progress.stage("pattern");
+  const std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);
+
+  progress.stage("garment");
+  result.scenario.sites = place_boards(scenario, result.body, patterns, progress);
+  progress.stage("garment");  // after the stages of a first, coarse drape
+  result.garments = mesh_garments(scenario, patterns, all_attachments(result.scenario));
+  check_sites(result.studied().mesh(), result.body.body, scenario.sites);  // before the long part
+  return result;
+}
+
+}  // namespace loosefit
