@@ -5,7 +5,7 @@
 #include "loosefit/garment/hierarchy.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
-#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 
 namespace loosefit {
 namespace {

@@ -3,7 +3,7 @@
 # The arrows between modules are declared here once; tools/check_layers.py compares them with the includes.
 
 function(loosefit_module name)
-  cmake_parse_arguments(ARG "" "" "USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "USES;LIBRARIES;TEST_USES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/loosefit/${name}/*.cpp)
   if(sources)
     add_library(loosefit_${name} STATIC ${sources})
@@ -24,6 +24,9 @@ function(loosefit_module name)
     add_executable(test_${name} ${tests})
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_link_libraries(test_${name} PRIVATE loosefit_${name} loosefit_warnings GTest::gtest_main)
+    foreach(used ${ARG_TEST_USES}) # modules above this one that its tests take examples from
+      target_link_libraries(test_${name} PRIVATE loosefit_${used})
+    endforeach()
     target_compile_definitions(test_${name} PRIVATE
       LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
     gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 600

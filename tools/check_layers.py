@@ -40,7 +40,7 @@ def cmake_uses(root):
         uses = []
         if "USES" in words:
             for word in words[words.index("USES") + 1:]:
-                if word == "LIBRARIES":
+                if word in ("LIBRARIES", "TEST_USES"):
                     break
                 uses.append(word)
         declared[words[0]] = uses

@@ -17,7 +17,10 @@
 #include "loosefit/io/pattern_svg.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
-#include "loosefit/pattern/garment_size.h"
+#include "loosefit/io/scenario_place.h"
+#include "loosefit/kinds/body_measures.h"
+#include "loosefit/kinds/find_size.h"
+#include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
@@ -25,47 +28,55 @@
 namespace loosefit {
 namespace {
 
-struct Wish {
-  std::string file, size, body, scenario, out;
-  std::string kind = shirt_kinds().front();
-  bool kind_given = false;
-  bool list_sizes = false;
-  std::map<std::string, std::optional<double>> measures, fit;
+/// A number that an option of the command line gives.
+struct NumberOption {
+  std::string name;  ///< of the option, without the dashes
+  std::string key;   ///< KindMeasure::name or KindKey::name
+  std::string help;
+  bool degrees = false;  ///< the key is in radians
 };
 
-/// What can be said of a body's measures by option name.
-std::map<std::string, double ShirtMeasures::*> measure_fields() {
-  return {{"chest", &ShirtMeasures::chest},
-          {"waist", &ShirtMeasures::waist},
-          {"hip", &ShirtMeasures::hip},
-          {"neck", &ShirtMeasures::neck},
-          {"upper-arm", &ShirtMeasures::upper_arm},
-          {"wrist", &ShirtMeasures::wrist},
-          {"shoulder-breadth", &ShirtMeasures::shoulder_breadth},
-          {"scye-depth", &ShirtMeasures::scye_depth},
-          {"hps-to-waist", &ShirtMeasures::hps_to_waist},
-          {"hps-to-hem", &ShirtMeasures::hps_to_hem},
-          {"arm-length", &ShirtMeasures::arm_length}};
+std::string dashed(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
 }
 
-std::map<std::string, double ShirtFit::*> fit_fields() {
-  return {{"fit-chest", &ShirtFit::chest},
-          {"fit-hip", &ShirtFit::hip},
-          {"fit-sleeve", &ShirtFit::sleeve},
-          {"fit-wrist", &ShirtFit::wrist},
-          {"neck-ease", &ShirtFit::neck_ease},
-          {"scye-ease", &ShirtFit::scye_ease},
-          {"shoulder-follow", &ShirtFit::shoulder_follow},
-          {"cap-ease", &ShirtFit::cap_ease},
-          {"sleeve-length", &ShirtFit::sleeve_length}};
+void add_once(std::vector<NumberOption>& options, const NumberOption& option) {
+  for (const NumberOption& other : options)
+    if (other.name == option.name) return;
+  options.push_back(option);
 }
 
-/// The name in a scenario of what an option sets: "fit-chest" and "neck-ease" are chest, neck_ease.
-std::string scenario_name(std::string option) {
-  if (option.starts_with("fit-")) option.erase(0, 4);
-  std::replace(option.begin(), option.end(), '-', '_');
-  return option;
+/// Measures of the body that any kind of garment asks for.
+std::vector<NumberOption> measure_options() {
+  std::vector<NumberOption> options;
+  for (const GarmentKind& kind : garment_kinds())
+    for (const KindMeasure& m : kind.measures) {
+      const bool angle = m.unit == "rad";
+      add_once(options, {dashed(m.name) + (angle ? "-deg" : ""), m.name,
+                         angle ? "of the body [degrees]" : "of the body [m]", angle});
+    }
+  return options;
 }
+
+/// Keys of [garment.fit] of any kind of garment.
+std::vector<NumberOption> fit_options() {
+  std::vector<NumberOption> options;
+  for (const GarmentKind& kind : garment_kinds())
+    for (const KindKey& key : kind.keys)
+      add_once(options, {(key.mobility ? "fit-" : "") + dashed(key.name), key.name,
+                         key.meaning + (key.mobility ? ": garment girth / body girth - 1"
+                                                     : " (" + key.unit + ")")});
+  return options;
+}
+
+struct Wish {
+  std::string file, size, body, scenario, out;
+  std::string kind = garment_kinds().front().name;
+  bool kind_given = false;
+  bool list_sizes = false;
+  std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
+};
 
 bool any(const std::map<std::string, std::optional<double>>& wishes) {
   for (const auto& [name, value] : wishes)
@@ -73,42 +84,37 @@ bool any(const std::map<std::string, std::optional<double>>& wishes) {
   return false;
 }
 
-/// The pattern and the body it is compared with, if there is one.
+/// The pattern and how it fits the body it is compared with, if there is one.
 struct Made {
   Pattern pattern;
-  std::optional<ShirtMeasures> body;
-  std::optional<ShirtDraftReport> draft;
-  std::optional<double> cuff_on;  ///< girth of the arm where a short sleeve ends [m]
+  std::vector<FitLevel> levels;
+  std::string details;  ///< of the draft
   std::vector<std::string> warnings;
 };
 
 /// Measures that the user gave over those of a body; their keys go into `asked`.
-void override_measures(const Wish& wish, ShirtMeasures& measures, std::set<std::string>& asked) {
-  for (const auto& [name, field] : measure_fields())
-    if (const auto& value = wish.measures.at(name)) {
-      measures.*field = *value;
-      asked.insert("measures." + scenario_name(name));
+void override_measures(const Wish& wish, NamedValues& measures, std::set<std::string>& asked) {
+  for (const NumberOption& option : measure_options())
+    if (const auto& value = wish.measures.at(option.name)) {
+      measures[option.key] = option.degrees ? radians(*value) : *value;
+      asked.insert("measures." + option.key);
     }
-  if (const auto& slope = wish.measures.at("shoulder-slope-deg")) {
-    measures.shoulder_slope = radians(*slope);
-    asked.insert("measures.shoulder_slope");
-  }
 }
 
 /// What a scenario with these options would ask for.
-GarmentSpec garment_of(const Wish& wish) {
+GarmentSpec garment_of(const Wish& wish, const GarmentKind& kind) {
   GarmentSpec garment;
-  garment.pattern = wish.kind;
-  garment.fit = usual_fit(wish.kind);
+  garment.kind = wish.kind;
   garment.size = wish.size;
-  garment.adapt = shirt_fit_names();
-  const auto given = [&](const std::string& option) {
-    std::erase(garment.adapt, scenario_name(option));
-  };
-  for (const auto& [name, field] : fit_fields())
-    if (const auto& value = wish.fit.at(name)) garment.fit.*field = *value, given(name);
-  garment.fit.waist = wish.fit.at("fit-waist");
-  if (garment.fit.waist) given("fit-waist");
+  for (const KindKey& key : kind.keys) garment.adapt.push_back(key.name);
+  for (const NumberOption& option : fit_options()) {
+    const auto& value = wish.fit.at(option.name);
+    if (!value) continue;
+    if (std::erase(garment.adapt, option.key) == 0)
+      throw InvalidInput({{}, 0, "--" + option.name}, "an option that a " + kind.title + " has not",
+                         "keys of its fit: " + join(garment.adapt));
+    garment.fit[option.key] = *value;
+  }
   return garment;
 }
 
@@ -119,74 +125,61 @@ Made make(const Wish& wish) {
   if (sources > 1 || (sources == 1 && any(wish.fit)) || (fixed && wish.kind_given))
     throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
                        "one of --file, --size, --scenario, or measures with a fit");
-  const GarmentSpec garment = garment_of(wish);
-  if (!wish.size.empty() && !garment_size(wish.size))
-    throw InvalidInput({{}, 0, "--size"}, '"' + printable(wish.size) + '"', "a garment size",
-                       did_you_mean(wish.size, garment_size_names()));
-  const bool has_body = !wish.body.empty() || any(wish.measures);
-  ShirtMeasures measures;
-  std::set<std::string> asked;
-  if (!wish.body.empty())
-    measures = read_measures(wish.body);
-  else if (wish.scenario.empty() && wish.size.empty() && (wish.file.empty() || has_body))
-    measures = shirt_measures(make_body(default_scenario().body).body);
-  override_measures(wish, measures, asked);
-
+  // A scenario brings body and garment.
+  if (!wish.scenario.empty()) {
+    const Scenario scenario = read_scenario(wish.scenario);
+    try {
+      CasePattern result = make_pattern(scenario.studied().spec, make_body(scenario.body).body);
+      return {std::move(result.pattern), std::move(result.levels), {}, std::move(result.warnings)};
+    } catch (const InvalidInput& error) {
+      throw in_scenario(error, scenario);
+    }
+  }
+  // A pattern file tells its kind, which tells the measures that it is compared with.
+  std::string kind_name = wish.kind;
   if (!wish.file.empty()) {
     PatternFile file = read_garmentcode(wish.file);
     made.pattern = std::move(file.pattern);
     made.warnings = std::move(file.warnings);
-    if (has_body) made.body = measures;
+    kind_name = made.pattern.kind;
+  }
+  const GarmentKind& kind = garment_kind(kind_name);
+  const bool has_body = !wish.body.empty() || any(wish.measures);
+  NamedValues measures;
+  std::set<std::string> asked;
+  if (!wish.body.empty())
+    measures = read_measures(wish.body, kind.measures);
+  else if (wish.size.empty() && (wish.file.empty() || has_body))
+    measures = draft_measures(kind, make_body(default_scenario().body).body.measured);
+  override_measures(wish, measures, asked);
+  if (!wish.file.empty()) {
+    made.levels = kind.levels(made.pattern, measures, {});
     return made;
   }
-  if (!wish.scenario.empty()) {
-    const Scenario scenario = read_scenario(wish.scenario);
-    try {
-      const Body body = make_body(scenario.body).body;
-      CasePattern result = make_pattern(scenario.studied().spec, body);
-      made.pattern = std::move(result.pattern);
-      made.warnings = std::move(result.warnings);
-      made.body = shirt_measures(body);
+  // A draft; a size is compared with its own body unless there is another one.
+  if (!wish.size.empty()) try {
+      const KindSize& size = find_size(kind.sizes, wish.size);
+      if (!has_body) measures = size.measures;
     } catch (const InvalidInput& error) {
-      throw in_scenario(error, scenario);
+      throw error.at({{}, 0, "--size"});
     }
-    return made;
-  }
-  AdaptedShirt shirt = draft_garment(garment, measures, asked);
-  made.pattern = std::move(shirt.pattern);
-  made.warnings = std::move(shirt.notes);
-  made.draft = shirt.report;
-  if (wish.size.empty())
-    made.body = measures;
-  else
-    made.body = has_body ? measures : garment_size(wish.size)->body;
-  if (shirt.fit.sleeve_length < 1) made.cuff_on = arm_girth_at(*made.body, shirt.fit.sleeve_length);
+  DraftedGarment drafted = draft_garment(garment_of(wish, kind), measures, asked);
+  made.pattern = std::move(drafted.pattern);
+  made.levels = kind.levels(made.pattern, measures, drafted.fit);
+  made.details = std::move(drafted.details);
+  made.warnings = std::move(drafted.notes);
   return made;
 }
 
-void print_girths(const Made& made) {
-  const auto girths = shirt_girths(made.pattern, made.body ? made.body->hps_to_waist : 0);
-  if (girths.empty()) return;
+void print_girths(const std::vector<FitLevel>& levels) {
+  if (levels.empty()) return;
   fmt::print("{:<10} {:>9} {:>11} {:>8}\n", "level", "body [m]", "garment [m]", "BGM");
-  const std::map<std::string, double ShirtMeasures::*> body_girth = {
-      {"chest", &ShirtMeasures::chest},
-      {"waist", &ShirtMeasures::waist},
-      {"hip", &ShirtMeasures::hip},
-      {"sleeve", &ShirtMeasures::upper_arm},
-      {"wrist", &ShirtMeasures::wrist}};
-  for (const char* level : {"chest", "waist", "hip", "sleeve", "wrist"}) {
-    const auto girth = girths.find(level);
-    if (girth == girths.end()) continue;
-    if (!made.body) {
-      if (std::string(level) == "waist") continue;  // its level is a measure of the body
-      fmt::print("{:<10} {:>9} {:>11.4f} {:>8}\n", level, "", girth->second, "");
-      continue;
-    }
-    const bool cuff = std::string(level) == "wrist" && made.cuff_on;
-    const double body = cuff ? *made.cuff_on : *made.body.*body_girth.at(level);
-    fmt::print("{:<10} {:>9.4f} {:>11.4f} {:>+8.4f}\n", cuff ? "cuff" : level, body, girth->second,
-               girth->second / body - 1);
-  }
+  for (const FitLevel& level : levels)
+    if (level.body)
+      fmt::print("{:<10} {:>9.4f} {:>11.4f} {:>+8.4f}\n", level.name, *level.body, level.garment,
+                 level.garment / *level.body - 1);
+    else
+      fmt::print("{:<10} {:>9} {:>11.4f} {:>8}\n", level.name, "", level.garment, "");
   fmt::print("\n");
 }
 
@@ -224,32 +217,33 @@ void print_seams(const Pattern& pattern) {
   }
 }
 
-void print_sizes() {
-  for (const std::string& name : garment_size_names()) {
-    const GarmentSize size = *garment_size(name);
-    const auto girths = shirt_girths(draft_shirt(size.body, size.fit), size.body.hps_to_waist);
-    fmt::print("{:<10} body {:.2f}/{:.2f}/{:.2f} m, garment {:.3f}/{:.3f}/{:.3f} m\n", name,
-               size.body.chest, size.body.waist, size.body.hip, girths.at("chest"),
-               girths.at("waist"), girths.at("hip"));
+/// Body and garment at the levels of fit that a size has both for.
+void print_sizes(const GarmentKind& kind) {
+  for (const KindSize& size : kind.sizes) {
+    const DraftedGarment garment = kind.draft({{}, size.name, {}, {}});
+    std::vector<std::string> names, bodies, girths;
+    for (const FitLevel& level : kind.levels(garment.pattern, size.measures, garment.fit)) {
+      if (!level.body) continue;
+      names.push_back(level.name);
+      bodies.push_back(fmt::format("{:.2f}", *level.body));
+      girths.push_back(fmt::format("{:.3f}", level.garment));
+    }
+    fmt::print("{:<10} {}: body {} m, garment {} m\n", size.name, join(names, "/"),
+               join(bodies, "/"), join(girths, "/"));
     fmt::print("           {}\n", size.source);
   }
 }
 
 void run(const Wish& wish) {
-  if (wish.list_sizes) return print_sizes();
+  if (wish.list_sizes) return print_sizes(garment_kind(wish.kind));
   const Made made = make(wish);
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   fmt::print("{}\n\n", terminal_line(made.pattern.name));
-  print_girths(made);
+  print_girths(made.levels);
   print_pieces(made.pattern);
   print_seams(made.pattern);
-  if (made.draft)
-    fmt::print(
-        "\narmhole {:.1f} mm, depth {:.1f} mm, cap height {:.1f} mm (ratio {:.2f}), underarm "
-        "lowered {:.1f} mm, shoulder dropped {:.1f} mm\n",
-        1000 * made.draft->armhole, 1000 * made.draft->armhole_depth, 1000 * made.draft->cap_height,
-        made.draft->cap_ratio, 1000 * made.draft->deepened, 1000 * made.draft->dropped);
+  if (!made.details.empty()) fmt::print("\n{}\n", made.details);
   if (wish.out.empty()) return;
   RunFolder folder = RunFolder::add(wish.out, "pattern");
   write_garmentcode(folder.path() / "pattern.json", made.pattern);
@@ -262,14 +256,14 @@ void run(const Wish& wish) {
 
 void add_pattern_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "pattern", "draft the shirt from measures, a body or a size, or read a pattern file");
+      "pattern", "draft a garment from measures, a body or a size, or read a pattern file");
   auto wish = std::make_shared<Wish>();
   command
       ->add_option_function<std::string>(
           "--pattern",
           [wish](const std::string& kind) { wish->kind = kind, wish->kind_given = true; },
-          join(shirt_kinds()) + "; default " + shirt_kinds().front())
-      ->check(CLI::IsMember(shirt_kinds()));
+          join(drafted_kinds()) + "; default " + wish->kind)
+      ->check(CLI::IsMember(drafted_kinds()));
   command->add_option("--file", wish->file, "GarmentCode specification JSON instead of the draft");
   command->add_option("--size", wish->size, "garment size, e.g. child-142, women-38, men-M");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
@@ -277,22 +271,11 @@ void add_pattern_command(CLI::App& app) {
                       "body.json of `loosefit body`, or JSON with measures; default: the body of a "
                       "scenario without [body]");
   command->add_option("--scenario", wish->scenario, "body and garment of a scenario file");
-  for (const auto& [name, field] : measure_fields())
-    command->add_option("--" + name, wish->measures[name], "of the body [m]");
-  command->add_option("--shoulder-slope-deg", wish->measures["shoulder-slope-deg"],
-                      "of the body [degrees]");
-  for (const auto& [name, field] : fit_fields()) wish->fit[name];
-  const char* mobility =
-      "body-garment mobility: garment girth / body girth - 1; as [garment.fit] of a scenario";
-  for (const char* name : {"fit-chest", "fit-waist", "fit-hip", "fit-sleeve", "fit-wrist"})
-    command->add_option(std::string("--") + name, wish->fit[name], mobility);
-  command->add_option("--neck-ease", wish->fit["neck-ease"], "share added to the neck width");
-  command->add_option("--scye-ease", wish->fit["scye-ease"], "underarm below the armpit [m]");
-  command->add_option("--shoulder-follow", wish->fit["shoulder-follow"],
-                      "share of a loose chest that widens the shoulders");
-  command->add_option("--cap-ease", wish->fit["cap-ease"], "cap longer than the armhole, share");
-  command->add_option("--sleeve-length", wish->fit["sleeve-length"],
-                      "from the shoulder point to the hem of the sleeve, as a share of the arm");
+  for (const NumberOption& option : measure_options())
+    command->add_option("--" + option.name, wish->measures[option.name], option.help);
+  for (const NumberOption& option : fit_options())
+    command->add_option("--" + option.name, wish->fit[option.name],
+                        option.help + "; as [garment.fit] of a scenario");
   command->add_option("-o,--output", wish->out, "folder for pattern.json and pattern.svg");
   command->callback([wish] { run(*wish); });
 }

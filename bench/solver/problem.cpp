@@ -5,9 +5,10 @@
 
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/drape/posed_body.h"
-#include "loosefit/dress/dress.h"
+#include "loosefit/dress/lay_round.h"
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/kinds/shirt/lay_shirt.h"
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/quasi_static.h"
 #include "loosefit/study/case_body.h"
@@ -83,7 +84,7 @@ name = "paper-cotton"
   shirt->garment = build_hierarchy(make_pattern(scenario.studied().spec, shirt->body.body).pattern,
                                    edge_length, shirt->material);
   // As the dress stage: contract soft and without friction, then with both, then level by level.
-  VectorField x = dress_shirt(shirt->garment.levels[0], shirt->body.path(0.0));
+  VectorField x = lay_round(shirt->garment.levels[0], shirt->body.path(0.0), lay_shirt);
   shirt->posed = pose_for_contact(shirt->body.path(0.0), bounds(x), 0.005);
   for (double share : {0.01, 0.1}) settle(*shirt->model(0, share, false), x, 30, 60, 0.01);
   int level = 0;

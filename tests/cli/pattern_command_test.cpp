@@ -6,7 +6,7 @@
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
 #include "support/run_program.h"

@@ -1,9 +1,11 @@
+#include "loosefit/dress/dress_layers.h"
+
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
-#include "loosefit/dress/dress.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "support/shirt_kind.h"
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
 
@@ -42,7 +44,8 @@ TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
   const Body body = support::standing(support::adult_parameters(), c.arms);
   const Garment inner = assemble(shirt_for(body, c.inner_fit, c.inner_sleeve), c.edge, Material{});
   const Garment outer = assemble(shirt_for(body, c.outer_fit), c.edge, Material{});
-  const std::vector<Vec3> all = dress_layers({{&inner, nullptr}, {&outer, nullptr}}, body);
+  const std::vector<Vec3> all =
+      dress_layers({{&inner, nullptr, lay_shirt}, {&outer, nullptr, lay_shirt}}, body);
   const std::vector<Vec3> x(all.begin(), all.begin() + inner.vertex_count);
   const std::vector<Vec3> y(all.begin() + inner.vertex_count, all.end());
   ASSERT_EQ(static_cast<int>(y.size()), outer.vertex_count);
@@ -72,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DressLayers, OneLayerIsDressedAsIfAlone) {
   const Body body = support::standing(support::adult_parameters(), 25);
   const Garment shirt = assemble(shirt_for(body, 0.1), 0.03, Material{});
-  EXPECT_EQ(dress_layers({{&shirt, nullptr}}, body), dress_shirt(shirt, body));
+  EXPECT_EQ(dress_layers({{&shirt, nullptr, lay_shirt}}, body), support::dress_shirt(shirt, body));
 }
 
 TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
@@ -83,7 +86,7 @@ TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
   pattern.panels[0].translation = Vec3(-0.2, -0.2, 1.0);
   const Garment square = assemble(pattern, 0.05, Material{});
   try {
-    dress_layers({{&shirt, nullptr}, {&square, &pattern}}, body);
+    dress_layers({{&shirt, nullptr, lay_shirt}, {&square, &pattern}}, body);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("under them"), std::string::npos) << error.what();

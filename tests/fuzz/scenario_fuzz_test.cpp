@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 #include "support/mutate.h"
 #include "support/run_program.h"

@@ -8,8 +8,8 @@
 
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/shirt_draft.h"
 
 namespace loosefit {
 namespace {

@@ -8,9 +8,10 @@
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/garmentcode_write.h"
-#include "loosefit/pattern/garment_size.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_levels.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/shirt_draft.h"
+#include "support/shirt_kind.h"
 
 namespace loosefit {
 namespace {
@@ -72,7 +73,7 @@ TEST(GarmentCode, ExampleFilesAreTheSizesTheyAreNamedAfter) {
                          "/examples/patterns/long-sleeve-shirt-" + name + ".json");
     EXPECT_TRUE(file.warnings.empty());
     EXPECT_EQ(file.pattern.stitches.size(), 12u);
-    const GarmentSize size = *garment_size(name);
+    const support::ShirtSize size = support::shirt_size(name);
     const auto read = shirt_girths(file.pattern, size.body.hps_to_waist);
     const auto drafted = shirt_girths(draft_shirt(size.body, size.fit), size.body.hps_to_waist);
     ASSERT_EQ(read.size(), drafted.size());

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 
 namespace loosefit {
 namespace {

@@ -9,10 +9,12 @@
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/garment_size.h"
+#include "loosefit/kinds/recognise.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_levels.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/shirt_parts.h"
 #include "support/mutate.h"
+#include "support/shirt_kind.h"
 
 // Patterns that our draft made, as files: the same bytes again, and known for what they are.
 namespace loosefit {
@@ -38,10 +40,10 @@ TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * double(random() % 100001) / 1e5;
   };
-  const std::vector<std::string> names = garment_size_names();
+  const std::vector<std::string> names = support::shirt_size_names();
   int drafted = 0;
   for (int i = 0; i < 60; ++i) {
-    ShirtMeasures body = garment_size(names[random() % names.size()])->body;
+    ShirtMeasures body = support::shirt_size(names[random() % names.size()]).body;
     for (double* value : {&body.chest, &body.waist, &body.hip, &body.arm_length, &body.hps_to_hem})
       *value *= uniform(0.93, 1.07);
     ShirtFit fit;
@@ -57,12 +59,13 @@ TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
     ++drafted;
     const PatternFile again = parse_garmentcode(text, "p.json");
     EXPECT_TRUE(again.warnings.empty()) << again.warnings[0];
-    EXPECT_TRUE(has_shirt_parts(again.pattern));
+    EXPECT_EQ(again.pattern.kind, "long-sleeve-shirt");
+    EXPECT_EQ(draft_mark(again.pattern), "shirt 1");
     ASSERT_EQ(garmentcode_text(again.pattern), text) << i;
   }
   EXPECT_GT(drafted, 40);
   for (const std::string& name : names) {
-    const GarmentSize size = *garment_size(name);
+    const support::ShirtSize size = support::shirt_size(name);
     const std::string text = garmentcode_text(draft_shirt(size.body, size.fit));
     ASSERT_EQ(garmentcode_text(parsed(text)), text) << name;
   }
@@ -78,7 +81,7 @@ TEST(OwnPatterns, WhatWasReadFromOthersIsWrittenAndReadAsTheSameBytes) {
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.filename());
     const Pattern pattern = read_garmentcode(file).pattern;
-    EXPECT_FALSE(has_shirt_parts(pattern));
+    EXPECT_EQ(draft_mark(pattern), "");
     const std::string text = garmentcode_text(pattern);
     EXPECT_EQ(garmentcode_text(parsed(text)), text);
   }
@@ -92,7 +95,7 @@ TEST(OwnPatterns, PartsAreFoundByTheSeams) {
     for (PanelEdge& edge : panel.edges) edge.part.clear();
   }
   std::swap(blank.panels[0].name, blank.panels[1].name);
-  ASSERT_TRUE(note_shirt_parts(blank));
+  ASSERT_TRUE(garment_kind("long-sleeve-shirt").note_parts(blank));
   for (std::size_t p = 0; p < 6; ++p) {
     EXPECT_EQ(blank.panels[p].part, shirt.panels[p].part);
     for (std::size_t e = 0; e < shirt.panels[p].edges.size(); ++e)
@@ -100,10 +103,11 @@ TEST(OwnPatterns, PartsAreFoundByTheSeams) {
   }
   Pattern open = shirt;
   open.stitches.pop_back();
-  EXPECT_FALSE(note_shirt_parts(open)) << "a sleeve that is not closed";
+  EXPECT_FALSE(garment_kind("long-sleeve-shirt").note_parts(open)) << "a sleeve that is not closed";
   Pattern crossed = shirt;
   std::swap(crossed.stitches[0].second, crossed.stitches[1].second);
-  EXPECT_FALSE(note_shirt_parts(crossed)) << "a side sewn to a shoulder";
+  EXPECT_FALSE(garment_kind("long-sleeve-shirt").note_parts(crossed))
+      << "a side sewn to a shoulder";
 }
 
 TEST(OwnPatterns, AreKnownWithOtherNames) {
@@ -112,7 +116,7 @@ TEST(OwnPatterns, AreKnownWithOtherNames) {
     text = replaced(text, std::string("\"") + name + "\"", std::string("\"my ") + name + " 2\"");
   const PatternFile file = parse_garmentcode(text, "p.json");
   EXPECT_TRUE(file.warnings.empty());
-  EXPECT_TRUE(has_shirt_parts(file.pattern));
+  EXPECT_EQ(draft_mark(file.pattern), "shirt 1");
   EXPECT_EQ(file.pattern.find_panel("front"), -1);
   EXPECT_EQ(file.pattern.panels[0].name, "my front 2");
   EXPECT_EQ(shirt_girths(file.pattern, .4), shirt_girths(parsed(shirt_text()), .4));
@@ -125,15 +129,16 @@ TEST(OwnPatterns, NamesAloneDoNotMakeAShirt) {
   ASSERT_NE(last, std::string::npos);
   text.erase(last, text.find("\n    ],", last) - last);
   const PatternFile file = parse_garmentcode(text, "p.json");
-  EXPECT_FALSE(has_shirt_parts(file.pattern));
+  EXPECT_EQ(draft_mark(file.pattern), "");
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_NE(file.warnings[0].find("loosefit_draft"), std::string::npos) << file.warnings[0];
 
   // Sewn like a shirt and called front and back, but with neither mark nor our edges.
   std::string foreign = replaced(shirt_text(), "\"loosefit_draft\"", "\"other_draft\"");
-  EXPECT_TRUE(has_shirt_parts(parsed(foreign))) << "a file of ours without a mark";
+  EXPECT_EQ(draft_mark(parsed(foreign)), "shirt 1") << "a file of ours without a mark";
   foreign = replaced(foreign, "\"name\":\"hem\"", "\"name\":\"lower\"");
-  EXPECT_FALSE(has_shirt_parts(parsed(foreign)));
+  EXPECT_EQ(draft_mark(parsed(foreign)), "");
+  EXPECT_EQ(parsed(foreign).kind, "pattern-file");
 }
 
 TEST(OwnPatterns, OtherKeysAreToldAsNotRead) {
@@ -166,7 +171,7 @@ TEST(OwnPatterns, DamagedFilesAreReadOrRefused) {
     const std::string text = Mutator(seed)(texts[seed % texts.size()]);
     try {
       const Pattern pattern = parsed(text);
-      has_shirt_parts(pattern);
+      draft_mark(pattern);
       if (seed % 10 == 0) garmentcode_text(pattern);
     } catch (const Error&) {
       ++refused;

@@ -8,8 +8,8 @@
 #include <regex>
 
 #include "loosefit/io/garmentcode_read.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/shirt_draft.h"
 
 namespace loosefit {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit {
@@ -11,8 +12,9 @@ namespace {
 
 // Every key that the resolved scenario writes out must be explained.
 TEST(ScenarioDocs, NameEveryKey) {
-  const std::string docs =
-      read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + "/docs/scenario.md", 1000000);
+  std::string docs;
+  for (const char* page : {"/docs/scenario.md", "/docs/garments.md"})
+    docs += read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + page, 1000000);
   Scenario scenario = default_scenario();
   scenario.attachments = {{"board", "back", Board{}}, {"cable", "back", Cable{}}};
   SiteSpec pattern, anatomical;

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scenario_place.h"
+#include "loosefit/io/scenario_writer.h"
 #include "support/refused_scenario.h"
 
 namespace loosefit {
@@ -95,8 +97,8 @@ TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   EXPECT_EQ(s.body.height, 1.68);
   EXPECT_DOUBLE_EQ(degrees(s.body.posture.arm_abduction), 25);
   EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 25);
-  EXPECT_EQ(s.studied().spec.fit.chest, 0.10);
-  EXPECT_FALSE(s.studied().spec.fit.waist.has_value());
+  EXPECT_EQ(s.studied().spec.fit.at("chest"), 0.10);
+  EXPECT_EQ(s.studied().spec.fit.count("waist"), 0u);
   EXPECT_EQ(s.studied().material.material.name, "paper-cotton");
   EXPECT_EQ(s.studied().material.material.bending_warp, 4.41e-6);
   EXPECT_EQ(s.simulation.edge_length, 0.010);
@@ -108,7 +110,7 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(s.body.sex, 1);
   EXPECT_EQ(s.body.measurements.at("chest"), 1.0);
   EXPECT_DOUBLE_EQ(degrees(s.body.posture.forward_bend), 12.5);
-  EXPECT_EQ(s.studied().spec.fit.waist, 0.12);
+  EXPECT_EQ(s.studied().spec.fit.at("waist"), 0.12);
   EXPECT_EQ(s.studied().material.material.areal_density, 0.187) << "from the card";
   EXPECT_EQ(s.studied().material.material.bending_warp, 9e-6) << "overridden";
   ASSERT_EQ(s.attachments.size(), 2u);

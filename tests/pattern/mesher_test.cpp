@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/shirt_draft.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
-#include "loosefit/dress/dress.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/placement/sites.h"
+#include "support/shirt_kind.h"
 #include "support/shirt_on_body.h"
 #include "support/tube_garment.h"
 
@@ -121,7 +121,7 @@ TEST(AngleInPattern, IsThatOfTheImageOfTheAxis) {
 TEST(GarmentOverSkin, BothAddressesAgreeOnAShirtWithinOnePercent) {
   const Body body = support::standing(support::adult_parameters(), 30);
   const Garment shirt = assemble(support::shirt_for(body, 0.12), 0.02, Material{});
-  const std::vector<Vec3> x = dress_shirt(shirt, body);  // not settled: a hard case
+  const std::vector<Vec3> x = support::dress_shirt(shirt, body);  // not settled: a hard case
   const WornGarment worn = relate(shirt, x, body);
   const GarmentOverSkin over_skin(shirt, x, body, worn);
   const BodyAddresses addresses(body);

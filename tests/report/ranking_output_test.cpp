@@ -8,7 +8,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/report/sewing_plan.h"
 
 namespace loosefit {

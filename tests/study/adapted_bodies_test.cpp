@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
 #include "support/body_fixture.h"

@@ -14,11 +14,11 @@ using support::measured_woman;
 
 TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
   GarmentSpec wished;
-  wished.fit.chest = 0.15;
-  wished.fit.waist = 0.22;
-  wished.fit.hip = 0.05;
-  wished.fit.sleeve = 0.30;
-  wished.fit.wrist = 0.40;
+  wished.fit["chest"] = 0.15;
+  wished.fit["waist"] = 0.22;
+  wished.fit["hip"] = 0.05;
+  wished.fit["sleeve"] = 0.30;
+  wished.fit["wrist"] = 0.40;
   const CasePattern made = make_pattern(wished, measured_woman());
   EXPECT_NEAR(made.fit.at("chest"), 0.15, 1e-6);
   EXPECT_NEAR(made.fit.at("waist"), 0.22, 1e-6);
@@ -43,9 +43,9 @@ TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
 
 TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
   GarmentSpec wished;
-  wished.pattern = "t-shirt";
-  wished.fit.sleeve_length = 0.36;
-  wished.fit.wrist = 0.12;
+  wished.kind = "t-shirt";
+  wished.fit["sleeve_length"] = 0.36;
+  wished.fit["wrist"] = 0.12;
   const CasePattern made = make_pattern(wished, measured_woman());
   EXPECT_EQ(made.pattern.name, "t-shirt");
   EXPECT_NEAR(made.fit.at("cuff"), 0.12, 1e-9);

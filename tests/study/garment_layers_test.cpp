@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_place.h"
 #include "loosefit/study/summary.h"
 #include "support/measured_woman.h"
 

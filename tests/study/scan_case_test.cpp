@@ -33,7 +33,7 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
   const CaseResult result = run_case(scenario, silent);
   EXPECT_TRUE(result.certificate().settled()) << result.certificate().stop_reason;
   EXPECT_FALSE(result.sites.empty());
-  EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.chest, 1e-3);
+  EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.at("chest"), 1e-3);
   std::filesystem::remove(file);
 }
 

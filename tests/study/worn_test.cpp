@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "loosefit/drape/openings.h"
-#include "loosefit/dress/dress.h"
 #include "loosefit/garment/hierarchy.h"
 #include "loosefit/io/garmentcode_read.h"
 #include "support/sewn_garments.h"
+#include "support/shirt_kind.h"
 #include "support/shirt_on_body.h"
 #include "support/trunk_tubes.h"
 #include "support/worn_shirt.h"
@@ -81,13 +81,13 @@ TEST(Openings, KeepTheirUseWhereverThePatternIsPlaced) {
 }
 
 TEST(Worn, AShirtAsItIsPutOn) {
-  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   EXPECT_EQ(shirt().on(x), Reasons{});
   EXPECT_EQ(shirt().on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
 }
 
 TEST(Worn, NotAShirtThatHasFallen) {
-  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const Reasons low = shirt().on(moved(x, {0, 0, -0.4}));
   EXPECT_EQ(low, (Reasons{"the neck opening lies below both shoulders", "the left sleeve is empty",
                           "the right sleeve is empty"}))
@@ -100,7 +100,7 @@ TEST(Worn, NotAShirtThatHasFallen) {
 }
 
 TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
-  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const Vec3 shoulder = woman().joints.at("shoulder_L");
   for (Vec3& p : x)  // swung down before the trunk
     if (p.x() > shoulder.x() + 0.04) p = Vec3(shoulder.x() + 0.04, p.y() - 0.5, p.z() - 0.3);
@@ -108,7 +108,7 @@ TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
 }
 
 TEST(Worn, ASleeveThatIsLongerThanItsArm) {
-  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const Vec3 elbow = woman().joints.at("elbow_L"), wrist = woman().joints.at("wrist_L");
   const Vec3 along = (wrist - elbow).normalized();
   for (Vec3& p : x) {
@@ -244,7 +244,7 @@ TEST(Worn, AStraplessDressAtTheChestAndNotAtTheHips) {
 TEST(Worn, AShirtWithTheArmsRaisedAside) {
   const Body raised = support::standing(support::adult_parameters(), 80);
   const Sewn made(support::shirt_for(raised, 0.2));
-  EXPECT_EQ(made.on(dress_shirt(made.mesh(), raised), raised), Reasons{});
+  EXPECT_EQ(made.on(support::dress_shirt(made.mesh(), raised), raised), Reasons{});
 }
 
 /// The shirt cut open along the middle of its front, without labels on its edges.
@@ -271,7 +271,7 @@ struct Jacket {
 
 TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
   const Jacket jacket;
-  std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   EXPECT_EQ(jacket.on(x), Reasons{});
   EXPECT_EQ(jacket.on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
   const double shoulder = woman().joints.at("shoulder_L").x(),
@@ -287,7 +287,7 @@ TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
 
 TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
   const Jacket jacket;
-  const std::vector<Vec3> x = dress_shirt(shirt().mesh(), woman());
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const auto alike = [&](const Garment& mesh, const Vec3& way) {
     return worn_alike(mesh, jacket.pattern, moved(x, way), woman(), x, woman());
   };

@@ -1,5 +1,5 @@
 #pragma once
-#include "loosefit/pattern/shirt_draft.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "support/body_fixture.h"
 
 namespace loosefit::support {

@@ -9,6 +9,7 @@
 
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/kinds/registry.h"
 
 namespace loosefit {
 namespace {
@@ -162,6 +163,22 @@ class Uses {
   bool open_front_ = false;
 };
 
+/// Tells by the kind of the garment what its openings are for; false where it does not know.
+bool tell_by_kind(std::vector<Opening>& openings, const Garment& garment, const Pattern& pattern) {
+  const std::vector<KindOpening>& made = garment_kind(pattern.kind).openings;
+  for (const KindOpening& known : made) {
+    std::set<int> rim;
+    for (const auto& [panel, edge] : known.edges)
+      if (const auto* chain = garment.find_part(panel, edge))
+        rim.insert(chain->vertices.begin(), chain->vertices.end());
+    for (Opening& opening : openings)
+      if (std::all_of(opening.loop.begin(), opening.loop.end(),
+                      [&](int v) { return rim.count(v) > 0; }))
+        opening.use = known.use;
+  }
+  return !made.empty();
+}
+
 }  // namespace
 
 std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& pattern) {
@@ -231,6 +248,7 @@ std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pat
   if (placed.empty()) return openings;
   Box3 box;
   for (const Vec3& p : placed) box.extend(p);
+  if (tell_by_kind(openings, garment, pattern)) return openings;
   for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
   return openings;
 }

@@ -4,25 +4,10 @@
 
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/garment/garment.h"
+#include "loosefit/kinds/opening_use.h"
 #include "loosefit/pattern/pattern.h"
 
 namespace loosefit {
-
-/// What an opening of a garment was made for.
-enum class OpeningUse {
-  unknown,   ///< an unusual cut: it is only asked that it stays where it was put on
-  limb,      ///< of a tube for a limb (`round`): stocking, arm band
-  tube,      ///< of a tube for whatever goes through both its ends
-  neck,      ///< of a garment that hangs on the shoulders
-  cape_hem,  ///< of a cape or poncho, arms within or out below it
-  left_arm,  ///< cuff or armhole
-  right_arm,
-  left_leg,
-  right_leg,
-  waist,  ///< of what hangs on the hips
-  upper,  ///< of a tube round the trunk: waist of a skirt, or top of a strapless dress
-  hem     ///< round trunk or both legs
-};
 
 /// A closed edge of a garment that a limb may go through.
 struct Opening {
@@ -36,13 +21,13 @@ struct Opening {
   bool at_chest = false;              ///< an edge is labelled "strapless_top"
 };
 
-/// The openings, in the order of their first vertices. What each was made for is told by how they
-/// lie to each other where the pattern places its pieces, whatever wearer that was made for, and
-/// by the labels of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are
-/// arms, a pair below a single opening are legs, a second pair below the first are legs too, two
-/// in the middle alone are the ends of a tube round the trunk unless tell_tubes says otherwise. An
-/// edge that runs from top to bottom is an open front. Holes that no hand goes through (8 cm) are
-/// left out.
+/// The openings, in the order of their first vertices. What each was made for is told by the kind
+/// of the garment (GarmentKind::openings) or, where that does not know, by how they lie to each
+/// other where the pattern places its pieces, whatever wearer that was made for, and by the labels
+/// of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are arms, a pair
+/// below a single opening are legs, a second pair below the first are legs too, two in the middle
+/// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. An edge that runs
+/// from top to bottom is an open front. Holes that no hand goes through (8 cm) are left out.
 std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern);
 
 /// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the

@@ -5,7 +5,8 @@
 
 #include "loosefit/drape/cloth_run.h"
 #include "loosefit/drape/hold_off_cuts.h"
-#include "loosefit/dress/dress.h"
+#include "loosefit/dress/dress_layers.h"
+#include "loosefit/kinds/registry.h"
 
 namespace loosefit {
 namespace {
@@ -48,8 +49,10 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
 
 void ClothRun::dress(Body body) {
   std::vector<LayerToDress> to_dress;
-  for (int l = 0; l < layers(); ++l)
-    to_dress.push_back({&level_garment(l), &layers_[l].garment->pattern});
+  for (int l = 0; l < layers(); ++l) {
+    const Pattern& pattern = layers_[l].garment->pattern;
+    to_dress.push_back({&level_garment(l), &pattern, garment_kind(pattern.kind).lay});
+  }
   x_ = dress_layers(to_dress, body);
   perturb();
   body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);

@@ -1,10 +1,11 @@
+#include "loosefit/dress/dress_as_placed.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/dress/dress.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 

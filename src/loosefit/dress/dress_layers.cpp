@@ -1,18 +1,19 @@
+#include "loosefit/dress/dress_layers.h"
+
 #include <fmt/format.h>
 
 #include <optional>
 
 #include "loosefit/base/error.h"
-#include "loosefit/dress/dress.h"
-#include "loosefit/dress/lay_shirt.h"
+#include "loosefit/dress/dress_as_placed.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit {
 namespace {
 
-/// Tries for the innermost shirt [m]: between trunk and arm there is room for a few centimetres in
-/// all, too little for wide steps and, for coarse triangles, for narrow ones.
+/// Tries for the innermost garment [m]: between trunk and arm there is room for a few centimetres
+/// in all, too little for wide steps and, for coarse triangles, for narrow ones.
 constexpr double kInnermost[] = {0.012, 0.010, 0.014, 0.008, 0.020};
 constexpr double kMostClearance = 0.08;
 constexpr double kStep = 1.1, kFirstStep = 1.35;  ///< of the clearance, and beyond the layer below
@@ -34,14 +35,16 @@ struct Dressed {
 };
 
 /// Nearest to the body where nothing cuts; what was wrong with the last try in `why`.
-std::optional<std::vector<Vec3>> lay_over(const Garment& shirt, const Body& body, int layer,
+std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const Body& body, int layer,
                                           Dressed& under, std::string& why) {
+  const Garment& garment = *to_dress.garment;
   const double most = layer == 0 ? kStep * under.clearance : kMostClearance;
   for (double c = under.clearance; c < most; c *= kStep)
     for (const double share : kDepthShares) try {
-        const auto x = lay_shirt(shirt, body, {c, (1 + layer) * kLeastDepth, share, true});
-        const auto own = self_intersections(x, shirt.triangles);
-        const auto cuts = mesh_intersections(x, shirt.triangles, under.positions, under.triangles);
+        const auto x = to_dress.lay(garment, body, {c, (1 + layer) * kLeastDepth, share, true});
+        const auto own = self_intersections(x, garment.triangles);
+        const auto cuts =
+            mesh_intersections(x, garment.triangles, under.positions, under.triangles);
         if (own.empty() && cuts.empty()) {
           under.clearance = kFirstStep * c;
           return x;
@@ -72,21 +75,21 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
 }  // namespace
 
 std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body) {
-  if (layers.size() == 1 && is_shirt(*layers[0].garment))
-    return dress_shirt(*layers[0].garment, body);
+  if (layers.size() == 1 && layers[0].lay)
+    return lay_round(*layers[0].garment, body, layers[0].lay);
   std::string why;
   for (const double innermost : kInnermost) {
     Dressed dressed{.positions = {}, .triangles = {}, .clearance = innermost};
     bool done = true;
     for (int l = 0; done && l < static_cast<int>(layers.size()); ++l) {
-      const Garment& garment = *layers[l].garment;
-      const auto x = is_shirt(garment) ? lay_over(garment, body, l, dressed, why)
-                                       : place_over(layers[l], dressed, body.surface);
-      if ((done = x.has_value())) dressed.add(garment, *x);
+      const LayerToDress& layer = layers[l];
+      const auto x = layer.lay ? lay_over(layer, body, l, dressed, why)
+                               : place_over(layer, dressed, body.surface);
+      if ((done = x.has_value())) dressed.add(*layer.garment, *x);
     }
     if (done) return dressed.positions;
   }
-  throw NoRoom("the shirts cannot be laid round this body over each other: " + why);
+  throw NoRoom("the garments cannot be laid round this body over each other: " + why);
 }
 
 }  // namespace loosefit

@@ -15,8 +15,8 @@
 #include "loosefit/io/garmentcode_merge.h"
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/kinds/recognise.h"
 #include "loosefit/pattern/pattern_check.h"
-#include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {
 namespace {
@@ -301,28 +301,21 @@ void tell_left_out(const Node& root, std::vector<std::string>& warnings) {
   left_out.tell(warnings);
 }
 
-/// Which draft made the pattern: by our mark, or by the names of all of its parts in files of
-/// versions that wrote none. Only what is still sewn like the draft counts.
+/// Which draft of ours made the pattern.
 void note_draft(const Node& root, PatternFile& file) {
   std::string mark;
   if (root.has("properties")) mark = root.at("properties").optional_text(kDraftKey);
-  if (!mark.empty() && mark != kShirtDraft) {
+  const Recognised found = recognise_kind(file.pattern, mark);
+  if (found == Recognised::unknown_draft)
     file.warnings.push_back(
         fmt::format("properties.{}: \"{}\" is of another version; the garment "
                     "is put on as its panels are placed",
                     kDraftKey, printable(mark)));
-    return;
-  }
-  Pattern noted = file.pattern;
-  if (!note_shirt_parts(noted)) {
-    if (!mark.empty())
-      file.warnings.push_back(
-          fmt::format("properties.{}: the pattern is sewn in another way than "
-                      "this draft; it is put on as its panels are placed",
-                      kDraftKey));
-    return;
-  }
-  if (!mark.empty() || called_like_shirt_parts(noted)) file.pattern = std::move(noted);
+  if (found == Recognised::sewn_otherwise)
+    file.warnings.push_back(
+        fmt::format("properties.{}: the pattern is sewn in another way than "
+                    "this draft; it is put on as its panels are placed",
+                    kDraftKey));
 }
 
 Json parse_json(const std::string& text, const std::string& file) {

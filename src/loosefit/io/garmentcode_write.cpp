@@ -9,10 +9,10 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/kinds/recognise.h"
 #include "loosefit/pattern/curve.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
-#include "loosefit/pattern/shirt_parts.h"
 
 namespace loosefit {
 namespace {
@@ -184,8 +184,9 @@ std::string garmentcode_text(const Pattern& pattern) {
     }
   }
   // The mark of our own draft, and the order of the panels.
+  const std::string draft = draft_mark(pattern);
   const std::string mark =
-      has_shirt_parts(pattern) ? fmt::format(",\n    \"{}\": \"{}\"", kDraftKey, kShirtDraft) : "";
+      draft.empty() ? "" : fmt::format(",\n    \"{}\": \"{}\"", kDraftKey, draft);
   Json order = Json::array();
   for (const int p : pattern.panel_order) order.push_back(pattern.panels[p].name);
   return fmt::format(

@@ -6,10 +6,9 @@
 
 namespace loosefit {
 
-/// Key of "properties" that tells by which draft of ours a pattern was made; readers of other
+/// Key of "properties" that tells by which draft of ours a pattern was made (GarmentKind::mark); readers of other
 /// programs pass over it.
 inline constexpr const char* kDraftKey = "loosefit_draft";
-inline constexpr const char* kShirtDraft = "shirt 1";  ///< pattern/shirt_draft.h
 
 /// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
 /// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.

@@ -1,9 +1,14 @@
 #include "loosefit/io/scenario.h"
 
-#include <filesystem>
 #include <set>
 
-#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/scenario_attachment.h"
+#include "loosefit/io/scenario_body.h"
+#include "loosefit/io/scenario_garment.h"
+#include "loosefit/io/scenario_run.h"
+#include "loosefit/io/scenario_site.h"
+#include "loosefit/io/scenario_under.h"
+#include "loosefit/io/scenario_wear.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 
@@ -72,17 +77,5 @@ Scenario read_scenario(const std::string& path) {
 }
 
 Scenario default_scenario() { return parse_scenario("", ""); }
-
-std::string existing_file(ConfigReader& table, const std::string& key) {
-  namespace fs = std::filesystem;
-  const fs::path named = table.text(key, "");
-  std::error_code error;
-  const fs::path full = fs::weakly_canonical(
-      named.is_absolute() ? named : fs::path(table.file()).parent_path() / named, error);
-  if (error || !fs::is_regular_file(full, error))
-    throw table.error(key, "a file that exists",
-                      "paths are relative to the folder of the scenario");
-  return full.string();
-}
 
 }  // namespace loosefit

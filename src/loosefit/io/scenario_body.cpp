@@ -1,7 +1,9 @@
+#include "loosefit/io/scenario_body.h"
+
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
-#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/existing_file.h"
 
 namespace loosefit {
 namespace {

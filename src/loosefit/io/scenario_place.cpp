@@ -1,6 +1,6 @@
-#include <optional>
+#include "loosefit/io/scenario_place.h"
 
-#include "loosefit/io/scenario.h"
+#include <optional>
 
 namespace loosefit {
 namespace {

@@ -1,9 +1,11 @@
+#include "loosefit/io/scenario_run.h"
+
 #include <algorithm>
 #include <filesystem>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/existing_file.h"
 #include "loosefit/io/material_origin.h"
-#include "loosefit/io/scenario_sections.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/maps/compute_maps.h"
 

@@ -1,7 +1,9 @@
+#include "loosefit/io/scenario_site.h"
+
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
-#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/degrees_text.h"
 #include "loosefit/placement/site_points.h"
 
 // [[site]]: where a sensor is wanted and what it is.

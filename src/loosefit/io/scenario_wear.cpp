@@ -1,10 +1,12 @@
+#include "loosefit/io/scenario_wear.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "loosefit/base/text.h"
 #include "loosefit/body/named_postures.h"
-#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/degrees_text.h"
 
 // [postures] and [donning]: how the garment is worn.
 namespace loosefit {

@@ -1,8 +1,16 @@
+#include "loosefit/io/scenario_writer.h"
+
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/degrees_text.h"
+#include "loosefit/io/material_file.h"
 #include "loosefit/io/material_origin.h"
-#include "loosefit/io/scenario_sections.h"
+#include "loosefit/io/scenario_attachment.h"
+#include "loosefit/io/scenario_garment.h"
+#include "loosefit/io/scenario_site.h"
+#include "loosefit/io/scenario_under.h"
+#include "loosefit/io/scenario_wear.h"
 
 namespace loosefit {
 namespace {
@@ -13,10 +21,6 @@ std::string posture_text(const Posture& p) {
       "elbow_extension = {}, slouch = {} }}",
       degrees_text(p.arm_abduction), degrees_text(p.forward_bend), shortest(p.sitting),
       degrees_text(p.arm_flexion), shortest(p.elbow_extension), shortest(p.slouch));
-}
-
-std::string point_text(const Vec2& p) {
-  return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
 }
 
 std::string list_text(const std::vector<std::string>& words) {
@@ -46,30 +50,6 @@ std::string body_text(const ScenarioBody& body) {
          "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
 }
 
-std::string part_text(const Board& board) {
-  return "at = " + point_text(board.centre) + "\n" +
-         (board.radius > 0 ? "radius = " + shortest(board.radius)
-                           : "size = " + point_text(board.size)) +
-         fmt::format("\nangle_deg = {}\nmass = {}\nbending = {}\nmembrane_factor = {}\n",
-                     degrees_text(board.angle), shortest(board.mass), shortest(board.bending),
-                     shortest(board.membrane_factor));
-}
-
-std::string part_text(const Cable& cable) {
-  std::vector<std::string> path;
-  for (const Vec2& p : cable.path) path.push_back(point_text(p));
-  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n", join(path),
-                     shortest(cable.width), shortest(cable.linear_density),
-                     shortest(cable.bending));
-}
-
-std::string attachment_text(const Attachment& a) {
-  return fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
-                     std::holds_alternative<Board>(a.part) ? "board" : "cable", toml_quoted(a.name),
-                     toml_quoted(a.panel)) +
-         std::visit([](const auto& part) { return part_text(part); }, a.part);
-}
-
 std::string simulation_text(const ScenarioSimulation& s) {
   return fmt::format(
       "[simulation]\nedge_length = {}\nintegrator = {}\nseed = {}\nrepeats = {}\n"
@@ -94,15 +74,6 @@ std::string ranking_section_text(const ScenarioRanking& r) {
 
 }  // namespace
 
-// Angles are kept in radians; print the degrees that read back to the same radians.
-std::string degrees_text(double angle) {
-  for (int digits = 1; digits <= 17; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", degrees(angle), digits);
-    if (radians(std::stod(text)) == angle) return shortest(std::stod(text));
-  }
-  return shortest(degrees(angle));
-}
-
 std::string scenario_toml(const Scenario& scenario) {
   const ScenarioGarment& studied = scenario.studied();
   std::string text = body_text(scenario.body) + "\n" + garment_toml(studied.spec) +
@@ -110,7 +81,7 @@ std::string scenario_toml(const Scenario& scenario) {
                      own_constants_toml(studied.material) +
                      material_toml(studied.material.material);
   for (const ScenarioGarment& under : scenario.worn_under()) text += "\n" + under_toml(under);
-  for (const Attachment& a : scenario.attachments) text += "\n" + attachment_text(a);
+  for (const Attachment& a : scenario.attachments) text += "\n" + attachment_toml(a);
   for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
   text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output) +
           wear_toml(scenario);

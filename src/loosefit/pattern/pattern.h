@@ -52,6 +52,7 @@ struct Stitch {
 /// A sewing pattern: flat panels and seams, SI units.
 struct Pattern {
   std::string name;
+  std::string kind = "pattern-file";  ///< GarmentKind::name (kinds/kind.h)
   std::vector<Panel> panels;
   std::vector<Stitch> stitches;
   std::vector<int> panel_order;

@@ -6,6 +6,7 @@
 #include "loosefit/base/version.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 

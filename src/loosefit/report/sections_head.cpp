@@ -23,8 +23,8 @@ std::string who(const CaseResult& result) {
 
 std::string what(const CaseResult& result) {
   const GarmentSpec& garment = result.scenario.studied().spec;
-  std::string text = garment.file.empty() ? garment.pattern
-                                          : std::filesystem::path(garment.file).filename().string();
+  std::string text =
+      garment.file.empty() ? garment.kind : std::filesystem::path(garment.file).filename().string();
   std::replace(text.begin(), text.end(), '-', ' ');
   if (!garment.size.empty()) text += " in size " + garment.size;
   return text;

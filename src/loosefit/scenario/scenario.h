@@ -8,8 +8,6 @@
 
 #include "loosefit/body/body.h"
 #include "loosefit/garment/attachment.h"
-#include "loosefit/pattern/shirt_draft.h"
-#include "loosefit/pattern/shirt_kinds.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/scenario/material_card.h"
 
@@ -33,12 +31,13 @@ struct ScenarioBody {
 
 /// What a garment is: a kind with its size or fit, or a pattern file.
 struct GarmentSpec {
-  std::string pattern = shirt_kinds().front();
-  std::string file;  ///< pattern file instead of the draft; absolute
+  std::string kind = "long-sleeve-shirt";  ///< GarmentKind::name (kinds/registry.h)
+  std::string file;                        ///< pattern file instead of a draft; absolute
   std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
-  ShirtFit fit = usual_fit(shirt_kinds().front());
+  /// By KindKey::name; a missing one has the usual value of the kind.
+  std::map<std::string, double> fit;
   /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
-  /// otherwise (pattern/shirt_adapt.h).
+  /// otherwise.
   std::vector<std::string> adapt;
 };
 

@@ -2,6 +2,7 @@
 
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_folders.h"

@@ -6,56 +6,19 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/garmentcode_read.h"
-#include "loosefit/pattern/garment_size.h"
+#include "loosefit/kinds/body_measures.h"
+#include "loosefit/kinds/registry.h"
 #include "loosefit/study/carry_with_scan.h"
 
 namespace loosefit {
 namespace {
 
-double measure(const Body& body, const std::string& name) {
-  const auto found = body.measured.find(name);
-  if (found == body.measured.end())
-    throw InvalidInput({"", 0, "body." + name}, "no such measure on this body",
-                       "one for the shirt draft",
-                       "give a garment size or a pattern file instead of a fit");
-  return found->second;
-}
-
-// Which body girth each garment level is compared with.
-const std::map<std::string, std::string>& body_girth_of_level() {
-  static const std::map<std::string, std::string> kTable = {
-      {"chest", "chest"},      {"waist", "waist"}, {"hip", "hip"},
-      {"sleeve", "upper_arm"}, {"wrist", "wrist"},
-  };
-  return kTable;
-}
-
-void compare_girths(CasePattern& result, const Body& body) {
-  const auto waist_level = body.measured.find("hps_to_waist");
-  result.girths =
-      shirt_girths(result.pattern, waist_level == body.measured.end() ? 0 : waist_level->second);
-  for (const auto& [level, girth] : result.girths) {
-    const auto name = body_girth_of_level().find(level);
-    if (name == body_girth_of_level().end()) continue;
-    const auto measured = body.measured.find(name->second);
-    if (measured != body.measured.end() && measured->second > 0)
-      result.fit[level] = girth / measured->second - 1;
-  }
-}
-
-/// A short sleeve ends in a cuff on the arm, not at the wrist.
-void name_the_cuff(CasePattern& result, const Body& body, double sleeve_length) {
-  auto girth = result.girths.extract("wrist");
-  result.fit.erase("wrist");
-  if (girth.empty()) return;
-  girth.key() = "cuff";
-  const double cuff = girth.mapped();
-  result.girths.insert(std::move(girth));
-  if (body.measured.count("upper_arm") && body.measured.count("wrist")) {
-    ShirtMeasures arm;
-    arm.upper_arm = body.measured.at("upper_arm");
-    arm.wrist = body.measured.at("wrist");
-    result.fit["cuff"] = cuff / arm_girth_at(arm, sleeve_length) - 1;
+void measure_fit(CasePattern& result, const Body& body, const NamedValues& drafted_fit) {
+  const GarmentKind& kind = garment_kind(result.pattern.kind);
+  result.levels = kind.levels(result.pattern, known_measures(kind, body.measured), drafted_fit);
+  for (const FitLevel& level : result.levels) {
+    result.girths[level.name] = level.garment;
+    if (level.body && *level.body > 0) result.fit[level.name] = level.garment / *level.body - 1;
   }
 }
 
@@ -95,59 +58,35 @@ void warn_of_unsewn(CasePattern& result) {
 
 }  // namespace
 
-ShirtMeasures shirt_measures(const Body& body) {
-  return {.chest = measure(body, "chest"),
-          .waist = measure(body, "waist"),
-          .hip = measure(body, "hip"),
-          .neck = measure(body, "neck"),
-          .upper_arm = measure(body, "upper_arm"),
-          .wrist = measure(body, "wrist"),
-          .shoulder_breadth = measure(body, "shoulder_breadth"),
-          .shoulder_slope = measure(body, "shoulder_slope"),
-          .scye_depth = measure(body, "scye_depth"),
-          .hps_to_waist = measure(body, "hps_to_waist"),
-          .hps_to_hem = measure(body, "hps_to_hip"),
-          .arm_length = measure(body, "arm_length")};
-}
-
-AdaptedShirt draft_garment(const GarmentSpec& wished, const ShirtMeasures& body,
-                           const std::set<std::string>& asked) {
-  ShirtFit fit = wished.fit;
-  ShirtMeasures measures = body;
-  std::set<std::string> yielding;
-  for (const std::string& key : all_shirt_measures())
-    if (!asked.count(key)) yielding.insert(key);
-  for (const std::string& name : wished.adapt) yielding.insert("fit." + name);
-  if (const auto size = garment_size(wished.size)) {
-    measures = size->body;
-    fit = size->fit;
-    if (wished.fit.sleeve_length < 1) {
-      fit.sleeve_length = wished.fit.sleeve_length;
-      fit.wrist = fit.sleeve;
-    }
-  }
-  AdaptedShirt shirt = draft_adapted_shirt(measures, fit, yielding);
-  shirt.pattern.name = wished.pattern;
-  return shirt;
+DraftedGarment draft_garment(const GarmentSpec& wished, const NamedValues& measures,
+                             const std::set<std::string>& asked) {
+  const GarmentKind& kind = garment_kind(wished.kind);
+  DraftRequest request{measures, wished.size, wished.fit, {}};
+  for (const KindMeasure& m : kind.measures)
+    if (!asked.count("measures." + m.name)) request.yielding.insert("measures." + m.name);
+  for (const std::string& name : wished.adapt) request.yielding.insert("fit." + name);
+  return kind.draft(request);
 }
 
 CasePattern make_pattern(const GarmentSpec& wished, const Body& body) {
   CasePattern result;
+  NamedValues fit;
   if (!wished.file.empty()) {
     PatternFile file = read_garmentcode(wished.file);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
     carry_with_scan(result.pattern, body, result.warnings);
     warn_of_unsewn(result);
-    compare_girths(result, body);
-    return result;
+  } else {
+    const bool made_to_measure = wished.size.empty();
+    DraftedGarment garment = draft_garment(
+        wished,
+        made_to_measure ? draft_measures(garment_kind(wished.kind), body.measured) : NamedValues{});
+    result.pattern = std::move(garment.pattern);
+    result.warnings = std::move(garment.notes);
+    fit = std::move(garment.fit);
   }
-  AdaptedShirt shirt =
-      draft_garment(wished, wished.size.empty() ? shirt_measures(body) : ShirtMeasures{});
-  result.pattern = std::move(shirt.pattern);
-  result.warnings = std::move(shirt.notes);
-  compare_girths(result, body);
-  if (shirt.fit.sleeve_length < 1) name_the_cuff(result, body, shirt.fit.sleeve_length);
+  measure_fit(result, body, fit);
   return result;
 }
 

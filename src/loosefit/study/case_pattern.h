@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
+#include "loosefit/kinds/kind.h"
 #include "loosefit/pattern/pattern.h"
-#include "loosefit/pattern/shirt_adapt.h"
 #include "loosefit/scenario/scenario.h"
 
 namespace loosefit {
@@ -14,23 +14,21 @@ namespace loosefit {
 /// Stage "pattern": the flat pieces and how they fit this body.
 struct CasePattern {
   Pattern pattern;
+  std::vector<FitLevel> levels;          ///< of fit, in the order of the kind
   std::map<std::string, double> girths;  ///< of the garment per level [m]: chest, waist, hip, …
   std::map<std::string, double> fit;     ///< BGM per level, garment girth / body girth − 1
   std::vector<std::string> warnings;     ///< of reading a pattern file, or of adapting the draft
 };
 
 /// The draft of a garment without a file for a body of these measures, for scenarios and for the
-/// command line alike. What nobody asked for gives way (pattern/shirt_adapt.h): the names
-/// `wished.adapt` of the fit, and measures that are not in `asked` ("measures.neck", …). A size
-/// brings measures and fit of its own.
-AdaptedShirt draft_garment(const GarmentSpec& wished, const ShirtMeasures& body,
-                           const std::set<std::string>& asked = {});
+/// command line alike. What nobody asked for gives way: the names `wished.adapt` of the fit, and
+/// measures that are not in `asked` ("measures.neck", …). A size brings measures and fit of its
+/// own.
+DraftedGarment draft_garment(const GarmentSpec& wished, const NamedValues& measures,
+                             const std::set<std::string>& asked = {});
 
-/// Drafts the shirt to the body's measures and the wished fit, or to a garment size, or reads the
+/// Drafts the garment to the body's measures and the wished fit, or to a garment size, or reads the
 /// pattern file. \throws InvalidInput, GeometryError for what cannot be drafted or sewn.
 CasePattern make_pattern(const GarmentSpec& wished, const Body& body);
-
-/// What the shirt draft needs to know of a body. \throws InvalidInput naming a missing measure.
-ShirtMeasures shirt_measures(const Body& body);
 
 }  // namespace loosefit

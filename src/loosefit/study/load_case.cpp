@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_place.h"
 #include "loosefit/io/vtp_read.h"
 #include "loosefit/study/case_folders.h"
 #include "loosefit/study/case_sites.h"

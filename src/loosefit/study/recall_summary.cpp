@@ -7,6 +7,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit {

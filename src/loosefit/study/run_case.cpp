@@ -3,6 +3,7 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_place.h"
 #include "loosefit/study/case_sites.h"
 #include "loosefit/study/case_warnings.h"
 #include "loosefit/study/check_worn.h"

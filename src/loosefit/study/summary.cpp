@@ -7,6 +7,7 @@
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 
 namespace loosefit {
 namespace {

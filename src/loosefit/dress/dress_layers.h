@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/dress/lay_round.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+/// One garment of those that are worn over each other.
+struct LayerToDress {
+  const Garment* garment = nullptr;
+  const Pattern* pattern = nullptr;  ///< the placement; not needed with `lay`
+  LayRound lay = {};                 ///< round the body; empty: as the pattern is placed
+};
+
+/// First positions of garments worn over each other, the innermost first: vertices of all in turn.
+/// Each as if alone (lay_round, dress_as_placed), but every one that is laid round the body with
+/// more room than the layer under it, so that its sheets pass before and behind those, and its
+/// seams beside them. Nothing cuts anything. \throws as the above, and NoRoom when garments cut
+/// each other.
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body);
+
+}  // namespace loosefit

@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+
+namespace loosefit {
+
+/// Length of an edge on the flat pieces [m].
+double flat_length(const Garment& garment, const Garment::EdgeChain& chain);
+
+/// Where the edge "neck" of the part "front" is laid, seen from the front, between two points of
+/// the (x, z) plane [m]: straight across or, where that would lie before the chin or above it, a
+/// parabola that hangs below it, but not lower than its length allows.
+std::vector<Vec2> front_neckline(const Garment& garment, const Body& body, const Vec2& from,
+                                 const Vec2& to);
+
+}  // namespace loosefit

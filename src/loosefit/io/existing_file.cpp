@@ -1,0 +1,19 @@
+#include "loosefit/io/existing_file.h"
+
+#include <filesystem>
+
+namespace loosefit {
+
+std::string existing_file(ConfigReader& table, const std::string& key) {
+  namespace fs = std::filesystem;
+  const fs::path named = table.text(key, "");
+  std::error_code error;
+  const fs::path full = fs::weakly_canonical(
+      named.is_absolute() ? named : fs::path(table.file()).parent_path() / named, error);
+  if (error || !fs::is_regular_file(full, error))
+    throw table.error(key, "a file that exists",
+                      "paths are relative to the folder of the scenario");
+  return full.string();
+}
+
+}  // namespace loosefit

@@ -1,0 +1,96 @@
+#include "loosefit/io/scenario_attachment.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/degrees_text.h"
+
+namespace loosefit {
+namespace {
+
+const NumberRange kPatternPlace{-5, 5, "metres"};
+
+std::string required_text(ConfigReader& table, const std::string& key, const std::string& what) {
+  if (!table.has(key)) throw table.error(key, what);
+  return table.text(key, "");
+}
+
+Board read_board(ConfigReader& table) {
+  Board board;
+  board.centre = table.point("at", kPatternPlace);
+  const bool disc = table.has("radius");
+  if (table.has("size") == disc)
+    throw table.error(disc ? "radius" : "size", "either size = [width, height] or radius");
+  if (!disc) board.size = table.point("size", {0.001, 0.5, "metres"});
+  board.radius = table.number("radius", 0, {0.001, 0.25, "metres"});
+  board.angle = radians(table.number("angle_deg", 0, {-360, 360, "degrees"}));
+  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"});
+  board.bending = table.number("bending", board.bending, {0, 10, "N m"});
+  board.membrane_factor =
+      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"});
+  return board;
+}
+
+Cable read_cable(ConfigReader& table) {
+  Cable cable;
+  cable.path = table.points("path", kPatternPlace, 2);
+  cable.width = table.number("width", cable.width, {0.0005, 0.1, "metres"});
+  cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"});
+  cable.bending = table.number("bending", 0, {0, 0.01, "N m²"});
+  return cable;
+}
+
+std::string point_text(const Vec2& p) {
+  return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
+}
+
+std::string part_text(const Board& board) {
+  return "at = " + point_text(board.centre) + "\n" +
+         (board.radius > 0 ? "radius = " + shortest(board.radius)
+                           : "size = " + point_text(board.size)) +
+         fmt::format("\nangle_deg = {}\nmass = {}\nbending = {}\nmembrane_factor = {}\n",
+                     degrees_text(board.angle), shortest(board.mass), shortest(board.bending),
+                     shortest(board.membrane_factor));
+}
+
+std::string part_text(const Cable& cable) {
+  std::vector<std::string> path;
+  for (const Vec2& p : cable.path) path.push_back(point_text(p));
+  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n", join(path),
+                     shortest(cable.width), shortest(cable.linear_density),
+                     shortest(cable.bending));
+}
+
+}  // namespace
+
+Attachment read_attachment_section(ConfigReader table) {
+  std::vector<std::string> known = {"kind", "name", "panel"};
+  const ConfigNode* kind = table.node("kind");
+  const bool only_board = kind && kind->text == "board", only_cable = kind && kind->text == "cable";
+  if (!only_cable)
+    for (const char* key :
+         {"at", "size", "radius", "angle_deg", "mass", "bending", "membrane_factor"})
+      known.push_back(key);
+  if (!only_board)
+    for (const char* key : {"path", "width", "linear_density", "bending"}) known.push_back(key);
+  table.only(known);
+  Attachment a;
+  a.name = required_text(table, "name", "a name");
+  a.panel = required_text(table, "panel", "the name of a panel of the pattern");
+  required_text(table, "kind", "\"board\" or \"cable\"");
+  if (table.choice("kind", "", {"board", "cable"}) == "board")
+    a.part = read_board(table);
+  else
+    a.part = read_cable(table);
+  table.finish();
+  return a;
+}
+
+std::string attachment_toml(const Attachment& a) {
+  return fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
+                     std::holds_alternative<Board>(a.part) ? "board" : "cable", toml_quoted(a.name),
+                     toml_quoted(a.panel)) +
+         std::visit([](const auto& part) { return part_text(part); }, a.part);
+}
+
+}  // namespace loosefit

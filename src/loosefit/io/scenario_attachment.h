@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "loosefit/garment/attachment.h"
+#include "loosefit/io/config_reader.h"
+
+namespace loosefit {
+
+/// One [[attachment]]: a board or a cable.
+Attachment read_attachment_section(ConfigReader table);
+/// The same as TOML.
+std::string attachment_toml(const Attachment& attachment);
+
+}  // namespace loosefit

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "loosefit/io/config_reader.h"
+#include "loosefit/placement/sites.h"
+
+namespace loosefit {
+
+/// One [[site]]: where a sensor is and what it is.
+SiteSpec read_site_section(ConfigReader table);
+/// The same as TOML, every default written out.
+std::string site_toml(const SiteSpec& site);
+
+}  // namespace loosefit

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "loosefit/scenario/scenario.h"
+
+namespace loosefit {
+
+/// The resolved scenario as TOML, every default written out; parsing it gives the same scenario.
+std::string scenario_toml(const Scenario& scenario);
+
+}  // namespace loosefit

@@ -1,0 +1,110 @@
+#include "loosefit/kinds/shirt/shirt.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/kinds/find_size.h"
+#include "loosefit/kinds/match_parts.h"
+#include "loosefit/kinds/shirt/lay_shirt.h"
+#include "loosefit/kinds/shirt/shirt_adapt.h"
+#include "loosefit/kinds/shirt/shirt_levels.h"
+#include "loosefit/kinds/shirt/shirt_sizes.h"
+#include "loosefit/kinds/shirt/shirt_values.h"
+
+namespace loosefit {
+namespace {
+
+std::vector<KindMeasure> measures() {
+  std::vector<KindMeasure> list;
+  for (const ShirtMeasure& m : shirt_measure_list()) {
+    const std::string name = m.name;
+    list.push_back({name, name == "hps_to_hem" ? "hps_to_hip" : name, m.low, m.high,
+                    name == "shoulder_slope" ? "rad" : "m"});
+  }
+  return list;
+}
+
+std::vector<KindKey> keys(const ShirtFit& usual) {
+  const char *const kMobility = "a body-garment mobility", *const kFraction = "a fraction";
+  return {
+      {"chest", usual.chest, -0.35, 2, kMobility, "girth under the arms", true},
+      {"waist", usual.waist, -0.35, 2, kMobility,
+       "girth at the waist; without it the side seams run straight", true},
+      {"hip", usual.hip, -0.35, 2, kMobility, "girth of the hem", true},
+      {"sleeve", usual.sleeve, -0.35, 2, kMobility, "girth of the sleeve at the upper arm", true},
+      {"wrist", usual.wrist, -0.35, 2, kMobility, "girth of the cuff", true},
+      {"neck_ease", usual.neck_ease, -0.2, 1, kFraction, "share added to the neck width"},
+      {"scye_ease", usual.scye_ease, 0, 0.15, "metres", "underarm below the armpit"},
+      {"shoulder_follow", usual.shoulder_follow, 0, 1, kFraction,
+       "share of a loose chest that widens the shoulders"},
+      {"cap_ease", usual.cap_ease, 0, 0.15, kFraction, "sleeve cap longer than the armhole"},
+      {"sleeve_length", usual.sleeve_length, 0.25, 1, "a share of the arm",
+       "from the shoulder point to the hem of the sleeve; below 1 wrist counts against the arm "
+       "there"},
+  };
+}
+
+std::string details_of(const ShirtDraftReport& report) {
+  return fmt::format(
+      "armhole {:.1f} mm, depth {:.1f} mm, cap height {:.1f} mm (ratio {:.2f}), underarm "
+      "lowered {:.1f} mm, shoulder dropped {:.1f} mm",
+      1000 * report.armhole, 1000 * report.armhole_depth, 1000 * report.cap_height,
+      report.cap_ratio, 1000 * report.deepened, 1000 * report.dropped);
+}
+
+DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const DraftRequest& request) {
+  ShirtMeasures measures = shirt_measures_of(request.measures);
+  ShirtFit fit = shirt_fit_of(request.fit, usual);
+  if (!request.size.empty()) {
+    const KindSize size = find_size(shirt_sizes(), request.size);
+    const double length = fit.sleeve_length;
+    measures = shirt_measures_of(size.measures);
+    fit = shirt_fit_of(size.fit);
+    // A size is one of long sleeves; cut off, they are tubes.
+    if (length < 1) {
+      fit.sleeve_length = length;
+      fit.wrist = fit.sleeve;
+    }
+  }
+  AdaptedShirt shirt = draft_adapted_shirt(measures, fit, request.yielding);
+  shirt.pattern.name = shirt.pattern.kind = kind;
+  return {std::move(shirt.pattern), named(shirt.measures), named(shirt.fit), std::move(shirt.notes),
+          details_of(shirt.report)};
+}
+
+GarmentKind shirt_kind(const std::string& name, const std::string& title, const ShirtFit& usual) {
+  GarmentKind kind;
+  kind.name = name;
+  kind.title = title;
+  kind.measures = measures();
+  kind.keys = keys(usual);
+  kind.sizes = shirt_sizes();
+  kind.draft = [name, usual](const DraftRequest& request) { return draft(name, usual, request); };
+  kind.levels = shirt_levels;
+  kind.lay = lay_shirt;
+  kind.openings = {
+      {OpeningUse::neck, {{"front", "neck"}, {"back", "neck"}}},
+      {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}}},
+      {OpeningUse::left_arm, {{"sleeve_L_front", "cuff"}, {"sleeve_L_back", "cuff"}}},
+      {OpeningUse::right_arm, {{"sleeve_R_front", "cuff"}, {"sleeve_R_back", "cuff"}}}};
+  kind.mark = "shirt 1";
+  kind.note_parts = [](Pattern& pattern) {
+    static const Pattern kDraft = draft_shirt({});
+    return match_parts(kDraft, pattern);
+  };
+  return kind;
+}
+
+}  // namespace
+
+GarmentKind long_sleeve_shirt() {
+  return shirt_kind("long-sleeve-shirt", "long-sleeve shirt", usual_shirt_fit());
+}
+
+GarmentKind t_shirt() {
+  ShirtFit fit = usual_shirt_fit();
+  fit.wrist = 0.12;
+  fit.sleeve_length = 0.36;
+  return shirt_kind("t-shirt", "T-shirt", fit);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+
+#include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/pattern/curve_chain.h"
+
+namespace loosefit {
+
+/// Half of a torso piece, x ≥ 0 from the centre line, y = 0 at the high point shoulder.
+struct TorsoHalf {
+  CurveChain neck;      ///< centre → shoulder
+  CurveChain shoulder;  ///< neck → shoulder point
+  CurveChain armhole;   ///< shoulder point → underarm
+  CurveChain side;      ///< underarm → hem
+  double shoulder_x = 0, armhole_depth = 0;
+};
+
+/// docs/theory/patterns.md 2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
+/// extra half shoulder width [m].
+TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
+                           double underarm_depth, bool front, double drop);
+
+/// Half cap from the top (0, h) to the underarm (w, 0) (docs/theory/patterns.md 3).
+CurveChain draft_cap(double width, double height);
+
+/// Cap height and front share such that both half caps have exactly the wanted lengths.
+struct CapFit {
+  double height = 0, front_share = 0.5;
+};
+/// Empty when even a flat cap of girth `girth` is longer than the armhole, or the two armholes are
+/// too unequal for a front share between 0.3 and 0.7.
+std::optional<CapFit> fit_caps(double front_length, double back_length, double girth);
+
+}  // namespace loosefit

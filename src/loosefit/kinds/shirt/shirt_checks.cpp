@@ -1,0 +1,111 @@
+#include "loosefit/kinds/shirt/shirt_checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "loosefit/kinds/shirt/shirt_refusal.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/self_crossing.h"
+
+namespace loosefit {
+namespace {
+
+void in_range(const std::string& key, double value, double low, double high, const char* unit) {
+  if (value >= low && value <= high) return;  // false for NaN too
+  throw ShirtRefusal({InputPlace{{}, 0, key}, fmt::format("{:.6g}{}", value, unit),
+                      fmt::format("{:g} to {:g}{}", low, high, unit)},
+                     ShirtRule::range);
+}
+
+}  // namespace
+
+void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
+  for (const ShirtMeasure& measure : shirt_measure_list())
+    in_range(std::string("measures.") + measure.name, m.*measure.field, measure.low, measure.high,
+             measure.unit);
+  in_range("fit.chest", fit.chest, -0.5, 2.0, "");
+  if (fit.waist) in_range("fit.waist", *fit.waist, -0.5, 3.0, "");
+  in_range("fit.hip", fit.hip, -0.5, 2.0, "");
+  in_range("fit.sleeve", fit.sleeve, -0.5, 3.0, "");
+  in_range("fit.wrist", fit.wrist, -0.5, 3.0, "");
+  in_range("fit.neck_ease", fit.neck_ease, -0.2, 1.0, "");
+  in_range("fit.scye_ease", fit.scye_ease, -0.02, 0.15, " m");
+  in_range("fit.shoulder_follow", fit.shoulder_follow, 0.0, 1.0, "");
+  in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
+  in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
+}
+
+void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
+  // A flat cap is slightly longer than the girth, so the girth may at most reach the armhole.
+  throw ShirtRefusal({InputPlace{{}, 0, "fit.sleeve"}, fmt::format("{:.4g}", fit.sleeve),
+                      fmt::format("below about {:.2f} for the deepest armhole of {:.3f} m that "
+                                  "chest {:.3f} m at fit {:.3g} allows",
+                                  armhole * (1 + fit.cap_ease) * 0.97 / m.upper_arm - 1, armhole,
+                                  m.chest, fit.chest),
+                      "narrow the sleeve, loosen the chest or raise fit.scye_ease"},
+                     ShirtRule::sleeve_width);
+}
+
+void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shoulder_y,
+                        double underarm_y) {
+  constexpr double kLeast = 0.03;  // between two levels of the torso [m]
+  if (underarm_y > shoulder_y - kLeast)
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.shoulder_slope"}, fmt::format("{:.4g} rad", m.shoulder_slope),
+         "a slope that leaves the garment's shoulder 0.03 m above the underarm",
+         "a chest this loose drops the shoulder too far; lower fit.chest or fit.shoulder_follow"},
+        ShirtRule::shoulder_level, underarm_y - (shoulder_y - kLeast));
+  const auto level = [&](ShirtRule rule, const char* key, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, key}, fmt::format("{:.4g} m", value),
+         high < 10 ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", low, high)
+                   : fmt::format("at least {:.3f} m, below the underarm", low)},
+        rule, value < low ? low - value : high - value);
+  };
+  level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
+  if (fit.waist)
+    level(ShirtRule::waist_level, "measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast,
+          m.hps_to_hem - kLeast);
+}
+
+void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit,
+                          double shoulder_x, double under_length) {
+  const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
+  if (shoulder_x < neck_x + 0.02)
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
+         fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
+                     "fit {:.3g}",
+                     5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
+         "the shoulder seam must be at least 20 mm long"},
+        ShirtRule::neck, neck_x + 0.02 - shoulder_x);
+  const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]
+  if (under_length < least && fit.sleeve_length < 1)
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "fit.sleeve_length"}, fmt::format("{:.4g}", fit.sleeve_length),
+         fmt::format("at least {:.2f} for this armhole and sleeve",
+                     fit.sleeve_length + (least - under_length) / m.arm_length + 0.005)},
+        ShirtRule::sleeve_length, least - under_length);
+  if (under_length < least)
+    throw ShirtRefusal(
+        {InputPlace{{}, 0, "measures.arm_length"}, fmt::format("{:.4g} m", m.arm_length),
+         fmt::format("at least {:.3f} m for this armhole and sleeve",
+                     m.arm_length + least - under_length)},
+        ShirtRule::sleeve_length, least - under_length);
+  for (const Panel& panel : shirt.panels) {
+    const std::vector<Vec2> outline = outline_polygon(panel);
+    if (first_self_crossing(outline).first < 0 && signed_area(outline) > 0) continue;
+    const bool torso = panel.label == "body";
+    throw ShirtRefusal({InputPlace{{}, 0, torso ? "fit.chest" : "fit.wrist"},
+                        fmt::format("{:.4g}", torso ? fit.chest : fit.wrist),
+                        fmt::format("a fit whose {} piece has a simple outline", panel.name),
+                        torso ? "check that hem and waist lie below the underarm and the girths of "
+                                "chest, waist and hip belong to one body"
+                              : "the wrist is too narrow for this upper arm, or too wide"},
+                       torso ? ShirtRule::torso_outline : ShirtRule::sleeve_outline);
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,22 @@
+#pragma once
+#include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/pattern/pattern.h"
+
+namespace loosefit {
+
+// All of these throw ShirtRefusal.
+
+/// Ranges of every size and fit; names key, value and range.
+void check_shirt_input(const ShirtMeasures& measures, const ShirtFit& fit);
+/// No cap can be drafted: says how far the sleeve may be widened for this armhole length [m].
+[[noreturn]] void throw_sleeve_too_wide(const ShirtMeasures& measures, const ShirtFit& fit,
+                                        double armhole);
+/// Shoulder, underarm, waist and hem must follow each other downwards (y below the high point
+/// shoulder, negative).
+void check_shirt_levels(const ShirtMeasures& measures, const ShirtFit& fit, double shoulder_y,
+                        double underarm_y);
+/// Combinations of sizes that are each plausible but do not make a garment together.
+void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& measures, const ShirtFit& fit,
+                          double shoulder_x, double under_length);
+
+}  // namespace loosefit

@@ -1,0 +1,100 @@
+#include "loosefit/kinds/shirt/shirt_levels.h"
+
+#include <cmath>
+
+#include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit {
+namespace {
+
+std::optional<double> value_of(const NamedValues& values, const char* name) {
+  const auto found = values.find(name);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Girth of the arm where a sleeve of this share of its length ends.
+std::optional<double> arm_at(const NamedValues& measures, double share) {
+  if (!measures.count("upper_arm") || !measures.count("wrist")) return std::nullopt;
+  ShirtMeasures arm;
+  arm.upper_arm = measures.at("upper_arm");
+  arm.wrist = measures.at("wrist");
+  return arm_girth_at(arm, share);
+}
+
+}  // namespace
+
+NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist) {
+  NamedValues girths;
+  const auto width = [&](const char* panel, const char* edge_a, const char* edge_b, auto&& point) {
+    const int p = shirt.find_part(panel);
+    if (p < 0) return 0.0;
+    const Panel& piece = shirt.panels[p];
+    const int a = find_edge_part(piece, edge_a), b = find_edge_part(piece, edge_b);
+    return a < 0 || b < 0 ? 0.0 : (point(piece, a) - point(piece, b)).norm();
+  };
+  const auto add = [&](const std::string& name, double front, double back) {
+    if (front > 0 && back > 0) girths[name] = front + back;
+  };
+  const auto end_of_left = [](const Panel& piece, int e) -> Vec2 {
+    // The underarm corner is where the armhole edge meets the side edge.
+    const PanelEdge& edge = piece.edges[e];
+    const Vec2 &start = piece.vertices[edge.start], &end = piece.vertices[edge.end];
+    return start.y() < end.y() ? start : end;
+  };
+  add("chest", width("front", "armhole_L", "armhole_R", end_of_left),
+      width("back", "armhole_L", "armhole_R", end_of_left));
+  const auto at_waist = [&](const Panel& piece, int e) -> Vec2 {
+    const EdgePath path(piece, e);
+    double low = 0, high = 1;
+    const double level = -hps_to_waist;
+    const bool rising = path.at(1).y() > path.at(0).y();
+    for (int i = 0; i < 50; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((path.at(middle).y() < level) == rising ? low : high) = middle;
+    }
+    return path.at(0.5 * (low + high));
+  };
+  add("waist", width("front", "side_L", "side_R", at_waist),
+      width("back", "side_L", "side_R", at_waist));
+  const auto length = [&](const char* panel, const char* edge) {
+    const int p = shirt.find_part(panel);
+    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], edge);
+    return e < 0 ? 0.0 : EdgePath(shirt.panels[p], e).length();
+  };
+  add("hip", length("front", "hem"), length("back", "hem"));
+  const auto cap_width = [&](const char* panel) {
+    const int p = shirt.find_part(panel);
+    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], "cap");
+    if (e < 0) return 0.0;
+    const PanelEdge& cap = shirt.panels[p].edges[e];
+    return std::abs(shirt.panels[p].vertices[cap.end].x() -
+                    shirt.panels[p].vertices[cap.start].x());
+  };
+  add("sleeve", cap_width("sleeve_L_front"), cap_width("sleeve_L_back"));
+  add("wrist", length("sleeve_L_front", "cuff"), length("sleeve_L_back", "cuff"));
+  return girths;
+}
+
+std::vector<FitLevel> shirt_levels(const Pattern& shirt, const NamedValues& measures,
+                                   const NamedValues& fit) {
+  const std::optional<double> waist_level = value_of(measures, "hps_to_waist");
+  const NamedValues girths = shirt_girths(shirt, waist_level.value_or(0));
+  std::vector<FitLevel> levels;
+  const auto add = [&](const char* name, const char* girth, const std::optional<double>& body) {
+    if (const auto found = girths.find(girth); found != girths.end())
+      levels.push_back({name, found->second, body});
+  };
+  add("chest", "chest", value_of(measures, "chest"));
+  if (waist_level) add("waist", "waist", value_of(measures, "waist"));
+  add("hip", "hip", value_of(measures, "hip"));
+  add("sleeve", "sleeve", value_of(measures, "upper_arm"));
+  const double length = value_of(fit, "sleeve_length").value_or(1);
+  if (length < 1)
+    add("cuff", "wrist", arm_at(measures, length));
+  else
+    add("wrist", "wrist", value_of(measures, "wrist"));
+  return levels;
+}
+
+}  // namespace loosefit

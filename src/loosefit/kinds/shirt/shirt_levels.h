@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/kinds/kind.h"
+
+namespace loosefit {
+
+/// Girths of a shirt, measured on its pieces [m]: chest, hip (hem),
+/// sleeve, wrist, waist (at `hps_to_waist` below the high point shoulder). Missing pieces are left
+/// out.
+NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist);
+
+/// The levels of fit of a shirt with or without sleeves, as GarmentKind::levels: chest, waist, hip,
+/// sleeve against the upper arm, and wrist; below a sleeve length of 1 the cuff, against the arm
+/// where it ends.
+std::vector<FitLevel> shirt_levels(const Pattern& shirt, const NamedValues& measures,
+                                   const NamedValues& fit);
+
+}  // namespace loosefit
