@@ -4,11 +4,13 @@
 #include "loosefit/base/text.h"
 #include "loosefit/kinds/pattern_file.h"
 #include "loosefit/kinds/shirt/shirt.h"
+#include "loosefit/kinds/tank_top/tank_top.h"
 
 namespace loosefit {
 
 const std::vector<GarmentKind>& garment_kinds() {
-  static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(), pattern_file()};
+  static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(), tank_top(),
+                                                  pattern_file()};
   return kKinds;
 }
 

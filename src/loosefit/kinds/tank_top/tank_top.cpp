@@ -1,0 +1,139 @@
+#include "loosefit/kinds/tank_top/tank_top.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/base/types.h"
+#include "loosefit/dress/front_neckline.h"
+#include "loosefit/dress/sheets.h"
+#include "loosefit/kinds/check_values.h"
+#include "loosefit/kinds/find_size.h"
+#include "loosefit/kinds/match_parts.h"
+#include "loosefit/kinds/shirt/shirt_frame.h"
+#include "loosefit/kinds/shirt/shirt_levels.h"
+#include "loosefit/kinds/shirt/shirt_sizes.h"
+#include "loosefit/kinds/tank_top/tank_top_draft.h"
+
+namespace loosefit {
+namespace {
+
+std::vector<KindMeasure> measures() {
+  return {{"chest", "chest", 0.35, 2.2},
+          {"waist", "waist", 0.30, 2.2},
+          {"hip", "hip", 0.35, 2.2},
+          {"neck", "neck", 0.15, 0.80},
+          {"shoulder_breadth", "shoulder_breadth", 0.15, 0.80},
+          {"shoulder_slope", "shoulder_slope", 0, radians(45), "rad"},
+          {"scye_depth", "scye_depth", 0.05, 0.35},
+          {"hps_to_waist", "hps_to_waist", 0.15, 0.80},
+          {"hps_to_hem", "hps_to_hip", 0.20, 1.60}};
+}
+
+std::vector<KindKey> keys() {
+  const char *const kMobility = "a body-garment mobility", *const kFraction = "a fraction";
+  return {
+      {"chest", 0.05, -0.35, 2, kMobility, "girth under the arms", true},
+      {"waist",
+       {},
+       -0.35,
+       2,
+       kMobility,
+       "girth at the waist; without it the side seams run straight",
+       true},
+      {"hip", 0.06, -0.35, 2, kMobility, "girth of the hem", true},
+      {"strap_width", 0.45, 0.15, 1, kFraction, "of the body's shoulder, neck to shoulder point"},
+      {"strap_place", 0.45, 0, 1, kFraction,
+       "of the rest of that shoulder: 0 the strap lies at the neck, 1 at the shoulder point"},
+      {"neck_drop", 0.55, 0.1, 0.85, kFraction,
+       "depth of the front neckline, of the way from strap to underarm"},
+      {"back_drop", 0.30, 0.05, 0.85, kFraction, "the same of the back"},
+      {"scye_ease", 0.02, 0, 0.15, "metres", "underarm below the armpit"},
+  };
+}
+
+DraftedGarment draft(const DraftRequest& request) {
+  DraftedGarment drafted;
+  drafted.measures = request.measures;
+  for (const KindKey& key : keys())
+    if (key.usual) drafted.fit[key.name] = *key.usual;
+  for (const auto& [name, value] : request.fit) drafted.fit[name] = value;
+  // A size brings the girths of its shirt; straps and necklines are as asked for.
+  if (!request.size.empty()) {
+    const KindSize& size = find_size(shirt_sizes(), request.size);
+    drafted.measures = size.measures;
+    for (const char* level : {"chest", "waist", "hip"}) {
+      drafted.fit.erase(level);
+      if (const auto girth = size.fit.find(level); girth != size.fit.end())
+        drafted.fit[level] = girth->second;
+    }
+  }
+  // A body so short that the hem would end at the underarm gets a longer one.
+  NamedValues& m = drafted.measures;
+  check_values(measures(), m, keys(), drafted.fit);
+  const double least = shortest_tank_top(m, drafted.fit);
+  if (m.at("hps_to_hem") < least && request.yielding.count("measures.hps_to_hem")) {
+    drafted.notes.push_back(
+        fmt::format("measures.hps_to_hem: {:.3g} instead of {:.3g}, since otherwise the hem would "
+                    "end at the underarm",
+                    least, m.at("hps_to_hem")));
+    m["hps_to_hem"] = least;
+  }
+  drafted.pattern = draft_tank_top(m, drafted.fit);
+  return drafted;
+}
+
+/// Front before and back behind the body, straps over the shoulders, sides under the arms.
+std::vector<Vec3> lay_tank_top(const Garment& g, const Body& body, const LayingRoom& room) {
+  const BodyOutline depth(body, room.clearance);
+  const ShirtFrame frame = shirt_frame(g, body, depth, room.clearance);
+  // Ends of the strap on the line of the shoulder, from the neck on.
+  constexpr double kInner = 0.25, kOuter = 0.70;
+  const auto on_shoulder = [](const ShirtFrame::Half& half, double share) -> Vec2 {
+    return half.neck + share * (half.shoulder - half.neck);
+  };
+  const auto &l = frame.left, &r = frame.right;
+  const Vec2 inner_l = on_shoulder(l, kInner), outer_l = on_shoulder(l, kOuter),
+             inner_r = on_shoulder(r, kInner), outer_r = on_shoulder(r, kOuter);
+  Sheets sheets(g);
+  for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
+    const bool back = g.panel_parts[p] == "back";
+    PanelOutline panel(g, g.panel_parts[p]);
+    panel.lay("hem", "side_L", {l.hem, r.hem});
+    panel.lay("side_L", "hem", {l.hem, l.armpit});
+    panel.lay("side_R", "hem", {r.hem, r.armpit});
+    panel.lay("armhole_L", "side_L", {l.armpit, outer_l});
+    panel.lay("armhole_R", "side_R", {r.armpit, outer_r});
+    panel.lay("shoulder_L", "armhole_L", {outer_l, inner_l});
+    panel.lay("shoulder_R", "armhole_R", {outer_r, inner_r});
+    panel.lay("neck", "shoulder_L",
+              back || room.straight_neck ? std::vector<Vec2>{inner_l, inner_r}
+                                         : front_neckline(g, body, inner_l, inner_r));
+    sheets.add(p, panel, back);
+  }
+  return sheets.positions(depth, room);
+}
+
+}  // namespace
+
+GarmentKind tank_top() {
+  GarmentKind kind;
+  kind.name = "tank-top";
+  kind.title = "tank top";
+  kind.measures = measures();
+  kind.keys = keys();
+  kind.sizes = shirt_sizes();
+  kind.draft = draft;
+  kind.levels = shirt_levels;
+  kind.lay = lay_tank_top;
+  kind.openings = {{OpeningUse::neck, {{"front", "neck"}, {"back", "neck"}}},
+                   {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}}},
+                   {OpeningUse::left_arm, {{"front", "armhole_L"}, {"back", "armhole_L"}}},
+                   {OpeningUse::right_arm, {{"front", "armhole_R"}, {"back", "armhole_R"}}}};
+  kind.mark = "tank top 1";
+  kind.note_parts = [](Pattern& pattern) {
+    static const Pattern kDraft = draft({{}, "women-38", {}, {}}).pattern;
+    return match_parts(kDraft, pattern);
+  };
+  return kind;
+}
+
+}  // namespace loosefit

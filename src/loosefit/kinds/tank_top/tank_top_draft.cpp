@@ -1,0 +1,122 @@
+#include "loosefit/kinds/tank_top/tank_top_draft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/pattern/drafting.h"
+
+namespace loosefit {
+namespace {
+
+constexpr double kLeastSide = 0.06;       ///< side seam [m]
+constexpr double kLeastShoulder = 0.03;   ///< of the body, from neck to shoulder point [m]
+constexpr double kInsideUnderarm = 0.92;  ///< the strap's outer end, of the underarm's breadth
+
+/// Half of a piece, x ≥ 0 from the centre line, y = 0 at the high point shoulder of the body.
+struct Half {
+  CurveChain neck;     ///< centre → strap
+  CurveChain strap;    ///< inner → outer end
+  CurveChain armhole;  ///< strap → underarm
+  CurveChain side;     ///< underarm → hem
+};
+
+Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) {
+  // The body's shoulder runs from the side of the neck down to the shoulder point.
+  const double x_neck = m.at("neck") / 5, x_shoulder = m.at("shoulder_breadth") / 2;
+  const double slope = std::tan(m.at("shoulder_slope")), length = x_shoulder - x_neck;
+  const double x_underarm = (1 + fit.at("chest")) * m.at("chest") / 4;
+  const double y_underarm = -slope * length - m.at("scye_depth") - fit.at("scye_ease");
+  const double width = fit.at("strap_width");
+  const double inner = x_neck + fit.at("strap_place") * (1 - width) * length;
+  const double outer = std::min(inner + width * length, kInsideUnderarm * x_underarm);
+  const Vec2 strap_inner(inner, -slope * (inner - x_neck)),
+      strap_outer(outer, -slope * (outer - x_neck)), underarm(x_underarm, y_underarm);
+  const double y_neck = strap_inner.y() + fit.at(drop) * (y_underarm - strap_inner.y());
+  const double depth = strap_outer.y() - y_underarm, fall = strap_inner.y() - y_neck;
+
+  Half half;
+  // A scoop: level at the centre, along the strap at its end.
+  half.neck.start = Vec2(0, y_neck);
+  half.neck.cubic_to({0.62 * inner, y_neck}, {0.97 * inner, y_neck + 0.45 * fall}, strap_inner);
+  half.strap.start = strap_inner;
+  half.strap.line_to(strap_outer);
+  // Down along the strap, then outwards and level into the underarm.
+  half.armhole.start = strap_outer;
+  half.armhole.cubic_to(strap_outer - Vec2(0, 0.62 * depth),
+                        underarm - Vec2(0.70 * (x_underarm - outer), 0), underarm);
+  half.side.start = underarm;
+  const Vec2 hem((1 + fit.at("hip")) * m.at("hip") / 4, -m.at("hps_to_hem"));
+  if (const auto waisted = fit.find("waist"); waisted != fit.end()) {
+    const Vec2 waist((1 + waisted->second) * m.at("waist") / 4, -m.at("hps_to_waist"));
+    const Vec2 above(0, 0.4 * (y_underarm - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
+    half.side.cubic_to(underarm - above, waist + above, waist)
+        .cubic_to(waist - below, hem + below, hem);
+  } else {
+    half.side.line_to(hem);
+  }
+  return half;
+}
+
+Panel piece(const Half& half, bool front) {
+  // Which of the wearer's sides lies at x > 0, seen from outside.
+  const std::string right = front ? "L" : "R", left = front ? "R" : "L";
+  CurveChain neck = half.neck.reversed(), other = half.neck.mirrored(), hem;
+  neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
+  neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
+  hem.start = Vec2(-half.side.end().x(), half.side.end().y());
+  hem.line_to(half.side.end());
+  return draft_panel(front ? "front" : "back", "body",
+                     {{"hem", hem},
+                      {"side_" + right, half.side.reversed()},
+                      {"armhole_" + right, half.armhole.reversed()},
+                      {"shoulder_" + right, half.strap.reversed()},
+                      {"neck", neck},
+                      {"shoulder_" + left, half.strap.mirrored()},
+                      {"armhole_" + left, half.armhole.mirrored()},
+                      {"side_" + left, half.side.mirrored()}});
+}
+
+}  // namespace
+
+double shortest_tank_top(const NamedValues& m, const NamedValues& fit) {
+  const double length = m.at("shoulder_breadth") / 2 - m.at("neck") / 5;
+  return std::tan(m.at("shoulder_slope")) * length + m.at("scye_depth") + fit.at("scye_ease") +
+         kLeastSide;
+}
+
+Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
+  const auto refuse_below = [&](const char* key, double least, const char* why) {
+    if (!(m.at(key) >= least))
+      throw InvalidInput({{}, 0, std::string("measures.") + key},
+                         fmt::format("{:.4g} m", m.at(key)),
+                         fmt::format("at least {:.3f} m, {}", least, why));
+  };
+  refuse_below("shoulder_breadth", 2 * (m.at("neck") / 5 + kLeastShoulder),
+               "so that the shoulders leave room for straps beside the neck");
+  refuse_below("hps_to_hem", shortest_tank_top(m, fit), "below the underarm");
+  if (fit.count("waist")) {
+    refuse_below("hps_to_waist", shortest_tank_top(m, fit) - kLeastSide / 2, "below the underarm");
+    refuse_below("hps_to_hem", m.at("hps_to_waist") + kLeastSide / 2, "below the waist");
+  }
+  Pattern tank;
+  tank.name = tank.kind = "tank-top";
+  tank.panels = {piece(draft_half(m, fit, "neck_drop"), true),
+                 piece(draft_half(m, fit, "back_drop"), false)};
+  for (const std::string side : {"L", "R"}) {
+    sew_edges(tank, "side_" + side, "front", "side_" + side, "back", "side_" + side);
+    sew_edges(tank, "shoulder_" + side, "front", "shoulder_" + side, "back", "shoulder_" + side);
+  }
+  tank.panel_order = {0, 1};
+  // Columns: panel x, panel y and outside normal in our frame; the wearer faces −y.
+  const double hps_height = 3.3 * m.at("hps_to_waist");
+  tank.panels[0].rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  tank.panels[0].translation = Vec3(0, -0.25, hps_height);
+  tank.panels[1].rotation << -1, 0, 0, 0, 0, 1, 0, 1, 0;
+  tank.panels[1].translation = Vec3(0, 0.22, hps_height);
+  return tank;
+}
+
+}  // namespace loosefit

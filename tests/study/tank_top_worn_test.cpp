@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loosefit/io/scenario.h"
+#include "loosefit/study/run_case.h"
+
+namespace loosefit {
+namespace {
+
+TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
+  for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
+                           "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
+    SCOPED_TRACE(body);
+    const Scenario scenario =
+        parse_scenario("[body]\n" + std::string(body) +
+                           "[garment]\npattern = \"tank-top\"\n[simulation]\nedge_length = 0.02\n",
+                       "case.toml");
+    Progress silent;
+    RunOptions options;
+    options.only_drape = true;
+    const CaseResult result = run_case(scenario, silent, options);
+    EXPECT_TRUE(result.drape.certificate.holds()) << result.drape.certificate.stop_reason;
+    EXPECT_EQ(result.drape.certificate.worn_reasons, std::vector<std::string>{});
+    // The straps lie on the shoulders, beside the neck.
+    const Garment::EdgeChain* strap = result.mesh().find_part("front", "shoulder_L");
+    ASSERT_TRUE(strap);
+    const auto& marks = result.body.body.landmarks;
+    for (const int v : strap->vertices) {
+      const Vec3& p = result.drape.positions[v];
+      EXPECT_GT(p.x(), marks.at("hps_L").x() - 0.01);
+      EXPECT_LT(p.x(), marks.at("acromion_L").x() + 0.01);
+      EXPECT_GT(p.z(), marks.at("acromion_L").z() - 0.03);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loosefit
