@@ -3,7 +3,7 @@
 
 namespace loosefit {
 
-/// From the cloth's middle surface to the body (body/body_partner.h).
+/// From the cloth's middle surface to the body (BodyPartner).
 inline MapDefinition distance_map() {
   constexpr double kRange = 40;  // [mm]
   return {
