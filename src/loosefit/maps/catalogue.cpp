@@ -8,6 +8,7 @@
 #include "loosefit/maps/definitions/pressure.h"
 #include "loosefit/maps/definitions/slip.h"
 #include "loosefit/maps/definitions/strain.h"
+#include "loosefit/maps/definitions/trellis_shear.h"
 
 namespace loosefit {
 namespace {
@@ -23,8 +24,15 @@ std::vector<std::string> names_of(bool (*wanted)(const MapDefinition&)) {
 
 const std::vector<MapDefinition>& map_catalogue() {
   static const std::vector<MapDefinition> kMaps = {
-      strain_map(), distance_map(), angular_deviation_map(), pressure_map(), orientation_map(),
-      gap_map(),    slip_map(),     orientation_error_map(),
+      strain_map(),
+      trellis_shear_map(),
+      distance_map(),
+      angular_deviation_map(),
+      pressure_map(),
+      orientation_map(),
+      gap_map(),
+      slip_map(),
+      orientation_error_map(),
   };
   return kMaps;
 }
