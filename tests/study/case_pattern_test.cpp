@@ -5,6 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/study/case_body.h"
+#include "loosefit/study/simulation_options.h"
 #include "support/measured_woman.h"
 
 namespace loosefit {
