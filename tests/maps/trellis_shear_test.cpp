@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 #include "loosefit/maps/compute_maps.h"
 #include "support/tube_garment.h"
 
@@ -12,7 +15,7 @@ namespace {
 DeformationGradient gradient(const Mat2& plane) {
   DeformationGradient f = DeformationGradient::Zero();
   f.topRows<2>() = plane;
-  return Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * f;
+  return Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix() * f;
 }
 
 TEST(TrellisShear, OfSimpleShearIsTheArcTangent) {
