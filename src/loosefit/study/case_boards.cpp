@@ -63,8 +63,9 @@ std::vector<SiteSpec> place_boards(const Scenario& scenario, const CaseBody& bod
 }
 
 std::vector<std::string> moved_board_warnings(const CaseResult& result) {
-  const SitePoints points(result.body.body);
   std::vector<std::string> warnings;
+  if (result.sites.empty()) return warnings;
+  const SitePoints points(result.body.body);
   for (const SiteSpec& spec : result.scenario.sites) {
     if (!spec.board || (spec.landmark.empty() && !spec.anatomy)) continue;
     const auto site = std::find_if(result.sites.begin(), result.sites.end(),
