@@ -165,7 +165,7 @@ TEST(SitesCsv, NamesWithControlCharactersAreEscapedAndStayOnTheirLine) {
   result.sites[0].name = "\x1b[2Jred\nline";
   result.sites[0].panel = "ba\rck, left";
   const std::string csv = sites_csv(result.sites, {{"gone\x07", false, "the\tgarment ends"}});
-  EXPECT_NE(csv.find("\n\\x1b[2Jred\\nline,chest,\"ba\\rck, left\","), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n\\x1b[2Jred\\nline,chest,\"ba\\x0dck, left\","), std::string::npos) << csv;
   EXPECT_NE(csv.find("\ngone\\x07,"), std::string::npos) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << "head and one line per site";
   for (const char control : {'\x1b', '\r', '\x07', '\t'})
