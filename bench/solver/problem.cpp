@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "loosefit/drape/cloth_model.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/dress/lay_round.h"
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/io/scenario.h"
@@ -23,7 +23,7 @@ struct Shirt {
   CaseBody body;
   GarmentHierarchy garment;
   Material material;
-  std::unique_ptr<PosedBody> posed;
+  std::shared_ptr<const ContactBody> skin;
   DrapeOptions options;
 
   std::unique_ptr<ClothModel> model(int level, double stiffness_share = 1,
@@ -34,7 +34,7 @@ struct Shirt {
     const bool finest = level + 1 == static_cast<int>(garment.levels.size());
     auto made = std::make_unique<ClothModel>(garment.levels[level], m, options,
                                              material.thickness * (finest ? 1.0 : 2.0));
-    made->body().set_field(posed->field);
+    made->body().set_field(skin->field);
     return made;
   }
 };
@@ -85,7 +85,7 @@ name = "paper-cotton"
                                    edge_length, shirt->material);
   // As the dress stage: contract soft and without friction, then with both, then level by level.
   VectorField x = lay_round(shirt->garment.levels[0], shirt->body.path(0.0), lay_shirt);
-  shirt->posed = pose_for_contact(shirt->body.path(0.0), bounds(x), 0.005);
+  shirt->skin = with_field(shirt->body.path(0.0), bounds(x), 0.005);
   for (double share : {0.01, 0.1}) settle(*shirt->model(0, share, false), x, 30, 60, 0.01);
   int level = 0;
   {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/drape/cloth_model.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/quasi_static.h"
@@ -70,7 +70,7 @@ TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
 
   Body cylinder;
   cylinder.surface = support::cylinder(kRadius, -0.05, 0.09, 20, 240);
-  const auto body = pose_for_contact(cylinder, bounds(x), 0.003);
+  const auto body = with_field(cylinder, bounds(x), 0.003);
   DrapeOptions options;
   options.gravity = 0;
   ClothModel model({{&a, inner, inner.thickness}, {&b, outer, outer.thickness}},

@@ -61,7 +61,7 @@ TEST(SoftBody, SittingFoldsTheGroinWithoutPassingThroughIt) {
   SoftBody person(body_model(), woman());
   const Body first = person.in(sitting);
   EXPECT_EQ(overlaps(first), 0);
-  EXPECT_EQ(person.in(sitting).surface.vertices, first.surface.vertices);
+  EXPECT_EQ(person.in(sitting)->surface.vertices, first.surface.vertices);
 }
 
 TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
@@ -71,9 +71,9 @@ TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
   copy.in(hanging);
   const Body near = copy.in(between);
   // Led from the rest posture instead of from the arms that hang closer.
-  EXPECT_NE(person.anew().in(between).surface.vertices, near.surface.vertices);
+  EXPECT_NE(person.anew().in(between)->surface.vertices, near.surface.vertices);
   person.learn(copy);
-  EXPECT_EQ(person.in(between).surface.vertices, near.surface.vertices);
+  EXPECT_EQ(person.in(between)->surface.vertices, near.surface.vertices);
 }
 
 TEST(SoftBody, PosturesBetweenThoseOfBeforeAreReachedFromThere) {

@@ -27,7 +27,7 @@ TEST(ClosestPointTree, AgreesWithBruteForceForAnyNumberOfTrianglesAndFarAway) {
   for (std::size_t n : {1, 2, 7, 8, 9, 63, 64, 65, 66, 512, 513, 1000}) {
     TriangleMesh part = sphere;
     part.triangles.resize(n);
-    const ClosestPointTree tree(part, ClosestPointTree::Sides::untold);
+    const ClosestPointTree tree(part);
     for (double scale : {0.5, 100.0, 1e12, 1e20})
       for (int i = 0; i < 20; ++i) {
         const Vec3 p = scale * Vec3(u(rng), u(rng), u(rng));
@@ -69,7 +69,7 @@ TEST(ClosestPointTree, ABoxOverlapsTheTrianglesThatBruteForceFinds) {
   for (std::size_t n : {0, 1, 7, 8, 9, 65, 1000}) {
     TriangleMesh part = sphere;
     part.triangles.resize(n);
-    const ClosestPointTree tree(part, ClosestPointTree::Sides::untold);
+    const ClosestPointTree tree(part);
     std::vector<Box3> box_of;
     for (const Triangle& t : part.triangles) {
       Box3 box;

@@ -50,9 +50,7 @@ TEST(ExactIntersection, WithATreeTheSamePairsAreFoundAsWithout) {
   for (const TriangleMesh& surface : {support::sphere(0.3, 24, 48), TriangleMesh{x, {{0, 1, 2}}}}) {
     const auto expected = mesh_intersections(x, triangles, surface.vertices, surface.triangles);
     EXPECT_GE(expected.size(), 1u);
-    EXPECT_EQ(mesh_intersections(x, triangles,
-                                 ClosestPointTree(surface, ClosestPointTree::Sides::untold)),
-              expected);
+    EXPECT_EQ(mesh_intersections(x, triangles, ClosestPointTree(surface)), expected);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
-#include "loosefit/maps/body_frame.h"
+#include "loosefit/body/body_frame.h"
 #include "loosefit/maps/compute_maps.h"
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"

@@ -296,8 +296,7 @@ TEST_F(OnTheWall, StatesThatDoNotBelongTogetherAreRefused) {
   SensorPatch sensor = disc();
   sensor.sample_directions.resize(2, Vec2(1, 0));
   EXPECT_THROW(measured(sensor), InvalidInput);
-  const StateMeter meter(patch_, material_, states_[0],
-                         std::make_shared<const PartnerFinder>(states_[0].body));
+  const StateMeter meter(patch_, material_, states_[0]);
   const SkinUnderSensor small = meter.skin_under(disc(0.005));
   EXPECT_THROW(meter.measure(disc(), &small), InvalidInput);
   made_.front().positions.pop_back();

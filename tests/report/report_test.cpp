@@ -22,8 +22,9 @@ class Report : public ::testing::Test {
     std::filesystem::remove_all(dir_);
     std::filesystem::create_directories(dir_);
     result_.scenario = default_scenario();
-    result_.body.body = testing::cylinder_body(0.12, 1.0, 100, 20);
-    result_.body.body.measured = {{"chest", 0.754}, {"waist", 0.70}};
+    Body body = testing::cylinder_body(0.12, 1.0, 100, 20);
+    body.measured = {{"chest", 0.754}, {"waist", 0.70}};
+    result_.body.body = body;
     result_.body.asked = {{"chest", 0.75, 0.754}};
     const Garment tube = testing::tube_garment(2 * kPi * 0.13, 0.4, 100, 40);
     result_.studied().hierarchy.levels = {tube};

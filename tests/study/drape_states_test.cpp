@@ -40,11 +40,11 @@ TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
   // As when the run is read again: the person has not been asked for anything yet.
   Progress silent;
   const CaseBody body = make_body(alone.scenario.body);
-  EXPECT_EQ(body.body.surface.vertices, alone.body_in(0).surface.vertices);
+  EXPECT_EQ(body.body->surface.vertices, alone.body_in(0)->surface.vertices);
   const std::vector<PosedWearer> again =
       pose_wearers(body, plan_wear(alone.scenario).postures, silent);
   for (int p = 1; p < 3; ++p)
-    EXPECT_EQ(again[p].body->surface.vertices, alone.body_in(p).surface.vertices) << p;
+    EXPECT_EQ(again[p].body->surface.vertices, alone.body_in(p)->surface.vertices) << p;
   EXPECT_NE(alone.wear.states[0].drape().positions, alone.wear.states[3].drape().positions)
       << "another donning";
 }

@@ -23,7 +23,7 @@ double above_neck(const std::string& garment) {
   EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
   double highest = 0;
   for (const Vec3& p : result.studied().drape.positions) highest = std::max(highest, p.z());
-  return highest - result.body.body.landmarks.at("hps_L").z();
+  return highest - result.body.body->landmarks.at("hps_L").z();
 }
 
 TEST(LooseTShirt, OfAStretchyKnitHangsFromTheShouldersOfASlimChild) {

@@ -24,7 +24,9 @@ CaseResult small_result() {
   mesh.mass = 0.03;
   result.studied().hierarchy.levels = {mesh};
   result.studied().drape.certificate = {5e-4, 2e-3, 0, 0, "converged"};
-  result.body.body.measured = {{"chest", 0.88}, {"height", 1.68}};
+  Body body;
+  body.measured = {{"chest", 0.88}, {"height", 1.68}};
+  result.body.body = body;
   result.body.asked = {{"chest", 0.90, 0.88}};
   result.studied().pattern.fit = {{"chest", 0.1}};
   result.seconds = {{"body", 0.5}, {"settle", 2}};

@@ -25,7 +25,7 @@ TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
     // The straps lie on the shoulders, beside the neck.
     const Garment::EdgeChain* strap = result.mesh().find_part("front", "shoulder_L");
     ASSERT_TRUE(strap);
-    const auto& marks = result.body.body.landmarks;
+    const auto& marks = result.body.body->landmarks;
     for (const int v : strap->vertices) {
       const Vec3& p = result.drape.positions[v];
       EXPECT_GT(p.x(), marks.at("hps_L").x() - 0.01);

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/study/case_files.h"
@@ -46,9 +46,6 @@ CaseResult make_worn_case() {
   certificate.stop_reason = "converged";
   result.wear = plan_wear(scenario);
   result.wear.bodies = bodies_of(pose_wearers(result.body, result.wear.postures, silent));
-  PosedBody posed;
-  posed.body = result.body.body;
-  posed.tree = std::make_unique<ClosestPointTree>(posed.body.surface);
   for (const StateId& id : planned_states(result.wear)) {
     CaseState state;
     state.id = id;
@@ -59,7 +56,7 @@ CaseResult make_worn_case() {
     if (!id.in_first_donning())
       for (Vec3& point : x) point.z() -= 0.005;
     if (!id.in_reference_posture()) {
-      const auto way = way_of(skin_motion(posed, result.body_in(id.posture), x), x);
+      const auto way = way_of(skin_motion(result.body.body, result.body_in(id.posture), x), x);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
     }
     result.wear.states.push_back(std::move(state));
@@ -170,7 +167,7 @@ TEST(WearStates, AStoredRunRanksAlike) {
       EXPECT_DOUBLE_EQ(a.sites[i].samples[k].at("coe_rms_deg"),
                        b.sites[i].samples[k].at("coe_rms_deg"));
   // Drapes on a body that this version would not make.
-  Body other = *result.wear.bodies[1];
+  Body other = result.wear.bodies[1];
   for (Vec3& p : other.surface.vertices) p.x() += 0.0002;
   const auto stored = folder / state_folder(result.wear.states[0]) / "body.vtp";
   write_body_vtp(stored, other);

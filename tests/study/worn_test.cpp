@@ -18,8 +18,8 @@ namespace {
 
 using Reasons = std::vector<std::string>;
 
-const Body& woman() {
-  static const Body body = support::standing(support::adult_parameters(), 40);
+const PosedBody& woman() {
+  static const PosedBody body = support::standing(support::adult_parameters(), 40);
   return body;
 }
 
@@ -30,7 +30,7 @@ struct Sewn {
   explicit Sewn(Pattern cut)
       : pattern(std::move(cut)), levels(build_hierarchy(pattern, 0.03, support::knit())) {}
   const Garment& mesh() const { return levels.finest(); }
-  Reasons on(const std::vector<Vec3>& x, const Body& body = woman()) const {
+  Reasons on(const std::vector<Vec3>& x, const PosedBody& body = woman()) const {
     return why_not_worn(mesh(), pattern, x, body);
   }
 };
@@ -101,7 +101,7 @@ TEST(Worn, NotAShirtThatHasFallen) {
 
 TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
   std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
-  const Vec3 shoulder = woman().joints.at("shoulder_L");
+  const Vec3 shoulder = woman()->joints.at("shoulder_L");
   for (Vec3& p : x)  // swung down before the trunk
     if (p.x() > shoulder.x() + 0.04) p = Vec3(shoulder.x() + 0.04, p.y() - 0.5, p.z() - 0.3);
   EXPECT_EQ(shirt().on(x), Reasons{"the left sleeve is empty"});
@@ -109,7 +109,7 @@ TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
 
 TEST(Worn, ASleeveThatIsLongerThanItsArm) {
   std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
-  const Vec3 elbow = woman().joints.at("elbow_L"), wrist = woman().joints.at("wrist_L");
+  const Vec3 elbow = woman()->joints.at("elbow_L"), wrist = woman()->joints.at("wrist_L");
   const Vec3 along = (wrist - elbow).normalized();
   for (Vec3& p : x) {
     const double beyond = (p - elbow).dot(along) - 0.05;
@@ -233,9 +233,9 @@ TEST(Worn, ATankTopOnTheShoulders) {
 }
 
 TEST(Worn, AStraplessDressAtTheChestAndNotAtTheHips) {
-  const double chest = woman().measured.at("chest");
+  const double chest = woman()->measured.at("chest");
   const Sewn dress(
-      two_panels(0.48 * chest, 0.7 * chest, 0.7, 0, woman().landmarks.at("sternum").z() + 0.03));
+      two_panels(0.48 * chest, 0.7 * chest, 0.7, 0, woman()->landmarks.at("sternum").z() + 0.03));
   const std::vector<Vec3> x = round_the_body(dress, 0);
   EXPECT_EQ(dress.on(x), Reasons{});
   EXPECT_EQ(dress.on(moved(x, {0, 0, -0.35})), Reasons{"the upper opening has slid to the hips"});
@@ -274,8 +274,8 @@ TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
   std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   EXPECT_EQ(jacket.on(x), Reasons{});
   EXPECT_EQ(jacket.on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
-  const double shoulder = woman().joints.at("shoulder_L").x(),
-               wrist = woman().joints.at("wrist_L").x();
+  const double shoulder = woman()->joints.at("shoulder_L").x(),
+               wrist = woman()->joints.at("wrist_L").x();
   for (Vec3& p : x) {  // the cuffs stay where they are
     const double along = (std::abs(p.x()) - shoulder) / (wrist - 0.05 - shoulder);
     p.z() -= 0.35 * std::clamp(1 - along, 0.0, 1.0);
@@ -299,14 +299,14 @@ TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
 TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
   using namespace testing_support;
   const Body child = support::standing(support::slim_child_parameters(), 40);
-  const double share = child.measured.at("height") / woman().measured.at("height");
+  const double share = child.measured.at("height") / woman()->measured.at("height");
   Pattern shawl;  // a front piece that hangs from the neck to the waist
   shawl.panels = {
       placed(rectangle_panel("front", 0.3, 0.35), false, -0.15, neck_height(woman()) - 0.35)};
   const Sewn made(shawl);
   std::vector<Vec3> on_woman = placed_by_pattern(made.mesh(), made.pattern);
   double skin = 0;
-  for (const Vec3& p : woman().surface.vertices) skin = std::min(skin, p.y());
+  for (const Vec3& p : woman()->surface.vertices) skin = std::min(skin, p.y());
   for (Vec3& p : on_woman) p.y() = skin;
   std::vector<Vec3> on_child = on_woman;
   for (Vec3& p : on_child) p *= share;

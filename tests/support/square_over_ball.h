@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "loosefit/drape/cloth_model.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/garment/assemble.h"
 #include "support/shapes.h"
 #include "support/simple_patterns.h"
@@ -14,7 +14,7 @@ namespace loosefit::testing_support {
 struct SquareOverBall {
   Material material;
   Garment garment;
-  std::unique_ptr<PosedBody> body;
+  std::shared_ptr<const ContactBody> body;
   std::vector<Vec3> x;
   std::unique_ptr<ClothModel> model;
 
@@ -27,7 +27,7 @@ struct SquareOverBall {
     ball.surface = support::sphere(0.1, 24, 48);
     ball.segment.assign(ball.surface.vertices.size(), Segment::thigh);
     ball.side.assign(ball.surface.vertices.size(), -1);
-    body = pose_for_contact(std::move(ball), bounds(x), 0.005);
+    body = with_field(std::move(ball), bounds(x), 0.005);
     model = std::make_unique<ClothModel>(garment, material, DrapeOptions{}, material.thickness);
     model->body().set_field(body->field);
   }

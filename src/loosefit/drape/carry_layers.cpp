@@ -21,7 +21,7 @@ std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<
     under.vertices.assign(x.begin(), x.begin() + cloth.first_vertex[layer]);
     under.triangles.assign(cloth.triangles.begin(),
                            cloth.triangles.begin() + cloth.first_triangle[layer]);
-    const ClosestPointTree tree(under, ClosestPointTree::Sides::untold);
+    const ClosestPointTree tree(under);
     tbb::parallel_for(cloth.first_vertex[layer], cloth.first_vertex[layer + 1], [&](int i) {
       const ClosestPoint hit = tree.query(x[i]);
       const double distance = (hit.point - x[i]).norm();

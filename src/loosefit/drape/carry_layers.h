@@ -1,6 +1,6 @@
 #pragma once
 #include "loosefit/drape/cloth_layer.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 
 namespace loosefit {
 

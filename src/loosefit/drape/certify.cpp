@@ -19,7 +19,7 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBo
   for (const auto& [a, b] : cuts)
     c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
   c.intersections_body =
-      static_cast<int>(mesh_intersections(x, cloth.triangles, *body.tree).size());
+      static_cast<int>(mesh_intersections(x, cloth.triangles, body.tree()).size());
   c.stop_reason = stop_reason;
   // Balanced forces alone are no rest: say what is left.
   if (c.intersections_body + c.intersections_self > 0)

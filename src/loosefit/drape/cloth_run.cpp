@@ -77,7 +77,7 @@ void ClothRun::make_model(double stiffness_share, bool with_friction) {
 void ClothRun::keep_cloth_in_field() {
   if (body_->field->covers(bounds(x_))) return;
   outgrown_.push_back(body_);
-  body_ = with_field_round(*body_, bounds(x_));
+  body_ = with_field(body_->body, bounds(x_), body_->field->spacing());
   model_->set_field(body_->field);
 }
 
@@ -91,7 +91,7 @@ bool ClothRun::settle(double tolerance, int iterations, double first_dt, bool pr
   settle.max_iterations =
       kind == IntegratorKind::semi_implicit_euler ? 1000 * iterations : iterations;
   settle.first_dt = kind == IntegratorKind::implicit_euler ? 0.02 : first_dt;
-  const Box3 body_box = bounds(body_->body.surface.vertices);
+  const Box3 body_box = bounds(body_->body->surface.vertices);
   settle.watch = [&](int iteration, double residual) {
     progress_.check_cancelled();
     report_.history.push_back({seconds(), level_, iterations_ + iteration, residual});
@@ -168,13 +168,13 @@ std::string ClothRun::how_it_ended() const {
 
 Drape ClothRun::finish(const std::string& given_up) {
   const auto certified = [&] {
-    return certify(*model_, x_, *body_, given_up.empty() ? how_it_ended() : given_up);
+    return certify(*model_, x_, body_->body, given_up.empty() ? how_it_ended() : given_up);
   };
   const auto take = [&](const Kept& kept) {
     x_ = kept.x;
     model_->recall(kept.memory);
     report_.held_off_triangles = kept.held_off_triangles;
-    return kept.ended.empty() ? certified() : certify(*model_, x_, *body_, kept.ended);
+    return kept.ended.empty() ? certified() : certify(*model_, x_, body_->body, kept.ended);
   };
   Drape drape;
   drape.certificate = certified();
@@ -200,7 +200,7 @@ Drape ClothRun::finish(const std::string& given_up) {
     drape.certificate = take(*best);
     std::vector<const Garment*> garments;
     for (int l = 0; l < layers(); ++l) garments.push_back(&level_garment(l));
-    drape.unsettled = explain_unsettled(*model_, garments, x_, *body_, drape.certificate);
+    drape.unsettled = explain_unsettled(*model_, garments, x_, body_->body, drape.certificate);
     if (!falling_.empty()) drape.unsettled->why = falling_;
   }
   report_.contacts_self = model_->self().active(x_);

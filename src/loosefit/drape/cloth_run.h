@@ -8,10 +8,10 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/body/body_path.h"
 #include "loosefit/drape/cloth_model.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/drape.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/free_fall.h"
-#include "loosefit/drape/posed_body.h"
 #include "loosefit/solver/integrator.h"
 
 namespace loosefit {
@@ -36,7 +36,7 @@ struct WornCloth {
     ClothMemory memory;
   };
   std::vector<Level> levels;
-  std::shared_ptr<const PosedBody> body;
+  std::shared_ptr<const ContactBody> body;
   int iterations = 0;  ///< that the finest level took
 };
 
@@ -80,7 +80,7 @@ class ClothRun {
   void keep_cloth_in_field();
   /// Settles the current level; true when the tolerance was met.
   bool settle(double tolerance, int iterations, double first_dt, bool preparing = false);
-  void dress(Body body);
+  void dress(const PosedBody& body);
   /// Seeded smooth shift of the start, for repeats.
   void perturb();
   /// Shifts and twists the garment on the trunk as the options ask.
@@ -117,9 +117,9 @@ class ClothRun {
   int most_iterations_ = std::numeric_limits<int>::max();  ///< of iterations_
   std::string part_ = "dress";                             ///< of the run, for the report
   std::vector<Vec3> x_;
-  std::shared_ptr<const PosedBody> body_;
+  std::shared_ptr<const ContactBody> body_;
   /// Those whose field the cloth has left: states that are kept may still ask it.
-  std::vector<std::shared_ptr<const PosedBody>> outgrown_;
+  std::vector<std::shared_ptr<const ContactBody>> outgrown_;
   std::unique_ptr<ClothModel> model_;
   std::unique_ptr<FreeFall> free_fall_;     ///< of the garments of this level
   std::string falling_;                     ///< what falls past the body, in words; else empty

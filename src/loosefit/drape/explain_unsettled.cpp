@@ -27,7 +27,7 @@ std::string part_name(const Body& body, int skin_vertex) {
 }
 
 std::string nearest_part(const PosedBody& body, const Vec3& p) {
-  return part_name(body.body, body.body.surface.triangles[body.tree->query(p).triangle][0]);
+  return part_name(body, body->surface.triangles[body.tree().query(p).triangle][0]);
 }
 
 /// The garments of a model and the places in them.
@@ -74,10 +74,10 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
     cuts.back().with = with;
     cuts.back().body = is_body;
   };
-  const TriangleMesh& skin = body.body.surface;
+  const TriangleMesh& skin = body->surface;
   const auto& triangles = w.mesh.triangles;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, *body.tree))
-    add(t, part_name(body.body, skin.triangles[s][0]), true);
+  for (const auto& [t, s] : mesh_intersections(x, triangles, body.tree()))
+    add(t, part_name(body, skin.triangles[s][0]), true);
   for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s), false);
   return cuts;
 }

@@ -1,7 +1,7 @@
 #pragma once
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/drape/drape.h"
-#include "loosefit/drape/posed_body.h"
 
 namespace loosefit {
 

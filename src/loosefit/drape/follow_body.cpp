@@ -56,7 +56,7 @@ double depth(const std::vector<Vec3>& x, const PosedBody& body) {
       tbb::blocked_range<std::size_t>(0, x.size()), 0.0,
       [&](const auto& range, double deepest) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-          deepest = std::max(deepest, -body.tree->signed_distance(x[i]));
+          deepest = std::max(deepest, -body.tree().signed_distance(x[i]));
         return deepest;
       },
       [](double a, double b) { return std::max(a, b); });
@@ -99,14 +99,14 @@ Drape ClothRun::follow(const BodyPath& body_at) {
   double caught = 0;
   while (!is_finest()) {
     settle(kCoarseTolerance, kPatience * kGait.iterations, 0.02);
-    caught = std::max(caught, depth(x_, *body_));
+    caught = std::max(caught, depth(x_, body_->body));
     refine_as_worn();
   }
   part_ = "settle";
   // Skin that folds over itself does not let go of cloth between its layers: no use in trying.
   if (caught < kCaught) {
     settle(kGait.tolerance, kPatience * kGait.iterations, 0.1, true);
-    caught = depth(x_, *body_);
+    caught = depth(x_, body_->body);
   }
   if (caught > kCaught) return finish(caught_text(caught));
   const int most = std::max(kManyIterations, kFarMore * worn_->iterations);
@@ -129,7 +129,7 @@ void ClothRun::refine_as_worn() {
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += allowed * detail[i];
   model_->recall(worn.memory);
   model_->set_field(body_->field);
-  const std::vector<Vec3> way = way_of(skin_motion(*worn_->body, body_->body, worn.x), worn.x);
+  const std::vector<Vec3> way = way_of(skin_motion(worn_->body->body, body_->body, worn.x), worn.x);
   for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
 }
 
@@ -142,8 +142,8 @@ void ClothRun::walk(const BodyPath& body_at) {
   for (double gone = 0; gone < 1;) {
     if (is_late()) length = 1;  // end on the wanted body, settled or not
     const double to = gone + length > 1 - 0.5 * least ? 1 : gone + length;
-    std::shared_ptr<PosedBody> next = pose_for_queries(body_at(to));
-    const std::vector<MotionMap> motion = skin_motion(*body_, next->body, x_);
+    const PosedBody next = body_at(to);
+    const std::vector<MotionMap> motion = skin_motion(body_->body, next, x_);
     const std::vector<Vec3> wanted = way_of(carried_layers(model_->mesh(), x_, motion), x_);
     const std::vector<Vec3> carried =
         without_impacts(model_->self().candidates().features(), x_, wanted);
@@ -154,17 +154,16 @@ void ClothRun::walk(const BodyPath& body_at) {
     // A body that goes where the cloth cannot follow would pass through it. Layers that lie on each
     // other have little room, and would be taken along like one rigid piece: shorter ways, and
     // settling makes room anew.
-    const bool clear = layers() == 1 ? allowed >= kWhole && depth(there, *next) <= kTooDeep
+    const bool clear = layers() == 1 ? allowed >= kWhole && depth(there, next) <= kTooDeep
                                      : allowed >= kWholeWay && farthest(wanted, carried) <= kStray;
     if (length > 1.5 * least && !is_late() && !clear) {
       length /= 2;
       continue;
     }
-    add_field(*next, bounds(there), to < 1 && level_ == 0 ? kRoughField : kFieldSpacing);
     const std::vector<Vec3> way = way_of(motion, x_);
     for (int l = 0; l < layers(); ++l) model_->body(l).carry_anchors(way);
     x_ = std::move(there);
-    body_ = std::move(next);
+    body_ = with_field(next, bounds(x_), to < 1 && level_ == 0 ? kRoughField : kFieldSpacing);
     model_->set_field(body_->field);
     gone = to;
     length = std::min(usual, 2 * length);
@@ -179,12 +178,12 @@ void ClothRun::walk(const BodyPath& body_at) {
 void ClothRun::displace() {
   const Vec3& shift = options_.start_shift;
   if (shift.isZero() && options_.start_twist == 0) return;
-  const auto& skin = body_->body.surface.triangles;
+  const auto& skin = body_->body->surface.triangles;
   std::vector<char> on_trunk(x_.size());
   Vec3 centre = Vec3::Zero();
   int count = 0;
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    const Segment part = body_->body.segment[skin[body_->tree->query(x_[i]).triangle][0]];
+    const Segment part = body_->body->segment[skin[body_->body.tree().query(x_[i]).triangle][0]];
     on_trunk[i] = part == Segment::torso || part == Segment::neck || part == Segment::thigh;
     if (on_trunk[i]) centre += x_[i], ++count;
   }

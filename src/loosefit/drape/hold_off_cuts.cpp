@@ -92,17 +92,18 @@ std::set<Triangle> with_lattice(const std::vector<ContactPoint>& points) {
 
 }  // namespace
 
-CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
+CutRound hold_off_cuts(ClothModel& model, const ContactBody& body, const std::vector<Vec3>& x,
                        const std::vector<double>& half_thickness, bool look_ahead,
                        std::map<int, int>& times_cut) {
   const ClothMesh& cloth = model.mesh();
   const auto& triangles = cloth.triangles;
+  const ClosestPointTree& skin = body.body.tree();
   std::set<int> cut;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, *body.tree)) cut.insert(t);
+  for (const auto& [t, s] : mesh_intersections(x, triangles, skin)) cut.insert(t);
   const bool any = !cut.empty();
   if (!any && !look_ahead) return {};
   // Those that are about to cut are treated alike, or each round would find their neighbours.
-  const std::vector<double> least = least_distances(*body.tree, triangles, x, cut);
+  const std::vector<double> least = least_distances(skin, triangles, x, cut);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
   std::vector<std::set<Triangle>> latticed;
@@ -131,7 +132,7 @@ CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vect
         if (p.within(triangles[t])) most = std::max(most, raise.at(t));
       if (most < 0) continue;
       const double seen = contact.field_distance(p, x, kFarField);
-      const double error = seen < kFarField ? seen - body.tree->signed_distance(p.position(x)) : 0;
+      const double error = seen < kFarField ? seen - skin.signed_distance(p.position(x)) : 0;
       const double needed = half_thickness[layer] + std::clamp(error, 0.0, kFarField);
       const double offset = std::min(farthest, std::max(p.offset, needed) + most);
       held = held || offset > p.offset;

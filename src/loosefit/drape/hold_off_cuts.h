@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "loosefit/drape/cloth_model.h"
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 
 namespace loosefit {
 
@@ -20,7 +20,7 @@ struct CutRound {
 /// per triangle over the rounds. No farther than the field is smooth. Nothing is changed when
 /// nothing cuts, unless look_ahead. half_thickness: offset of an undisturbed contact point of each
 /// layer [m].
-CutRound hold_off_cuts(ClothModel& model, const PosedBody& body, const std::vector<Vec3>& x,
+CutRound hold_off_cuts(ClothModel& model, const ContactBody& body, const std::vector<Vec3>& x,
                        const std::vector<double>& half_thickness, bool look_ahead,
                        std::map<int, int>& times_cut);
 

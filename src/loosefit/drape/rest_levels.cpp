@@ -17,9 +17,8 @@ bool is_arm(Segment s) {
 
 }  // namespace
 
-RestLevels::RestLevels(const Body& body)
-    : body_(body), tree_(body.surface, ClosestPointTree::Sides::untold) {
-  const auto& skin = body.surface.vertices;
+RestLevels::RestLevels(PosedBody body) : body_(std::move(body)) {
+  const auto& skin = body_->surface.vertices;
   double top = -std::numeric_limits<double>::infinity();
   soles_ = -top;
   for (std::size_t v = 0; v < skin.size(); ++v) {
@@ -29,8 +28,8 @@ RestLevels::RestLevels(const Body& body)
   }
   height = top - soles_;
   const auto landmark = [&](const char* name, double share) {
-    const auto found = body.landmark_vertex.find(name);
-    if (found == body.landmark_vertex.end()) return share * height;
+    const auto found = body_->landmark_vertex.find(name);
+    if (found == body_->landmark_vertex.end()) return share * height;
     return in_rest(found->second, skin[found->second]).z() - soles_;
   };
   chest = landmark("sternum", kChest);
@@ -40,27 +39,27 @@ RestLevels::RestLevels(const Body& body)
 }
 
 Vec3 RestLevels::in_rest(int vertex, const Vec3& p) const {
-  if (body_.pose_from_rest.size() != body_.surface.vertices.size()) return p;
-  const auto& pose = body_.pose_from_rest[vertex];
+  if (body_->pose_from_rest.size() != body_->surface.vertices.size()) return p;
+  const auto& pose = body_->pose_from_rest[vertex];
   return pose.leftCols<3>().inverse() * (p - pose.col(3));
 }
 
 std::map<std::string, Vec3> RestLevels::joints() const {
-  std::map<std::string, Vec3> at = body_.joints;
+  std::map<std::string, Vec3> at = body_->joints;
   for (auto& [name, p] : at) {
     // All bones that meet in a joint move it alike, so any skin next to it brings it back.
-    const ClosestPoint skin = tree_.query(p);
-    p = in_rest(body_.surface.triangles[skin.triangle][0], p) - soles_ * Vec3::UnitZ();
+    const ClosestPoint skin = body_.tree().query(p);
+    p = in_rest(body_->surface.triangles[skin.triangle][0], p) - soles_ * Vec3::UnitZ();
   }
   return at;
 }
 
 double RestLevels::of(const Vec3& p) const {
-  const auto& corners = body_.surface.triangles;
-  const bool parted = body_.segment.size() == body_.surface.vertices.size();
-  const ClosestPoint at = tree_.query(
+  const auto& corners = body_->surface.triangles;
+  const bool parted = body_->segment.size() == body_->surface.vertices.size();
+  const ClosestPoint at = body_.tree().query(
       p, std::numeric_limits<double>::infinity(),
-      [&](int triangle) { return !parted || !is_arm(body_.segment[corners[triangle][0]]); });
+      [&](int triangle) { return !parted || !is_arm(body_->segment[corners[triangle][0]]); });
   if (at.triangle < 0) return p.z() - soles_;
   return in_rest(corners[at.triangle][0], p).z() - soles_;
 }
@@ -71,7 +70,9 @@ double RestLevels::of(const std::vector<int>& vertices, const std::vector<Vec3>&
   return sum / static_cast<double>(std::max<std::size_t>(1, vertices.size()));
 }
 
-double RestLevels::distance(const Vec3& p) const { return (tree_.query(p).point - p).norm(); }
+double RestLevels::distance(const Vec3& p) const {
+  return (body_.tree().query(p).point - p).norm();
+}
 
 std::string level_name(double level, const RestLevels& levels) {
   const double knee = kKnee / kCrotch * levels.crotch, ankle = kAnkle * levels.height;

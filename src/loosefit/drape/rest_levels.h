@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/body/body.h"
-#include "loosefit/geometry/closest_point_tree.h"
+#include "loosefit/body/posed_body.h"
 
 namespace loosefit {
 
@@ -13,8 +12,7 @@ namespace loosefit {
 /// above the soles.
 class RestLevels {
  public:
-  /// Keeps a reference to the body.
-  explicit RestLevels(const Body& body);
+  explicit RestLevels(PosedBody body);
   /// Of a point of cloth; arms and hands are passed over, for they hang beside everything.
   double of(const Vec3& p) const;
   /// Mean over vertices.
@@ -30,8 +28,7 @@ class RestLevels {
 
  private:
   Vec3 in_rest(int vertex, const Vec3& p) const;
-  const Body& body_;
-  ClosestPointTree tree_;
+  PosedBody body_;
   double soles_ = 0;
 };
 

@@ -47,7 +47,7 @@ Drape ClothRun::put_on(const BodyPath& body_at) {
   return drape;
 }
 
-void ClothRun::dress(Body body) {
+void ClothRun::dress(const PosedBody& body) {
   std::vector<LayerToDress> to_dress;
   for (int l = 0; l < layers(); ++l) {
     const Pattern& pattern = layers_[l].garment->pattern;
@@ -55,7 +55,7 @@ void ClothRun::dress(Body body) {
   }
   x_ = dress_layers(to_dress, body);
   perturb();
-  body_ = pose_for_contact(std::move(body), bounds(x_), kFieldSpacing);
+  body_ = with_field(body, bounds(x_), kFieldSpacing);
   // The strained start contracts as if it were soft at first, and without friction, so
   // that it comes to lie on the limbs and is not pulled through them. It has no weight until it is
   // as stiff and as rough as it is: a waistband that stretches over the hips would fall.

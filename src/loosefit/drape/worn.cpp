@@ -39,7 +39,7 @@ std::string round_what(const LimbNumbers& n) {
 class Verdict {
  public:
   Verdict(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-          const Body& body)
+          const PosedBody& body)
       : garment_(garment),
         pattern_(pattern),
         x_(x),
@@ -47,8 +47,8 @@ class Verdict {
         lines_(limb_lines(body)),
         levels_(body),
         way_(levels_.waist - levels_.crotch) {
-    const auto chest = body.measured.find("chest");
-    chest_girth_ = chest != body.measured.end() ? chest->second : 0.55 * levels_.height;
+    const auto chest = body->measured.find("chest");
+    chest_girth_ = chest != body->measured.end() ? chest->second : 0.55 * levels_.height;
   }
 
   std::vector<std::string> reasons(bool over_others) {
@@ -222,7 +222,7 @@ class Verdict {
     for (const Opening* o : of) {
       if (!is_arm(*o)) continue;
       const std::string side = o->use == OpeningUse::left_arm ? "left" : "right";
-      const Vec3& shoulder = body_.joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
+      const Vec3& shoulder = body_->joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
       double away = distance_of(o->loop, shoulder);
       for (const std::vector<int>& ring : tube_rings(garment_, o->loop, widest(*o)))
         away = std::min(away, distance_of(ring, shoulder));
@@ -309,7 +309,7 @@ class Verdict {
       if (!collar.empty() && levels_.of(collar, x_) < levels_.chest)
         say("the " + side + " side of the collar lies below the breast");
       const auto armhole = labelled_vertices(garment_, pattern_, side + "_armhole");
-      const Vec3& shoulder = body_.joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
+      const Vec3& shoulder = body_->joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
       double away = 0;
       for (int v : armhole) away += (x_[v] - shoulder).norm() / static_cast<double>(armhole.size());
       if (away > kShoulder * levels_.height) say_armhole(side, away);
@@ -319,7 +319,7 @@ class Verdict {
   const Garment& garment_;
   const Pattern& pattern_;
   const std::vector<Vec3>& x_;
-  const Body& body_;
+  const PosedBody& body_;
   std::vector<Vec3> placed_;  ///< by the pattern
   LimbLines lines_;
   RestLevels levels_;
@@ -332,13 +332,13 @@ class Verdict {
 }  // namespace
 
 std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
-                                      const std::vector<Vec3>& x, const Body& body,
+                                      const std::vector<Vec3>& x, const PosedBody& body,
                                       bool over_others) {
   return Verdict(garment, pattern, x, body).reasons(over_others);
 }
 
 bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-                const Body& body, const std::vector<Vec3>& first, const Body& first_body) {
+                const PosedBody& body, const std::vector<Vec3>& first, const Body& first_body) {
   return Verdict(garment, pattern, x, body).alike(first, limb_lines(first_body));
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/body/body.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/pattern.h"
 
@@ -31,13 +31,13 @@ namespace loosefit {
 ///
 /// A body without joints is only asked for the touch.
 std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
-                                      const std::vector<Vec3>& x, const Body& body,
+                                      const std::vector<Vec3>& x, const PosedBody& body,
                                       bool over_others = false);
 
 /// Whether the openings of an unusual cut, of which why_not_worn does not know what they are for,
 /// have the same limbs through them at x on `body` as at `first` on the same person in
 /// `first_body`; true for bodies without joints. A limb in the sleeve of an opening counts.
 bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-                const Body& body, const std::vector<Vec3>& first, const Body& first_body);
+                const PosedBody& body, const std::vector<Vec3>& first, const Body& first_body);
 
 }  // namespace loosefit

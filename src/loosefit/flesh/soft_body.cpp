@@ -88,12 +88,12 @@ SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, c
   return there;
 }
 
-Body SoftBody::in(const Posture& posture, Progress* progress) {
+PosedBody SoftBody::in(const Posture& posture, Progress* progress) {
   for (const auto& [asked, body] : remembered_)
-    if (asked == posture) return *body;
-  auto body = std::make_shared<const Body>(made(posture, progress));
+    if (asked == posture) return body;
+  PosedBody body = made(posture, progress);
   if (remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
-  return *body;
+  return body;
 }
 
 void SoftBody::learn(const SoftBody& copy) {

@@ -5,6 +5,7 @@
 
 #include "loosefit/base/progress.h"
 #include "loosefit/body/body_model.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/flesh/skin_patch.h"
 
 namespace loosefit {
@@ -26,7 +27,7 @@ class SoftBody {
   /// the rest posture or the nearest one that was asked for before, so the shape depends a little
   /// on the order of questions; asked again, it is the same. `progress` hears of the way there, if
   /// there is one. \throws as BodyModel::build, Cancelled.
-  Body in(const Posture& posture, Progress* progress = nullptr);
+  PosedBody in(const Posture& posture, Progress* progress = nullptr);
 
   /// The same person, not asked anything yet.
   SoftBody anew() const { return {model_, parameters_}; }
@@ -53,7 +54,7 @@ class SoftBody {
   std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
   std::vector<Known> known_;  ///< without overlaps but for the first, the rest posture
   /// The first answers: donnings follow each other through the same postures.
-  std::vector<std::pair<Posture, std::shared_ptr<const Body>>> remembered_;
+  std::vector<std::pair<Posture, PosedBody>> remembered_;
 };
 
 }  // namespace loosefit

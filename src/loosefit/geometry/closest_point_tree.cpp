@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace loosefit {
@@ -31,9 +30,8 @@ int parts_of(int n, int size) { return (n - 1) / size + 1; }
 
 }  // namespace
 
-ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, Sides sides) : mesh_(&mesh) {
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(&mesh) {
   const int n = static_cast<int>(mesh.triangles.size());
-  if (sides == Sides::told) sides_.emplace(mesh);
   for (const Vec3& v : mesh.vertices) reach_ = std::max(reach_, v.cwiseAbs().maxCoeff());
   std::vector<Centroid> centroids(n);
   for (int i = 0; i < n; ++i) {
@@ -198,11 +196,11 @@ std::vector<int> ClosestPointTree::overlapping(const Box3& box) const {
 }
 
 double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, double bound) const {
-  if (!sides_) throw std::logic_error("this tree was made without telling sides");
   const ClosestPoint hit = query(p, bound);
   if (closest) *closest = hit;
   if (hit.triangle < 0) return std::numeric_limits<double>::infinity();
-  return sides_->at(*mesh_, hit).dot(p - hit.point) < 0 ? -hit.distance : hit.distance;
+  const Pseudonormals& sides = sides_.get([&] { return Pseudonormals(*mesh_); });
+  return sides.at(*mesh_, hit).dot(p - hit.point) < 0 ? -hit.distance : hit.distance;
 }
 
 }  // namespace loosefit

@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
+#include "loosefit/base/lazy.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/pseudonormals.h"
@@ -15,9 +15,7 @@ namespace loosefit {
 /// tree and must not move.
 class ClosestPointTree {
  public:
-  /// Half of the work of making it is what tells inside from outside.
-  enum class Sides { told, untold };
-  explicit ClosestPointTree(const TriangleMesh& mesh, Sides sides = Sides::told);
+  explicit ClosestPointTree(const TriangleMesh& mesh);
   /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
   ClosestPoint query(const Vec3& p,
                      double max_distance = std::numeric_limits<double>::infinity()) const;
@@ -26,8 +24,8 @@ class ClosestPointTree {
                      const std::function<bool(int)>& accept) const;
   /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
   /// (Bærentzen and Aanæs 2005). Needs a closed, outward oriented mesh. A bound on the distance
-  /// that is known to hold makes it faster; +∞ beyond it. Throws std::logic_error with
-  /// Sides::untold.
+  /// that is known to hold makes it faster; +∞ beyond it. The pseudonormals, half of the work of
+  /// making a tree, are made for the first that asks.
   double signed_distance(const Vec3& p, ClosestPoint* closest = nullptr,
                          double bound = std::numeric_limits<double>::infinity()) const;
   /// The triangles whose boxes overlap this one, rising. Closed boxes: touching counts as overlap.
@@ -63,7 +61,7 @@ class ClosestPointTree {
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;  ///< as they follow each other in the tree
   double reach_ = 0;          ///< largest absolute coordinate [m]
-  std::optional<Pseudonormals> sides_;
+  Lazy<Pseudonormals> sides_;
 };
 
 }  // namespace loosefit

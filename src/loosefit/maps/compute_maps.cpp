@@ -87,7 +87,8 @@ std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& dr
 }
 
 std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,
-                                         const Body& body, const std::vector<std::string>& names,
+                                         const PosedBody& body,
+                                         const std::vector<std::string>& names,
                                          const MapOptions& options) {
   if (!options.allow_unsettled) require_settled(drape.certificate);
   return compute_maps(garment, drape, relate(garment, drape.positions, body), names, options);

@@ -23,7 +23,7 @@ std::vector<PerformanceMap> compute_maps(
 
 /// The same in one call.
 std::vector<PerformanceMap> compute_maps(
-    const Garment& garment, const Drape& drape, const Body& body,
+    const Garment& garment, const Drape& drape, const PosedBody& body,
     const std::vector<std::string>& names = default_map_names(), const MapOptions& options = {});
 
 /// All arrays of one map. \throws InvalidInput when the input lacks what it is made of, or for an

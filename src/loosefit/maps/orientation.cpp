@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "loosefit/base/check.h"
-#include "loosefit/maps/body_frame.h"
+#include "loosefit/body/body_frame.h"
 #include "loosefit/maps/strain.h"
 
 namespace loosefit {

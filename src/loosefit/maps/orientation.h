@@ -7,7 +7,7 @@
 namespace loosefit {
 
 /// Orientation of a place of the garment relative to the body under it, R = F_bᵀ F_g with the body
-/// frame F_b = [s a n] (maps/body_frame.h) and the garment frame F_g of the same build, its a the
+/// frame F_b = [s a n] (body/body_frame.h) and the garment frame F_g of the same build, its a the
 /// image of a direction in the pattern (docs/theory/sensor_metrics.md 3.1, 3.2). All in rad.
 ///
 /// R is a swing, which takes n_b to n_g the shortest way, after a twist about n_b. The swing's

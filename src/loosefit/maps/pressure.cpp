@@ -10,7 +10,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/fabric/membrane_energy.h"
-#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/maps/surface_curvature.h"
 
@@ -26,33 +25,33 @@ struct Middle {
 
 std::map<std::pair<int, int>, Middle> middles_near_body(const Garment& garment,
                                                         const std::vector<Vec3>& x,
-                                                        const Body& body, double reach) {
+                                                        const PosedBody& body, double reach) {
   std::map<std::pair<int, int>, Middle> middles;
   for (const Triangle& t : garment.triangles)
     for (int k = 0; k < 3; ++k) middles[std::minmax(t[k], t[(k + 1) % 3])];
   std::vector<std::pair<std::pair<int, int>, Middle*>> edges;
   for (auto& [edge, middle] : middles) edges.emplace_back(edge, &middle);
 
-  const ClosestPointTree tree(body.surface, ClosestPointTree::Sides::untold);
+  const ClosestPointTree& tree = body.tree();
   std::vector<ClosestPoint> under(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     const auto [a, b] = edges[i].first;
     under[i] = tree.query(0.5 * (x[a] + x[b]), reach);
   });
-  std::vector<char> wanted(body.surface.vertices.size(), 0);
+  std::vector<char> wanted(body->surface.vertices.size(), 0);
   for (const ClosestPoint& hit : under)
     if (hit.triangle >= 0)
-      for (int v : body.surface.triangles[hit.triangle]) wanted[v] = 1;
-  const std::vector<Mat3> curvatures = vertex_curvatures(body.surface, wanted);
+      for (int v : body->surface.triangles[hit.triangle]) wanted[v] = 1;
+  const std::vector<Mat3> curvatures = vertex_curvatures(body->surface, wanted);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const ClosestPoint& hit = under[i];
     if (hit.triangle < 0) continue;
     Middle& middle = *edges[i].second;
     middle.distance = hit.distance;
-    const Triangle& corner = body.surface.triangles[hit.triangle];
-    for (int c = 0; c < 3; ++c) middle.normal += hit.barycentric[c] * body.normals[corner[c]];
+    const Triangle& corner = body->surface.triangles[hit.triangle];
+    for (int c = 0; c < 3; ++c) middle.normal += hit.barycentric[c] * body->normals[corner[c]];
     middle.normal.normalize();
-    middle.curvature = curvature_at(body.surface, curvatures, hit, middle.normal);
+    middle.curvature = curvature_at(body->surface, curvatures, hit, middle.normal);
   }
   return middles;
 }
@@ -94,7 +93,7 @@ std::vector<Mat3> membrane_tension(const Garment& garment, const std::vector<Vec
   return tension;
 }
 
-PressureField contact_pressure(const Garment& garment, const Drape& drape, const Body& body,
+PressureField contact_pressure(const Garment& garment, const Drape& drape, const PosedBody& body,
                                const Material& material, double gravity) {
   check(garment, drape, body);
   const std::vector<Vec3>& x = drape.positions;

@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "loosefit/body/body.h"
-#include "loosefit/body/regions.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/drape.h"
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/garment.h"
@@ -42,7 +41,7 @@ struct PressureField {
 double contact_tolerance(const Material& material);
 
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.
-PressureField contact_pressure(const Garment& garment, const Drape& drape, const Body& body,
+PressureField contact_pressure(const Garment& garment, const Drape& drape, const PosedBody& body,
                                const Material& material, double gravity = kGravity);
 
 /// Membrane tension N = F S Fᵀ/J of each triangle as worn, a 3×3 tensor in its plane [N/m].

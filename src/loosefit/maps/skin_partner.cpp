@@ -9,7 +9,7 @@
 namespace loosefit {
 
 std::vector<SkinPoint> skin_partners(const DressedState& reference) {
-  const std::vector<Vec3> axes = segment_axes(reference.body);
+  const std::vector<Vec3>& axes = reference.body.axes();
   std::vector<SkinPoint> partners;
   partners.reserve(reference.worn.partners.size());
   for (const BodyPartner& partner : reference.worn.partners)

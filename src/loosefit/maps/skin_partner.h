@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/body/body_frame.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/maps/body_frame.h"
 #include "loosefit/maps/worn_garment.h"
 
 namespace loosefit {
@@ -10,7 +11,7 @@ namespace loosefit {
 /// One garment on one wearer in one state (posture, donning); only referred to.
 struct DressedState {
   const std::vector<Vec3>& positions;  ///< per garment vertex [m]
-  const Body& body;
+  PosedBody body;
   const WornGarment& worn;
 };
 

@@ -1,16 +1,17 @@
 #include "loosefit/maps/worn_garment.h"
 
 #include "loosefit/base/error.h"
-#include "loosefit/maps/body_frame.h"
+#include "loosefit/body/body_frame.h"
 #include "loosefit/maps/strain.h"
 
 namespace loosefit {
 
-WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, const Body& body) {
+WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions,
+                   const PosedBody& body) {
   if (static_cast<int>(positions.size()) != garment.vertex_count)
     throw InvalidInput("maps: " + std::to_string(positions.size()) + " positions for " +
                        std::to_string(garment.vertex_count) + " garment vertices");
-  const PartnerFinder finder(body);
+  const PartnerFinder& finder = body.partners();
   WornGarment worn;
   worn.normals = vertex_normals(positions, garment.triangles);
   worn.areas = vertex_areas(garment);
@@ -22,12 +23,12 @@ WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, c
   for (int panel : garment.vertex_panel) worn.vertex_part.push_back(worn.panel_part[panel]);
 
   worn.partners = find_partners(finder, positions, worn.normals, worn.vertex_part);
-  const std::vector<Region> regions = body_regions(body);
-  const std::vector<Vec3> axes = segment_axes(body);
+  const std::vector<Region>& regions = body.regions();
+  const std::vector<Vec3>& axes = body.axes();
   for (const BodyPartner& partner : worn.partners) {
-    worn.regions.push_back(region_of(regions, body.surface, partner.exact));
+    worn.regions.push_back(region_of(regions, body->surface, partner.exact));
     worn.segment_axes.push_back(
-        at_point(body.surface, axes, partner.exact.triangle, partner.exact.barycentric));
+        at_point(body->surface, axes, partner.exact.triangle, partner.exact.barycentric));
   }
   return worn;
 }

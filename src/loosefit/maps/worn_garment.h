@@ -1,10 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "loosefit/body/body.h"
-#include "loosefit/body/regions.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/maps/body_partner.h"
 
 namespace loosefit {
 
@@ -14,12 +12,13 @@ struct WornGarment {
   std::vector<BodyPart> panel_part;   ///< per panel, by vote of its vertices
   std::vector<BodyPart> vertex_part;  ///< per vertex: that of vertex_panel
   std::vector<BodyPartner> partners;  ///< per vertex
-  std::vector<Vec3> segment_axes;     ///< per vertex: maps/body_frame.h, at its partner
+  std::vector<Vec3> segment_axes;     ///< per vertex: body/body_frame.h, at its partner
   std::vector<Region> regions;        ///< per vertex: region of its partner
   std::vector<double> areas;          ///< flat area of each vertex [m²], weights of statistics
 };
 
 /// \throws InvalidInput when positions do not fit the garment or the body lacks segments.
-WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions, const Body& body);
+WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions,
+                   const PosedBody& body);
 
 }  // namespace loosefit

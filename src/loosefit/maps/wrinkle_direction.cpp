@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_frame.h"
 #include "loosefit/geometry/flat_triangle.h"
-#include "loosefit/maps/body_frame.h"
 
 namespace loosefit {
 namespace {

@@ -28,7 +28,7 @@ std::vector<Vec3> smoothed_normals(const Garment& garment, const std::vector<Vec
 
 /// Tilt of the cloth at every vertex out of its smoothed shape, that is the deviation of the
 /// normal from the smoothed normal m: rotation angle times its direction, in the frame (s, a) of
-/// maps/body_frame.h about m with a along the body segment [rad]. For a small wrinkle of height h
+/// body/body_frame.h about m with a along the body segment [rad]. For a small wrinkle of height h
 /// it is −∇h. NaN where the segment's axis is not known or nearly normal.
 std::vector<Vec2> wrinkle_slopes(const Garment& garment, const WornGarment& worn,
                                  double width = kWrinkleWidth);

@@ -79,18 +79,17 @@ GarmentPoint pattern_point(const Garment& garment, const std::string& panel, con
 }
 
 GarmentOverSkin::GarmentOverSkin(const Garment& garment, const std::vector<Vec3>& positions,
-                                 const Body& body, const WornGarment& worn)
+                                 PosedBody body, const WornGarment& worn)
     : garment_(garment),
       positions_(positions),
-      body_(body),
+      body_(std::move(body)),
       worn_(worn),
-      finder_(body),
       neighbours_(triangle_neighbours(garment)) {}
 
 BodyPartner GarmentOverSkin::under(const GarmentPoint& point) const {
-  return finder_.find(at(garment_, point, positions_),
-                      at(garment_, point, worn_.normals).normalized(),
-                      worn_.panel_part[garment_.triangle_panel[point.triangle]]);
+  return body_.partners().find(at(garment_, point, positions_),
+                               at(garment_, point, worn_.normals).normalized(),
+                               worn_.panel_part[garment_.triangle_panel[point.triangle]]);
 }
 
 GarmentPoint GarmentOverSkin::over_by_vertices(const Vec3& target, const Vec3& skin,
@@ -132,9 +131,9 @@ bool GarmentOverSkin::at_free_edge(const GarmentPoint& point) const {
 
 GarmentOverSkin::Over GarmentOverSkin::over(const ClosestPoint& skin) const {
   // The skin's normal says from which side cloth has to lie over it.
-  const Triangle& face = body_.surface.triangles[skin.triangle];
+  const Triangle& face = body_->surface.triangles[skin.triangle];
   Vec3 normal = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) normal += skin.barycentric[k] * body_.normals[face[k]];
+  for (int k = 0; k < 3; ++k) normal += skin.barycentric[k] * body_->normals[face[k]];
   // Fixed-point iteration: aim at a target, see which skin lies under the cloth found there, and
   // shift the target by what was missed.
   Over best;

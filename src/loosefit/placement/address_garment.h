@@ -32,10 +32,10 @@ std::string off_skin(const Garment& garment, const std::vector<Vec3>& positions,
                      const WornGarment& worn, const GarmentPoint& point);
 
 /// Which place of a worn garment lies over which place of the skin, in both directions. Keeps
-/// references to all that it is given.
+/// references to garment, positions and `worn`.
 class GarmentOverSkin {
  public:
-  GarmentOverSkin(const Garment& garment, const std::vector<Vec3>& positions, const Body& body,
+  GarmentOverSkin(const Garment& garment, const std::vector<Vec3>& positions, PosedBody body,
                   const WornGarment& worn);
 
   /// The skin under a garment point: its partner by the rules of PartnerFinder.
@@ -62,9 +62,8 @@ class GarmentOverSkin {
   bool is_below_cloth(const Vec3& skin, const Vec3& normal) const;
   const Garment& garment_;
   const std::vector<Vec3>& positions_;
-  const Body& body_;
+  PosedBody body_;
   const WornGarment& worn_;
-  PartnerFinder finder_;
   std::vector<std::array<int, 3>> neighbours_;
 };
 

@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "loosefit/maps/body_frame.h"
+#include "loosefit/body/body_frame.h"
 #include "loosefit/placement/address_garment.h"
 
 namespace loosefit {
 
 SegmentDirection::SegmentDirection(const Garment& garment, const std::vector<Vec3>& positions,
-                                   const Body& body, const WornGarment& worn)
+                                   const PosedBody& body, const WornGarment& worn)
     : angles_(garment.triangles.size(), 0.0) {
-  const std::vector<Vec3> axes = segment_axes(body);
+  const std::vector<Vec3>& axes = body.axes();
   std::vector<Vec3> axis_at_vertex;
   for (const BodyPartner& partner : worn.partners)
     axis_at_vertex.push_back(
-        at_point(body.surface, axes, partner.exact.triangle, partner.exact.barycentric));
+        at_point(body->surface, axes, partner.exact.triangle, partner.exact.barycentric));
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
     Vec3 axis = Vec3::Zero(), normal = Vec3::Zero();
     for (int v : garment.triangles[t]) {

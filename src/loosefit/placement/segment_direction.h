@@ -11,8 +11,8 @@ namespace loosefit {
 /// upwards.
 class SegmentDirection {
  public:
-  SegmentDirection(const Garment& garment, const std::vector<Vec3>& positions, const Body& body,
-                   const WornGarment& worn);
+  SegmentDirection(const Garment& garment, const std::vector<Vec3>& positions,
+                   const PosedBody& body, const WornGarment& worn);
   /// Along the segment at a triangle; 0, the grain, where the body under it has no long axis in the
   /// plane of the cloth (on top of the shoulders, on a scan without joints).
   double along(int triangle) const { return angles_[triangle]; }

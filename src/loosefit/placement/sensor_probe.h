@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/placement/footprint_unfold.h"
 #include "loosefit/placement/pattern_places.h"
 #include "loosefit/placement/scorecard.h"
@@ -18,7 +19,7 @@ namespace loosefit {
 struct RankingGround {
   const Garment& garment;
   const std::vector<Vec3>& positions;
-  const Body& body;
+  PosedBody body;
   const WornGarment& worn;
   const SiteMeter& meter;
 };

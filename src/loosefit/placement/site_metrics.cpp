@@ -165,7 +165,6 @@ SiteMeter::SiteMeter(const Garment& garment, const Material& material,
                      const std::vector<WornState>& states, int reference_posture)
     : reference_posture_(reference_posture) {
   if (states.empty()) throw InvalidInput("site metrics need at least one state");
-  std::map<const Body*, std::shared_ptr<const PartnerFinder>> finders;
   std::map<std::pair<int, int>, int> index;  // (posture, donning)
   for (std::size_t i = 0; i < states.size(); ++i) {
     const WornState& state = states[i];
@@ -174,9 +173,7 @@ SiteMeter::SiteMeter(const Garment& garment, const Material& material,
                          " of donning " + std::to_string(state.donning) +
                          " twice, expected it once");
     require_same_wearer(states[0].body, state.body);
-    auto& finder = finders[&state.body];
-    if (!finder) finder = std::make_shared<const PartnerFinder>(state.body);
-    meters_.emplace_back(garment, material, state, finder);
+    meters_.emplace_back(garment, material, state);
   }
   for (const WornState& state : states) {
     const auto found = index.find({reference_posture, state.donning});

@@ -36,13 +36,8 @@ struct StateMeter::Sample {
   SurfaceFrame body;  ///< at the partner
 };
 
-StateMeter::StateMeter(const Garment& garment, const Material& material, const WornState& state,
-                       std::shared_ptr<const PartnerFinder> finder)
-    : garment_(garment),
-      material_(material),
-      state_(state),
-      finder_(std::move(finder)),
-      axes_(segment_axes(state.body)) {
+StateMeter::StateMeter(const Garment& garment, const Material& material, const WornState& state)
+    : garment_(garment), material_(material), state_(state) {
   require_fit(garment, {state.positions, state.body, state.worn});
   const MapInput input{garment, state.positions, state.worn, &material_, state.pressure};
   for (const FootprintReading& reading : footprint_readings()) {
@@ -81,11 +76,12 @@ std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) co
     }
     sample.normal.normalize();
     // The skin under it, with the frame that orientations are told in.
-    sample.partner =
-        finder_->find_on_surface(sample.position, sample.normal, state_.worn.panel_part[panel]);
+    sample.partner = state_.body.partners().find_on_surface(sample.position, sample.normal,
+                                                            state_.worn.panel_part[panel]);
     const ClosestPoint& exact = sample.partner.exact;
-    sample.body = surface_frame(sample.partner.normal, at_point(state_.body.surface, axes_,
-                                                                exact.triangle, exact.barycentric));
+    sample.body = surface_frame(
+        sample.partner.normal,
+        at_point(state_.body->surface, state_.body.axes(), exact.triangle, exact.barycentric));
     samples.push_back(sample);
   }
   return samples;
@@ -127,7 +123,7 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
     axis += sample.weight * sample.body.axes.col(1);
   }
   SkinUnderSensor skin;
-  skin.body = &state_.body;
+  skin.body = &state_.body.body();
   skin.has_direction = 2 * known >= all && known > 0;
   // One direction for the whole patch: where the segment gives none, that of the sensor serves, for
   // angles between two states do not depend on it.
@@ -135,9 +131,9 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
   const Vec3 otherwise = skin.has_direction  ? Vec3(axis.normalized())
                          : cloth.allFinite() ? Vec3(cloth.col(1))
                                              : Vec3(Vec3::Zero());
-  const std::vector<Vec3> none(axes_.size(), Vec3::Zero());
+  const std::vector<Vec3> none(state_.body.axes().size(), Vec3::Zero());
   for (const Sample& sample : samples) {
-    skin.points.push_back(skin_point(state_.body, skin.has_direction ? axes_ : none,
+    skin.points.push_back(skin_point(state_.body, skin.has_direction ? state_.body.axes() : none,
                                      sample.partner.exact, otherwise));
     skin.offsets.push_back(offset_on_skin(skin.points.back(), state_.body, sample.position));
   }

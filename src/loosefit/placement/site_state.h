@@ -1,10 +1,10 @@
 #pragma once
 #include <limits>
 #include <map>
-#include <memory>
 #include <vector>
 
-#include "loosefit/maps/body_partner.h"
+#include "loosefit/body/body_partner.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/maps/orientation.h"
 #include "loosefit/maps/pressure.h"
 #include "loosefit/maps/skin_partner.h"
@@ -23,11 +23,11 @@ struct SensorPatch {
   std::vector<Vec2> sample_directions;
 };
 
-/// A garment worn in one posture after one donning; only referred to.
+/// A garment worn in one posture after one donning; all but the body is only referred to.
 struct WornState {
   int posture = 0, donning = 0;  ///< indices of the study
   const std::vector<Vec3>& positions;
-  const Body& body;
+  PosedBody body;
   const WornGarment& worn;
   const PressureField* pressure = nullptr;  ///< null where the drape does not know its forces
 };
@@ -64,9 +64,7 @@ struct SkinUnderSensor {
 /// Measures sensors in one state. Keeps references to everything the state refers to.
 class StateMeter {
  public:
-  /// `finder` is one for the state's body, shared by the states of one posture.
-  StateMeter(const Garment& garment, const Material& material, const WornState& state,
-             std::shared_ptr<const PartnerFinder> finder);
+  StateMeter(const Garment& garment, const Material& material, const WornState& state);
   const WornState& state() const { return state_; }
 
   /// What lies under the sensor now, to be the reference of other states.
@@ -91,8 +89,6 @@ class StateMeter {
   const Garment& garment_;
   Material material_;
   WornState state_;
-  std::shared_ptr<const PartnerFinder> finder_;
-  std::vector<Vec3> axes_;  ///< segment_axes of the body
   /// Vertex fields [SI] of those arrays that are read of the whole garment, as far as known.
   std::map<const MapArray*, std::vector<double>> fields_;
 };

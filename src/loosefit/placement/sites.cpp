@@ -6,7 +6,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/placement/site_points.h"
 
 namespace loosefit {
@@ -16,17 +15,15 @@ namespace {
 struct Finder {
   const Garment& garment;
   const std::vector<Vec3>& positions;
-  const Body& body;
+  const PosedBody& body;
   const WornGarment& worn;
   const std::vector<PerformanceMap>& maps;
   GarmentOverSkin over_skin{garment, positions, body, worn};
   SitePoints points{body};
-  mutable std::optional<ClosestPointTree> skin_tree = {};  ///< made for the first wish
 
   ClosestPoint skin(const SiteSpec& spec) const {
-    if (!skin_tree) skin_tree.emplace(body.surface, ClosestPointTree::Sides::untold);
     return spec.landmark.empty() && spec.anatomy ? points.addresses().skin(*spec.anatomy)
-                                                 : skin_tree->query(points.at(spec.landmark));
+                                                 : body.tree().query(points.at(spec.landmark));
   }
 
   GarmentOverSkin::Over find(const SiteSpec& spec) const {
@@ -126,7 +123,7 @@ void check_sites(const Garment& garment, const Body& body, const std::vector<Sit
 }
 
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
-                             const Body& body, const WornGarment& worn,
+                             const PosedBody& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,
                              const std::vector<SiteSpec>& wished, bool with_presets,
                              std::vector<UncoveredSite>* uncovered) {
@@ -158,7 +155,7 @@ std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& po
 }
 
 std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
-                                const std::vector<Vec3>& positions, const Body& body,
+                                const std::vector<Vec3>& positions, const PosedBody& body,
                                 const WornGarment& worn, const std::vector<PerformanceMap>& maps) {
   if (sites.empty()) return {};
   const Finder finder{garment, positions, body, worn, maps};

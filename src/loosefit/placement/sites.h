@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/garment/attachment.h"
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/maps/worn_garment.h"
@@ -49,7 +50,7 @@ struct UncoveredSite {
 /// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
 /// not cover (with the nearest place that it does).
 std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
-                             const Body& body, const WornGarment& worn,
+                             const PosedBody& body, const WornGarment& worn,
                              const std::vector<PerformanceMap>& maps,
                              const std::vector<SiteSpec>& wished, bool with_presets = true,
                              std::vector<UncoveredSite>* uncovered = nullptr);
@@ -57,7 +58,7 @@ std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& po
 /// The same sensors in another drape of the same garment (other posture, repeat): pattern place and
 /// footprint are kept, everything that depends on drape and body is made anew.
 std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
-                                const std::vector<Vec3>& positions, const Body& body,
+                                const std::vector<Vec3>& positions, const PosedBody& body,
                                 const WornGarment& worn, const std::vector<PerformanceMap>& maps);
 
 /// What can be said of wished sites before the garment is draped: panel, place in it, landmark and

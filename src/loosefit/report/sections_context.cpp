@@ -37,8 +37,8 @@ Table body_table(const CaseResult& result) {
   }
   for (const char* name : {"height", "chest", "underbust", "waist", "hip", "neck", "upper_arm",
                            "wrist", "arm_length", "shoulder_breadth"}) {
-    const auto found = result.body.body.measured.find(name);
-    if (found != result.body.body.measured.end() && !done.count(name))
+    const auto found = result.body.body->measured.find(name);
+    if (found != result.body.body->measured.end() && !done.count(name))
       table.add({name, "–", millimetres(found->second), "–"});
   }
   return table;

@@ -52,7 +52,7 @@ CaseBody body_from_file(const ScenarioBody& wished) {
   result.warnings = std::move(file.warnings);
   result.warnings.insert(result.warnings.end(), scan.warnings.begin(), scan.warnings.end());
   result.body = std::move(scan.body);
-  result.path = [body = std::make_shared<const Body>(result.body)](double) { return *body; };
+  result.path = [body = result.body](double) { return body; };
   return result;
 }
 

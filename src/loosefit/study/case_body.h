@@ -5,6 +5,7 @@
 
 #include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/scenario/scenario.h"
 
@@ -15,8 +16,8 @@ class SoftBody;
 /// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
 /// Copies ask the same person, one caller at a time; see another_caller.
 struct CaseBody {
-  Body body;      ///< in the wanted posture
-  BodyPath path;  ///< share 0 dressing posture … 1 `body`
+  PosedBody body;  ///< in the wanted posture
+  BodyPath path;   ///< share 0 dressing posture … 1 `body`
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   BodyPath wide_path;

@@ -26,7 +26,7 @@ struct CaseWear {
   std::vector<std::string> postures;  ///< the first is the reference posture
   std::vector<CaseDonning> donnings;  ///< the first is undisturbed
   /// Per posture; none for the reference posture (CaseResult::body), nor without states.
-  std::vector<std::shared_ptr<const Body>> bodies;
+  std::vector<PosedBody> bodies;
   std::vector<CaseState> states;      ///< all but the reference state
   std::vector<std::string> warnings;  ///< of putting on again
 };
@@ -83,8 +83,8 @@ struct CaseResult {
   const Certificate& certificate() const { return studied().drape.certificate; }
   bool sealed() const { return !certificate().holds() && studied().maps.maps.empty(); }
   /// The wearer in a posture of `wear`.
-  const Body& body_in(int posture) const {
-    return posture == StateId::kReferencePosture ? body.body : *wear.bodies[posture];
+  const PosedBody& body_in(int posture) const {
+    return posture == StateId::kReferencePosture ? body.body : wear.bodies[posture];
   }
   /// What the stages have made, each in its place. \pre as many as there are garments and states
   void take_drapes(std::vector<Drape> drapes);

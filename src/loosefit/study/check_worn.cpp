@@ -10,7 +10,7 @@ namespace {
 
 /// Of all garments; those of a garment under the studied one with its number and name.
 std::vector<std::string> reasons(const std::vector<Drape>& drapes,
-                                 const std::vector<CaseGarment>& garments, const Body& body) {
+                                 const std::vector<CaseGarment>& garments, const PosedBody& body) {
   std::vector<std::string> all;
   for (std::size_t g = 0; g < garments.size(); ++g) {
     const Pattern& pattern = garments[g].pattern.pattern;
@@ -30,7 +30,8 @@ std::vector<Drape> with_reasons(std::vector<Drape> drapes, const std::vector<std
 }
 
 /// Whether unusual openings have the limbs through them that they have in the reference state.
-bool worn_as_in_reference(const CaseState& state, const Body& body, const CaseResult& reference) {
+bool worn_as_in_reference(const CaseState& state, const PosedBody& body,
+                          const CaseResult& reference) {
   for (std::size_t g = 0; g < reference.garments.size(); ++g) {
     const CaseGarment& garment = reference.garments[g];
     if (!worn_alike(garment.mesh(), garment.pattern.pattern, state.drapes[g].positions, body,
@@ -43,12 +44,12 @@ bool worn_as_in_reference(const CaseState& state, const Body& body, const CaseRe
 }  // namespace
 
 std::vector<Drape> check_worn(std::vector<Drape> drapes, const std::vector<CaseGarment>& garments,
-                              const Body& body) {
+                              const PosedBody& body) {
   const std::vector<std::string> found = reasons(drapes, garments, body);
   return with_reasons(std::move(drapes), found);
 }
 
-CaseState check_worn(CaseState state, const Body& body, const CaseResult& reference) {
+CaseState check_worn(CaseState state, const PosedBody& body, const CaseResult& reference) {
   if (!state.certificate().settled()) return state;
   std::vector<std::string> found = reasons(state.drapes, reference.garments, body);
   if (found.empty() && !worn_as_in_reference(state, body, reference))

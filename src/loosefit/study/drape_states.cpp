@@ -27,8 +27,8 @@ struct Start {
   const std::vector<PosedWearer>& wearers;  ///< per posture
   int at_once;
 
-  const Body& body_in(int posture) const {
-    return posture == StateId::kReferencePosture ? reference.body.body : *wear.bodies[posture];
+  const PosedBody& body_in(int posture) const {
+    return posture == StateId::kReferencePosture ? reference.body.body : wear.bodies[posture];
   }
   CaseState undraped(const StateId& id) const {
     return {.id = id, .name = wear.postures[id.posture]};
@@ -59,7 +59,7 @@ std::vector<Task> drape_all(const Start& start, std::vector<Task> tasks, Progres
                       task = drape(std::move(task), sharing, own);
                       task.state.seconds =
                           std::chrono::duration<double>(Clock::now() - began).count();
-                      const Body& body = start.body_in(task.state.id.posture);
+                      const PosedBody& body = start.body_in(task.state.id.posture);
                       task.state = check_worn(std::move(task.state), body, start.reference);
                     }});
   drape_side_by_side(jobs, start.at_once, progress);

@@ -11,7 +11,7 @@ struct DressedGarment {
   const Garment& mesh;
   const Drape& drape;
   const Material& material;
-  const Body& body;
+  const PosedBody& body;
 };
 
 /// Stage "maps" of one garment: the maps that the scenario asks for, pressure, wrinkles and girth.

@@ -77,7 +77,8 @@ CaseWear recall_wear(const std::filesystem::path& folder, const CaseResult& refe
   for (const StateId& id : planned_states(wear)) {
     CaseState state{.id = id, .name = wear.postures[id.posture]};
     const std::filesystem::path here = folder / state_folder(state);
-    const Body& body = id.in_reference_posture() ? reference.body.body : *wear.bodies[id.posture];
+    const PosedBody& body =
+        id.in_reference_posture() ? reference.body.body : wear.bodies[id.posture];
     if (id.in_first_donning() && (is_there(here / "drape.vtp") || is_there(here / "body.vtp")))
       check_body(here / "body.vtp", body);
     if (is_there(here / "drape.vtp")) {

@@ -52,7 +52,7 @@ std::vector<StateMaps> map_states(const CaseResult& draped, const WornGarment& r
   // What each state tells by itself.
   for_each_that_counts(states, [&](std::size_t i) {
     const Drape& drape = states[i].drape();
-    const Body& body = draped.body_in(states[i].id.posture);
+    const PosedBody& body = draped.body_in(states[i].id.posture);
     StateMaps& made = all[i];
     made.worn = relate(mesh, drape.positions, body);
     if (!drape.body_normal_force.empty())

@@ -61,7 +61,7 @@ Json pressure_json(const CasePressure& pressure) {
 
 Json body_json(const CaseBody& body) {
   Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
-  for (const auto& [key, value] : body.body.measured) json["measured"][key] = value;
+  for (const auto& [key, value] : body.body->measured) json["measured"][key] = value;
   for (const MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
   return json;
 }

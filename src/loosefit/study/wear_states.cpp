@@ -47,8 +47,7 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
     jobs.push_back({postures[p], [&, p](Progress& own) {
                       own.check_cancelled();
                       const auto anew = std::make_shared<SoftBody>(body.person->anew());
-                      wearers[p].body =
-                          std::make_shared<const Body>(anew->in(named_posture(postures[p]), &own));
+                      wearers[p].body = anew->in(named_posture(postures[p]), &own);
                       wearers[p].person = anew;
                     }});
   }
@@ -56,8 +55,8 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
   return wearers;
 }
 
-std::vector<std::shared_ptr<const Body>> bodies_of(const std::vector<PosedWearer>& wearers) {
-  std::vector<std::shared_ptr<const Body>> bodies;
+std::vector<PosedBody> bodies_of(const std::vector<PosedWearer>& wearers) {
+  std::vector<PosedBody> bodies;
   for (const PosedWearer& wearer : wearers) bodies.push_back(wearer.body);
   return bodies;
 }

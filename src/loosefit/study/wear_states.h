@@ -22,7 +22,7 @@ std::vector<StateId> planned_states(const CaseWear& wear);
 
 /// A wearer who has taken a posture, led into it from rest and into no other before.
 struct PosedWearer {
-  std::shared_ptr<const Body> body;
+  PosedBody body;
   std::shared_ptr<const SoftBody> person;
 };
 
@@ -33,7 +33,7 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
                                       const std::vector<std::string>& postures, Progress& progress);
 
 /// CaseWear::bodies.
-std::vector<std::shared_ptr<const Body>> bodies_of(const std::vector<PosedWearer>& wearers);
+std::vector<PosedBody> bodies_of(const std::vector<PosedWearer>& wearers);
 
 /// All states that count, with the reference state first, to measure sensors in.
 std::vector<WornState> worn_states(const CaseResult& result);

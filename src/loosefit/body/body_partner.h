@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/base/lazy.h"
 #include "loosefit/body/body.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
@@ -25,8 +26,9 @@ class PartnerFinder {
  public:
   static constexpr double kFoldReach = 0.06;  ///< [m]
 
-  /// Keeps a reference to `body`.
-  explicit PartnerFinder(const Body& body);
+  /// Keeps references to both; `surface`: of the body's surface. \throws InvalidInput for a body
+  /// without a segment, side or normal for every vertex.
+  PartnerFinder(const Body& body, const ClosestPointTree& surface);
   /// Part that most of `points` lie nearest to: the part of a panel.
   BodyPart part_of(const std::vector<Vec3>& points) const;
   BodyPartner find(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;
@@ -35,14 +37,20 @@ class PartnerFinder {
   const Body& body() const { return body_; }
 
  private:
+  /// The body's vertices alone.
+  struct Particles {
+    explicit Particles(const std::vector<Vec3>& vertices);
+    TriangleMesh mesh;  ///< one degenerate triangle per vertex
+    ClosestPointTree tree;
+  };
   bool faces_alike(int triangle, const Vec3& garment_normal, BodyPart part) const;
   bool belongs(int vertex, BodyPart part) const;
+  const ClosestPointTree& particle_tree() const;
   const Body& body_;
-  ClosestPointTree tree_;
+  const ClosestPointTree& tree_;
   std::vector<Vec3> face_normals_;
   std::vector<std::vector<int>> faces_of_vertex_;
-  TriangleMesh vertices_as_mesh_;   ///< one degenerate triangle per vertex
-  ClosestPointTree particle_tree_;  ///< over vertices_as_mesh_
+  Lazy<Particles> particles_;
 };
 
 /// Partner of every garment vertex. `normals` are the garment's unit vertex normals.

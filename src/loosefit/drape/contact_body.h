@@ -1,25 +1,19 @@
 #pragma once
 #include <memory>
 
-#include "loosefit/body/body.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/contact/distance_field.h"
 
 namespace loosefit {
 
-/// A body in one posture with what contact needs of it.
-struct PosedBody {
-  Body body;
-  std::unique_ptr<ClosestPointTree> tree;
-  std::shared_ptr<const DistanceField> field;
+/// A posed body with the distance field of its skin round the cloth.
+struct ContactBody {
+  PosedBody body;
+  std::shared_ptr<const DistanceField> field;  ///< asks the tree of `body`
 };
 
-/// A posed body without its field.
-std::unique_ptr<PosedBody> pose_for_queries(Body body);
 /// cloth: box round the cloth; the field covers it with a margin for motion, the larger one below.
-void add_field(PosedBody& posed, const Box3& cloth, double spacing);
-/// The same body with a field round where the cloth is now.
-std::unique_ptr<PosedBody> with_field_round(const PosedBody& posed, const Box3& cloth);
-std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing);
+std::shared_ptr<const ContactBody> with_field(PosedBody body, const Box3& cloth, double spacing);
 
 /// A rigid or nearly rigid motion: x → M x.
 using MotionMap = Eigen::Matrix<double, 3, 4>;

@@ -1,4 +1,4 @@
-#include "loosefit/maps/body_partner.h"
+#include "loosefit/body/body_partner.h"
 
 #include <array>
 
@@ -29,12 +29,11 @@ BodyPart part_of_vertex(const Body& body, int vertex) {
 }
 }  // namespace
 
-PartnerFinder::PartnerFinder(const Body& body)
-    : body_(body),
-      tree_(body.surface, ClosestPointTree::Sides::untold),
-      faces_of_vertex_(body.surface.vertices.size()),
-      vertices_as_mesh_(point_mesh(body.surface.vertices)),
-      particle_tree_(vertices_as_mesh_, ClosestPointTree::Sides::untold) {
+PartnerFinder::Particles::Particles(const std::vector<Vec3>& vertices)
+    : mesh(point_mesh(vertices)), tree(mesh) {}
+
+PartnerFinder::PartnerFinder(const Body& body, const ClosestPointTree& surface)
+    : body_(body), tree_(surface), faces_of_vertex_(body.surface.vertices.size()) {
   if (body.segment.size() != body.surface.vertices.size() ||
       body.side.size() != body.segment.size() || body.normals.size() != body.segment.size())
     throw InvalidInput("maps need a body with a segment, a side and a normal for every vertex");
@@ -45,6 +44,10 @@ PartnerFinder::PartnerFinder(const Body& body)
         body.surface.vertices[c[0]], body.surface.vertices[c[1]], body.surface.vertices[c[2]]));
     for (int v : c) faces_of_vertex_[v].push_back(t);
   }
+}
+
+const ClosestPointTree& PartnerFinder::particle_tree() const {
+  return particles_.get([&] { return Particles(body_.surface.vertices); }).tree;
 }
 
 bool PartnerFinder::belongs(int vertex, BodyPart part) const {
@@ -65,7 +68,7 @@ bool PartnerFinder::belongs(int vertex, BodyPart part) const {
 BodyPart PartnerFinder::part_of(const std::vector<Vec3>& points) const {
   std::array<int, 5> votes{};
   for (const Vec3& p : points)
-    ++votes[static_cast<int>(part_of_vertex(body_, particle_tree_.query(p).triangle))];
+    ++votes[static_cast<int>(part_of_vertex(body_, particle_tree().query(p).triangle))];
   return static_cast<BodyPart>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
@@ -108,7 +111,7 @@ BodyPartner PartnerFinder::find(const Vec3& point, const Vec3& garment_normal,
     return false;
   };
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  partner.particle_distance = particle_tree_.query(point, kFar, has_face).distance;
+  partner.particle_distance = particle_tree().query(point, kFar, has_face).distance;
   return partner;
 }
 

@@ -1,4 +1,4 @@
-#include "loosefit/drape/posed_body.h"
+#include "loosefit/drape/contact_body.h"
 
 #include <tbb/parallel_for.h>
 
@@ -38,38 +38,22 @@ Box3 bounds(const std::vector<Vec3>& x) {
   return box;
 }
 
-std::unique_ptr<PosedBody> pose_for_queries(Body body) {
-  auto posed = std::make_unique<PosedBody>();
-  posed->body = std::move(body);
-  posed->tree = std::make_unique<ClosestPointTree>(posed->body.surface);
-  return posed;
-}
-
-void add_field(PosedBody& posed, const Box3& cloth, double spacing) {
+std::shared_ptr<const ContactBody> with_field(PosedBody body, const Box3& cloth, double spacing) {
   const Vec3 margin = Vec3::Constant(kMargin);
-  posed.field = std::make_shared<DistanceField>(
-      *posed.tree, Box3(cloth.min() - margin - kSag * Vec3::UnitZ(), cloth.max() + margin), spacing,
-      mittens(posed.body));
-}
-
-std::unique_ptr<PosedBody> with_field_round(const PosedBody& posed, const Box3& cloth) {
-  return pose_for_contact(posed.body, cloth, posed.field->spacing());
-}
-
-std::unique_ptr<PosedBody> pose_for_contact(Body body, const Box3& cloth, double spacing) {
-  auto posed = pose_for_queries(std::move(body));
-  add_field(*posed, cloth, spacing);
-  return posed;
+  auto field = std::make_shared<const DistanceField>(
+      body.tree(), Box3(cloth.min() - margin - kSag * Vec3::UnitZ(), cloth.max() + margin), spacing,
+      mittens(body));
+  return std::make_shared<const ContactBody>(ContactBody{std::move(body), std::move(field)});
 }
 
 std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
                                    const std::vector<Vec3>& x) {
   std::vector<MotionMap> motion(x.size(), MotionMap::Identity());
-  const auto &old_pose = from.body.pose_from_rest, &new_pose = to.pose_from_rest;
+  const auto &old_pose = from->pose_from_rest, &new_pose = to.pose_from_rest;
   if (old_pose.empty() || old_pose.size() != new_pose.size()) return motion;
   tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
-    const ClosestPoint hit = from.tree->query(x[i]);
-    const Triangle& t = from.body.surface.triangles[hit.triangle];
+    const ClosestPoint hit = from.tree().query(x[i]);
+    const Triangle& t = from->surface.triangles[hit.triangle];
     motion[i].setZero();
     for (int k = 0; k < 3; ++k)
       motion[i] +=

@@ -1,4 +1,4 @@
-#include "loosefit/maps/body_frame.h"
+#include "loosefit/body/body_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
-#include "loosefit/maps/body_partner.h"
+#include "loosefit/body/body_partner.h"
 
 #include <gtest/gtest.h>
 
+#include "loosefit/body/posed_body.h"
 #include "support/tube_garment.h"
 
 namespace loosefit {
@@ -24,7 +25,8 @@ Body torso_and_arm() {
 
 TEST(PartnerFinder, ATorsoPointInTheArmpitKeepsToTheTorso) {
   const Body body = torso_and_arm();
-  const PartnerFinder finder(body);
+  const PosedBody posed(body);
+  const PartnerFinder& finder = posed.partners();
   // 15 mm off the torso, 5 mm off the arm, cloth facing away from the torso.
   const Vec3 point(0.135, 0, 0.5);
   const BodyPartner torso = finder.find(point, Vec3(1, 0, 0), BodyPart::trunk);
@@ -38,7 +40,8 @@ TEST(PartnerFinder, ATorsoPointInTheArmpitKeepsToTheTorso) {
 
 TEST(PartnerFinder, ClothFoldedOverCountsToThePlainlyNearestPoint) {
   const Body body = testing::cylinder_body(0.12, 1.0, 120, 20);
-  const PartnerFinder finder(body);
+  const PosedBody posed(body);
+  const PartnerFinder& finder = posed.partners();
   const BodyPartner partner = finder.find({0.13, 0, 0.5}, Vec3(-1, 0, 0), BodyPart::trunk);
   EXPECT_NEAR(partner.exact.distance, 0.010, 1e-4);
   EXPECT_NEAR(partner.normal.x(), 1, 1e-3);
@@ -46,7 +49,8 @@ TEST(PartnerFinder, ClothFoldedOverCountsToThePlainlyNearestPoint) {
 
 TEST(PartnerFinder, PanelsFindTheirPart) {
   const Body body = torso_and_arm();
-  const PartnerFinder finder(body);
+  const PosedBody posed(body);
+  const PartnerFinder& finder = posed.partners();
   EXPECT_EQ(finder.part_of({{-0.13, 0, 0.5}, {0, 0.13, 0.5}, {0.25, 0, 0.5}}), BodyPart::trunk);
   EXPECT_EQ(finder.part_of({{0.25, 0, 0.5}, {0.19, 0.06, 0.2}}), BodyPart::arm_left);
 }
@@ -54,7 +58,8 @@ TEST(PartnerFinder, PanelsFindTheirPart) {
 TEST(PartnerFinder, ABodyWithoutThePartStillAnswers) {
   Body body = testing::cylinder_body(0.12, 1.0, 60, 10);
   body.segment.assign(body.segment.size(), Segment::head);
-  const PartnerFinder finder(body);
+  const PosedBody posed(body);
+  const PartnerFinder& finder = posed.partners();
   EXPECT_NEAR(finder.find({0.2, 0, 0.5}, Vec3(1, 0, 0), BodyPart::arm_right).exact.distance, 0.08,
               1e-3);
 }
