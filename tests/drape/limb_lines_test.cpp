@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/geometry/mesh_topology.h"
 #include "support/tube_garment.h"
 
 namespace loosefit {
@@ -24,7 +25,7 @@ Body stick_figure() {
 /// Of each opening of a tube on the stick figure.
 std::vector<LimbNumbers> numbers(const Garment& tube, const std::vector<Vec3>& x) {
   std::vector<LimbNumbers> all;
-  for (const std::vector<int>& loop : boundary_loops(tube.triangles))
+  for (const std::vector<int>& loop : MeshTopology(tube.triangles).boundary_loops())
     all.push_back(limbs_through(loop, x, limb_lines(stick_figure())));
   return all;
 }

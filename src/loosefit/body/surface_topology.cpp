@@ -1,49 +1,20 @@
 #include "loosefit/body/surface_topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include "loosefit/base/union_find.h"
 #include "loosefit/body/mesh_repair.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
-namespace {
-
-struct EdgeUse {
-  int low, high;  ///< vertices
-  int triangle;
-  bool forward;  ///< the triangle runs low → high
-  bool operator<(const EdgeUse& o) const {
-    return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle);
-  }
-};
-
-std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int a = mesh.triangles[t][c], b = mesh.triangles[t][(c + 1) % 3];
-      uses.push_back({std::min(a, b), std::max(a, b), int(t), a < b});
-    }
-  }
-  std::sort(uses.begin(), uses.end());
-  return uses;
-}
-
-bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
-
-}  // namespace
-
 std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
   UnionFind sets(mesh.triangles.size());
-  const auto uses = edge_uses(mesh);
-  for (std::size_t i = 1; i < uses.size(); ++i) {
-    if (same_edge(uses[i - 1], uses[i])) sets.unite(uses[i - 1].triangle, uses[i].triangle);
-  }
+  const MeshTopology topology(mesh.triangles);
+  for (int e = 0; e < topology.edge_count(); ++e)
+    for (const auto& side : topology.sides(e))
+      sets.unite(topology.sides(e)[0].triangle, side.triangle);
   std::map<int, Piece> pieces;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
@@ -68,23 +39,21 @@ void keep_piece(TriangleMesh& mesh, const Piece& piece) {
 
 EdgeReport inspect_edges(const TriangleMesh& mesh) {
   EdgeReport report;
-  const auto uses = edge_uses(mesh);
-  std::vector<EdgeUse> open;
-  for (std::size_t i = 0; i < uses.size();) {
-    std::size_t end = i + 1;
-    while (end < uses.size() && same_edge(uses[i], uses[end])) ++end;
-    if (end - i == 1) open.push_back(uses[i]);
-    if (end - i > 2) {
+  const MeshTopology topology(mesh.triangles);
+  std::vector<MeshTopology::Edge> open;
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    const auto& edge = topology.edges()[std::size_t(e)];
+    if (topology.sides(e).size() == 1) open.push_back(edge);
+    if (topology.sides(e).size() > 2) {
       ++report.crowded;
-      report.place = mesh.vertices[std::size_t(uses[i].low)];
+      report.place = mesh.vertices[std::size_t(edge[0])];
     }
-    i = end;
   }
   report.open = int(open.size());
   UnionFind sets(mesh.vertices.size());
-  for (const auto& e : open) sets.unite(e.low, e.high);
+  for (const auto& [low, high] : open) sets.unite(low, high);
   std::map<int, int> size;
-  for (const auto& e : open) ++size[sets.find(e.low)];
+  for (const auto& [low, high] : open) ++size[sets.find(low)];
   report.holes = int(size.size());
   int largest = 0;
   for (const auto& [root, count] : size) {
@@ -94,18 +63,25 @@ EdgeReport inspect_edges(const TriangleMesh& mesh) {
 }
 
 Orientation orient_consistently(TriangleMesh& mesh) {
-  const auto uses = edge_uses(mesh);
   // Neighbours over each edge; two triangles agree when they run along it in opposite senses.
+  const MeshTopology topology(mesh.triangles);
   struct Link {
     int other;
     bool agrees;
   };
   std::vector<std::vector<Link>> links(mesh.triangles.size());
-  for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
-    if (!same_edge(uses[i], uses[i + 1])) continue;
-    const bool agrees = uses[i].forward != uses[i + 1].forward;
-    links[std::size_t(uses[i].triangle)].push_back({uses[i + 1].triangle, agrees});
-    links[std::size_t(uses[i + 1].triangle)].push_back({uses[i].triangle, agrees});
+  // From the lower vertex of its edge to the higher one.
+  const auto runs_up = [&](const MeshTopology::Side& side) {
+    const Triangle& t = mesh.triangles[std::size_t(side.triangle)];
+    return t[std::size_t(side.corner)] < t[std::size_t(side.corner + 1) % 3];
+  };
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    const auto sides = topology.sides(e);
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+      const bool agrees = runs_up(sides[i]) != runs_up(sides[i + 1]);
+      links[std::size_t(sides[i].triangle)].push_back({sides[i + 1].triangle, agrees});
+      links[std::size_t(sides[i + 1].triangle)].push_back({sides[i].triangle, agrees});
+    }
   }
   // From one triangle of each piece on, decide for the neighbours whether to turn them; a
   // contradiction is a one-sided surface.

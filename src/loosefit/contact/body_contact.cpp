@@ -1,9 +1,9 @@
 #include "loosefit/contact/body_contact.h"
 
 #include <cmath>
-#include <map>
 
 #include "loosefit/contact/contact_tuning.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/particles/tile.h"
 
 namespace loosefit {
@@ -17,18 +17,20 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
     points[i].weight[0] = 1;
     points[i].offset = offset;
   }
-  std::map<std::pair<int, int>, double> edges;
+  const MeshTopology topology(triangles);
+  std::vector<double> edge_area(topology.edge_count(), 0.0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       points[triangles[t][k]].area += triangle_area[t] / 12;
-      edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])] += triangle_area[t] / 4;
+      edge_area[topology.edge(static_cast<int>(t), k)] += triangle_area[t] / 4;
     }
-  for (const auto& [edge, area] : edges) {
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    const auto& [low, high] = topology.edges()[e];
     ContactPoint p;
-    p.particle = {edge.first, edge.second, 0};
+    p.particle = {low, high, 0};
     p.weight = {0.5, 0.5, 0};
     p.count = 2;
-    p.area = area;
+    p.area = edge_area[e];
     p.offset = offset;
     points.push_back(p);
   }

@@ -1,9 +1,9 @@
 #include "loosefit/contact/contact_features.h"
 
 #include <algorithm>
-#include <map>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 namespace {
@@ -56,23 +56,13 @@ ContactFeatures::ContactFeatures(const std::vector<Triangle>& all,
   const std::array<int, 3> none{-1, -1, -1};
   owned_vertices.assign(all.size(), none);
   owned_edges.assign(all.size(), none);
-  std::map<std::array<int, 2>, int> index;
-  for (const Triangle& t : all)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      index[{low, high}] = 0;
-    }
-  for (auto& [edge, i] : index) {
-    i = static_cast<int>(edges.size());
-    edges.push_back(edge);
-  }
+  const MeshTopology topology(all);
+  edges = topology.edges();
   of_edge.resize(edges.size());
   std::vector<char> vertex_met(particles, 0), edge_met(edges.size(), 0);
   for (std::size_t t = 0; t < all.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const int v = all[t][k];
-      const auto [low, high] = std::minmax(v, all[t][(k + 1) % 3]);
-      const int e = index.at({low, high});
+      const int v = all[t][k], e = topology.edge(static_cast<int>(t), k);
       share(of_triangle[t], of_vertex[v], !vertex_met[v]);
       share(of_triangle[t], of_edge[e], !edge_met[e]);
       if (!vertex_met[v]) owned_vertices[t][k] = v;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
+#include <tuple>
 
 namespace loosefit {
 namespace {
@@ -88,26 +88,6 @@ LimbNumbers round_limb(Limb limb) {
   LimbNumbers numbers{};
   numbers[limb] = 1;
   return numbers;
-}
-
-std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles) {
-  std::set<std::pair<int, int>> edges;
-  for (const Triangle& t : triangles)
-    for (int k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
-  std::multimap<int, int> next;  // two where openings meet in a corner
-  for (const auto& [a, b] : edges)
-    if (!edges.count({b, a})) next.emplace(a, b);
-  std::vector<std::vector<int>> loops;
-  while (!next.empty()) {
-    std::vector<int>& loop = loops.emplace_back();
-    for (auto at = next.begin(); at != next.end();) {
-      loop.push_back(at->first);
-      const int to = at->second;
-      next.erase(at);
-      at = to == loop.front() ? next.end() : next.find(to);
-    }
-  }
-  return loops;
 }
 
 }  // namespace loosefit

@@ -32,7 +32,4 @@ inline constexpr LimbNumbers kRoundNeck = {1, 0, 0, 0, 0};
 inline constexpr LimbNumbers kRoundTrunk = {0, 0, 0, 1, 1};
 LimbNumbers round_limb(Limb limb);
 
-/// Closed chains of the edges that belong to one triangle, each from its least vertex.
-std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles);
-
 }  // namespace loosefit

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
+#include "loosefit/base/union_find.h"
 #include "loosefit/drape/limb_lines.h"
+#include "loosefit/garment/flat_lengths.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/kinds/registry.h"
 
 namespace loosefit {
@@ -25,27 +27,12 @@ struct Pair {
 
 /// The connected piece of cloth to which each vertex belongs.
 std::vector<int> pieces(const Garment& garment) {
-  std::vector<int> of(garment.vertex_count);
-  std::iota(of.begin(), of.end(), 0);
-  const auto root = [&of](int v) {
-    while (of[v] != v) v = of[v] = of[of[v]];
-    return v;
-  };
+  UnionFind sets(garment.vertex_count);
   for (const Triangle& t : garment.triangles)
-    for (int k = 1; k < 3; ++k)
-      of[std::max(root(t[0]), root(t[k]))] = std::min(root(t[0]), root(t[k]));
-  for (int v = 0; v < garment.vertex_count; ++v) of[v] = root(v);
+    for (int k = 1; k < 3; ++k) sets.unite(t[0], t[k]);
+  std::vector<int> of(garment.vertex_count);
+  for (int v = 0; v < garment.vertex_count; ++v) of[v] = sets.find(v);
   return of;
-}
-
-/// Flat length of every edge at the rim.
-std::map<std::pair<int, int>, double> flat_lengths(const Garment& garment) {
-  std::map<std::pair<int, int>, double> length;
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k)
-      length[{garment.triangles[t][k], garment.triangles[t][(k + 1) % 3]}] =
-          (garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k]).norm();
-  return length;
 }
 
 /// Label that most vertices' pieces have.
@@ -216,17 +203,18 @@ std::vector<int> labelled_vertices(const Garment& garment, const Pattern& patter
 
 std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern) {
   const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
-  const auto lengths = flat_lengths(garment);
+  const MeshTopology topology(garment.triangles);
+  const std::vector<double> lengths = flat_lengths(garment, topology);
   const std::vector<int> piece = pieces(garment);
   const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
                          chest = labelled_vertices(garment, pattern, "strapless_top");
   std::vector<Opening> openings;
   std::vector<std::string> labels;
   std::map<int, std::vector<int>> of_piece;
-  for (std::vector<int>& loop : boundary_loops(garment.triangles)) {
+  for (std::vector<int>& loop : topology.boundary_loops()) {
     Opening opening;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      opening.girth += lengths.at({loop[i], loop[(i + 1) % loop.size()]});
+      opening.girth += lengths[topology.find(loop[i], loop[(i + 1) % loop.size()])];
       if (!placed.empty()) opening.placed += placed[loop[i]] / static_cast<double>(loop.size());
     }
     if (opening.girth < kNoHand) continue;

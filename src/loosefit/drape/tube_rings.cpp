@@ -1,22 +1,18 @@
 #include "loosefit/drape/tube_rings.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
-#include "loosefit/drape/limb_lines.h"
+#include "loosefit/garment/flat_lengths.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 namespace {
 
 /// Steps over edges from the opening to each vertex.
-std::vector<int> steps_from(const Garment& garment, const std::vector<int>& opening) {
-  std::vector<std::vector<int>> next(garment.vertex_count);
-  for (const Triangle& t : garment.triangles)
-    for (int k = 0; k < 3; ++k) {
-      next[t[k]].push_back(t[(k + 1) % 3]);
-      next[t[k]].push_back(t[(k + 2) % 3]);
-    }
+std::vector<int> steps_from(const Garment& garment, const MeshTopology& topology,
+                            const std::vector<int>& opening) {
+  const auto next = topology.vertex_neighbours();
   std::vector<int> steps(garment.vertex_count, -1), front = opening;
   for (int v : front) steps[v] = 0;
   for (int k = 1; !front.empty(); ++k) {
@@ -33,14 +29,11 @@ std::vector<int> steps_from(const Garment& garment, const std::vector<int>& open
 
 std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vector<int>& opening,
                                          double widest) {
-  const std::vector<int> steps = steps_from(garment, opening);
-  std::map<std::pair<int, int>, double> flat;
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k)
-      flat[std::minmax(garment.triangles[t][k], garment.triangles[t][(k + 1) % 3])] =
-          (garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k]).norm();
+  const MeshTopology topology(garment.triangles);
+  const std::vector<int> steps = steps_from(garment, topology, opening);
+  const std::vector<double> flat = flat_lengths(garment, topology);
   std::set<int> other_rims;
-  for (const std::vector<int>& loop : boundary_loops(garment.triangles))
+  for (const std::vector<int>& loop : topology.boundary_loops())
     if (std::find(loop.begin(), loop.end(), opening.front()) == loop.end())
       other_rims.insert(loop.begin(), loop.end());
 
@@ -54,12 +47,12 @@ std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vect
     std::vector<int> far;
     int rims = 0;
     double length = 0;
-    for (const std::vector<int>& loop : boundary_loops(band)) {
+    for (const std::vector<int>& loop : MeshTopology(band).boundary_loops()) {
       if (steps[loop.front()] == 0 && steps[loop.back()] == 0) continue;
       ++rims;
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (other_rims.count(loop[i])) return rings;
-        length += flat.at(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+        length += flat[topology.find(loop[i], loop[(i + 1) % loop.size()])];
       }
       far = loop;
     }

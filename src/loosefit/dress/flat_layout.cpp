@@ -1,39 +1,35 @@
 #include "loosefit/dress/flat_layout.h"
 
 #include <Eigen/SparseCholesky>
-#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 
 std::map<int, Vec2> lay_flat(const Garment& garment, int panel,
                              const std::map<int, Vec2>& outline) {
-  std::map<int, std::set<int>> neighbours;
-  std::map<std::pair<int, int>, int> edge_use;
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    if (garment.triangle_panel[t] != panel) continue;
-    const Triangle& tri = garment.triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const int a = tri[k], b = tri[(k + 1) % 3];
-      neighbours[a].insert(b);
-      neighbours[b].insert(a);
-      ++edge_use[std::minmax(a, b)];
-    }
-  }
-  for (const auto& [edge, uses] : edge_use)
-    for (int v : {edge.first, edge.second})
-      if (uses == 1 && !outline.count(v))
+  std::vector<Triangle> piece;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+    if (garment.triangle_panel[t] == panel) piece.push_back(garment.triangles[t]);
+  const MeshTopology topology(std::move(piece));
+  for (int e = 0; e < topology.edge_count(); ++e)
+    for (int v : topology.edges()[e])
+      if (topology.sides(e).size() == 1 && !outline.count(v))
         throw GeometryError("panel " + garment.panel_names[panel] +
                             ": its outline cannot be placed on the body");
 
+  const std::vector<std::vector<int>> neighbours = topology.vertex_neighbours();
   std::map<int, int> unknown;
-  for (const auto& [v, list] : neighbours)
-    if (!outline.count(v)) unknown.emplace(v, static_cast<int>(unknown.size()));
   std::map<int, Vec2> layout;
-  for (const auto& [v, list] : neighbours)
-    if (outline.count(v)) layout[v] = outline.at(v);
+  for (int v = 0; v < static_cast<int>(neighbours.size()); ++v) {
+    if (neighbours[v].empty()) continue;  // of another panel
+    if (outline.count(v))
+      layout[v] = outline.at(v);
+    else
+      unknown.emplace(v, static_cast<int>(unknown.size()));
+  }
   if (unknown.empty()) return layout;
 
   std::vector<Eigen::Triplet<double>> entries;

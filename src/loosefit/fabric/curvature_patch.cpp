@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 namespace {
@@ -143,17 +143,11 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
                                    const std::vector<Mat3>& rigidity,
                                    const std::vector<char>& built_in) {
   const auto is_built_in = [&](int t) { return !built_in.empty() && built_in[t]; };
-  struct Side {
-    int triangle, corner;  ///< edge from corner to corner + 1
-  };
-  std::map<std::pair<int, int>, std::vector<Side>> edges;
+  using Side = MeshTopology::Side;
+  const MeshTopology topology(triangles);
   std::vector<FlatTriangle> flat;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     flat.push_back(flat_triangle(triangle_uv[t], t));
-    for (int k = 0; k < 3; ++k)
-      edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])].push_back(
-          {static_cast<int>(t), k});
-  }
   CurvaturePatches result;
   result.patches.resize(triangles.size());
   std::vector<std::array<Vec2, 3>> outer(triangles.size());
@@ -172,7 +166,7 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
     }
   }
   // In the order of the triangles, so that a hinge is near them in memory, too.
-  const auto add_hinge = [&](const std::vector<Side>& sides) {
+  const auto add_hinge = [&](std::span<const Side> sides) {
     const int hinge = static_cast<int>(result.hinges.size());
     for (int i = 0; i < 2; ++i) {
       const Side &here = sides[i], &there = sides[1 - i];
@@ -200,7 +194,7 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
   };
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const auto& sides = edges[std::minmax(triangles[t][k], triangles[t][(k + 1) % 3])];
+      const auto sides = topology.sides(topology.edge(static_cast<int>(t), k));
       if (sides.size() == 2 && sides[0].triangle == static_cast<int>(t) && sides[0].corner == k)
         add_hinge(sides);
     }

@@ -1,20 +1,14 @@
 #include "loosefit/flesh/skin_springs.h"
 
-#include <algorithm>
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 
 SkinSprings::SkinSprings(const std::vector<Triangle>& triangles, std::vector<double> stiffness,
                          double tension)
-    : stiffness_(std::move(stiffness)), tension_(tension) {
-  for (const Triangle& t : triangles)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges_.push_back({low, high});
-    }
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-}
+    : edges_(MeshTopology(triangles).edges()),
+      stiffness_(std::move(stiffness)),
+      tension_(tension) {}
 
 double SkinSprings::value(const VectorField& x) const {
   double energy = 0;

@@ -4,41 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <compare>
+
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
-namespace {
-
-/// From one corner of a triangle to the next, kept with the lower numbered of the two vertices.
-struct HalfEdge {
-  int other;  ///< vertex
-  int triangle, corner;
-  auto operator<=>(const HalfEdge&) const = default;
-};
-
-/// Half edges by their lower vertex.
-struct EdgeLists {
-  std::vector<int> start;
-  std::vector<HalfEdge> half_edges;
-
-  explicit EdgeLists(const TriangleMesh& mesh)
-      : start(mesh.vertices.size() + 1, 0), half_edges(3 * mesh.triangles.size()) {
-    for (const Triangle& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k) ++start[std::min(t[k], t[(k + 1) % 3]) + 1];
-    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-    std::vector<int> next(start.begin(), start.end() - 1);
-    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]);
-        half_edges[next[low]++] = {high, i, k};
-      }
-  }
-};
-
-}  // namespace
-
 Pseudonormals::Pseudonormals(const TriangleMesh& mesh)
     : of_vertex_(mesh.vertices.size(), Vec3::Zero()), of_edge_(mesh.triangles.size()) {
   const std::size_t n = mesh.triangles.size();
@@ -57,16 +27,11 @@ Pseudonormals::Pseudonormals(const TriangleMesh& mesh)
   });
   for (std::size_t i = 0; i < n; ++i)
     for (int k = 0; k < 3; ++k) of_vertex_[mesh.triangles[i][k]] += angles[i][k] * normals[i];
-  EdgeLists edges(mesh);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const auto begin = edges.half_edges.begin() + edges.start[v],
-               end = edges.half_edges.begin() + edges.start[v + 1];
-    std::sort(begin, end);
-    for (auto first = begin, last = begin; first != end; first = last) {
-      Vec3 sum = Vec3::Zero();
-      for (; last != end && last->other == first->other; ++last) sum += normals[last->triangle];
-      for (auto edge = first; edge != last; ++edge) of_edge_[edge->triangle][edge->corner] = sum;
-    }
+  const MeshTopology topology(mesh.triangles);
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& side : topology.sides(e)) sum += normals[side.triangle];
+    for (const auto& side : topology.sides(e)) of_edge_[side.triangle][side.corner] = sum;
   }
 }
 

@@ -6,11 +6,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "loosefit/base/error.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/maps/surface_curvature.h"
 
 namespace loosefit {
@@ -23,19 +23,14 @@ struct Middle {
   Mat3 curvature = Mat3::Zero();  ///< of the skin [1/m]
 };
 
-std::map<std::pair<int, int>, Middle> middles_near_body(const Garment& garment,
-                                                        const std::vector<Vec3>& x,
-                                                        const PosedBody& body, double reach) {
-  std::map<std::pair<int, int>, Middle> middles;
-  for (const Triangle& t : garment.triangles)
-    for (int k = 0; k < 3; ++k) middles[std::minmax(t[k], t[(k + 1) % 3])];
-  std::vector<std::pair<std::pair<int, int>, Middle*>> edges;
-  for (auto& [edge, middle] : middles) edges.emplace_back(edge, &middle);
-
+/// Per edge of the garment.
+std::vector<Middle> middles_near_body(const MeshTopology& topology, const std::vector<Vec3>& x,
+                                      const PosedBody& body, double reach) {
+  const auto& edges = topology.edges();
   const ClosestPointTree& tree = body.tree();
   std::vector<ClosestPoint> under(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
-    const auto [a, b] = edges[i].first;
+    const auto& [a, b] = edges[i];
     under[i] = tree.query(0.5 * (x[a] + x[b]), reach);
   });
   std::vector<char> wanted(body->surface.vertices.size(), 0);
@@ -43,10 +38,11 @@ std::map<std::pair<int, int>, Middle> middles_near_body(const Garment& garment,
     if (hit.triangle >= 0)
       for (int v : body->surface.triangles[hit.triangle]) wanted[v] = 1;
   const std::vector<Mat3> curvatures = vertex_curvatures(body->surface, wanted);
+  std::vector<Middle> middles(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const ClosestPoint& hit = under[i];
     if (hit.triangle < 0) continue;
-    Middle& middle = *edges[i].second;
+    Middle& middle = middles[i];
     middle.distance = hit.distance;
     const Triangle& corner = body->surface.triangles[hit.triangle];
     for (int c = 0; c < 3; ++c) middle.normal += hit.barycentric[c] * body->normals[corner[c]];
@@ -121,7 +117,8 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
                : garment.vertex_mass[v] * gravity / field.area[v];
   };
   constexpr double kHeldOff = 0.01;  // pressed triangles held off beyond this are none [m]
-  const auto middles = middles_near_body(garment, x, body, kHeldOff);
+  const MeshTopology topology(garment.triangles);
+  const std::vector<Middle> middles = middles_near_body(topology, x, body, kHeldOff);
   const std::vector<Mat3> tension = membrane_tension(garment, x, material);
   const double touch = 0.5 * material.thickness + contact_tolerance(material);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -130,7 +127,7 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
     double nearest = std::numeric_limits<double>::infinity();
     bool pressed = true;
     for (int k = 0; k < 3; ++k) {
-      middle[k] = &middles.at(std::minmax(corner[k], corner[(k + 1) % 3]));
+      middle[k] = &middles[topology.edge(static_cast<int>(t), k)];
       nearest = std::min(nearest, middle[k]->distance);
       pressed = pressed && drape.body_normal_force[corner[k]] > 0;
     }

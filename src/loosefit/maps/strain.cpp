@@ -1,9 +1,11 @@
 #include "loosefit/maps/strain.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 namespace {
@@ -62,32 +64,28 @@ std::vector<double> to_vertices(const Garment& garment, const std::vector<double
 }
 
 std::vector<double> vertical_strain(const Garment& garment, const std::vector<Vec3>& positions) {
-  struct Edge {
-    Vec2 flat;
-    bool seam = false;
-  };
   constexpr double kSameEdge = 1e-9;  // [m]
-  std::map<std::pair<int, int>, Edge> edges;
-  std::map<std::pair<int, int>, int> panel_of;
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = garment.triangles[t][k], b = garment.triangles[t][(k + 1) % 3];
-      const Vec2 along = garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k];
-      const Vec2 flat = a < b ? along : Vec2(-along);
-      const auto key = std::minmax(a, b);
-      const auto [place, is_new] = edges.try_emplace(key, Edge{flat});
-      const int panel = garment.triangle_panel[t];
-      const int first_panel = panel_of.try_emplace(key, panel).first->second;
-      if (!is_new && (panel != first_panel || (flat - place->second.flat).norm() > kSameEdge))
-        place->second.seam = true;
-    }
+  const MeshTopology topology(garment.triangles);
+  // In the pattern, from the edge's lower to its higher vertex.
+  const auto flat = [&](const MeshTopology::Side& side) -> Vec2 {
+    const auto& [t, k] = side;
+    const Vec2 along = garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k];
+    return garment.triangles[t][k] < garment.triangles[t][(k + 1) % 3] ? along : Vec2(-along);
+  };
   std::vector<double> sum(garment.vertex_count, 0.0), weight(garment.vertex_count, 0.0);
-  for (const auto& [key, edge] : edges) {
-    const double rest = edge.flat.norm();
-    if (edge.seam || rest <= 0) continue;
-    const double cosine = edge.flat.y() / rest, w = cosine * cosine;
-    const double strain = (positions[key.second] - positions[key.first]).norm() / rest - 1;
-    for (int v : {key.first, key.second}) {
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    const auto sides = topology.sides(e);
+    const Vec2 first = flat(sides[0]);
+    const double rest = first.norm();
+    const bool seam = std::any_of(sides.begin() + 1, sides.end(), [&](const auto& side) {
+      return garment.triangle_panel[side.triangle] != garment.triangle_panel[sides[0].triangle] ||
+             (flat(side) - first).norm() > kSameEdge;
+    });
+    if (seam || rest <= 0) continue;
+    const double cosine = first.y() / rest, w = cosine * cosine;
+    const auto& [low, high] = topology.edges()[e];
+    const double strain = (positions[high] - positions[low]).norm() / rest - 1;
+    for (int v : {low, high}) {
       sum[v] += w * strain;
       weight[v] += w;
     }

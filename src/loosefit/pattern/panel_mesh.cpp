@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit {
@@ -42,20 +42,23 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
   fine.vertices = coarse.vertices;
   parents.clear();
   for (int i = 0; i < static_cast<int>(coarse.vertices.size()); ++i) parents.push_back({i, i});
-  // A new vertex in the middle of every edge.
-  std::map<std::pair<int, int>, int> middle_of;
-  const auto middle = [&](int a, int b) {
-    const auto [it, added] =
-        middle_of.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
-    if (added) {
-      fine.vertices.push_back((coarse.vertices[a] + coarse.vertices[b]) / 2);
-      parents.push_back({std::min(a, b), std::max(a, b)});
+  const MeshTopology topology(coarse.triangles);
+  std::vector<int> middle_of(topology.edges().size(), -1);
+  // A new vertex in the middle of every edge, numbered as the triangles meet them.
+  const auto middle = [&](int triangle, int corner) {
+    const int edge = topology.edge(triangle, corner);
+    if (middle_of[edge] < 0) {
+      middle_of[edge] = static_cast<int>(fine.vertices.size());
+      const auto& [low, high] = topology.edges()[edge];
+      fine.vertices.push_back((coarse.vertices[low] + coarse.vertices[high]) / 2);
+      parents.push_back({low, high});
     }
-    return it->second;
+    return middle_of[edge];
   };
   // Four triangles for one.
-  for (const auto& [a, b, c] : coarse.triangles) {
-    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+  for (int t = 0; t < static_cast<int>(coarse.triangles.size()); ++t) {
+    const auto& [a, b, c] = coarse.triangles[t];
+    const int ab = middle(t, 0), bc = middle(t, 1), ca = middle(t, 2);
     fine.triangles.push_back({a, ab, ca});
     fine.triangles.push_back({b, bc, ab});
     fine.triangles.push_back({c, ca, bc});

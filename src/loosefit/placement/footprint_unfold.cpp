@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <queue>
 #include <set>
-#include <tuple>
 
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit {
 namespace {
@@ -52,21 +52,14 @@ Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p) {
 }
 
 TriangleNeighbours triangle_neighbours(const Garment& garment) {
-  std::vector<std::tuple<int, int, int, int>> edges;  // vertices, triangle, corner
-  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] =
-          std::minmax(garment.triangles[t][k], garment.triangles[t][(k + 1) % 3]);
-      edges.emplace_back(low, high, t, k);
-    }
-  std::sort(edges.begin(), edges.end());
+  const MeshTopology topology(garment.triangles);
   TriangleNeighbours beyond(garment.triangles.size(), {-1, -1, -1});
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    const auto& [a, b, t, k] = edges[i];
-    const auto& [c, d, u, l] = edges[i + 1];
-    if (a != c || b != d) continue;
-    beyond[t][k] = u;
-    beyond[u][l] = t;
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    const auto sides = topology.sides(e);
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+      beyond[sides[i].triangle][sides[i].corner] = sides[i + 1].triangle;
+      beyond[sides[i + 1].triangle][sides[i + 1].corner] = sides[i].triangle;
+    }
   }
   return beyond;
 }

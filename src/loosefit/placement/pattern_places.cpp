@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/placement/resample.h"
 
 namespace loosefit {
@@ -160,23 +161,20 @@ PanelBorders::PanelBorders(const Garment& garment)
     return FlatEdge{p.x(), p.y(), q.x(), q.y()};
   };
   std::map<std::pair<int, FlatEdge>, int> in_panel;
-  std::map<std::pair<int, int>, int> in_mesh;
+  const MeshTopology topology(garment.triangles);
   const auto each = [&](const auto& visit) {
     for (std::size_t t = 0; t < garment.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
         const auto& uv = garment.triangle_uv[t];
-        const int a = garment.triangles[t][k], b = garment.triangles[t][next];
-        visit(std::pair(garment.triangle_panel[t], flat(uv[k], uv[next])), std::minmax(a, b),
-              Segment(uv[k], uv[next]));
+        visit(std::pair(garment.triangle_panel[t], flat(uv[k], uv[next])),
+              topology.edge(static_cast<int>(t), k), Segment(uv[k], uv[next]));
       }
   };
-  each([&](const auto& edge, const auto& sewn, const Segment&) {
-    ++in_panel[edge];
-    ++in_mesh[sewn];
-  });
-  each([&](const auto& edge, const auto& sewn, const Segment& segment) {
-    if (in_panel[edge] == 1) (in_mesh[sewn] > 1 ? seams_ : free_)[edge.first].push_back(segment);
+  each([&](const auto& edge, int, const Segment&) { ++in_panel[edge]; });
+  each([&](const auto& edge, int sewn, const Segment& segment) {
+    if (in_panel[edge] == 1)
+      (topology.sides(sewn).size() > 1 ? seams_ : free_)[edge.first].push_back(segment);
   });
 }
 

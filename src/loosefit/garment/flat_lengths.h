@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/garment/garment.h"
+#include "loosefit/geometry/mesh_topology.h"
+
+namespace loosefit {
+
+/// Length of every edge of the garment in the flat pattern [m]; of a seam that on the side of its
+/// last triangle. `topology`: of garment.triangles.
+std::vector<double> flat_lengths(const Garment& garment, const MeshTopology& topology);
+
+}  // namespace loosefit
