@@ -7,7 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_frame.h"
-#include "support/shapes.h"
+#include "support/tube_garment.h"
 
 namespace loosefit {
 namespace {
