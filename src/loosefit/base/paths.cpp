@@ -7,7 +7,7 @@ namespace loosefit {
 namespace fs = std::filesystem;
 
 std::filesystem::path data_directory() {
-  if (const char* chosen = std::getenv("LOOSEFIT_SHARE"); chosen && *chosen) return chosen;
+  if (const char* given = std::getenv("LOOSEFIT_SHARE"); given && *given) return given;
   std::error_code error;
   const fs::path binary = fs::read_symlink("/proc/self/exe", error);
   if (!error) {

@@ -106,7 +106,7 @@ const std::set<std::string>& symmetric_groups() {
   return kGroups;
 }
 
-bool wanted(const std::string& name) {
+bool is_used(const std::string& name) {
   if (symmetric_groups().contains(group_of(name))) return true;
   return group_of(name) == "armslegs" && name.find("-hand-") == std::string::npos &&
          name.find("-foot-") == std::string::npos;
@@ -304,7 +304,7 @@ BodyData bake_body_data(const std::string& folder) {
   std::map<Key, int> known;  // many names share one field
   for (int t = 0; t < int(kTargets); ++t) {
     const std::string& name = raw.target_names[std::size_t(t)];
-    if (!wanted(name)) continue;
+    if (!is_used(name)) continue;
     TargetBlock block = read_target_block(raw, t);
     repair_target(raw, name, block);
     BodyField field = field_of(block);

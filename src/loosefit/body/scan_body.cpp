@@ -111,8 +111,8 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
   }
 }
 
-void tell_what_touches(const ScanSections& s, const ScanLimbs& limbs,
-                       std::vector<std::string>& warnings) {
+void warn_of_touching_limbs(const ScanSections& s, const ScanLimbs& limbs,
+                            std::vector<std::string>& warnings) {
   if (!s.legs_apart) {
     warnings.push_back(
         limbs.leg[0].found()
@@ -158,7 +158,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   for (const auto& p : surface.vertices) height = std::max(height, p.z());
   const ScanLimbs limbs = find_limbs(surface, height);
   const ScanSections s = slice_scan(surface, limbs);
-  tell_what_touches(s, limbs, made.warnings);
+  warn_of_touching_limbs(s, limbs, made.warnings);
   std::array<ArmLine, 2> arms = {arm_line(s, limbs.arm[0], 0), arm_line(s, limbs.arm[1], 1)};
   for (auto& arm : arms) {
     find_wrist(surface, arm);

@@ -38,11 +38,11 @@ void raise_forward(double angle, BoneRotations& rotations) {
     Mat3 &clavicle = rotations[std::string("clavicle") + side],
          &blade = rotations[std::string("shoulder01") + side],
          &upper = rotations[std::string("upperarm01") + side];
-    const Mat3 wanted = about(Vec3::UnitX(), -angle) * clavicle * blade * upper;
+    const Mat3 target = about(Vec3::UnitX(), -angle) * clavicle * blade * upper;
     clavicle = about(-Vec3::UnitY(), sign * kClavicleLift * angle) *
                about(Vec3::UnitX(), -kClavicleTurn * angle) * clavicle;
     blade = about(Vec3::UnitX(), -kBladeTurn * angle) * blade;
-    upper = (clavicle * blade).transpose() * wanted;
+    upper = (clavicle * blade).transpose() * target;
   }
 }
 

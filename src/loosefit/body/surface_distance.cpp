@@ -75,12 +75,12 @@ std::vector<double> surface_distance(const TriangleMesh& mesh, int source) {
       for (std::size_t c = 0; c < 3; ++c) {
         if (corners[c] != v) continue;
         const int p = corners[(c + 1) % 3], q = corners[(c + 2) % 3];
-        for (const auto& [known, wanted] : {std::pair(p, q), std::pair(q, p)}) {
-          if (done[std::size_t(known)])
-            offer(wanted, through_edge(point(v), d, point(known), distance[std::size_t(known)],
-                                       point(wanted)));
+        for (const auto& [settled, other] : {std::pair(p, q), std::pair(q, p)}) {
+          if (done[std::size_t(settled)])
+            offer(other, through_edge(point(v), d, point(settled), distance[std::size_t(settled)],
+                                      point(other)));
           else
-            offer(known, d + (point(known) - point(v)).norm());
+            offer(settled, d + (point(settled) - point(v)).norm());
         }
       }
     }

@@ -95,12 +95,12 @@ Orientation orient_consistently(TriangleMesh& mesh) {
       const auto t = std::size_t(stack.back());
       stack.pop_back();
       for (const auto& link : links[t]) {
-        const int wanted = link.agrees ? turn[t] : 1 - turn[t];
+        const int expected = link.agrees ? turn[t] : 1 - turn[t];
         int& other = turn[std::size_t(link.other)];
         if (other < 0) {
-          other = wanted;
+          other = expected;
           stack.push_back(link.other);
-        } else if (other != wanted) {
+        } else if (other != expected) {
           return Orientation::impossible;
         }
       }

@@ -40,7 +40,8 @@ void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
   for (int i = 0; i < 3; ++i) g.vertex_mass[g.triangles[best][i]] += weights[i] * mass;
 }
 
-/// Footprint of a board. `focus` looks ahead at one triangle: false if it is out of reach.
+/// Footprint of a board. `may_cover` looks ahead at the box of one triangle: false if it lies
+/// outside.
 struct BoardShape {
   const Board& board;
   bool disc = board.radius > 0;
@@ -51,7 +52,7 @@ struct BoardShape {
     return disc ? p.norm() <= board.radius
                 : std::abs(p.x()) <= half.x() && std::abs(p.y()) <= half.y();
   }
-  bool focus(const Vec2& low, const Vec2& high) const {
+  bool may_cover(const Vec2& low, const Vec2& high) const {
     return (board.centre - board.centre.cwiseMax(low).cwiseMin(high)).norm() <= half.norm();
   }
   bool covers(const Vec2& p) const { return covers_local(turn.inverse() * (p - board.centre)); }
@@ -60,15 +61,15 @@ struct BoardShape {
 /// Strip along a cable.
 struct CableShape {
   const Cable& cable;
-  std::vector<std::size_t> near;  // segments that may reach the triangle in focus
+  std::vector<std::size_t> near;  // segments near the box of the last may_cover
 
-  bool focus(const Vec2& low, const Vec2& high) {
-    const Vec2 reach = Vec2::Constant(cable.width / 2);
+  bool may_cover(const Vec2& low, const Vec2& high) {
+    const Vec2 half_width = Vec2::Constant(cable.width / 2);
     near.clear();
     for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
       const Vec2 &a = cable.path[i], &b = cable.path[i + 1];
-      if ((a.cwiseMin(b) - reach - high).maxCoeff() <= 0 &&
-          (low - a.cwiseMax(b) - reach).maxCoeff() <= 0)
+      if ((a.cwiseMin(b) - half_width - high).maxCoeff() <= 0 &&
+          (low - a.cwiseMax(b) - half_width).maxCoeff() <= 0)
         near.push_back(i);
     }
     return !near.empty();
@@ -103,7 +104,7 @@ void stiffen(Garment& g, int panel, double bending, double membrane_factor, Shap
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     if (g.triangle_panel[t] != panel) continue;
     const auto& [a, b, c] = g.triangle_uv[t];
-    if (!shape.focus(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) continue;
+    if (!shape.may_cover(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) continue;
     const double share = covered_share(g.triangle_uv[t], shape);
     g.triangle_added_bending[t] += share * bending;
     g.triangle_membrane_factor[t] *= 1 + share * (membrane_factor - 1);

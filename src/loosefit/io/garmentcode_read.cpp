@@ -261,7 +261,7 @@ void refuse_other_kinds(const std::string& text, const std::string& file) {
 }
 
 /// Keys that are neither read nor known to mean nothing here, each once for the whole file.
-class LeftOut {
+class UnreadKeys {
  public:
   void note(const Node& node, std::initializer_list<const char*> known) {
     if (!node.value.is_object()) return;
@@ -269,7 +269,7 @@ class LeftOut {
       if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
         if (keys_.insert(key).second) shown_.push_back(printable(key));
   }
-  void tell(std::vector<std::string>& warnings) const {
+  void warn(std::vector<std::string>& warnings) const {
     constexpr std::size_t kMost = 12;
     if (shown_.empty()) return;
     std::vector<std::string> first(shown_.begin(), shown_.begin() + std::min(kMost, shown_.size()));
@@ -283,22 +283,22 @@ class LeftOut {
   std::vector<std::string> shown_;
 };
 
-void tell_left_out(const Node& root, std::vector<std::string>& warnings) {
-  LeftOut left_out;
-  left_out.note(root, {"pattern", "properties"});
+void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
+  UnreadKeys unread;
+  unread.note(root, {"pattern", "properties"});
   if (root.has("properties"))
-    left_out.note(root.at("properties"), {"curvature_coords", "normalize_panel_translation",
-                                          "normalized_edge_loops", "units_in_meter", kDraftKey});
+    unread.note(root.at("properties"), {"curvature_coords", "normalize_panel_translation",
+                                        "normalized_edge_loops", "units_in_meter", kDraftKey});
   const Node pattern = root.at("pattern"), panels = pattern.at("panels");
-  left_out.note(pattern, {"panels", "stitches", "panel_order"});
+  unread.note(pattern, {"panels", "stitches", "panel_order"});
   for (const auto& [name, value] : panels.value.items()) {
     const Node panel{value, panels.path, panels.file};
-    left_out.note(panel, {"label", "translation", "rotation", "vertices", "edges"});
+    unread.note(panel, {"label", "translation", "rotation", "vertices", "edges"});
     const Node edges = panel.at("edges");
     for (std::size_t i = 0; i < edges.value.size(); ++i)
-      left_out.note(edges.item(i), {"endpoints", "curvature", "label", "name"});
+      unread.note(edges.item(i), {"endpoints", "curvature", "label", "name"});
   }
-  left_out.tell(warnings);
+  unread.warn(warnings);
 }
 
 /// Which draft of ours made the pattern.
@@ -373,7 +373,7 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
   }
   set_panel_order(result.pattern, order);
   note_draft(root, result);
-  tell_left_out(root, result.warnings);
+  warn_of_unread_keys(root, result.warnings);
   return result;
 }
 

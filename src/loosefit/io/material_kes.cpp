@@ -38,13 +38,13 @@ const std::vector<Constant>& constants() {
 }
 
 // Only told, not used by the model; `directed` ones take _warp and _weft.
-struct Told {
+struct RecordedFigure {
   const char* quantity;
   bool directed;
 };
-const Told kTold[] = {{"LT", true},    {"WT", true},   {"RT", true},   {"2HG", false},
-                      {"2HG5", false}, {"MIU", false}, {"MMD", false}, {"SMD", false},
-                      {"LC", false},   {"WC", false},  {"RC", false}};
+const RecordedFigure kRecorded[] = {{"LT", true},    {"WT", true},   {"RT", true},   {"2HG", false},
+                                    {"2HG5", false}, {"MIU", false}, {"MMD", false}, {"SMD", false},
+                                    {"LC", false},   {"WC", false},  {"RC", false}};
 
 bool has_curve(ConfigReader& table, const std::string& si_key) {
   if (si_key.rfind("stiffness_", 0) != 0) return false;
@@ -75,7 +75,7 @@ std::vector<std::string> directed_quantities() {
   for (const Constant& c : constants())
     if (*c.direction && (names.empty() || names.back() != c.quantity))
       names.emplace_back(c.quantity);
-  for (const Told& t : kTold)
+  for (const RecordedFigure& t : kRecorded)
     if (t.directed) names.emplace_back(t.quantity);
   return names;
 }
@@ -124,7 +124,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
   };
   if (kes.has("EMT_load")) put("EMT_load", "F", load);
   // Reads a figure and records it; empty when the key is absent.
-  const auto tell = [&](const std::string& key, const std::string& quantity) {
+  const auto record = [&](const std::string& key, const std::string& quantity) {
     const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
     const auto figure = kes.optional_number(key, range);
     if (figure) put(key, quantity, *figure);
@@ -142,21 +142,21 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
         throw kes.error(quantity, "either " + quantity + " for both directions or " + key);
     }
     // A measured curve says more than a single figure.
-    const auto figure = tell(key, quantity);
+    const auto figure = record(key, quantity);
     if (!figure || has_curve(table, c.si_key)) continue;
     set[c.si_key] = conversion(key, quantity, *figure, load);
     const double si = in_si(quantity, *figure, load);
-    const std::string told = fmt::format("{} {}", *figure, kes_unit(quantity).unit);
+    const std::string measured = fmt::format("{} {}", *figure, kes_unit(quantity).unit);
     // Out of range most often means figures in other units.
     if (!(si >= c.range.low && si <= c.range.high))
-      throw kes.error(key, fmt::format("{}, that is {} = {:g}", told, c.si_key, si),
+      throw kes.error(key, fmt::format("{}, that is {} = {:g}", measured, c.si_key, si),
                       fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
                       "figures of [kes] are in the units of the KES instruments");
     // The card may state the SI value too; then both must agree.
     if (const auto given = table.optional_number(c.si_key, {})) {
       if (!same_within_rounding(*figure, si, *given))
         throw table.error(c.si_key, fmt::format("{}", *given),
-                          fmt::format("{:.6g}, which is kes.{} = {}", si, key, told),
+                          fmt::format("{:.6g}, which is kes.{} = {}", si, key, measured),
                           "leave out one of the two, or correct it");
       if (*given != si) set.erase(c.si_key);
       continue;
@@ -164,12 +164,12 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
     material.*c.value = si;
   }
   // Figures that are recorded but not used.
-  for (const Told& t : kTold) {
+  for (const RecordedFigure& t : kRecorded) {
     const std::string quantity = t.quantity;
-    tell(quantity, quantity);
+    record(quantity, quantity);
     if (!t.directed) continue;
-    tell(quantity + "_warp", quantity);
-    tell(quantity + "_weft", quantity);
+    record(quantity + "_warp", quantity);
+    record(quantity + "_weft", quantity);
   }
   kes.finish();
   return set;

@@ -14,10 +14,10 @@ namespace {
 constexpr const char* kNothingChanged = "nothing was changed; choose another folder with -o";
 
 /// The path without links and "..", as far as it is there, and without a slash at its end.
-fs::path real_path(const fs::path& wanted) {
+fs::path real_path(const fs::path& folder) {
   std::error_code error;
-  fs::path path = fs::weakly_canonical(fs::absolute(wanted), error);
-  if (error) path = fs::absolute(wanted).lexically_normal();
+  fs::path path = fs::weakly_canonical(fs::absolute(folder), error);
+  if (error) path = fs::absolute(folder).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
@@ -56,9 +56,9 @@ RunFolder::~RunFolder() {
     remove_if_empty(one->parent_path(), one->filename().string());
 }
 
-RunFolder RunFolder::create(const fs::path& wanted, const std::string& kind) {
-  if (wanted.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
-  return {real_path(wanted), kind, Mode::whole};
+RunFolder RunFolder::create(const fs::path& folder, const std::string& kind) {
+  if (folder.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
+  return {real_path(folder), kind, Mode::whole};
 }
 
 RunFolder RunFolder::update(const fs::path& existing, const std::string& kind) {

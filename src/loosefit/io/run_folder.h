@@ -12,8 +12,8 @@ namespace loosefit {
 /// Files of one command that appear in their folder all at once or not at all, and that never take
 /// the place of anything but files that we wrote and that nobody has changed since.
 ///
-/// They are made in a hidden folder (io/staging_folder.h), which takes the wanted name in commit()
-/// when nothing has it, and otherwise gives its files to the folder that is there
+/// They are made in a hidden folder (io/staging_folder.h), which takes the name asked for in
+/// commit() when nothing has it, and otherwise gives its files to the folder that is there
 /// (io/replace_files.h). An output bears a mark (io/output_mark.h) with the SHA-256 of every file
 /// of ours; what is not in it, or not as the mark says, is foreign and stays as it is. A link to a
 /// folder is written through; links in a folder are foreign.
@@ -24,7 +24,7 @@ class RunFolder {
   /// A whole output of a kind ("run", "validation"), in a new or empty folder, or in the place of
   /// an earlier one of that kind: its files go, foreign ones stay.
   /// \throws InvalidInput if something else is there; IoError if the hidden folder cannot be made.
-  static RunFolder create(const std::filesystem::path& wanted, const std::string& kind = "run");
+  static RunFolder create(const std::filesystem::path& folder, const std::string& kind = "run");
   /// Changes or adds files of an earlier run; those that are not written again stay. In a run
   /// without a mark (of Loosefit 0.1) what is in the way is set aside.
   /// \throws InvalidInput if it is not an earlier output; IoError.

@@ -132,7 +132,7 @@ class SpacedPoints {
 void refine(std::vector<Vec2>& points, const std::vector<Vec2>& outline, double edge_length) {
   SpacedPoints spaced(kSpacing * edge_length);
   for (int round = 0; round < kMostRounds; ++round) {
-    std::vector<Candidate> wanted;
+    std::vector<Candidate> candidates;
     for (const auto& [a, b, c] :
          Triangulation(points, static_cast<int>(outline.size())).triangles) {
       const double radius = circumradius(points[a], points[b], points[c]);
@@ -140,12 +140,12 @@ void refine(std::vector<Vec2>& points, const std::vector<Vec2>& outline, double 
       const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
       const Vec2 centre = circumcentre(points[a], points[b], points[c]);
       const bool near = centre.allFinite() && (centre - centroid).norm() < 1e3 * edge_length;
-      wanted.push_back({radius, near ? centre : centroid, centroid});
+      candidates.push_back({radius, near ? centre : centroid, centroid});
     }
-    std::stable_sort(wanted.begin(), wanted.end(),
+    std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& p, const auto& q) { return p.radius > q.radius; });
     const std::size_t before = points.size();
-    for (const auto& [radius, centre, centroid] : wanted) {
+    for (const auto& [radius, centre, centroid] : candidates) {
       if (!spaced.free(centre)) continue;
       // A flat triangle at the outline has its circumcentre outside: its own centre will do.
       const Vec2& p = inside_polygon(outline, centre) ? centre : centroid;

@@ -24,11 +24,11 @@ EdgePath::EdgePath(const Panel& panel, int edge) : curves_(panel.edges[edge].cur
 std::pair<int, double> EdgePath::locate(double fraction) const {
   if (fraction <= 0) return {0, 0.0};
   if (fraction >= 1) return {static_cast<int>(curves_.size()) - 1, 1.0};
-  const double wanted = fraction * length();
-  const auto above = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, wanted);
+  const double arc = fraction * length();
+  const auto above = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, arc);
   const int piece = static_cast<int>(above - cumulative_.begin()) - 1;
   const int c = piece / kPieces;
-  const double t0 = double(piece % kPieces) / kPieces, rest = wanted - cumulative_[piece];
+  const double t0 = double(piece % kPieces) / kPieces, rest = arc - cumulative_[piece];
   double low = t0, high = t0 + 1.0 / kPieces;
   const double piece_length = cumulative_[piece + 1] - cumulative_[piece];
   double t = piece_length > 0 ? t0 + rest / piece_length / kPieces : t0;

@@ -52,12 +52,12 @@ void check_panel(const Panel& panel) {
     for (const Vec2& k : edge.knots)
       if (!sound(k)) fail(key, "a joint that is not finite", "finite coordinates");
     for (const EdgeCurve& curve : edge.curves) {
-      const std::size_t wanted = curve.kind == EdgeCurve::Kind::quadratic ? 1
+      const std::size_t needed = curve.kind == EdgeCurve::Kind::quadratic ? 1
                                  : curve.kind == EdgeCurve::Kind::cubic   ? 2
                                                                           : 0;
-      if (curve.control.size() != wanted)
+      if (curve.control.size() != needed)
         fail(key, fmt::format("{} control points", curve.control.size()),
-             fmt::format("{}", wanted));
+             fmt::format("{}", needed));
       for (const Vec2& c : curve.control)
         if (!sound(c)) fail(key, "a control point that is not finite", "finite coordinates");
       if (curve.kind == EdgeCurve::Kind::circle && !(curve.radius > 0 && curve.radius < 1e6))

@@ -243,10 +243,11 @@ ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
   };
   // Of several crossings (folds of skin) the one nearest to the point.
   std::optional<RayCrossing> best;
-  const double wanted = (point - middle).norm();
-  const Vec3 direction = (point - middle) / wanted;
+  const double distance = (point - middle).norm();
+  const Vec3 direction = (point - middle) / distance;
   for (const RayCrossing& hit : ray_crossings(body_.surface, middle, direction, on_segment))
-    if (!best || std::abs(hit.distance - wanted) < std::abs(best->distance - wanted)) best = hit;
+    if (!best || std::abs(hit.distance - distance) < std::abs(best->distance - distance))
+      best = hit;
   if (!best) throw refuse("a place on the " + words);
   return {best->triangle, best->barycentric, best->point, 0};
 }

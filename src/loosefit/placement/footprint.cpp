@@ -44,8 +44,8 @@ Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, i
   Footprint result;
   for (const FlatTriangle& flat : unfold(garment, triangle, centre, patch.reach(), neighbours)) {
     const Triangle& v = garment.triangles[flat.triangle];
-    const double wanted = longest_edge(flat.corners) / std::max(kFinest, patch.least() / 6);
-    const int split = std::clamp(static_cast<int>(std::ceil(wanted)), kSplit, kSplitMost);
+    const double pieces = longest_edge(flat.corners) / std::max(kFinest, patch.least() / 6);
+    const int split = std::clamp(static_cast<int>(std::ceil(pieces)), kSplit, kSplitMost);
     const double part =
         triangle_area(positions[v[0]], positions[v[1]], positions[v[2]]) / (split * split);
     for (int i = 0; i < split; ++i)
@@ -135,7 +135,8 @@ Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& posit
                           const Vec3& barycentric, const Vec3& normal) {
   if (!(normal.norm() > 0))
     throw InvalidInput("a girth line needs the direction that it runs round");
-  // A hair inside its triangle, so that the plane cuts it even if the place is one of its corners.
+  // Slightly inside its triangle, so that the plane cuts it even if the place is one of its
+  // corners.
   const Vec3 inside = (1 - 1e-6) * barycentric + Vec3::Constant(1e-6 / 3);
   double level = 0;
   for (int k = 0; k < 3; ++k)

@@ -31,8 +31,8 @@ struct Layout {
 /// the other side of it than `inner`.
 Layout against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from, const Vec2& to,
                const Vec2& apex) {
-  const Vec2 wanted = (b - a).normalized(), has = (to - from).normalized();
-  const double c = wanted.dot(has), s = cross(has, wanted);
+  const Vec2 target = (b - a).normalized(), has = (to - from).normalized();
+  const double c = target.dot(has), s = cross(has, target);
   Layout layout;
   layout.turn << c, -s, s, c;
   // Turned on, the neighbour would cover this piece: a right-to-wrong seam. Turn it over first.

@@ -13,18 +13,18 @@ int cantilever_elements(double gravity_number) {
   return std::max(40, static_cast<int>(std::lround(5 * std::sqrt(gravity_number))));
 }
 
-CantileverShape settle_cantilever(const CantileverCase& wanted, Progress& progress) {
+CantileverShape settle_cantilever(const CantileverCase& problem, Progress& progress) {
   constexpr double kEdgesAcross = 6;
   const Material fabric = beam_fabric();
   const double b = fabric.bending_weft;  // along x of the pattern
   const double bending_length = std::cbrt(b / (fabric.areal_density * kGravity));
   const double l =
-      wanted.length > 0 ? wanted.length : bending_length * std::cbrt(wanted.gravity_number);
-  const double edge = l / wanted.elements;
+      problem.length > 0 ? problem.length : bending_length * std::cbrt(problem.gravity_number);
+  const double edge = l / problem.elements;
   const ClampedStrip strip = cut_clamped_strip(l, kEdgesAcross * edge, edge, fabric);
   Bench::Options options;
-  options.gravity = wanted.gravity_number * b / (l * l * l * fabric.areal_density);
-  const double force = wanted.force_number * b / (l * l) * strip.width;  // [N]
+  options.gravity = problem.gravity_number * b / (l * l * l * fabric.areal_density);
+  const double force = problem.force_number * b / (l * l) * strip.width;  // [N]
 
   Bench bench(
       strip.specimen, fabric, [](const Vec2& p) { return Vec3(p[0], p[1], 0); }, options);

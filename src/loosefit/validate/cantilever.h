@@ -23,7 +23,7 @@ struct CantileverShape {
 };
 
 /// Cuts, clamps and settles it, from the straight start.
-CantileverShape settle_cantilever(const CantileverCase& wanted, Progress& progress);
+CantileverShape settle_cantilever(const CantileverCase& problem, Progress& progress);
 
 /// Edges along the length that resolve both the length and the boundary layer √(B/(q L)) at the
 /// clamp: at least 40, and five per layer.

@@ -104,25 +104,27 @@ bool Validation::pass() const {
 
 std::vector<Benchmark> select_benchmarks(const std::vector<Benchmark>& all,
                                          const std::vector<std::string>& ids, Effort effort) {
-  std::vector<std::string> known, wanted;
-  for (const Benchmark& b : all) known.push_back(b.id);
+  std::vector<std::string> names, requested;
+  for (const Benchmark& b : all) names.push_back(b.id);
   for (const std::string& id : ids) {
-    wanted.push_back(upper(id));
-    const auto found = std::find(known.begin(), known.end(), wanted.back());
-    if (found == known.end())
+    requested.push_back(upper(id));
+    const auto found = std::find(names.begin(), names.end(), requested.back());
+    if (found == names.end())
       throw InvalidInput({"", 0, "--only"}, "\"" + printable(id) + "\"", "the id of a benchmark",
-                         did_you_mean(wanted.back(), known));
-    if (effort == Effort::quick && !all[found - known.begin()].in_quick)
+                         did_you_mean(requested.back(), names));
+    if (effort == Effort::quick && !all[found - names.begin()].in_quick)
       throw InvalidInput({"", 0, "--only"}, *found + ", which has no quick form",
                          "benchmarks of the quick subset", "leave out --quick");
   }
-  std::vector<Benchmark> chosen;
+  std::vector<Benchmark> selected;
   for (const Benchmark& b : all) {
     if (effort == Effort::quick && !b.in_quick) continue;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), b.id) == wanted.end()) continue;
-    chosen.push_back(b);
+    if (!requested.empty() &&
+        std::find(requested.begin(), requested.end(), b.id) == requested.end())
+      continue;
+    selected.push_back(b);
   }
-  return chosen;
+  return selected;
 }
 
 Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effort,

@@ -55,10 +55,10 @@ void turn_grain(Specimen& specimen, double angle) {
 
 std::vector<int> vertices_where(const Specimen& specimen,
                                 const std::function<bool(const Vec2&)>& inside) {
-  std::vector<int> chosen;
+  std::vector<int> selected;
   for (int i = 0; i < specimen.vertex_count; ++i)
-    if (inside(specimen.vertex_uv[i])) chosen.push_back(i);
-  return chosen;
+    if (inside(specimen.vertex_uv[i])) selected.push_back(i);
+  return selected;
 }
 
 std::string mesh_text(const Specimen& specimen) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/progress.h"
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/geometry/closest_point_tree.h"
