@@ -9,8 +9,8 @@ namespace {
 
 BlockPattern triangle_of_four() {
   BlockPattern pattern(4);
-  pattern.add(1, 0);
   pattern.add(0, 2);
+  pattern.add(1, 0);
   pattern.add(2, 1);
   return pattern;
 }
