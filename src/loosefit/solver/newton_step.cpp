@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/check.h"
 #include "loosefit/particles/vector_sums.h"
 
 namespace loosefit {
@@ -56,6 +57,7 @@ class StraightLine : public SearchLine {
 
 StepOutcome NewtonStep::take(NewtonProblem& problem, const InertiaTerm& inertia, Iterate& at,
                              double min_force) {
+  LOOSEFIT_ASSERT(at.gradient.size() == at.x.size());
   StepOutcome outcome;
   const VectorField force = force_at(problem, inertia, at);
   outcome.force = std::sqrt(dot(force, force));

@@ -86,7 +86,8 @@ struct CaseResult {
   const PosedBody& body_in(int posture) const {
     return posture == StateId::kReferencePosture ? body.body : wear.bodies[posture];
   }
-  /// What the stages have made, each in its place. \pre as many as there are garments and states
+  /// What the stages have made, each in its place. \throws Error unless there are as many as
+  /// garments and states.
   void take_drapes(std::vector<Drape> drapes);
   void take_maps(MapStage made);
   void take_sites(SiteStage made);

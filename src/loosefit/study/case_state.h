@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/check.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/study/case_garment.h"
 
@@ -32,16 +33,19 @@ struct StateMaps {
 /// The garments in one more posture or after one more donning.
 struct CaseState {
   StateId id;
-  std::string name;              ///< of the posture
+  std::string name;                ///< of the posture
   std::vector<Drape> drapes = {};  ///< one per garment, the innermost first; empty: none
-  double seconds = 0;            ///< to drape it
-  std::string left_out = {};     ///< why there is no drape to speak of; else empty
-  StateMaps maps = {};           ///< of a drape that counts
-  std::vector<Site> sites = {};  ///< the case's sites in this drape; reference posture only
+  double seconds = 0;              ///< to drape it
+  std::string left_out = {};       ///< why there is no drape to speak of; else empty
+  StateMaps maps = {};             ///< of a drape that counts
+  std::vector<Site> sites = {};    ///< the case's sites in this drape; reference posture only
 
   bool draped() const { return !drapes.empty(); }
   /// Of the garment that is studied; certificate and report are those of all. \pre draped()
-  const Drape& drape() const { return drapes.back(); }
+  const Drape& drape() const {
+    LOOSEFIT_ASSERT(draped());
+    return drapes.back();
+  }
   /// Holds for no drape when there is none.
   Certificate certificate() const { return draped() ? drape().certificate : Certificate{}; }
   bool counts() const { return left_out.empty() && certificate().holds(); }
