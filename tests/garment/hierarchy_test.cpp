@@ -10,6 +10,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/panel_mesh.h"
 
 namespace loosefit {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/maps/compute_maps.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 #include "loosefit/report/write_report.h"
