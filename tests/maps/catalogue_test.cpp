@@ -10,7 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/maps/compute_maps.h"
-#include "support/tube_garment.h"
+#include "support/wall_and_patch.h"
 
 namespace loosefit {
 namespace {
@@ -87,25 +87,22 @@ TEST(MapCatalogue, KnowsWhatIsMadeByDefault) {
   EXPECT_EQ(find_map_array("gap"), nullptr);
 }
 
-TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAWornTube) {
-  const Body body = testing::cylinder_body(0.1, 1.0, 200, 40);
-  const Garment tube = testing::tube_garment(2 * kPi * 0.11, 0.2, 48, 6);
-  const Drape drape = testing::settled_drape(tube, [](const Vec2& uv) {
-    const double a = uv.x() / 0.11;
-    return Vec3(0.11 * std::cos(a), 0.11 * std::sin(a), 0.4 + uv.y());
-  });
-  const WornGarment worn = relate(tube, drape.positions, body);
-  const std::vector<double> none(tube.vertex_count, 0.0);
-  const PressureField pressure{none, none, none, std::vector<char>(tube.vertex_count, 0)};
+TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAPatchBeforeAWall) {
+  const Body body = testing::wall_body();
+  const Garment patch = testing::patch_garment(0.04, 0.01);
+  const std::vector<Vec3> positions = testing::before_wall(patch, 0.02);
+  const WornGarment worn = relate(patch, positions, body);
+  const std::vector<double> none(patch.vertex_count, 0.0);
+  const PressureField pressure{none, none, none, std::vector<char>(patch.vertex_count, 0)};
   const Material material;
-  const DressedState state{drape.positions, body, worn};
+  const DressedState state{positions, body, worn};
   const std::vector<DressedState> states = {state};
   for (const MapDefinition& map : map_catalogue()) {
     const auto made =
-        make_maps(map, {tube, drape.positions, worn, &material, &pressure, &state, &states});
+        make_maps(map, {patch, positions, worn, &material, &pressure, &state, &states});
     ASSERT_EQ(made.size(), map.arrays.size());
     for (const PerformanceMap& array : made) {
-      ASSERT_EQ(array.values.size(), static_cast<std::size_t>(tube.vertex_count)) << array.array;
+      ASSERT_EQ(array.values.size(), static_cast<std::size_t>(patch.vertex_count)) << array.array;
       for (double value : array.values) EXPECT_TRUE(std::isfinite(value)) << array.array;
     }
   }
