@@ -1,6 +1,7 @@
 // Drapes a garment that stands round a plain closed surface, and writes what another cloth program
 // needs for the same case; see README.md.
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
@@ -89,17 +91,20 @@ void write(const std::string& file, const nlohmann::json& json) {
 int run(int argc, char** argv) {
   std::string pattern_file, body_file, panels_file, mesh_file, figures_file;
   double edge = 0.0113;
-  DrapeOptions options;
+  int threads = 0;
+  const DrapeOptions options;
   CLI::App app{"Drapes a placed garment on a closed surface"};
   app.add_option("pattern", pattern_file, "GarmentCode JSON")->required();
   app.add_option("body", body_file, "OBJ, metres, z up")->required();
   app.add_option("--edge-length", edge, "metres")->check(CLI::Range(0.003, 0.05));
-  app.add_option("--threads", options.threads)->check(CLI::Range(0, 256));
+  app.add_option("--threads", threads)->check(CLI::Range(0, 256));
   app.add_option("--panels", panels_file, "write the unsewn panels here and stop");
   app.add_option("--mesh", mesh_file, "write the drape as OBJ");
   app.add_option("--json", figures_file, "write the figures here too");
   CLI11_PARSE(app, argc, argv);
 
+  std::optional<tbb::global_control> limit;
+  if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
   const auto start = std::chrono::steady_clock::now();
   const Material material = common_material();
   const Pattern pattern = read_garmentcode(pattern_file).pattern;

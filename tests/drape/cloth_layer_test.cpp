@@ -1,8 +1,10 @@
 #include "loosefit/drape/cloth_layer.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/cloth_model.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
@@ -31,10 +33,9 @@ struct Wearer {
 };
 
 TEST(ClothLayer, FrictionBetweenLayersIsWhatTheLowerOneSaysOrTheMean) {
-  const GarmentHierarchy none;
   Material a, b, c;
   a.friction_self = 0.2, b.friction_self = 0.4, c.friction_self = 0.8;
-  const Eigen::MatrixXd mu = layer_friction({{&none, a}, {&none, b, 0.1}, {&none, c}});
+  const Eigen::MatrixXd mu = layer_friction({{nullptr, a}, {nullptr, b, 0, 0.1}, {nullptr, c}});
   Eigen::Matrix3d expected;
   expected << 0.2, 0.3, 0.5, 0.3, 0.4, 0.1, 0.5, 0.1, 0.8;
   EXPECT_LT((mu - expected).cwiseAbs().maxCoeff(), 1e-15);
@@ -61,8 +62,8 @@ TEST(ClothLayer, JoinedMeshesKeepTheirOrder) {
 TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   const Wearer wearer;
   Progress silent;
-  DrapeOptions options;
-  options.threads = 1;
+  const DrapeOptions options;
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   DrapeSession session(wearer.layers, options, silent);
   const Drape all = session.put_on(wearer.arms(25, 25));
   ASSERT_TRUE(all.certificate.settled())

@@ -1,11 +1,13 @@
-#include "loosefit/drape/drape_session.h"
-
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cstring>
+#include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/drape/cloth_run.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/drape/recoveries.h"
+#include "loosefit/drape/settle_garment.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/worn_shirt.h"
@@ -47,11 +49,9 @@ const Wearer& wearer() {
 /// The standing drape, settled once for all tests that look at it.
 const Drape& standing_drape() {
   static const Drape drape = [] {
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     Progress silent;
-    DrapeOptions options;
-    options.threads = 1;
-    return drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options,
-                         silent);
+    return drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), {}, silent);
   }();
   return drape;
 }
@@ -62,6 +62,7 @@ void expect_certificate_holds_under_independent_tests() {
       << d.certificate.stop_reason << " " << d.certificate.residual << " "
       << d.certificate.intersections_body << " " << d.certificate.intersections_self;
   EXPECT_EQ(d.certificate.stop_reason, "converged");
+  EXPECT_EQ(d.certificate.reason, StopReason::converged);
   EXPECT_GT(d.certificate.residual, 0);
   EXPECT_LE(d.certificate.residual, 1e-3);
   EXPECT_GT(d.certificate.residual_max, 0);
@@ -109,12 +110,11 @@ void expect_hangs_on_the_shoulders() {
 }
 
 void expect_two_threads_give_the_same_bits() {
-  Progress silent;
-  DrapeOptions options;
-  options.threads = 2;
-  const Drape d =
-      drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
   const Drape& one = standing_drape();
+  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  Progress silent;
+  const Drape d =
+      drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), {}, silent);
   ASSERT_EQ(d.positions.size(), one.positions.size());
   EXPECT_EQ(
       std::memcmp(d.positions.data(), one.positions.data(), one.positions.size() * sizeof(Vec3)),
@@ -138,6 +138,7 @@ TEST(DrapeGarment, TimeBudgetEndsItHonestly) {
       drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
   EXPECT_FALSE(d.certificate.settled());
   EXPECT_EQ(d.certificate.stop_reason.find("time budget"), 0u) << d.certificate.stop_reason;
+  EXPECT_EQ(d.certificate.reason, StopReason::time_budget);
   EXPECT_EQ(d.certificate.stop_reason.find("cut the body") != std::string::npos,
             d.certificate.intersections_body + d.certificate.intersections_self > 0);
   EXPECT_GT(d.certificate.residual, 1e-3);
@@ -151,13 +152,18 @@ TEST(DrapeGarment, TimeBudgetEndsItHonestly) {
   EXPECT_NE(d.unsettled->why.find(d.unsettled->worst[0].panel), std::string::npos);
 }
 
-TEST(DrapeGarment, AfterTheTimeBudgetTheLowestResidualIsKept) {
-  Progress silent;
+TEST(DrapeGarment, IterationsOfTheWholeDrapeEndItWithTheLowestResidual) {
+  const int all = standing_drape().report.total().iterations;
   DrapeOptions options;
-  options.max_iterations = 4;  // a part: too few to settle, enough to go up and down
+  options.max_iterations = all - 20;  // the last ones are those at rest
+  Progress silent;
   const Drape d =
       drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
   ASSERT_FALSE(d.certificate.settled());
+  EXPECT_EQ(d.certificate.reason, StopReason::iteration_limit);
+  EXPECT_EQ(d.certificate.stop_reason.find("iteration limit"), 0u) << d.certificate.stop_reason;
+  // Levels, phases and recoveries share the limit; an integrator may look once more at its end.
+  EXPECT_LE(d.report.total().iterations, options.max_iterations);
   double lowest = 1e9;
   for (const SettleSample& s : d.report.history) lowest = std::min(lowest, s.residual);
   // States are kept when the residual has fallen by three tenths since the last one that was.
@@ -167,29 +173,47 @@ TEST(DrapeGarment, AfterTheTimeBudgetTheLowestResidualIsKept) {
   EXPECT_TRUE(d.unsettled.has_value());
 }
 
-/// Allows more iterations from the second try on.
-class Generous : public Progress {
+/// The recoveries of a drape that has not settled until it is lifted off.
+class FailsAtFirst {
  public:
-  explicit Generous(DrapeOptions& options) : options_(options) {}
-  void update(double, const std::string& note) override {
-    if (note == kOnceMore) options_.max_iterations = DrapeOptions().max_iterations;
+  FailsAtFirst() {
+    for (Recovery& row : table_)
+      if (row.kind == RecoveryKind::lift_off)
+        row.act = [this, act = row.act](ClothState& state) {
+          failing_ = false;
+          act(state);
+        };
+      else if (row.kind == RecoveryKind::best_state)
+        row.has_failed = [this, failed = row.has_failed](ClothState& state) {
+          if (failing_) state.certificate.residual = 1;  // as if it had not come to rest
+          return failed(state);
+        };
   }
+  const Recoveries& table() const { return table_; }
 
  private:
-  DrapeOptions& options_;
+  Recoveries table_ = recoveries();
+  bool failing_ = true;
 };
 
-TEST(DrapeGarment, TriesAgainFromThePadWhereIterationsDidNotSuffice) {
-  DrapeOptions options;
-  options.max_iterations = 4;
-  Generous progress(options);
+TEST(DrapeGarment, LiftsTheClothOffTheSkinAndSettlesItAnewWhereItDidNotSettle) {
+  struct Listener : Progress {
+    void update(double, const std::string& note) override { notes.insert(note); }
+    std::set<std::string> notes;
+  } progress;
+  const DrapeOptions options;
   const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
-  ClothRun run(layers, options, progress);
-  const Drape d = run.put_on(wearer().path(25, 25));
+  const FailsAtFirst failing;
+  ClothState state(layers, options, failing.table(), progress);
+  std::shared_ptr<const WornCloth> worn;
+  const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);
   EXPECT_EQ(d.report.parts.back().part, "retry");
+  EXPECT_TRUE(d.report.was_tried(RecoveryKind::lift_off));
+  EXPECT_TRUE(progress.notes.count("not at rest; trying once more from farther off the skin"));
   EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
   EXPECT_FALSE(d.unsettled.has_value());
   EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
+  EXPECT_NE(d.positions, standing_drape().positions) << "it went another way";
 }
 
 TEST(DrapeGarment, DoesNotTryAgainWhatIsAtRestByItsOwnLooserTolerance) {
@@ -200,6 +224,8 @@ TEST(DrapeGarment, DoesNotTryAgainWhatIsAtRestByItsOwnLooserTolerance) {
       drape_garment(wearer().garment, wearer().material, wearer().path(25, 25), options, silent);
   ASSERT_EQ(d.certificate.intersections_body, 0);
   EXPECT_LE(d.certificate.residual, 0.05);
+  EXPECT_EQ(d.certificate.allowed_residual, 0.05);
+  EXPECT_TRUE(d.certificate.settled());
   EXPECT_EQ(d.report.parts.back().part, "settle");
 }
 

@@ -1,6 +1,7 @@
 #include "loosefit/drape/drape_session.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <thread>
 
@@ -38,8 +39,8 @@ BodyPath turning(const Wearer& wearer, double angle) {
 TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
   const Wearer wearer;
   Progress silent;
-  DrapeOptions options;
-  options.threads = 1;
+  const DrapeOptions options;
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   DrapeSession session(wearer.garment, wearer.material, options, silent);
   EXPECT_THROW(session.follow(wearer.still(), silent), Error);
   const Drape first = session.put_on(wearer.still());
@@ -95,7 +96,7 @@ TEST(DrapeSession, ADisturbedStartEndsElsewhere) {
   const Wearer wearer;
   Progress silent;
   DrapeOptions options;
-  options.threads = 1;
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const auto drape = [&] {
     return DrapeSession(wearer.garment, wearer.material, options, silent).put_on(wearer.still());
   };

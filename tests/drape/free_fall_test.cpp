@@ -37,7 +37,8 @@ struct TwoSquares {
   std::string falling(const Vec3& by = Vec3::Zero()) const {
     std::vector<Vec3> moved = x;
     for (Vec3& p : moved) p += by;
-    return FreeFall({&garment}).falling(moved, Box3(Vec3(-0.3, -0.2, 0), Vec3(0.3, 0.2, 1.7)));
+    const Box3 body(Vec3(-0.3, -0.2, 0), Vec3(0.3, 0.2, 1.7));
+    return FreeFall({&garment}).falling(moved, body).value_or(Stop{}).text();
   }
 };
 

@@ -4,10 +4,13 @@
 
 #include "loosefit/contact/candidate_pairs.h"
 #include "loosefit/contact/pair_distance.h"
+#include "loosefit/drape/settling_tuning.h"
 #include "support/shapes.h"
 
 namespace loosefit {
 namespace {
+
+const int kRounds = CarryTuning{}.impact_rounds;
 
 constexpr double kGap = 1e-3;
 
@@ -40,7 +43,7 @@ TEST(ImpactZones, LeaveWhatDoesNotCollideAlone) {
   const Layers layers;
   std::vector<Vec3> u(8, Vec3(0.1, 0, 0));
   for (int i = 4; i < 8; ++i) u[i] = Vec3(0.1, 0, 0.02);
-  EXPECT_EQ(without_impacts(layers.features(), layers.x, u), u);
+  EXPECT_EQ(without_impacts(layers.features(), layers.x, u, kRounds), u);
 }
 
 TEST(ImpactZones, MoveWhatWouldCollideTogether) {
@@ -48,7 +51,7 @@ TEST(ImpactZones, MoveWhatWouldCollideTogether) {
   std::vector<Vec3> u(8, Vec3::Zero());
   for (int i = 4; i < 8; ++i) u[i] = Vec3(0, 0, -0.01);  // through the lower sheet
   EXPECT_LT(layers.free_way(u), 0.2);
-  const std::vector<Vec3> kept = without_impacts(layers.features(), layers.x, u);
+  const std::vector<Vec3> kept = without_impacts(layers.features(), layers.x, u, kRounds);
   EXPECT_DOUBLE_EQ(layers.free_way(kept), 1);
   Vec3 mean = Vec3::Zero();
   for (const Vec3& d : kept) mean += d / 8;
@@ -61,7 +64,7 @@ TEST(ImpactZones, KeepARigidTurnOfAZone) {
   std::vector<Vec3> u;
   for (const Vec3& p : layers.x) u.push_back(turn * p - p);
   for (int i = 4; i < 8; ++i) u[i].z() -= 3e-3;  // and the upper sheet presses on
-  const std::vector<Vec3> kept = without_impacts(layers.features(), layers.x, u);
+  const std::vector<Vec3> kept = without_impacts(layers.features(), layers.x, u, kRounds);
   EXPECT_DOUBLE_EQ(layers.free_way(kept), 1);
   for (int i = 1; i < 8; ++i)
     EXPECT_NEAR((layers.x[i] + kept[i] - layers.x[0] - kept[0]).norm(),

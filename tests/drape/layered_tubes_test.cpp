@@ -20,6 +20,7 @@ Material foil(double stiffness, double thickness) {
   m.stiffness_shear = stiffness / 2;
   m.bending_warp = m.bending_weft = 1e-9;
   m.thickness = thickness;
+  m.friction_self = 0.3;
   return m;
 }
 
@@ -73,8 +74,7 @@ TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
   const auto body = with_field(cylinder, bounds(x), 0.003);
   DrapeOptions options;
   options.gravity = 0;
-  ClothModel model({{&a, inner, inner.thickness}, {&b, outer, outer.thickness}},
-                   Eigen::Matrix2d::Constant(0.3), options);
+  ClothModel model({{&a, inner, inner.thickness}, {&b, outer, outer.thickness}}, options);
   model.set_field(body->field);
   ASSERT_EQ(model.mesh().layers(), 2);
   SettleOptions settle;

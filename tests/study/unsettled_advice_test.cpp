@@ -7,19 +7,19 @@
 namespace loosefit {
 namespace {
 
-Drape cut_by(const std::string& part) {
+Drape cut_by(Segment part) {
   Drape drape;
-  drape.certificate.stop_reason = "converged, but 3 triangle pairs cut the body";
+  drape.certificate.reason = StopReason::converged;
   drape.certificate.intersections_body = 3;
   drape.unsettled.emplace();
   CutTriangle cut;
-  cut.with = part;
+  cut.segment = part;
   cut.body = true;
   drape.unsettled->cuts = {cut};
   return drape;
 }
 
-std::string advice(const Scenario& scenario, const std::string& part = "left upper arm") {
+std::string advice(const Scenario& scenario, Segment part = Segment::upper_arm) {
   return unsettled_advice(scenario, cut_by(part));
 }
 
@@ -31,7 +31,7 @@ TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
   Scenario scenario = default_scenario();
   EXPECT_TRUE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "body.posture"));
-  EXPECT_FALSE(has(advice(scenario, "left shank"), "arms"));
+  EXPECT_FALSE(has(advice(scenario, Segment::shank), "arms"));
   scenario.studied().spec.size = "women-38";
   EXPECT_FALSE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "garment.size"));
@@ -45,7 +45,7 @@ TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
 }
 
 TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
-  Drape drape = cut_by("torso");
+  Drape drape = cut_by(Segment::torso);
   drape.certificate.intersections_body = 0;
   Scenario scenario = default_scenario();
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "start_perturbation = 0.001"));
@@ -57,15 +57,14 @@ TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
 }
 
 TEST(UnsettledAdvice, MoreTimeDoesNotHelpWhatFalls) {
-  Drape drape = cut_by("torso");
+  Drape drape = cut_by(Segment::torso);
   Scenario scenario = default_scenario();
   scenario.studied().spec.file = "/tmp/trousers.json";
-  drape.certificate.stop_reason = "the cloth falls freely: it touches the body nowhere";
+  drape.certificate.reason = StopReason::cloth_falls;
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "place the panels"));
-  drape.certificate.stop_reason =
-      "panel belt is sewn to nothing that stays on the body and falls freely";
+  drape.certificate.reason = StopReason::pieces_fall;
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "stitch"));
-  drape.certificate.stop_reason = "time budget";
+  drape.certificate.reason = StopReason::time_budget;
   EXPECT_EQ(unsettled_advice(scenario, drape), "raise simulation.time_budget");
 }
 

@@ -56,7 +56,7 @@ CaseResult make_worn_case() {
     if (!id.in_first_donning())
       for (Vec3& point : x) point.z() -= 0.005;
     if (!id.in_reference_posture()) {
-      const auto way = way_of(skin_motion(result.body.body, result.body_in(id.posture), x), x);
+      const auto way = displacements(skin_motion(result.body.body, result.body_in(id.posture), x), x);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
     }
     result.wear.states.push_back(std::move(state));

@@ -7,14 +7,9 @@
 #include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit {
-namespace {
-
-constexpr double kClose = 0.005, kApart = 0.04;  ///< distances of full and of no coupling [m]
-
-}  // namespace
 
 std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<Vec3>& x,
-                                      std::vector<MotionMap> motion) {
+                                      std::vector<MotionMap> motion, const CarryTuning& tuning) {
   motion = smoothed_over(cloth.triangles, x, std::move(motion));
   for (int layer = 1; layer < cloth.layers(); ++layer) {
     TriangleMesh under;
@@ -25,7 +20,8 @@ std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<
     tbb::parallel_for(cloth.first_vertex[layer], cloth.first_vertex[layer + 1], [&](int i) {
       const ClosestPoint hit = tree.query(x[i]);
       const double distance = (hit.point - x[i]).norm();
-      const double share = std::clamp((kApart - distance) / (kApart - kClose), 0.0, 1.0);
+      const double share = std::clamp(
+          (tuning.layer_apart - distance) / (tuning.layer_apart - tuning.layer_close), 0.0, 1.0);
       if (!(share > 0)) return;
       MotionMap there = MotionMap::Zero();
       for (int k = 0; k < 3; ++k)

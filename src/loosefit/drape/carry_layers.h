@@ -1,6 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/contact_body.h"
+#include "loosefit/drape/settling_tuning.h"
 
 namespace loosefit {
 
@@ -8,6 +9,6 @@ namespace loosefit {
 /// but where a layer lies close over others, theirs. Neighbouring layers then move as one smooth
 /// field does and do not run into each other, which two fields smoothed apart would.
 std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<Vec3>& x,
-                                      std::vector<MotionMap> motion);
+                                      std::vector<MotionMap> motion, const CarryTuning& tuning);
 
 }  // namespace loosefit

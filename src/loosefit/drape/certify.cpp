@@ -7,7 +7,7 @@
 namespace loosefit {
 
 Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
-                    const std::string& stop_reason) {
+                    const Stop& stop, double allowed_residual) {
   Certificate c;
   model.system().begin_step(x, std::numeric_limits<double>::infinity());
   const Residual r = residual_of(model.system(), model.system().gradient(x));
@@ -20,7 +20,9 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBo
     c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
   c.intersections_body =
       static_cast<int>(mesh_intersections(x, cloth.triangles, body.tree()).size());
-  c.stop_reason = stop_reason;
+  c.allowed_residual = allowed_residual;
+  c.reason = stop.reason;
+  c.stop_reason = stop.text();
   // Balanced forces alone are no rest: say what is left.
   if (c.intersections_body + c.intersections_self > 0)
     c.stop_reason += ", but " + std::to_string(c.intersections_body) +

@@ -5,8 +5,9 @@
 
 namespace loosefit {
 
-/// Measures the force balance and tests for intersections with exact predicates, of all layers.
+/// Measures the force balance, which may be up to `allowed_residual`, and tests for intersections
+/// with exact predicates, of all layers. `stop`: why settling ended.
 Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
-                    const std::string& stop_reason);
+                    const Stop& stop, double allowed_residual = kRestTolerance);
 
 }  // namespace loosefit

@@ -26,19 +26,6 @@ ClothMesh joined(const std::vector<const Garment*>& garments) {
   return all;
 }
 
-Eigen::MatrixXd layer_friction(const std::vector<ClothLayer>& layers) {
-  const auto n = static_cast<Eigen::Index>(layers.size());
-  Eigen::MatrixXd friction(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      const Material &upper = layers[i].material, &lower = layers[j].material;
-      const double mean = 0.5 * (upper.friction_self + lower.friction_self);
-      friction(i, j) = friction(j, i) =
-          i == j ? upper.friction_self : layers[j].friction_over.value_or(mean);
-    }
-  return friction;
-}
-
 Drape drape_of_layer(const Drape& all, const std::vector<ClothLayer>& layers, int layer) {
   if (layers.size() == 1) return all;
   std::size_t first = 0, count = 0, total = 0;

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -31,9 +30,6 @@ struct ClothMesh {
   std::vector<Triangle> triangles_of(int layer) const;
 };
 ClothMesh joined(const std::vector<const Garment*>& garments);
-
-/// μ between each two layers [–], symmetric, friction_self on the diagonal.
-Eigen::MatrixXd layer_friction(const std::vector<ClothLayer>& layers);
 
 /// What a drape of several layers says of one: positions and forces of that garment; certificate
 /// and report are those of the whole. \throws Error when the drape is not of these layers.

@@ -8,13 +8,12 @@
 namespace loosefit {
 namespace {
 
-/// Transverse stiffness of the fabric layer [Pa/m]: 5 kPa, above the pressures of clothing
-/// (docs/theory/contact.md 1), compress half the thickness; stiffer fabrics press harder in
-/// proportion.
-double layer_stiffness(const Material& m) {
-  constexpr double kPressure = 5000, kReferenceStiffness = 2000;
+/// Transverse stiffness of the fabric layer [Pa/m]: a pressure above those of clothing compresses
+/// (docs/theory/contact.md 1) half the thickness; stiffer fabrics press harder in proportion.
+double transverse_stiffness(const Material& m, const ClothModelTuning& tuning) {
   const double stiffest = std::max(m.stiffness_warp, m.stiffness_weft);
-  return kPressure * std::max(1.0, stiffest / kReferenceStiffness) / (0.5 * m.thickness);
+  return tuning.layer_pressure * std::max(1.0, stiffest / tuning.reference_stiffness) /
+         (0.5 * m.thickness);
 }
 
 /// Explicit viscosity is stable only well below the time in which a wave crosses a triangle.
@@ -22,7 +21,8 @@ Material stable(Material m, const Garment& garment, const DrapeOptions& options)
   if (options.integrator != IntegratorKind::semi_implicit_euler) return m;
   const double speed = std::sqrt(std::max(m.stiffness_warp, m.stiffness_weft) /
                                  ((1 - m.poisson * m.poisson) * m.areal_density));
-  m.damping = std::min(m.damping, 0.1 * shortest_height(garment.triangle_uv) / speed);
+  m.damping = std::min(
+      m.damping, options.tuning.cloth.wave_share * shortest_height(garment.triangle_uv) / speed);
   return m;
 }
 
@@ -39,13 +39,26 @@ std::vector<ContactPoint> layer_points(const ClothMesh& mesh, int layer, const G
 
 }  // namespace
 
+Eigen::MatrixXd layer_friction(const std::vector<ModelLayer>& layers) {
+  const auto n = static_cast<Eigen::Index>(layers.size());
+  Eigen::MatrixXd friction(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const Material &upper = layers[i].material, &lower = layers[j].material;
+      const double mean = 0.5 * (upper.friction_self + lower.friction_self);
+      friction(i, j) = friction(j, i) =
+          i == j ? upper.friction_self : layers[j].friction_over.value_or(mean);
+    }
+  return friction;
+}
+
 ClothModel::ClothModel(const Garment& garment, const Material& material,
                        const DrapeOptions& options, double self_thickness)
-    : ClothModel({{&garment, material, self_thickness}},
-                 Eigen::MatrixXd::Constant(1, 1, material.friction_self), options) {}
+    : ClothModel({{&garment, material, self_thickness}}, options) {}
 
-ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const Eigen::MatrixXd& friction,
-                       const DrapeOptions& options) {
+ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions& options) {
+  const ClothModelTuning& tuning = options.tuning.cloth;
+  const Eigen::MatrixXd friction = layer_friction(layers);
   const bool viscous = options.integrator != IntegratorKind::quasi_static;
   std::vector<const Garment*> garments;
   for (const ModelLayer& layer : layers) garments.push_back(layer.garment);
@@ -62,10 +75,10 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const Eigen::Matri
                                                        garment.triangle_built_in));
     system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
     half_thickness_.push_back(0.5 * m.thickness);
-    layer_stiffness_.push_back(layer_stiffness(m));
-    body_.push_back(
-        std::make_unique<BodyContact>(layer_points(mesh_, l, garment, half_thickness_.back()),
-                                      layer_stiffness_.back(), m.friction_body, kStickReach));
+    contact_stiffness_.push_back(transverse_stiffness(m, tuning));
+    body_.push_back(std::make_unique<BodyContact>(
+        layer_points(mesh_, l, garment, half_thickness_.back()), contact_stiffness_.back(),
+        m.friction_body, tuning.stick_reach));
     if (mesh_.layers() > 1)
       contact.triangle_thickness.resize(mesh_.first_triangle[l + 1], layers[l].self_thickness);
   }
@@ -76,7 +89,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const Eigen::Matri
     contact.triangle_layer = mesh_.triangle_layer;
     contact.layer_friction = friction;
   }
-  contact.stick_reach = kStickReach;
+  contact.stick_reach = tuning.stick_reach;
   self_ = std::make_unique<SelfContact>(mesh_.triangles, mesh_.area, mesh_.vertices, contact);
   for (const auto& e : membrane_) system_.energies.push_back(e.get());
   for (const auto& e : bending_) system_.energies.push_back(e.get());
@@ -86,10 +99,10 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const Eigen::Matri
   system_.gravity = options.gravity;
 }
 
-void ClothModel::pad_body(double thickness) {
+void ClothModel::soften_body_contact(double thickness) {
   for (int l = 0; l < mesh_.layers(); ++l) {
     const double offset = std::max(thickness, half_thickness_[l]);
-    body_[l]->set_layer(offset, layer_stiffness_[l] * half_thickness_[l] / offset);
+    body_[l]->set_layer(offset, contact_stiffness_[l] * half_thickness_[l] / offset);
   }
 }
 

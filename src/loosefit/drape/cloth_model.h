@@ -14,8 +14,6 @@
 
 namespace loosefit {
 
-inline constexpr double kStickReach = 1e-4;  ///< elastic creep before Coulomb slip [m]
-
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
   std::vector<BodyContact::Memory> body;  ///< per layer
@@ -28,16 +26,18 @@ struct ModelLayer {
   const Garment* garment = nullptr;
   Material material;
   double self_thickness = 5e-4;  ///< distance at which it begins to repel cloth, shared by both [m]
+  std::optional<double> friction_over = {};  ///< as ClothLayer::friction_over
 };
+
+/// μ between each two layers [–], symmetric, friction_self on the diagonal.
+Eigen::MatrixXd layer_friction(const std::vector<ModelLayer>& layers);
 
 /// All energies of one level of a garment, or of several worn over each other, and the particle
 /// system that refers to them. Each layer has its own elasticity and its own contact with the body;
 /// contact of cloth with cloth is one for all.
 class ClothModel {
  public:
-  /// friction: between the layers (layer_friction).
-  ClothModel(const std::vector<ModelLayer>& layers, const Eigen::MatrixXd& friction,
-             const DrapeOptions& options);
+  ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions& options);
   /// self_thickness: distance at which layers begin to repel [m].
   ClothModel(const Garment& garment, const Material& material, const DrapeOptions& options,
              double self_thickness);
@@ -58,7 +58,7 @@ class ClothModel {
 
   /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
   /// thicker than half the fabric; 0: by the fabric itself.
-  void pad_body(double thickness);
+  void soften_body_contact(double thickness);
 
   /// Takes the weight off the cloth; residuals still refer to it.
   void take_weight() { gravity_->set_gravity(0); }
@@ -74,7 +74,7 @@ class ClothModel {
   std::unique_ptr<GravityEnergy> gravity_;
   std::vector<std::unique_ptr<BodyContact>> body_;
   std::unique_ptr<SelfContact> self_;
-  std::vector<double> half_thickness_, layer_stiffness_;  // per layer
+  std::vector<double> half_thickness_, contact_stiffness_;  // per layer
   ParticleSystem system_;
 };
 

@@ -87,10 +87,11 @@ std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
   return motion;
 }
 
-std::vector<Vec3> way_of(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x) {
-  std::vector<Vec3> way(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) way[i] = motion[i] * x[i].homogeneous() - x[i];
-  return way;
+std::vector<Vec3> displacements(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x) {
+  std::vector<Vec3> displacement(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    displacement[i] = motion[i] * x[i].homogeneous() - x[i];
+  return displacement;
 }
 
 }  // namespace loosefit

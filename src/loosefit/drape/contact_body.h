@@ -29,7 +29,7 @@ std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
                                      const std::vector<Vec3>& x, std::vector<MotionMap> motion);
 
 /// How far each point goes [m].
-std::vector<Vec3> way_of(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x);
+std::vector<Vec3> displacements(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x);
 
 /// Box round points.
 Box3 bounds(const std::vector<Vec3>& x);

@@ -4,14 +4,16 @@
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/drape/recovery.h"
+#include "loosefit/drape/stop_reason.h"
 #include "loosefit/drape/unsettled.h"
+#include "loosefit/solver/rest_tolerance.h"
 #include "loosefit/solver/solver_work.h"
 
 namespace loosefit {
 
 /// Proof that a drape is at rest and worn, or why it is not (docs/theory/solver.md 1).
 struct Certificate {
-  static constexpr double kAllowedResidual = 1e-3;
   double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
   double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
   int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
@@ -21,11 +23,16 @@ struct Certificate {
   /// Why it is not worn (drape/worn.h); of a drape of several garments those of each. Who only
   /// drapes does not ask: empty then.
   std::vector<std::string> worn_reasons = {};
+  /// What the residual is judged by [–]: kRestTolerance, or the tolerance that was sought where
+  /// that was looser (DrapeOptions::residual_tolerance).
+  double allowed_residual = kRestTolerance;
+  StopReason reason = StopReason::unknown;  ///< stop_reason in one word
   bool worn() const { return worn_reasons.empty(); }
   /// What maps and exit codes ask for.
   bool holds() const { return settled() && worn(); }
+  bool is_balanced() const { return residual <= allowed_residual; }
   bool settled() const {
-    return residual <= kAllowedResidual && intersections_body == 0 && intersections_self == 0;
+    return is_balanced() && intersections_body == 0 && intersections_self == 0;
   }
 };
 
@@ -44,6 +51,13 @@ struct PartWork {
   SolverWork work;
 };
 
+/// How often a recovery was tried (drape/recoveries.h).
+struct RecoveryCount {
+  RecoveryKind kind;
+  std::string name;
+  int times = 0;
+};
+
 /// Counters and timers of a settle run.
 struct SettleReport {
   int ccd_queries = 0;
@@ -54,7 +68,13 @@ struct SettleReport {
   int held_off_triangles = 0;
   double largest_contact_offset = 0;
   std::vector<SettleSample> history;
+  std::vector<RecoveryCount> recoveries;  ///< in the order of their first trial
+  /// Why the garment found no room in the first dressing posture; empty: it did.
+  std::string no_room;
 
+  /// One more trial.
+  void count(RecoveryKind kind, const std::string& name);
+  bool was_tried(RecoveryKind kind) const;
   SolverWork total() const {
     SolverWork sum;
     for (const PartWork& p : parts) sum += p.work;

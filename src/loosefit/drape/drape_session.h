@@ -29,26 +29,28 @@ class DrapeSession {
   DrapeSession(const DrapeSession&) = delete;
   DrapeSession& operator=(const DrapeSession&) = delete;
 
-  /// As drape_garment; its body_at(1) is the posture in which the wearer then stands.
-  Drape put_on(const BodyPath& body_at);
+  /// Dresses the garments at the beginning of `path`, settles them coarse to fine at its end, and
+  /// certifies them there. Where they find no room, at the beginning of `wide_path`, if there is
+  /// one: the report then says why (SettleReport::no_room). Does not throw when it fails to settle:
+  /// the certificate says why. Calls progress.stage("dress") and progress.stage("settle").
+  /// \throws NoRoom when the garments find no room round the body in any of these postures,
+  /// GeometryError if they cannot be put on (no arms for sleeves, …), Cancelled.
+  Drape put_on(const BodyPath& path, const BodyPath& wide_path = {});
 
-  /// The body moves from where put_on left it to body_at(1), body_at giving the way; the cloth goes
+  /// The body moves from where put_on left it to path(1), path giving the way; the cloth goes
   /// along with the skin and rubs on it in steps, then settles on the finest level as after
-  /// put_on. Not dressed again. The time budget of the options holds for each call. Does not throw
-  /// when it fails to settle. Several may be under way at the same time, with `budget` times the
-  /// time for each. \throws Error before put_on; Cancelled.
-  Drape follow(const BodyPath& body_at, Progress& progress, double budget = 1) const;
+  /// put_on. Not dressed again. Budget and iterations of the options hold for each call. Does not
+  /// throw when it fails to settle. Several may be under way at the same time, `at_once` of them
+  /// sharing the threads (DrapeOptions::drapes_at_once). \throws Error before put_on; Cancelled.
+  Drape follow(const BodyPath& path, Progress& progress, int at_once = 1) const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// Dress, then settle: garment levels coarse to fine on the body; returns the finest level's drape.
-/// Does not throw when it fails to settle: the certificate says why.
-/// Calls progress.stage("dress") and progress.stage("settle").
-/// \throws GeometryError if the garment cannot be put on (no arms for sleeves, …), Cancelled.
-Drape drape_garment(const GarmentHierarchy& garment, const Material& material,
-                    const BodyPath& body_at, const DrapeOptions& options, Progress& progress);
+/// A session of one garment that is put on, and nothing else.
+Drape drape_garment(const GarmentHierarchy& garment, const Material& material, const BodyPath& path,
+                    const DrapeOptions& options, Progress& progress);
 
 }  // namespace loosefit

@@ -68,17 +68,22 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
                                   const PosedBody& body) {
   std::vector<CutTriangle> cuts;
   std::map<std::pair<int, std::string>, bool> seen;
-  const auto add = [&](int t, const std::string& with, bool is_body) {
-    if (!seen.emplace(std::pair(t, with), true).second) return;
+  const auto add = [&](int t, const std::string& with) -> CutTriangle* {
+    if (!seen.emplace(std::pair(t, with), true).second) return nullptr;
     cuts.push_back(cut_triangle(w, x, t));
     cuts.back().with = with;
-    cuts.back().body = is_body;
+    return &cuts.back();
   };
   const TriangleMesh& skin = body->surface;
   const auto& triangles = w.mesh.triangles;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, body.tree()))
-    add(t, part_name(body, skin.triangles[s][0]), true);
-  for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s), false);
+  for (const auto& [t, s] : mesh_intersections(x, triangles, body.tree())) {
+    const int skin_vertex = skin.triangles[s][0];
+    CutTriangle* cut = add(t, part_name(body, skin_vertex));
+    if (!cut) continue;
+    cut->body = true;
+    if (!body->segment.empty()) cut->segment = body->segment[skin_vertex];
+  }
+  for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s));
   return cuts;
 }
 
@@ -114,14 +119,6 @@ std::string balance_in_words(const Unsettled& u) {
                     v.force[order[0]], kForceNames[order[1]], v.force[order[1]]);
 }
 
-std::string hint_for(const Certificate& c) {
-  if (c.stop_reason.starts_with("time budget")) return "raise simulation.time_budget";
-  if (c.stop_reason.starts_with("iteration limit")) return "raise simulation.max_iterations";
-  if (c.intersections_body > 0)
-    return "a smaller simulation.edge_length follows the skin more closely";
-  return "another start may do: simulation.start_perturbation = 0.001";
-}
-
 }  // namespace
 
 Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>& layers,
@@ -140,7 +137,7 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
   }
   const double lag = std::pow(model.system().lagged_friction_force(), 2);
   u.lagging_share = sum + lag > 0 ? lag / (sum + lag) : 0;
-  u.times_allowed = certificate.residual / Certificate::kAllowedResidual;
+  u.times_allowed = certificate.residual / certificate.allowed_residual;
   std::vector<int> order(x.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return square[a] > square[b]; });
@@ -160,14 +157,12 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
     u.worst.push_back(std::move(v));
   }
   u.cuts = all_cuts(wardrobe, x, body);
-  if (!(certificate.residual <= Certificate::kAllowedResidual) && !u.worst.empty())
-    u.why = balance_in_words(u);
+  if (!certificate.is_balanced() && !u.worst.empty()) u.why = balance_in_words(u);
   for (bool of_body : {true, false}) {
     const std::string text = cuts_in_words(u.cuts, of_body);
     if (!text.empty()) u.why += (u.why.empty() ? "" : "; ") + text;
   }
   u.cuts.resize(std::min(kCuts, u.cuts.size()));
-  u.hint = hint_for(certificate);
   return u;
 }
 

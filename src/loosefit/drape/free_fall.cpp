@@ -10,9 +10,6 @@
 namespace loosefit {
 namespace {
 
-constexpr double kTogether = 0.02, kAside = 0.10;  // [m]
-constexpr std::size_t kMostNames = 6;
-
 /// Sets of numbers that are joined pair by pair.
 class Sets {
  public:
@@ -37,21 +34,10 @@ class Sets {
   std::vector<int> parent_;
 };
 
-bool misses(const std::vector<Vec3>& x, const std::vector<int>& cloth, const Box3& body) {
-  Vec3 centre = Vec3::Zero();
-  double top = -std::numeric_limits<double>::infinity(), reach = 0;
-  for (int v : cloth) centre += x[v], top = std::max(top, x[v].z());
-  centre /= static_cast<double>(cloth.size());
-  if (top < body.min().z()) return true;
-  for (int v : cloth) reach = std::max(reach, (x[v] - centre).norm());
-  const Vec2 at = centre.head<2>();
-  const Vec2 nearest = at.cwiseMax(body.min().head<2>()).cwiseMin(body.max().head<2>());
-  return (at - nearest).norm() > reach + kAside;
-}
-
 }  // namespace
 
-FreeFall::FreeFall(const std::vector<const Garment*>& layers) : layers_(layers) {
+FreeFall::FreeFall(const std::vector<const Garment*>& layers, const FreeFallTuning& tuning)
+    : layers_(layers), tuning_(tuning) {
   int vertices = 0;
   for (const Garment* layer : layers) vertices += layer->vertex_count;
   Sets sewn(vertices);
@@ -64,12 +50,25 @@ FreeFall::FreeFall(const std::vector<const Garment*>& layers) : layers_(layers) 
   pieces_ = sewn.all();
 }
 
-std::string FreeFall::falling(const std::vector<Vec3>& x, const Box3& body) const {
+bool FreeFall::misses(const std::vector<Vec3>& x, const std::vector<int>& cloth,
+                      const Box3& body) const {
+  Vec3 centre = Vec3::Zero();
+  double top = -std::numeric_limits<double>::infinity(), reach = 0;
+  for (int v : cloth) centre += x[v], top = std::max(top, x[v].z());
+  centre /= static_cast<double>(cloth.size());
+  if (top < body.min().z()) return true;
+  for (int v : cloth) reach = std::max(reach, (x[v] - centre).norm());
+  const Vec2 at = centre.head<2>();
+  const Vec2 nearest = at.cwiseMax(body.min().head<2>()).cwiseMin(body.max().head<2>());
+  return (at - nearest).norm() > reach + tuning_.aside;
+}
+
+std::optional<Stop> FreeFall::falling(const std::vector<Vec3>& x, const Box3& body) const {
   std::vector<Box3> boxes;
   for (const std::vector<int>& piece : pieces_) {
     Box3 box;
     for (int v : piece) box.extend(x[v]);
-    const Vec3 margin = Vec3::Constant(kTogether / 2);
+    const Vec3 margin = Vec3::Constant(tuning_.together / 2);
     boxes.emplace_back(Vec3(box.min() - margin), Vec3(box.max() + margin));
   }
   Sets near(pieces_.size());
@@ -83,12 +82,13 @@ std::string FreeFall::falling(const std::vector<Vec3>& x, const Box3& body) cons
     if (misses(x, cloth, body)) lost.insert(lost.end(), group.begin(), group.end());
   }
   if (lost.empty()) return {};
-  if (lost.size() == pieces_.size()) return "the cloth falls freely: it touches the body nowhere";
-  return panels_of(lost) + " sewn to nothing that stays on the body and " +
-         (lost.size() == 1 ? "falls" : "fall") + " freely";
+  if (lost.size() == pieces_.size()) return Stop{StopReason::cloth_falls};
+  return Stop{.reason = StopReason::pieces_fall,
+              .pieces = static_cast<int>(lost.size()),
+              .panels = panels_of(lost)};
 }
 
-std::string FreeFall::panels_of(const std::vector<int>& pieces) const {
+std::vector<std::string> FreeFall::panels_of(const std::vector<int>& pieces) const {
   std::vector<std::string> names;
   for (int piece : pieces) {
     const std::set<int> vertices(pieces_[piece].begin(), pieces_[piece].end());
@@ -102,12 +102,7 @@ std::string FreeFall::panels_of(const std::vector<int>& pieces) const {
       for (int panel : panels) names.push_back(printable(garment.panel_names[panel]));
     }
   }
-  const bool one = names.size() == 1;
-  if (names.size() > kMostNames) {
-    names.resize(kMostNames);
-    names.back() += ", …";
-  }
-  return (one ? "panel " : "panels ") + join(names) + (one ? " is" : " are");
+  return names;
 }
 
 }  // namespace loosefit

@@ -11,6 +11,6 @@ namespace loosefit {
 /// fits its displacements best (rigid impact zones: Provot 1997; Bridson, Fedkiw and Anderson
 /// 2002). After `rounds` without success what is left is returned as it is.
 std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::vector<Vec3>& x,
-                                  const std::vector<Vec3>& displacement, int rounds = 30);
+                                  const std::vector<Vec3>& displacement, int rounds);
 
 }  // namespace loosefit

@@ -1,138 +1,113 @@
+#include "loosefit/drape/settle_garment.h"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 
-#include "loosefit/drape/cloth_run.h"
-#include "loosefit/drape/hold_off_cuts.h"
-#include "loosefit/dress/dress_layers.h"
-#include "loosefit/kinds/registry.h"
+#include "loosefit/drape/phases/certify_state.h"
+#include "loosefit/drape/phases/contract.h"
+#include "loosefit/drape/phases/disturb_start.h"
+#include "loosefit/drape/phases/dress_on.h"
+#include "loosefit/drape/phases/follow_posture.h"
+#include "loosefit/drape/phases/free_penetrations.h"
+#include "loosefit/drape/phases/settle_levels.h"
 
+// How a drape is made, in the order in which it happens. What is tried when a phase fails stands in
+// drape/recoveries.cpp, all numbers in drape/settling_tuning.h.
 namespace loosefit {
 namespace {
 
-constexpr double kDressTolerance = 5.0;  ///< residual at which the dressed coarse level may move on
-constexpr double kContractTolerance = 30;  ///< residual while the softened start contracts
-constexpr int kContractIterations = 60;
-constexpr int kCutRounds = 30;  ///< attempts to free the last cuts into the body
-/// Residuals on the way down at which cuts are looked for, and first pseudo-steps on each part [s].
-constexpr std::pair<double, double> kCutTolerances[] = {{30.0, 0.1}, {5.0, 0.5}, {1.0, 2.5}};
-constexpr int kCutIterations = 15;     ///< at most, before each of these looks
-constexpr double kCutTolerance = 1.0;  ///< residual at which the last cuts are looked for
-constexpr double kFirstDt = 0.5;       ///< first pseudo-step on the way to rest [s]
+/// What postures start from.
+std::shared_ptr<const WornCloth> worn_cloth(ClothState& state) {
+  state.handed_on.push_back({state.x, state.model->memory()});
+  int iterations = 0;
+  for (const PartWork& p : state.report.parts)
+    if (p.level == state.level && (p.part == "settle" || p.part == "retry"))
+      iterations += p.work.iterations;
+  return std::make_shared<const WornCloth>(
+      WornCloth{std::move(state.handed_on), state.body, iterations});
+}
+
+/// Takes up the cloth as it is worn, on the level on which the posture is followed: the coarsest,
+/// where an iteration costs a fraction; the finest for several layers, or when nothing moves.
+void take_up(ClothState& state, std::shared_ptr<const WornCloth> worn) {
+  state.worn = std::move(worn);
+  state.body = state.worn->body;
+  const FollowTuning& tuning = state.tuning.follow;
+  const bool still = largest_turn(state.body->body, state.path(1.0), tuning) < tuning.no_turn;
+  state.level = state.is_single() && !still ? 0 : state.level_count() - 1;
+  const WornCloth::Level& level = state.worn->levels[state.level];
+  state.x = level.x;
+  state.make_model();
+  state.model->recall(level.memory);
+  state.model->set_field(state.body->field);  // the level may remember an older one
+}
+
+/// Whether the cloth is caught between folds of skin, which do not let go of it: no use in trying
+/// on. `deepest`: how deep coarse levels lay in the skin [m].
+bool is_caught(ClothState& state, double deepest) {
+  const FollowTuning& tuning = state.tuning.follow;
+  if (deepest < tuning.caught_depth) {
+    state.settle({tuning.one_layer.tolerance, tuning.longer * tuning.one_layer.iterations,
+                  tuning.finest_first_dt, true});
+    deepest = depth_in_skin(state.x, state.body->body);
+  }
+  if (!(deepest > tuning.caught_depth)) return false;
+  state.given_up = Stop{.reason = StopReason::caught_in_skin, .depth = deepest};
+  return true;
+}
+
+/// At rest on the finest level, within so many times the iterations that putting on took there.
+void settle_followed(ClothState& state) {
+  const FollowTuning& tuning = state.tuning.follow;
+  const int most =
+      std::max(tuning.least_iterations, tuning.iterations_factor * state.worn->iterations);
+  state.budget.limit_phase(most);
+  free_penetrations(state);
+  if (state.budget.phase_is_over())
+    state.given_up = Stop{.reason = StopReason::posture_too_long, .iterations = most};
+}
 
 }  // namespace
 
-Drape ClothRun::put_on(const BodyPath& body_at) {
-  progress_.stage("dress");
-  dress(body_at(0.0));
-  progress_.stage("settle");
-  part_ = "posture";
-  walk(body_at);
-  part_ = "settle";
-  model_->pad_body(0);
-  settle_levels();
-  Drape drape = finish();
-  if (may_try_again(drape.certificate)) {
-    settle_from_pad();
-    drape = finish();
-    first_try_.reset();
-  }
-  handed_on_.push_back({x_, model_->memory()});
-  int iterations = 0;
-  for (const PartWork& p : report_.parts)
-    if (p.level == level_ && (p.part == "settle" || p.part == "retry"))
-      iterations += p.work.iterations;
-  worn_ = std::make_shared<const WornCloth>(WornCloth{std::move(handed_on_), body_, iterations});
+Drape dress_and_settle(ClothState& state, const BodyPath& path, const BodyPath& wide_path,
+                       std::shared_ptr<const WornCloth>& worn) {
+  state.path = path, state.wide_path = wide_path;
+  state.part = "dress";
+  state.progress.stage("dress");
+  dress_on(state);
+  contract_soft(state);
+  disturb_start(state);
+  contract(state);
+
+  state.part = "posture";
+  state.progress.stage("settle");
+  follow_posture(state);
+  state.soften_contact(false);
+
+  state.part = "settle";
+  settle_coarse_levels(state);
+  free_penetrations(state);
+  certify_state(state);
+  Drape drape = make_drape(state);
+  worn = worn_cloth(state);
   return drape;
 }
 
-void ClothRun::dress(const PosedBody& body) {
-  std::vector<LayerToDress> to_dress;
-  for (int l = 0; l < layers(); ++l) {
-    const Pattern& pattern = layers_[l].garment->pattern;
-    to_dress.push_back({&level_garment(l), &pattern, garment_kind(pattern.kind).lay});
-  }
-  x_ = dress_layers(to_dress, body);
-  perturb();
-  body_ = with_field(body, bounds(x_), kFieldSpacing);
-  // The strained start contracts as if it were soft at first, and without friction, so
-  // that it comes to lie on the limbs and is not pulled through them. It has no weight until it is
-  // as stiff and as rough as it is: a waistband that stretches over the hips would fall.
-  for (double share : {0.01, 0.1}) {
-    make_model(share, false);
-    model_->take_weight();
-    if (layers() == 1) model_->pad_body(kPad);
-    if (!is_late()) settle(kContractTolerance, kContractIterations, 0.01, true);
-  }
-  make_model();
-  if (layers() == 1) model_->pad_body(kPad);
-  if (!is_late()) displace();
-  if (!is_late()) settle(kDressTolerance, options_.max_iterations, 0.01, true);
-}
+Drape follow_wearer(ClothState& state, const BodyPath& path,
+                    std::shared_ptr<const WornCloth> worn) {
+  state.path = path;
+  state.part = "posture";
+  take_up(state, std::move(worn));
+  // On the finest level a soft layer would undo what holds triangles off the skin.
+  const bool soft = state.is_single() && !state.is_finest();
+  if (soft) state.soften_contact(true);
+  follow_posture(state);
+  if (soft) state.soften_contact(false);
+  const double deepest = settle_coarse_levels_as_worn(state);
 
-void ClothRun::settle_levels() {
-  while (!is_finest()) {
-    if (!is_late()) settle(kCoarseTolerance, options_.max_iterations, 0.02);
-    handed_on_.push_back({x_, model_->memory()});
-    refine();
-  }
-  settle_finest();
-}
-
-bool ClothRun::may_try_again(const Certificate& c) const {
-  const double allowed = std::max(options_.residual_tolerance, Certificate::kAllowedResidual);
-  const bool failed = c.intersections_body > 0 || c.residual > allowed;
-  // The pad frees cloth from the skin, not from other cloth.
-  return failed && c.intersections_self == 0 && layers() == 1 && !over() &&
-         options_.integrator == IntegratorKind::quasi_static;
-}
-
-void ClothRun::settle_from_pad() {
-  keep(first_try_, last_.residual);
-  first_try_->ended = how_it_ended();
-  lowest_.reset(), clear_.reset();
-  report_.held_off_triangles = 0;
-  part_ = "retry";
-  progress_.update(0, kOnceMore);
-  make_model();
-  model_->pad_body(kPad);
-  settle(kDressTolerance, options_.max_iterations, 0.01, true);
-  model_->pad_body(0);
-  if (!over()) settle_finest();
-}
-
-void ClothRun::settle_finest() {
-  // Cuts into the skin are looked for long before the last digits of the balance are sought.
-  std::map<int, int> times_cut;
-  std::vector<double> half_thickness;
-  for (const ClothLayer& layer : layers_) half_thickness.push_back(0.5 * layer.material.thickness);
-  lowest_.reset(), clear_.reset();
-  const auto hold_off = [&](bool look_ahead) {
-    const bool low = !clear_ || last_.residual < clear_->residual;
-    std::optional<Kept> here;
-    if (low) keep(here, last_.residual);
-    const CutRound round =
-        hold_off_cuts(*model_, *body_, x_, half_thickness, look_ahead, times_cut);
-    if (low && !round.cuts) clear_ = std::move(here);
-    report_.held_off_triangles = static_cast<int>(times_cut.size());
-    return round.cuts && round.held;
-  };
-  for (const auto& [tolerance, first_dt] : kCutTolerances) {
-    settle(std::max(tolerance, options_.residual_tolerance),
-           std::min(kCutIterations, options_.max_iterations), first_dt);
-    if (over()) return;
-    hold_off(true);
-  }
-  // A round for the last digits, while there are still cuts, would be thrown away.
-  const double fine = options_.residual_tolerance, rough = std::max(kCutTolerance, fine);
-  for (int round = 0; round <= kCutRounds; ++round) {
-    settle(rough, options_.max_iterations, round == 0 ? kFirstDt : kStaticDt);
-    if (over()) break;
-    if (round < kCutRounds && hold_off(false)) continue;
-    if (fine < last_.residual) settle(fine, options_.max_iterations, kStaticDt);
-    if (over() || round == kCutRounds || !hold_off(false)) break;
-  }
+  state.part = "settle";
+  if (!is_caught(state, deepest)) settle_followed(state);
+  certify_state(state);
+  return make_drape(state);
 }
 
 }  // namespace loosefit

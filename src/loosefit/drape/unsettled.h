@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/body/body.h"
 
 namespace loosefit {
 
@@ -35,12 +37,13 @@ struct CutTriangle {
   Vec3 position = Vec3::Zero();
   std::string with;  ///< part of the body, or panel
   bool body = false;
+  std::optional<Segment> segment = {};  ///< of the body, where that knows its segments
 };
 
 /// Why a drape is not settled.
 struct Unsettled {
   std::string why;           ///< one line: what is out of balance or cuts, where, and which forces
-  std::string hint;          ///< what to try, by keys that every case has
+  std::string hint;          ///< what to try; the study fills it in, for it knows the case's keys
   double times_allowed = 0;  ///< residual over that of a certificate [–]
   int vertices_of_most = 0;  ///< fewest vertices that carry 90 % of ‖F‖²
   double lagging_share = 0;  ///< of ‖F‖² that friction in flux makes, not a force on a vertex

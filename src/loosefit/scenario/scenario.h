@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "loosefit/body/body.h"
+#include "loosefit/drape/drape_options.h"
 #include "loosefit/garment/attachment.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/scenario/material_card.h"
@@ -54,12 +55,13 @@ struct ScenarioSimulation {
   double edge_length = 0.010;  ///< wished triangle edge [m]
   std::string integrator = "quasi-static";
   std::uint64_t seed = 1;
-  int repeats = 1;                   ///< drapes from perturbed starts: folds are not unique
-  double start_perturbation = 0;     ///< rms shift of the dressed start [m]
-  double residual_tolerance = 1e-3;  ///< settled when ‖F‖/‖W‖ is below
-  double gravity = kGravity;         ///< m/s²
-  double time_budget = 600;          ///< wall seconds for dress and settle
-  int max_iterations = 2000;
+  int repeats = 1;                ///< drapes from perturbed starts: folds are not unique
+  double start_perturbation = 0;  ///< rms shift of the dressed start [m]
+  /// These four as in DrapeOptions, which has the defaults.
+  double residual_tolerance = DrapeOptions{}.residual_tolerance;
+  double gravity = DrapeOptions{}.gravity;
+  double time_budget = DrapeOptions{}.time_budget;
+  int max_iterations = DrapeOptions{}.max_iterations;
   int threads = 0;  ///< 0 = all cores; results do not depend on it
 };
 

@@ -1,13 +1,14 @@
 #pragma once
 #include <functional>
 
+#include "loosefit/solver/rest_tolerance.h"
 #include "loosefit/solver/settle_outcome.h"
 
 namespace loosefit {
 
 /// When to stop settling, and what to tell on the way.
 struct SettleOptions {
-  double tolerance = 1e-3;    ///< ‖F‖₂/‖W‖₂ [–]
+  double tolerance = kRestTolerance;  ///< ‖F‖₂/‖W‖₂ [–]
   int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
   double max_move = 0.02;     ///< largest particle move per step, of all or of a region [m]
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]

@@ -84,20 +84,19 @@ std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& 
 }
 
 Drape put_on(DrapeSession& session, CaseBody& body) try {
-  return session.put_on(body.path);
+  Drape drape = session.put_on(body.path, body.wide_path);
+  if (!drape.report.no_room.empty()) {
+    body.path = std::exchange(body.wide_path, {});
+    body.from = kArmsWide;
+    body.warnings.push_back("put on with the arms wide apart, since in the usual posture " +
+                            drape.report.no_room);
+  }
+  return drape;
 } catch (const NoRoom& error) {
   if (!body.wide_path) throw GeometryError(error.what(), body.person ? kOtherPosture : kOtherScan);
-  body.path = std::exchange(body.wide_path, {});
-  body.from = kArmsWide;
-  body.warnings.push_back(
-      std::string("put on with the arms wide apart, since in the usual posture ") + error.what());
-  try {
-    return session.put_on(body.path);
-  } catch (const NoRoom& even_so) {
-    throw GeometryError(std::string(even_so.what()) + ", even with the arms wide apart",
-                        "a garment so wide finds no room between arms and trunk: a smaller "
-                        "garment.fit, or a smaller size, can be put on");
-  }
+  throw GeometryError(std::string(error.what()) + ", even with the arms wide apart",
+                      "a garment so wide finds no room between arms and trunk: a smaller "
+                      "garment.fit, or a smaller size, can be put on");
 }
 
 }  // namespace loosefit

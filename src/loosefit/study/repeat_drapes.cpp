@@ -55,7 +55,7 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
   const Scenario& scenario = result.scenario;
   CaseBody body = another_caller(result.body);
   DrapeOptions options = drape_options(scenario.simulation, repeat);
-  options.time_budget *= sharing;
+  options.drapes_at_once = sharing;
   DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
   std::vector<Drape> drapes = split_drape(put_on(session, body), scenario, result.garments);
 

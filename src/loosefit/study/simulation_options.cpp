@@ -21,7 +21,6 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
           .gravity = simulation.gravity,
           .time_budget = simulation.time_budget,
           .max_iterations = simulation.max_iterations,
-          .threads = simulation.threads,
           .seed = simulation.seed + static_cast<std::uint64_t>(repeat),
           .start_perturbation = simulation.start_perturbation};
 }

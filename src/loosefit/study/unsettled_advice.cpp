@@ -10,9 +10,11 @@ namespace {
 
 constexpr double kFinest = 0.003;  ///< simulation.edge_length [m]
 
-bool cuts(const Unsettled& unsettled, const char* part) {
-  return std::any_of(unsettled.cuts.begin(), unsettled.cuts.end(), [&](const CutTriangle& c) {
-    return c.body && c.with.find(part) != std::string::npos;
+/// Whether cloth cuts the skin where arms and trunk meet.
+bool cuts_arm_or_trunk(const Unsettled& unsettled) {
+  return std::any_of(unsettled.cuts.begin(), unsettled.cuts.end(), [](const CutTriangle& c) {
+    return c.segment == Segment::upper_arm || c.segment == Segment::forearm ||
+           c.segment == Segment::torso;
   });
 }
 
@@ -22,8 +24,8 @@ std::string more_room(const GarmentSpec& garment) {
   return "a looser garment.fit";
 }
 
-std::string against_falling(const Scenario& scenario, const std::string& reason) {
-  if (reason.find("sewn to nothing") != std::string::npos)
+std::string against_falling(const Scenario& scenario, StopReason reason) {
+  if (reason == StopReason::pieces_fall)
     return "sew what falls to the rest with a stitch in the pattern, or leave it out";
   return scenario.studied().spec.file.empty()
              ? "another garment.fit or garment.size may stay on the body"
@@ -36,7 +38,7 @@ std::string against_cuts(const Scenario& scenario, const Unsettled& unsettled) {
   if (scenario.simulation.edge_length > kFinest)
     ways.push_back("a smaller simulation.edge_length, which follows the skin more closely");
   ways.push_back(more_room(scenario.studied().spec));
-  const bool arms = cuts(unsettled, "arm") || cuts(unsettled, "torso");
+  const bool arms = cuts_arm_or_trunk(unsettled);
   if (scenario.body.file.empty() && scenario.postures.empty() && arms)
     ways.push_back("arms farther from the trunk (body.posture)");
   return "what may help: " + join(ways, "; ");
@@ -46,10 +48,9 @@ std::string against_cuts(const Scenario& scenario, const Unsettled& unsettled) {
 
 std::string unsettled_advice(const Scenario& scenario, const Drape& drape) {
   const Certificate& c = drape.certificate;
-  const std::string& reason = c.stop_reason;
-  if (reason.find("freely") != std::string::npos) return against_falling(scenario, reason);
-  if (reason.starts_with("time budget")) return "raise simulation.time_budget";
-  if (reason.starts_with("iteration limit")) return "raise simulation.max_iterations";
+  if (falls(c.reason)) return against_falling(scenario, c.reason);
+  if (c.reason == StopReason::time_budget) return "raise simulation.time_budget";
+  if (c.reason == StopReason::iteration_limit) return "raise simulation.max_iterations";
   if (c.intersections_body > 0 && drape.unsettled) return against_cuts(scenario, *drape.unsettled);
   std::string text = scenario.simulation.start_perturbation > 0
                          ? "another start may do: another simulation.seed"

@@ -35,7 +35,7 @@ std::vector<std::pair<std::string, std::string>> solver_settings() {
       {"contact",
        fmt::format("distance field of the body on a grid of {:g} mm; friction sticks elastically "
                    "within {:g} mm before it slides",
-                   1e3 * kFieldSpacing, 1e3 * kStickReach)},
+                   1e3 * kFieldSpacing, 1e3 * SettlingTuning{}.cloth.stick_reach)},
       {"threads",
        "each benchmark runs on one; the figures do not depend on how many run at a time"},
   };

@@ -1,4 +1,4 @@
-#include "loosefit/drape/hold_off_cuts.h"
+#include "loosefit/drape/raise_offsets.h"
 
 #include <tbb/parallel_for.h>
 
@@ -12,25 +12,21 @@
 namespace loosefit {
 namespace {
 
-constexpr int kLeastLattice = 4;      ///< intervals along an edge of a cut triangle
-constexpr double kLattice = 0.0035;   ///< largest of them [m]
-constexpr double kClear = 1.2e-4;     ///< clearance asked of a triangle that cut [m]
-constexpr double kEachTime = 3e-5;    ///< more for each time that it cut [m]
-constexpr double kAboutToCut = 8e-5;  ///< clearance below which a triangle counts as cut [m]
-constexpr double kFarField = 0.002;   ///< largest correction at one time [m]
-constexpr double kFarthest = 0.05;    ///< from the skin, inside or out, that is told apart [m]
-
-int lattice(const Triangle& t, const std::vector<Vec3>& x) {
+/// Intervals along an edge of the triangle.
+int lattice_intervals(const Triangle& t, const std::vector<Vec3>& x,
+                      const PenetrationTuning& tuning) {
   double longest = 0;
   for (int k = 0; k < 3; ++k) longest = std::max(longest, (x[t[k]] - x[t[(k + 1) % 3]]).norm());
-  return std::max(kLeastLattice, static_cast<int>(std::ceil(longest / kLattice)));
+  return std::max(tuning.least_lattice,
+                  static_cast<int>(std::ceil(longest / tuning.lattice_spacing)));
 }
 
 /// visit(p) for the points of a lattice over the triangle until that says false; true if it never
 /// did.
 template <class Visit>
-bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const Visit& visit) {
-  const int n = lattice(t, x);
+bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const PenetrationTuning& tuning,
+                   const Visit& visit) {
+  const int n = lattice_intervals(t, x, tuning);
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const double a = double(i) / n, b = double(j) / n;
@@ -43,10 +39,10 @@ bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const Visit& v
 /// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of its first
 /// one.
 double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
-                      double corner) {
-  double least = kFarField;
-  visit_lattice(t, x, [&](const Vec3& p) {
-    const double bound = std::abs(corner) + (p - x[t[0]]).norm() + kFarField;
+                      double corner, const PenetrationTuning& tuning) {
+  double least = tuning.far;
+  visit_lattice(t, x, tuning, [&](const Vec3& p) {
+    const double bound = std::abs(corner) + (p - x[t[0]]).norm() + tuning.far;
     least = std::min(least, skin.signed_distance(p, nullptr, bound));
     return true;
   });
@@ -56,27 +52,30 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
 /// Whether no point of the lattice is about to cut, of a triangle that does not cut and has its
 /// corners outside. Then all of it is outside, as far as the skin does not cut itself, and a look
 /// round each point will do.
-bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x) {
-  return visit_lattice(t, x,
-                       [&](const Vec3& p) { return skin.query(p, kAboutToCut).triangle < 0; });
+bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
+              const PenetrationTuning& tuning) {
+  return visit_lattice(t, x, tuning, [&](const Vec3& p) {
+    return skin.query(p, tuning.near_penetration).triangle < 0;
+  });
 }
 
-/// The least distance of every triangle, in parallel; kFarField where it is clear or its corners
+/// The least distance of every triangle, in parallel; `far` where it is clear or its corners
 /// are plainly farther, unless something thin (a thumb) is known to go through it.
 std::vector<double> least_distances(const ClosestPointTree& skin,
                                     const std::vector<Triangle>& triangles,
-                                    const std::vector<Vec3>& x, const std::set<int>& cut) {
+                                    const std::vector<Vec3>& x, const std::set<int>& cut,
+                                    const PenetrationTuning& tuning) {
   std::vector<double> corner(x.size());
   tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
-    corner[i] = skin.signed_distance(x[i], nullptr, kFarthest);
+    corner[i] = skin.signed_distance(x[i], nullptr, tuning.signed_reach);
   });
-  std::vector<double> least(triangles.size(), kFarField);
+  std::vector<double> least(triangles.size(), tuning.far);
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
     const Triangle& t = triangles[i];
     const double lowest = std::min({corner[t[0]], corner[t[1]], corner[t[2]]});
     const bool cuts = cut.count(static_cast<int>(i)) > 0;
-    if (!cuts && (lowest >= kFarField || (lowest > 0 && is_clear(skin, t, x)))) return;
-    least[i] = least_distance(skin, t, x, corner[t[0]]);
+    if (!cuts && (lowest >= tuning.far || (lowest > 0 && is_clear(skin, t, x, tuning)))) return;
+    least[i] = least_distance(skin, t, x, corner[t[0]], tuning);
   });
   return least;
 }
@@ -92,20 +91,27 @@ std::set<Triangle> with_lattice(const std::vector<ContactPoint>& points) {
 
 }  // namespace
 
-CutRound hold_off_cuts(ClothModel& model, const ContactBody& body, const std::vector<Vec3>& x,
-                       const std::vector<double>& half_thickness, bool look_ahead,
-                       std::map<int, int>& times_cut) {
+std::set<int> penetrating_triangles(const ClothMesh& cloth, const PosedBody& body,
+                                    const std::vector<Vec3>& x) {
+  std::set<int> cut;
+  for (const auto& [t, s] : mesh_intersections(x, cloth.triangles, body.tree())) cut.insert(t);
+  return cut;
+}
+
+bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
+                                   const std::vector<Vec3>& x,
+                                   const std::vector<double>& half_thickness,
+                                   const std::set<int>& penetrating, std::map<int, int>& times_cut,
+                                   const PenetrationTuning& tuning) {
   const ClothMesh& cloth = model.mesh();
   const auto& triangles = cloth.triangles;
-  const ClosestPointTree& skin = body.body.tree();
-  std::set<int> cut;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, skin)) cut.insert(t);
-  const bool any = !cut.empty();
-  if (!any && !look_ahead) return {};
+  std::set<int> cut = penetrating;
   // Those that are about to cut are treated alike, or each round would find their neighbours.
-  const std::vector<double> least = least_distances(skin, triangles, x, cut);
+  const ClosestPointTree& skin = body.body.tree();
+  const std::vector<double> least = least_distances(skin, triangles, x, cut, tuning);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (least[t] < kAboutToCut) cut.insert(static_cast<int>(t));
+    if (least[t] < tuning.near_penetration) cut.insert(static_cast<int>(t));
+  // Each of them gets its lattice, and a raise by what it lacks of its clearance.
   std::vector<std::set<Triangle>> latticed;
   for (int layer = 0; layer < cloth.layers(); ++layer)
     latticed.push_back(with_lattice(model.body(layer).points()));
@@ -115,13 +121,15 @@ CutRound hold_off_cuts(ClothModel& model, const ContactBody& body, const std::ve
     const int layer = cloth.triangle_layer[t];
     ++times_cut[t];
     if (latticed[layer].insert(triangles[t]).second)
-      add_lattice(triangles[t], cloth.area[t], half_thickness[layer], lattice(triangles[t], x),
-                  model.body(layer).change_points());
+      add_lattice(triangles[t], cloth.area[t], half_thickness[layer],
+                  lattice_intervals(triangles[t], x, tuning), model.body(layer).change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
-    raise[t] = std::clamp(kClear - least[t], 0.0, kFarField) + kEachTime * times_cut[t];
+    raise[t] = std::clamp(tuning.clearance - least[t], 0.0, tuning.largest_raise) +
+               tuning.clearance_each_time * times_cut[t];
   }
+  // All contact points on them are raised, also by what the field errs there.
   const double farthest = body.field->smooth_reach();
-  bool held = false;
+  bool raised = false;
   for (int layer = 0; layer < cloth.layers(); ++layer) {
     BodyContact& contact = model.body(layer);
     for (ContactPoint& p : contact.change_points()) {
@@ -131,15 +139,16 @@ CutRound hold_off_cuts(ClothModel& model, const ContactBody& body, const std::ve
       for (int t : near->second)
         if (p.within(triangles[t])) most = std::max(most, raise.at(t));
       if (most < 0) continue;
-      const double seen = contact.field_distance(p, x, kFarField);
-      const double error = seen < kFarField ? seen - skin.signed_distance(p.position(x)) : 0;
-      const double needed = half_thickness[layer] + std::clamp(error, 0.0, kFarField);
+      const double seen = contact.field_distance(p, x, tuning.far);
+      const double error = seen < tuning.far ? seen - skin.signed_distance(p.position(x)) : 0;
+      const double needed =
+          half_thickness[layer] + std::clamp(error, 0.0, tuning.largest_field_error);
       const double offset = std::min(farthest, std::max(p.offset, needed) + most);
-      held = held || offset > p.offset;
+      raised = raised || offset > p.offset;
       p.offset = std::max(p.offset, offset);
     }
   }
-  return {any, held};
+  return raised;
 }
 
 }  // namespace loosefit

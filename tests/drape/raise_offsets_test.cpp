@@ -1,4 +1,4 @@
-#include "loosefit/drape/hold_off_cuts.h"
+#include "loosefit/drape/raise_offsets.h"
 
 #include <gtest/gtest.h>
 
@@ -15,27 +15,29 @@ struct Square : testing_support::SquareOverBall {
     for (const ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
     return sum;
   }
-  CutRound round(std::map<int, int>& times_cut, bool look_ahead = false) {
-    return hold_off_cuts(*model, *body, x, {0.5 * material.thickness}, look_ahead, times_cut);
+  std::set<int> penetrating() const { return penetrating_triangles(model->mesh(), *body, x); }
+  bool raise(std::map<int, int>& times_cut) {
+    return raise_offsets_at_penetrations(*model, *body, x, {0.5 * material.thickness},
+                                         penetrating(), times_cut, PenetrationTuning{});
   }
 };
 
-TEST(HoldOffCuts, LeavesClothThatDoesNotCutAlone) {
+TEST(RaiseOffsets, LeavesClothThatDoesNotCutAlone) {
   Square square(0.01);
   const std::size_t before = square.points().size();
   std::map<int, int> times_cut;
-  const CutRound round = square.round(times_cut);
-  EXPECT_FALSE(round.cuts || round.held);
+  EXPECT_TRUE(square.penetrating().empty());
+  EXPECT_FALSE(square.raise(times_cut));
   EXPECT_EQ(square.points().size(), before);
   EXPECT_TRUE(times_cut.empty());
 }
 
-TEST(HoldOffCuts, GivesATriangleThatCutsMorePointsAndHoldsThemOffTheSkin) {
+TEST(RaiseOffsets, GivesATriangleThatCutsMorePointsAndHoldsThemOffTheSkin) {
   Square square(-0.001);
   const std::size_t before = square.points().size();
   std::map<int, int> times_cut;
-  const CutRound round = square.round(times_cut);
-  EXPECT_TRUE(round.cuts && round.held);
+  EXPECT_FALSE(square.penetrating().empty());
+  EXPECT_TRUE(square.raise(times_cut));
   ASSERT_FALSE(times_cut.empty());
   std::map<Triangle, int> lattice;
   for (std::size_t i = before; i < square.points().size(); ++i)
@@ -52,27 +54,28 @@ TEST(HoldOffCuts, GivesATriangleThatCutsMorePointsAndHoldsThemOffTheSkin) {
   }
 }
 
-TEST(HoldOffCuts, ATriangleThatCutAgainIsHeldOffFartherByThePointsThatItHas) {
+TEST(RaiseOffsets, ATriangleThatCutAgainIsHeldOffFartherByThePointsThatItHas) {
   Square square(-0.001);
   std::map<int, int> times_cut;
-  square.round(times_cut);
+  square.raise(times_cut);
   const std::size_t points = square.points().size();
   double held_off = square.held_off();
-  square.round(times_cut);
+  square.raise(times_cut);
   EXPECT_EQ(square.points().size(), points);
   EXPECT_GT(square.held_off(), held_off);
   held_off = square.held_off();
   std::map<int, int> in_next_posture;
-  square.round(in_next_posture);
+  square.raise(in_next_posture);
   EXPECT_EQ(square.points().size(), points);
   EXPECT_GT(square.held_off(), held_off);
 }
 
-TEST(HoldOffCuts, LookingAheadTreatsWhatIsAboutToCutAsIfItDid) {
+TEST(RaiseOffsets, WhatIsAboutToCutIsTreatedAsIfItDid) {
   for (const auto& [height, is_near] : {std::pair(5e-5, true), std::pair(2e-4, false)}) {
     Square square(height);
     std::map<int, int> times_cut;
-    EXPECT_FALSE(square.round(times_cut, true).cuts);
+    EXPECT_TRUE(square.penetrating().empty());
+    square.raise(times_cut);
     // The top of the ball is under the middle of the square, and nowhere else is it that near.
     EXPECT_EQ(!times_cut.empty(), is_near);
     EXPECT_LE(times_cut.size(), 6u);

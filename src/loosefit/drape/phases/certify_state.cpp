@@ -1,0 +1,100 @@
+#include "loosefit/drape/phases/certify_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/drape/certify.h"
+#include "loosefit/drape/explain_unsettled.h"
+
+namespace loosefit {
+namespace {
+
+/// Without intersections before with them, then by the residual.
+bool better(const Certificate& a, const Certificate& b) {
+  const bool a_cuts = a.intersections_body + a.intersections_self > 0;
+  const bool b_cuts = b.intersections_body + b.intersections_self > 0;
+  return a_cuts == b_cuts ? a.residual < b.residual : b_cuts;
+}
+
+Certificate certified(ClothState& state, const Stop& stop) {
+  return certify(*state.model, state.x, state.body->body, stop,
+                 std::max(state.options.residual_tolerance, kRestTolerance));
+}
+
+/// Goes back to a kept state.
+Certificate take(ClothState& state, const ClothState::Kept& kept) {
+  state.x = kept.x;
+  state.model->recall(kept.memory);
+  state.report.held_off_triangles = kept.held_off_triangles;
+  return certified(state, kept.stop.value_or(state.how_it_ended()));
+}
+
+}  // namespace
+
+void measure_certificate(ClothState& state) {
+  state.certificate = certified(state, state.how_it_ended());
+}
+
+void settle_nearer(ClothState& state) {
+  const CertifyTuning& tuning = state.tuning.certify;
+  const int earlier = state.attempts[RecoveryKind::nearer_to_rest] - 1;
+  const double share = tuning.first_share * std::pow(tuning.next_share, earlier);
+  state.settle(
+      {share * state.options.residual_tolerance, kNoLimit, state.tuning.penetrations.near_rest_dt});
+  measure_certificate(state);
+}
+
+void take_best_state(ClothState& state) {
+  state.best_was_taken = true;
+  const ClothState::Kept now{state.x, state.model->memory(), state.certificate.residual,
+                             state.report.held_off_triangles};
+  const ClothState::Kept* best = &now;
+  for (const auto* other : {&state.lowest, &state.clear, &state.first_try}) {
+    if (!other->has_value()) continue;
+    const Certificate certificate = take(state, **other);
+    if (!better(certificate, state.certificate)) continue;
+    state.certificate = certificate;
+    best = &**other;
+  }
+  state.certificate = take(state, *best);
+}
+
+void certify_state(ClothState& state) {
+  state.best_was_taken = false;
+  for (RecoveryKind kind : {RecoveryKind::nearer_to_rest, RecoveryKind::best_state})
+    state.attempts[kind] = 0;
+  measure_certificate(state);
+  while (state.recover(RecoveryPoint::certified)) {
+  }
+}
+
+Drape make_drape(ClothState& state) {
+  Drape drape;
+  drape.certificate = state.certificate;
+  if (!state.certificate.settled()) {
+    drape.unsettled = explain_unsettled(*state.model, state.garments(), state.x, state.body->body,
+                                        state.certificate);
+    if (state.falling) drape.unsettled->why = state.falling->text();
+  }
+  // Contacts and what they bear.
+  SettleReport& report = state.report;
+  report.contacts_self = state.model->self().active(state.x);
+  report.contacts_body = 0;
+  report.largest_contact_offset = 0;
+  drape.body_contact_force.assign(state.x.size(), Vec3::Zero());
+  drape.body_normal_force.assign(state.x.size(), 0.0);
+  for (int l = 0; l < state.layer_count(); ++l) {
+    const BodyContact& contact = state.model->body(l);
+    report.contacts_body += contact.active(state.x);
+    for (const ContactPoint& p : contact.points())
+      report.largest_contact_offset = std::max(report.largest_contact_offset, p.offset);
+    contact.add_gradient(state.x, drape.body_contact_force);
+    contact.add_normal_force(state.x, drape.body_normal_force);
+  }
+  for (Vec3& f : drape.body_contact_force) f = -f;
+  drape.positions = state.x;
+  drape.report = report;
+  return drape;
+}
+
+}  // namespace loosefit

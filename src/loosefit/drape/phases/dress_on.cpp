@@ -1,0 +1,53 @@
+#include "loosefit/drape/phases/dress_on.h"
+
+#include <cmath>
+#include <random>
+
+#include "loosefit/dress/dress_layers.h"
+#include "loosefit/dress/no_room.h"
+#include "loosefit/kinds/registry.h"
+
+namespace loosefit {
+namespace {
+
+/// Seeded smooth shift of the start, for repeats.
+void perturb(ClothState& state) {
+  const DrapeOptions& options = state.options;
+  if (!(options.start_perturbation > 0)) return;
+  std::mt19937_64 rng(options.seed);
+  std::normal_distribution<double> normal(0, options.start_perturbation);
+  const Vec3 shift(normal(rng), normal(rng), normal(rng));
+  const double phase = 2 * kPi * std::uniform_real_distribution<double>(0, 1)(rng);
+  const DisturbTuning& wave = state.tuning.disturb;
+  for (Vec3& p : state.x)
+    p += shift * (1 + wave.wave_amplitude *
+                          std::sin(wave.wave_height * p[2] + wave.wave_width * p[0] + phase));
+}
+
+}  // namespace
+
+void lay_round_body(ClothState& state) {
+  const PosedBody body = state.path(0);
+  std::vector<LayerToDress> to_dress;
+  for (int l = 0; l < state.layer_count(); ++l) {
+    const Pattern& pattern = state.layers[l].garment->pattern;
+    to_dress.push_back({&state.garment(l), &pattern, garment_kind(pattern.kind).lay});
+  }
+  try {
+    state.x = dress_layers(to_dress, body);
+  } catch (const NoRoom& error) {
+    state.no_room = error.what();
+    return;
+  }
+  state.no_room.clear();
+  perturb(state);
+  state.body = with_field(body, bounds(state.x), kFieldSpacing);
+}
+
+void dress_on(ClothState& state) {
+  lay_round_body(state);
+  state.recover(RecoveryPoint::dressed);
+  if (!state.no_room.empty()) throw NoRoom(state.no_room);
+}
+
+}  // namespace loosefit

@@ -1,0 +1,117 @@
+#include "loosefit/drape/phases/follow_posture.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/drape/carry_layers.h"
+#include "loosefit/drape/impact_zones.h"
+
+namespace loosefit {
+namespace {
+
+double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).squaredNorm());
+  return std::sqrt(most);
+}
+
+/// A step of the body, and where the cloth would be after it.
+struct Move {
+  PosedBody body;
+  std::vector<MotionMap> skin_motion;  ///< of the skin next to each particle
+  std::vector<Vec3> x;
+  bool blocked = false;  ///< the cloth cannot go along
+};
+
+Move plan_move(const ClothState& state, const PosedBody& to) {
+  const FollowTuning& tuning = state.tuning.follow;
+  ClothModel& model = *state.model;
+  const std::vector<Vec3>& x = state.x;
+  Move move;
+  move.body = to;
+  move.skin_motion = skin_motion(state.body->body, to, x);
+  // The cloth is carried by the skin; parts of it that would meet on the way move as rigid zones.
+  const std::vector<Vec3> carried =
+      displacements(carried_layers(model.mesh(), x, move.skin_motion, state.tuning.carry), x);
+  const std::vector<Vec3> free = without_impacts(model.self().candidates().features(), x, carried,
+                                                 state.tuning.carry.impact_rounds);
+  model.system().begin_step(x, std::numeric_limits<double>::infinity());
+  const double share = model.self().max_step(x, free);
+  move.x = x;
+  for (std::size_t i = 0; i < x.size(); ++i) move.x[i] += share * free[i];
+  // A body that goes where the cloth cannot follow would pass through it. Layers that lie on each
+  // other have little room, and would be taken along like one rigid piece: shorter steps, and
+  // settling makes room anew.
+  move.blocked = state.is_single() ? !(share >= tuning.free_share &&
+                                       depth_in_skin(move.x, move.body) <= tuning.deepest)
+                                   : !(share >= tuning.layers_free_share &&
+                                       largest_distance(carried, free) <= tuning.layers_deviation);
+  return move;
+}
+
+void make_move(ClothState& state, Move move, bool is_last) {
+  const bool rough = !is_last && state.level == 0;
+  state.carry_anchors(displacements(move.skin_motion, state.x));
+  state.x = std::move(move.x);
+  state.body = with_field(move.body, bounds(state.x),
+                          rough ? state.tuning.carry.rough_field_spacing : kFieldSpacing);
+  state.model->set_field(state.body->field);
+}
+
+}  // namespace
+
+double largest_turn(const Body& from, const Body& to, const FollowTuning& tuning) {
+  const auto &a = from.pose_from_rest, &b = to.pose_from_rest;
+  double turn = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += tuning.sampled_skin) {
+    const Mat3 change = b[i].leftCols<3>() - a[i].leftCols<3>();
+    // ‖R − 1‖ = 2√2 sin(angle/2); blended maps are no rotations, but nearly.
+    turn = std::max(turn, 2 * std::asin(std::min(1.0, change.norm() / std::sqrt(8.0))));
+  }
+  return turn;
+}
+
+double depth_in_skin(const std::vector<Vec3>& x, const PosedBody& body) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, x.size()), 0.0,
+      [&](const auto& range, double deepest) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          deepest = std::max(deepest, -body.tree().signed_distance(x[i]));
+        return deepest;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+const StepPlan& step_plan(const ClothState& state) {
+  return state.is_single() ? state.tuning.follow.one_layer : state.tuning.follow.layers;
+}
+
+void follow_posture(ClothState& state) {
+  const FollowTuning& tuning = state.tuning.follow;
+  const StepPlan& plan = step_plan(state);
+  const double turn = largest_turn(state.body->body, state.path(1.0), tuning);
+  if (turn < tuning.no_turn) return;
+  const double usual = 1 / std::ceil(turn / plan.turn);
+  PostureStep& step = state.step;
+  step = {.done = 0, .length = usual, .least = usual / tuning.shortest};
+  while (step.done < 1) {
+    if (state.must_stop()) step.length = 1;  // end on the wanted body, settled or not
+    // What would be left for a last step shorter than half the least one is taken along.
+    const double end = step.done + step.length;
+    const double to = end > 1 - 0.5 * step.least ? 1 : end;
+    Move move = plan_move(state, state.path(to));
+    step.blocked = move.blocked;
+    if (state.recover(RecoveryPoint::before_step)) continue;
+    make_move(state, std::move(move), to == 1);
+    step.done = to;
+    step.length = std::min(usual, 2 * step.length);
+    if (state.must_stop()) continue;
+    state.settle({plan.tolerance, plan.iterations, tuning.first_dt, true});
+    state.recover(RecoveryPoint::after_step);
+  }
+}
+
+}  // namespace loosefit

@@ -1,0 +1,118 @@
+#include "loosefit/drape/recoveries.h"
+
+#include "loosefit/drape/cloth_state.h"
+#include "loosefit/drape/phases/certify_state.h"
+#include "loosefit/drape/phases/dress_on.h"
+#include "loosefit/drape/phases/follow_posture.h"
+#include "loosefit/drape/phases/free_penetrations.h"
+#include "loosefit/drape/phases/lift_off.h"
+
+namespace loosefit {
+namespace {
+
+int once(const SettlingTuning&) { return 1; }
+int always(const SettlingTuning&) { return kNoLimit; }
+
+// Failures.
+
+bool finds_no_room(ClothState& state) { return !state.no_room.empty() && state.wide_path; }
+
+bool step_is_blocked(ClothState& state) {
+  const PostureStep& step = state.step;
+  return step.blocked && step.length > 1.5 * step.least && !state.must_stop();
+}
+
+bool lags_behind(ClothState& state) {
+  return state.last.residual > state.tuning.follow.lagging * step_plan(state).tolerance;
+}
+
+bool has_left_field(ClothState& state) { return !state.body->field->covers(bounds(state.x)); }
+
+bool converged_but_above_tolerance(ClothState& state) {
+  return state.last.reason == SettleOutcome::Reason::converged && !state.given_up &&
+         !state.must_stop() && !state.best_was_taken &&
+         state.certificate.residual > state.options.residual_tolerance;
+}
+
+/// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
+bool may_be_better(ClothState& state) {
+  const Certificate& c = state.certificate;
+  return !state.best_was_taken && (!c.settled() || c.residual > kRestTolerance);
+}
+
+/// The soft layer frees cloth from the skin, not from other cloth; a posture has no other way.
+bool may_settle_off_the_skin(ClothState& state) {
+  const Certificate& c = state.certificate;
+  return !c.settled() && c.intersections_self == 0 && state.is_single() && !state.worn &&
+         !state.is_over() && state.options.integrator == IntegratorKind::quasi_static;
+}
+
+// Actions that are not phases of their own.
+
+void take_wide_path(ClothState& state) {
+  state.report.no_room = state.no_room;
+  state.path = state.wide_path;
+  lay_round_body(state);
+}
+
+void halve_step(ClothState& state) { state.step.length /= 2; }
+
+void settle_longer(ClothState& state) {
+  const FollowTuning& tuning = state.tuning.follow;
+  const StepPlan& plan = step_plan(state);
+  state.settle(
+      {tuning.lagging * plan.tolerance, tuning.longer * plan.iterations, tuning.first_dt, true});
+}
+
+void renew_field(ClothState& state) {
+  state.outgrown.push_back(state.body);
+  state.body = with_field(state.body->body, bounds(state.x), state.body->field->spacing());
+  state.model->set_field(state.body->field);
+}
+
+}  // namespace
+
+const Recoveries& recoveries() {
+  using Kind = RecoveryKind;
+  using Point = RecoveryPoint;
+  static const Recoveries kTable = {
+      {Kind::wide_posture, Point::dressed, "dressing posture with more room",
+       "the garment finds no room between arms and trunk",
+       "with the arms farther apart there is most; from there the posture is followed as usual",
+       once, finds_no_room, take_wide_path},
+      {Kind::shorter_step, Point::before_step, "shorter step of the body",
+       "the cloth cannot go along with a step of the body, or would lie deep in the skin",
+       "a body that goes where the cloth cannot follow would pass through it; settling after half "
+       "the step makes room",
+       always, step_is_blocked, halve_step},
+      {Kind::settle_longer, Point::after_step, "settle longer after a step",
+       "the forces are far from balanced after a step of the body",
+       "cloth that is pressed deep into the skin would be pulled through it on the next step",
+       always, lags_behind, settle_longer},
+      {Kind::renew_field, Point::before_settle, "field of distances round the cloth",
+       "cloth has come near the edge of the field of distances to the skin",
+       "off its grid the energy of contact jumps, and no step descends any more", always,
+       has_left_field, renew_field},
+      {Kind::raise_offsets, Point::at_rest, "hold cutting triangles off the skin",
+       "triangles cut the skin between their contact points",
+       "more contact points on them, farther off the skin, make up for curvature and for the error "
+       "of the field",
+       [](const SettlingTuning& tuning) { return tuning.penetrations.rounds; }, find_penetrations,
+       raise_offsets},
+      {Kind::nearer_to_rest, Point::certified, "settle nearer to rest",
+       "the certificate, which refreshes contacts, finds more residual than settling had",
+       "contacts that came or went have to find their balance, too",
+       [](const SettlingTuning& tuning) { return tuning.certify.attempts; },
+       converged_but_above_tolerance, settle_nearer},
+      {Kind::best_state, Point::certified, "best state so far", "the drape is not settled",
+       "the way may have led away from a better state: without intersections, or of a lower "
+       "residual",
+       once, may_be_better, take_best_state},
+      {Kind::lift_off, Point::certified, "not at rest; trying once more from farther off the skin",
+       "the first drape of a garment is not settled, and does not cut itself",
+       "off the skin, with contacts and friction forgotten, it takes another way to rest", once,
+       may_settle_off_the_skin, lift_off_and_resettle}};
+  return kTable;
+}
+
+}  // namespace loosefit

@@ -1,0 +1,234 @@
+#pragma once
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace loosefit {
+
+// Every tuning number of the drape module in one struct, one group per phase. None changes what is
+// an equilibrium; they decide whether and how fast it is found, unless a field says otherwise.
+// "D5" stands for docs/decisions/0005-dressing-and-settling.md, "E" for the experiments of
+// bench/reports/engine.md, "F" for those of bench/reports/following-the-body.md. Residuals are
+// ‖F‖₂/‖W‖₂ [–], pseudo-steps in seconds. Limits of numbers that are worn or certified are no
+// tuning: they stand with their tests (drape/worn.cpp, solver/rest_tolerance.h).
+
+/// Energies of the cloth (ClothModel).
+struct ClothModelTuning {
+  /// Pressure that compresses half the thickness of a fabric of `reference_stiffness` [Pa]: above
+  /// the pressures of clothing; changes the gap of pressed cloth by a fraction of its thickness.
+  double layer_pressure = 5000;
+  /// Membrane stiffness from which on a fabric presses harder in proportion [N/m]; that of the
+  /// paper's cotton.
+  double reference_stiffness = 2000;
+  /// Elastic creep of a contact before it slips [m]. A fifth of a thin fabric; friction is exact
+  /// beyond it (D5, "Friction").
+  double stick_reach = 1e-4;
+  /// Damping time of the explicit integrator, in times that a wave takes through the smallest
+  /// triangle [–]: stability of explicit viscosity needs much less than 1.
+  double wave_share = 0.1;
+  /// Distance between cloth and cloth on coarse levels, in thicknesses [–]: leaves room for the
+  /// curved surface of the next level. Chosen by experiment, with the levels of D5.
+  double coarse_thickness = 2.0;
+};
+
+/// The field of distances to the skin (ContactBody), and how cloth is carried along with the skin.
+struct CarryTuning {
+  /// Spacing of the field while the coarsest level follows the body [m]: half the accuracy, an
+  /// eighth of the nodes; F.
+  double rough_field_spacing = 0.010;
+  /// Distance to the layer below up to which a layer moves as that one [m]; chosen by experiment, F
+  /// has no other value.
+  double layer_close = 0.005;
+  /// Distance from which on it moves by itself [m]; between the two, in proportion.
+  double layer_apart = 0.04;
+  /// Rounds in which cloth that would meet is joined to rigid zones [–]: each joins at least two
+  /// particles, in practice a handful of rounds suffice; chosen by experiment.
+  int impact_rounds = 30;
+};
+
+/// The strained start contracts.
+struct ContractTuning {
+  /// Thickness of the soft layer between body and cloth until the cloth stands in its posture [m]:
+  /// contacts then come one after another over millimetres and not all within the last tenth of
+  /// one, so Newton's steps stay whole and nothing is pulled through the skin (D5: a soft wool
+  /// shirt went from 2 049 iterations without being dressed to 45).
+  double pad_thickness = 0.005;
+  /// Shares of the membrane stiffness with which it contracts first [–], without friction and
+  /// weight, so that it comes to lie on the limbs and is not pulled through them (D5, "Start").
+  std::array<double, 2> stiffness_shares = {0.01, 0.1};
+  /// Residual at which a softened contraction is good enough [–]; chosen by experiment, see E.
+  double softened_tolerance = 30;
+  /// Residual at which the dressed coarse level may move on [–]; E, row "dressed at 5".
+  double dressed_tolerance = 5;
+  /// First pseudo-step of all these [s]: the start is far from rest; chosen by experiment.
+  double first_dt = 0.01;
+  /// Iterations of each softened contraction, at most [–]; chosen by experiment.
+  int softened_iterations = 60;
+};
+
+/// The start is disturbed, for repeats and donnings.
+struct DisturbTuning {
+  /// Wave of the seeded shift along height and width [1/m]: lengths of 0.3 and 0.5 m, of the size
+  /// of folds. Any smooth field would do.
+  double wave_height = 20;
+  double wave_width = 12;
+  /// Amplitude of the wave over the mean shift [–].
+  double wave_amplitude = 0.5;
+  /// Residual after each step of a donning's shift and twist [–]; as dressed_tolerance.
+  double tolerance = 5;
+  /// First pseudo-step of each [s]; as ContractTuning::first_dt.
+  double first_dt = 0.01;
+  /// Steps in which it is shifted and twisted [–]: 10 mm and 10° in steps that contact can follow.
+  int steps = 4;
+  /// Iterations after each, at most [–]; as StepPlan::iterations.
+  int iterations = 25;
+};
+
+/// How a posture is followed: one step of the body, then settling.
+struct StepPlan {
+  double turn = 0.4;       ///< largest rotation of any skin in one step [rad]
+  double tolerance = 100;  ///< residual after a step [–]: no more than a stage on the way
+  int iterations = 25;     ///< for it, at most [–]
+};
+
+/// The body moves, the cloth goes along.
+struct FollowTuning {
+  StepPlan one_layer = {};  ///< F; half the turn gave the same states at twice the fields
+  /// Of several layers: what the body pushes out has to push the next one. Chosen by experiment.
+  StepPlan layers = {0.04, 5, 100};
+  /// Residual after a step, in StepPlan::tolerance, beyond which it is settled longer [–]: cloth
+  /// pressed deep into the skin would be pulled through it on the next step. Experiment.
+  double lagging = 5;
+  /// Share of its displacement that one layer must be free to go, or the step is halved [–]: all of
+  /// it but round-off. Otherwise the body would pass through the cloth.
+  double free_share = 0.999;
+  /// The same of several layers [–]: they touch, so that a little is always cut off.
+  double layers_free_share = 0.9;
+  /// How far rigid impact zones may lead layers off their displacements [m]; beyond, all would be
+  /// taken along like one rigid piece. Chosen by experiment.
+  double layers_deviation = 0.002;
+  /// Depth in the skin after a step for which it is halved [m]; F.
+  double deepest = 0.012;
+  /// Depth in the skin near rest at which the cloth counts as caught between folds of skin [m];
+  /// F, "Given up".
+  double caught_depth = 0.005;
+  /// First pseudo-step after each step of the body [s]; chosen by experiment.
+  double first_dt = 0.02;
+  /// First pseudo-step on the finest level, before it is asked whether cloth is caught [s].
+  double finest_first_dt = 0.1;
+  /// Rotation below which a body has not moved [rad]: round-off of a posture.
+  double no_turn = 1e-6;
+  /// Settling longer has so many times the iterations of StepPlan [–]; chosen by experiment.
+  int longer = 8;
+  /// A step may be shortened to this part of the usual one [–]: four halvings; D5, "The body waits
+  /// for the cloth".
+  int shortest = 16;
+  /// Every how manieth skin vertex is asked for its rotation [–]: neighbours turn alike.
+  int sampled_skin = 7;
+  /// A posture is given up after so many times the finest iterations of putting on [–], and not
+  /// before `least_iterations`; F, "Given up".
+  int iterations_factor = 3;
+  int least_iterations = 500;
+};
+
+/// Coarse levels are settled and handed to the next finer one.
+struct LevelTuning {
+  /// Residual at which a level is handed on [–]; E, row "handed on at 1"; F tried 0.1 and 0.01.
+  double tolerance = 1.0;
+  double first_dt = 0.02;  ///< first pseudo-step [s]; chosen by experiment
+};
+
+/// The finest level comes to rest, and triangles that cut the skin are freed.
+struct PenetrationTuning {
+  /// Residuals on the way down at which penetrations are looked for [–], and the first pseudo-step
+  /// of each part [s]; E, "Cuts are looked for on the way".
+  std::array<double, 3> look_tolerances = {30, 5, 1};
+  std::array<double, 3> look_first_dt = {0.1, 0.5, 2.5};
+  /// Residual at which the last penetrations are looked for [–]; E, "at 1 instead of 0.1".
+  double tolerance = 1.0;
+  double first_dt = 0.5;  ///< first pseudo-step of the rest of the way [s]; chosen by experiment
+  /// First pseudo-step where the cloth is near rest [s]: nearly static, yet damped; experiment.
+  double near_rest_dt = 10;
+  /// Largest interval of the lattice of contact points on a penetrating triangle [m]: finer than
+  /// the field's spacing, so that its error is seen.
+  double lattice_spacing = 0.0035;
+  /// Clearance asked of a triangle that penetrated [m]: more than the exact test needs.
+  double clearance = 1.2e-4;
+  /// More of it for each time that the triangle penetrated [m]; a fixed offset took up to sixteen
+  /// rounds (D5, "Rejected").
+  double clearance_each_time = 3e-5;
+  /// Clearance below which a triangle counts as penetrating [m]: or each round would find
+  /// neighbours.
+  double near_penetration = 8e-5;
+  /// Largest raise of an offset in one round [m].
+  double largest_raise = 0.002;
+  /// Largest error of the distance field that an offset makes up for [m].
+  double largest_field_error = 0.002;
+  /// Distance from the skin that counts as far: beyond it none is computed [m].
+  double far = 0.002;
+  /// Distance of vertices from the skin up to which inside and outside are told apart [m].
+  double signed_reach = 0.05;
+  /// Iterations before each look, at most [–]; E.
+  int look_iterations = 15;
+  /// Rounds of raising offsets at rest [–]: a handful is usual; a stop for hopeless ones.
+  int rounds = 30;
+  /// Intervals of the lattice along an edge, at least [–]: finer than vertices and midpoints.
+  int least_lattice = 4;
+};
+
+/// The certificate is met, or the best state is taken.
+struct CertifyTuning {
+  /// First share of the tolerance that is sought when the certificate, which refreshes contacts,
+  /// finds more than it allows [–], and the factor from one attempt to the next.
+  double first_share = 0.8;
+  double next_share = 0.5;
+  int attempts = 3;  ///< [–]; chosen by experiment
+  /// Fall of the residual that makes a state worth keeping [–]: a copy costs a tenth of an
+  /// iteration.
+  double worth_keeping = 0.7;
+};
+
+/// Cloth that nothing holds is recognised (FreeFall).
+struct FreeFallTuning {
+  /// Pieces whose boxes come so near may hang on each other [m].
+  double together = 0.02;
+  /// How far beside the body cloth has to be, beyond all that it reaches [m]: for friction and
+  /// bulk.
+  double aside = 0.10;
+};
+
+/// The two integrators of comparison.
+struct IntegratorTuning {
+  double implicit_dt = 0.02;  ///< time step of implicit Euler [s]; stable at any
+  int explicit_steps = 1000;  ///< steps of the paper's integrator that count as an iteration [–]
+};
+
+/// All of them.
+struct SettlingTuning {
+  ClothModelTuning cloth;
+  CarryTuning carry;
+  ContractTuning contract;
+  DisturbTuning disturb;
+  FollowTuning follow;
+  LevelTuning levels;
+  PenetrationTuning penetrations;
+  CertifyTuning certify;
+  FreeFallTuning free_fall;
+  IntegratorTuning integrators;
+
+  /// \throws InvalidInput naming field, value and bounds of the first that is out of bounds.
+  void validate() const;
+};
+
+/// One number of a tuning by its name ("contract.pad_thickness"), for sweeps and tests.
+struct TuningField {
+  std::string name;
+  std::variant<double*, int*> value;  ///< in the tuning
+  double least, most;                 ///< bounds, both allowed
+};
+
+/// All numbers of `tuning`, in the order of their declaration. They point into it.
+std::vector<TuningField> tuning_fields(SettlingTuning& tuning);
+
+}  // namespace loosefit

@@ -1,0 +1,35 @@
+#include "loosefit/drape/stop_reason.h"
+
+#include <gtest/gtest.h>
+
+namespace loosefit {
+namespace {
+
+TEST(StopReason, SaysWhatTheSolverSaid) {
+  using Reason = SettleOutcome::Reason;
+  for (const Reason reason : {Reason::converged, Reason::iteration_limit, Reason::stopped,
+                              Reason::stuck, Reason::diverged}) {
+    SettleOutcome outcome;
+    outcome.reason = reason;
+    EXPECT_EQ(Stop{stop_reason(reason)}.text(), outcome.text());
+  }
+}
+
+TEST(StopReason, PutsItsFiguresIntoTheSentence) {
+  EXPECT_EQ((Stop{.reason = StopReason::caught_in_skin, .depth = 0.0071}.text()),
+            "given up: the cloth is caught 7 mm deep in a fold of the skin");
+  EXPECT_EQ((Stop{.reason = StopReason::posture_too_long, .iterations = 612}.text()),
+            "given up after 612 iterations on the finest level");
+}
+
+TEST(StopReason, NamesThePanelsThatFallAtMostSixOfThem) {
+  Stop stop{.reason = StopReason::pieces_fall, .pieces = 1, .panels = {"belt"}};
+  EXPECT_EQ(stop.text(), "panel belt is sewn to nothing that stays on the body and falls freely");
+  stop.panels = {"a", "b"}, stop.pieces = 2;
+  EXPECT_EQ(stop.text(), "panels a, b are sewn to nothing that stays on the body and fall freely");
+  stop.panels.assign(8, "p");
+  EXPECT_NE(stop.text().find("p, p, p, p, p, p, …"), std::string::npos) << stop.text();
+}
+
+}  // namespace
+}  // namespace loosefit
