@@ -20,14 +20,14 @@ TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
     RunOptions options;
     options.only_drape = true;
     const CaseResult result = run_case(scenario, silent, options);
-    EXPECT_TRUE(result.drape.certificate.holds()) << result.drape.certificate.stop_reason;
-    EXPECT_EQ(result.drape.certificate.worn_reasons, std::vector<std::string>{});
+    EXPECT_TRUE(result.certificate().holds()) << result.certificate().stop_reason;
+    EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
     // The straps lie on the shoulders, beside the neck.
-    const Garment::EdgeChain* strap = result.mesh().find_part("front", "shoulder_L");
+    const Garment::EdgeChain* strap = result.studied().mesh().find_part("front", "shoulder_L");
     ASSERT_TRUE(strap);
     const auto& marks = result.body.body->landmarks;
     for (const int v : strap->vertices) {
-      const Vec3& p = result.drape.positions[v];
+      const Vec3& p = result.studied().drape.positions[v];
       EXPECT_GT(p.x(), marks.at("hps_L").x() - 0.01);
       EXPECT_LT(p.x(), marks.at("acromion_L").x() + 0.01);
       EXPECT_GT(p.z(), marks.at("acromion_L").z() - 0.03);
