@@ -150,7 +150,7 @@ Made make(const Wish& wish) {
   if (!wish.body.empty())
     measures = read_measures(wish.body, kind.measures);
   else if (wish.size.empty() && (wish.file.empty() || has_body))
-    measures = draft_measures(kind, make_body(default_scenario().body).body.measured);
+    measures = draft_measures(kind, make_body(default_scenario().body).body->measured);
   override_measures(wish, measures, asked);
   if (!wish.file.empty()) {
     made.levels = kind.levels(made.pattern, measures, {});

@@ -15,8 +15,8 @@ using namespace testing_support;
 struct Square : SquareOverBall {
   using SquareOverBall::SquareOverBall;
   Unsettled explain() {
-    return explain_unsettled(*model, {&garment}, x, *body,
-                             certify(*model, x, *body, {StopReason::time_budget}));
+    return explain_unsettled(*model, {&garment}, x, body->body,
+                             certify(*model, x, body->body, {StopReason::time_budget}));
   }
 };
 

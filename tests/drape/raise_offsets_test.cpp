@@ -15,7 +15,7 @@ struct Square : testing_support::SquareOverBall {
     for (const ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
     return sum;
   }
-  std::set<int> penetrating() const { return penetrating_triangles(model->mesh(), *body, x); }
+  std::set<int> penetrating() const { return penetrating_triangles(model->mesh(), body->body, x); }
   bool raise(std::map<int, int>& times_cut) {
     return raise_offsets_at_penetrations(*model, *body, x, {0.5 * material.thickness},
                                          penetrating(), times_cut, PenetrationTuning{});

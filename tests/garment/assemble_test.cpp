@@ -7,8 +7,10 @@
 #include <numeric>
 
 #include "loosefit/base/error.h"
+#include "loosefit/garment/sew_panels.h"
 #include "loosefit/garment/surface_check.h"
 #include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/mesher.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit {

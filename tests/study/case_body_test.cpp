@@ -19,9 +19,9 @@ TEST(MakeBody, MeetsTheWishesAndListsThem) {
   ScenarioBody wished;
   wished.measurements = {{"chest", 0.90}, {"waist", 0.74}};
   const CaseBody made = make_body(wished);
-  EXPECT_NEAR(made.body.measured.at("height"), 1.68, 0.005);
-  EXPECT_NEAR(made.body.measured.at("chest"), 0.90, 0.005);
-  EXPECT_NEAR(made.body.measured.at("waist"), 0.74, 0.005);
+  EXPECT_NEAR(made.body->measured.at("height"), 1.68, 0.005);
+  EXPECT_NEAR(made.body->measured.at("chest"), 0.90, 0.005);
+  EXPECT_NEAR(made.body->measured.at("waist"), 0.74, 0.005);
   EXPECT_GE(made.asked.size(), 2u);
 }
 
@@ -31,7 +31,7 @@ TEST(MakeBody, PathLeadsFromDressingToWantedPostureOnOneTopology) {
   EXPECT_EQ(start.surface.triangles, end.surface.triangles);
   EXPECT_NEAR(arm_angle(start), 40, 2);
   EXPECT_NEAR(arm_angle(end), 25, 2);
-  EXPECT_EQ(end.surface.vertices, made.body.surface.vertices) << "the same bits every time";
+  EXPECT_EQ(end.surface.vertices, made.body->surface.vertices) << "the same bits every time";
 }
 
 TEST(MakeBody, MissingScanIsAnError) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/cloth_model.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/study/summary.h"
@@ -62,7 +63,9 @@ TEST(GarmentLayers, FrictionOfADonningHoldsForEveryContact) {
   EXPECT_NEAR(*layers[0].friction_over, 0.1, 1e-15);
   EXPECT_NEAR(layers[1].material.friction_body, 0.25, 1e-15);
   EXPECT_NEAR(layers[1].material.friction_self, 0.3, 1e-15);
-  EXPECT_NEAR(layer_friction(layers)(0, 1), 0.1, 1e-15);
+  std::vector<ModelLayer> parts;
+  for (const ClothLayer& l : layers) parts.push_back({nullptr, l.material, 0, l.friction_over});
+  EXPECT_NEAR(layer_friction(parts)(0, 1), 0.1, 1e-15);
 }
 
 TEST(GarmentLayers, SummaryListsAllGarmentsFromTheSkinOutwards) {

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/study/garment_maps.h"
 #include "loosefit/study/prepare_case.h"
 #include "loosefit/study/simulation_options.h"
