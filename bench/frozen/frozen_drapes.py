@@ -97,7 +97,7 @@ def main():
             found = list(differences(record.get(name, {}), made))
             failed += bool(found)
             print(name, "same" if not found else f"{len(found)} differences", flush=True)
-            for line in found[:20]:
+            for line in found[-20:]:
                 print("   ", line)
     if args.action == "record":
         args.file.write_text(json.dumps(record, separators=(",", ":")) + "\n")

@@ -73,7 +73,7 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
     const int segments = static_cast<int>(chain.size()) - 1;
     std::vector<int> finer{chain[0]};
     for (int i = 0; i < segments; ++i) {
-      const int m = middle(chain[i], chain[i + 1]);
+      const int m = middle_of[topology.find(chain[i], chain[i + 1])];
       on_curve[m] = path.at((i + 0.5) / segments);
       moved[m] = true;
       finer.push_back(m);
