@@ -12,7 +12,7 @@ namespace {
 struct Sheet {
   std::vector<Triangle> triangles;
   std::vector<std::array<Vec2, 3>> uv;
-  VectorField x;
+  particles::VectorField x;
 };
 
 Sheet wavy_sheet() {
@@ -42,21 +42,23 @@ Sheet wavy_sheet() {
   return sheet;
 }
 
-void value_and_gradient(benchmark::State& state, const Energy& energy, const VectorField& x) {
-  VectorField g(x.size(), Vec3::Zero());
+void value_and_gradient(benchmark::State& state, const particles::Energy& energy,
+                        const particles::VectorField& x) {
+  particles::VectorField g(x.size(), Vec3::Zero());
   for (auto _ : state) benchmark::DoNotOptimize(energy.value_and_gradient(x, g));
 }
 
-void value(benchmark::State& state, const Energy& energy, const VectorField& x) {
+void value(benchmark::State& state, const particles::Energy& energy,
+           const particles::VectorField& x) {
   for (auto _ : state) benchmark::DoNotOptimize(energy.value(x));
 }
 
-void hessian(benchmark::State& state, const Energy& energy, const VectorField& x,
-             HessianKind kind) {
-  BlockPattern pattern(static_cast<int>(x.size()));
+void hessian(benchmark::State& state, const particles::Energy& energy,
+             const particles::VectorField& x, particles::HessianKind kind) {
+  particles::BlockPattern pattern(static_cast<int>(x.size()));
   energy.add_pattern(x, pattern);
   pattern.compress();
-  BlockMatrix h(pattern);
+  particles::BlockMatrix h(pattern);
   for (auto _ : state) {
     energy.add_hessian(x, h, kind);
     benchmark::DoNotOptimize(h.block(0).data());
@@ -65,25 +67,27 @@ void hessian(benchmark::State& state, const Energy& energy, const VectorField& x
 
 void membrane(benchmark::State& state, int what) {
   const Sheet sheet = wavy_sheet();
-  const MembraneEnergy energy(sheet.triangles, sheet.uv, {}, Material{});
+  const fabric::MembraneEnergy energy(sheet.triangles, sheet.uv, {}, fabric::Material{});
   if (what == 0) value(state, energy, sheet.x);
   if (what == 1) value_and_gradient(state, energy, sheet.x);
-  if (what == 2) hessian(state, energy, sheet.x, HessianKind::projected);
+  if (what == 2) hessian(state, energy, sheet.x, particles::HessianKind::projected);
 }
 BENCHMARK_CAPTURE(membrane, value, 0)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(membrane, value_and_gradient, 1)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(membrane, hessian, 2)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
-void bending(benchmark::State& state, int what, HessianKind kind, BendingTangent reach) {
+void bending(benchmark::State& state, int what, particles::HessianKind kind,
+             particles::BendingTangent reach) {
   const Sheet sheet = wavy_sheet();
-  BendingEnergy energy(sheet.triangles, sheet.uv, {}, Material{});
+  fabric::BendingEnergy energy(sheet.triangles, sheet.uv, {}, fabric::Material{});
   energy.set_tangent(reach);
   if (what == 0) value(state, energy, sheet.x);
   if (what == 1) value_and_gradient(state, energy, sheet.x);
   if (what == 2) hessian(state, energy, sheet.x, kind);
 }
-constexpr auto kExact = HessianKind::exact, kDefinite = HessianKind::projected;
-constexpr auto kNear = BendingTangent::hinge, kFull = BendingTangent::plate;
+constexpr auto kExact = particles::HessianKind::exact,
+               kDefinite = particles::HessianKind::projected;
+constexpr auto kNear = particles::BendingTangent::hinge, kFull = particles::BendingTangent::plate;
 BENCHMARK_CAPTURE(bending, value, 0, kExact, kFull)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK_CAPTURE(bending, value_and_gradient, 1, kExact, kFull)
     ->Unit(benchmark::kMicrosecond)

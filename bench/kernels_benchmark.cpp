@@ -12,8 +12,8 @@ namespace {
 
 /// Sphere of radius 0.3 m from a latitude-longitude grid, about the size and number of triangles of
 /// a body.
-TriangleMesh sphere(int rings, int sectors) {
-  TriangleMesh mesh;
+geometry::TriangleMesh sphere(int rings, int sectors) {
+  geometry::TriangleMesh mesh;
   mesh.vertices.emplace_back(0, 0, -0.3);
   for (int i = 1; i < rings; ++i)
     for (int j = 0; j < sectors; ++j) {
@@ -37,8 +37,8 @@ TriangleMesh sphere(int rings, int sectors) {
 }
 
 void closest_point(benchmark::State& state) {
-  const TriangleMesh mesh = sphere(230, 230);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = sphere(230, 230);
+  const geometry::ClosestPointTree tree(mesh);
   int i = 0;
   for (auto _ : state) {
     const double t = 0.618034 * ++i;
@@ -49,20 +49,22 @@ void closest_point(benchmark::State& state) {
 BENCHMARK(closest_point);
 
 void closest_point_tree_build(benchmark::State& state) {
-  const TriangleMesh mesh = sphere(230, 230);
-  for (auto _ : state) benchmark::DoNotOptimize(ClosestPointTree(mesh));
+  const geometry::TriangleMesh mesh = sphere(230, 230);
+  for (auto _ : state) benchmark::DoNotOptimize(geometry::ClosestPointTree(mesh));
 }
 BENCHMARK(closest_point_tree_build)->Unit(benchmark::kMillisecond);
 
 void exact_self_intersections(benchmark::State& state) {
-  const TriangleMesh mesh = sphere(90, 90);  // as many triangles as the reference shirt
-  for (auto _ : state) benchmark::DoNotOptimize(self_intersections(mesh.vertices, mesh.triangles));
+  const geometry::TriangleMesh mesh = sphere(90, 90);  // as many triangles as the reference shirt
+  for (auto _ : state)
+    benchmark::DoNotOptimize(geometry::self_intersections(mesh.vertices, mesh.triangles));
 }
 BENCHMARK(exact_self_intersections)->Unit(benchmark::kMillisecond);
 
 void draft_and_mesh_the_shirt(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(build_hierarchy(draft_shirt({}), 0.010, Material{}));
+    benchmark::DoNotOptimize(
+        garment::build_hierarchy(kinds::draft_shirt({}), 0.010, fabric::Material{}));
 }
 BENCHMARK(draft_and_mesh_the_shirt)->Unit(benchmark::kMillisecond);
 

@@ -15,10 +15,10 @@ constexpr double kTurn = 2.1;  ///< steepest angle of the meanders [rad]
 /// (sine-generated curves, Langbein and Leopold 1966) whose loops nearly close: where the sheet
 /// bends back on itself layers touch, elsewhere they lie up to centimetres apart.
 struct WrinkledSheet {
-  VectorField x;
+  particles::VectorField x;
   std::vector<Triangle> triangles;
   std::vector<double> areas;
-  VectorField direction;  ///< random, smooth over a few edges, longest 1
+  particles::VectorField direction;  ///< random, smooth over a few edges, longest 1
 
   explicit WrinkledSheet(double turn = kTurn) {
     constexpr int kColumns = 90, kRows = 90, kParts = 20;
@@ -55,11 +55,11 @@ struct WrinkledSheet {
                              0.5 * std::sin(110 * p[0] + 50 * p[1] + pz));
   }
 
-  SelfContact contact() const {
-    return SelfContact(triangles, areas, static_cast<int>(x.size()), {});
+  contact::SelfContact contact() const {
+    return contact::SelfContact(triangles, areas, static_cast<int>(x.size()), {});
   }
-  VectorField way(double length) const {
-    VectorField dx = direction;
+  particles::VectorField way(double length) const {
+    particles::VectorField dx = direction;
     for (Vec3& d : dx) d *= length;
     return dx;
   }
@@ -69,10 +69,10 @@ struct WrinkledSheet {
 /// calls by a hundredth of that.
 void self_contact_max_step(benchmark::State& state) {
   const WrinkledSheet sheet;
-  SelfContact contact = sheet.contact();
+  contact::SelfContact contact = sheet.contact();
   const double length = 1e-6 * static_cast<double>(state.range(0));
-  const VectorField dx = sheet.way(length);
-  VectorField x = sheet.x;
+  const particles::VectorField dx = sheet.way(length);
+  particles::VectorField x = sheet.x;
   int call = 0;
   for (auto _ : state) {
     const double share = ++call % 20 < 10 ? 0.01 : -0.01;
@@ -91,7 +91,7 @@ BENCHMARK(self_contact_max_step)
 
 void self_contact_begin_step(benchmark::State& state) {
   const WrinkledSheet sheet;
-  SelfContact contact = sheet.contact();
+  contact::SelfContact contact = sheet.contact();
   const double infinity = std::numeric_limits<double>::infinity();
   for (auto _ : state) contact.begin_step(sheet.x, infinity);
   state.counters["active"] = contact.active(sheet.x);
@@ -100,22 +100,22 @@ BENCHMARK(self_contact_begin_step)->Unit(benchmark::kMillisecond)->UseRealTime()
 
 void self_contact_gradient(benchmark::State& state) {
   const WrinkledSheet sheet;
-  SelfContact contact = sheet.contact();
+  contact::SelfContact contact = sheet.contact();
   contact.max_step(sheet.x, sheet.way(1e-3));
-  VectorField g(sheet.x.size(), Vec3::Zero());
+  particles::VectorField g(sheet.x.size(), Vec3::Zero());
   for (auto _ : state) benchmark::DoNotOptimize(contact.value_and_gradient(sheet.x, g));
 }
 BENCHMARK(self_contact_gradient)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void self_contact_hessian(benchmark::State& state) {
   const WrinkledSheet sheet;
-  SelfContact contact = sheet.contact();
+  contact::SelfContact contact = sheet.contact();
   contact.begin_step(sheet.x, std::numeric_limits<double>::infinity());
-  BlockPattern pattern(static_cast<int>(sheet.x.size()));
+  particles::BlockPattern pattern(static_cast<int>(sheet.x.size()));
   contact.add_pattern(sheet.x, pattern);
   pattern.compress();
-  BlockMatrix h(pattern);
-  for (auto _ : state) contact.add_hessian(sheet.x, h, HessianKind::exact);
+  particles::BlockMatrix h(pattern);
+  for (auto _ : state) contact.add_hessian(sheet.x, h, particles::HessianKind::exact);
 }
 BENCHMARK(self_contact_hessian)->Unit(benchmark::kMillisecond)->UseRealTime();
 

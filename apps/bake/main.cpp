@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   using namespace loosefit;
   try {
     if (argc == 3 && std::string(argv[1]) == "--check") {
-      read_body_data(argv[2]);
+      body::read_body_data(argv[2]);
       return 0;
     }
     if (argc != 3) {
@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
                    "       loosefit_bake --check FILE.lfb\n");
       return 2;
     }
-    const BodyData data = bake_body_data(argv[1]);
-    write_body_data(argv[2], data);
+    const body::BodyData data = body::bake_body_data(argv[1]);
+    body::write_body_data(argv[2], data);
     std::printf("body data: %zu targets (%zu distinct) baked into %s\n", data.field_of_name.size(),
                 data.fields.size(), argv[2]);
     return 0;

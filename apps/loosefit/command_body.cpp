@@ -26,7 +26,7 @@ namespace {
 
 struct Wish {
   std::string sex = "female";
-  BodySpec spec;
+  body::BodySpec spec;
   std::map<std::string, std::optional<double>> measures;
   std::string posture = "standing";
   std::optional<double> arm_abduction_deg, forward_bend_deg, sitting, arm_flexion_deg,
@@ -52,10 +52,10 @@ double sex_of(const std::string& text) {
   return value;
 }
 
-Posture posture_of(const Wish& wish) {
-  Posture posture;
+body::Posture posture_of(const Wish& wish) {
+  body::Posture posture;
   try {
-    posture = named_posture(wish.posture);
+    posture = body::named_posture(wish.posture);
   } catch (const InvalidInput& error) {
     throw InvalidInput({"", 0, "--posture"}, "\"" + printable(wish.posture) + "\"",
                        "the name of a posture", error.hint());
@@ -69,7 +69,7 @@ Posture posture_of(const Wish& wish) {
   return posture;
 }
 
-void print_table(const std::vector<MeasureRow>& table) {
+void print_table(const std::vector<body::MeasureRow>& table) {
   if (table.empty()) return;
   fmt::print("{:<18} {:>10} {:>12} {:>9}\n", "measure", "asked [m]", "measured [m]", "off [mm]");
   for (const auto& row : table) {
@@ -78,22 +78,23 @@ void print_table(const std::vector<MeasureRow>& table) {
   }
 }
 
-void write_body(const std::string& folder, const Body& body, const BodyFit& fit) {
-  RunFolder files = RunFolder::add(folder, "body");
+void write_body(const std::string& folder, const body::Body& body, const body::BodyFit& fit) {
+  io::RunFolder files = io::RunFolder::add(folder, "body");
   const auto path = [&](const char* name) { return (files.path() / name).string(); };
-  write_obj(path("body.obj"), body.surface, body.normals);
-  write_body_vtp(path("body.vtp"), body);
-  write_body_json(path("body.json"), body, fit);
+  io::write_obj(path("body.obj"), body.surface, body.normals);
+  io::write_body_vtp(path("body.vtp"), body);
+  io::write_body_json(path("body.json"), body, fit);
   files.commit();
   fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(folder));
 }
 
 void run(Wish wish) {
-  Body body;
-  BodyFit fit;
+  body::Body body;
+  body::BodyFit fit;
   if (!wish.file.empty()) {
-    MeshFile scan = read_mesh(wish.file);
-    ScanBody made = body_from_scan(std::move(scan.mesh), {wish.file, wish.units, wish.up});
+    io::MeshFile scan = io::read_mesh(wish.file);
+    body::ScanBody made =
+        body::body_from_scan(std::move(scan.mesh), {wish.file, wish.units, wish.up});
     body = std::move(made.body);
     fit.warnings = std::move(scan.warnings);
     fit.warnings.insert(fit.warnings.end(), made.warnings.begin(), made.warnings.end());
@@ -113,9 +114,9 @@ void run(Wish wish) {
         wish.spec.measurements[name] = *asked;
       }
     }
-    const BodyModel model = BodyModel::load();
-    fit = fit_body(model, wish.spec);
-    body = SoftBody(model, fit.parameters).in(posture_of(wish));
+    const body::BodyModel model = body::BodyModel::load();
+    fit = body::fit_body(model, wish.spec);
+    body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish));
   }
   print_table(fit.table);
   for (const char* name : {"height", "chest", "waist", "hip"}) {
@@ -144,7 +145,7 @@ void add_body_command(CLI::App& app) {
   auto wish = std::make_shared<Wish>();
   command->add_option("--sex", wish->sex, "female, male or 0 (female) … 1 (male)");
   command->add_option("--age", wish->spec.age, "years");
-  for (const auto& name : measure_names()) {
+  for (const auto& name : body::measure_names()) {
     command->add_option(
         option_of(name), wish->measures[name],
         name == "height" ? "stature [m]; without it the model's own" : "wanted " + name + " [m]");
@@ -153,7 +154,7 @@ void add_body_command(CLI::App& app) {
   command->add_option("--proportions", wish->spec.proportions, "0 … 1");
   command->add_option("--cup", wish->spec.cup, "0 … 1");
   command->add_option("--firmness", wish->spec.firmness, "0 … 1");
-  command->add_option("--posture", wish->posture, join(posture_names()));
+  command->add_option("--posture", wish->posture, join(body::posture_names()));
   command->add_option("--arm-abduction-deg", wish->arm_abduction_deg, "upper arm to the vertical");
   command->add_option("--forward-bend-deg", wish->forward_bend_deg, "turn of the back");
   command->add_option("--sitting", wish->sitting, "0 standing … 1 sitting");

@@ -33,21 +33,21 @@ bool report(const std::string& what, const std::function<std::string()>& check) 
 
 std::string find_body_data() {
   const std::string path = default_body_data_path();
-  read_body_data(path);
+  body::read_body_data(path);
   return path;
 }
 
 std::string find_materials() {
-  const auto names = material_names();
+  const auto names = io::material_names();
   if (names.empty())
     throw IoError("no cards in " + (data_directory() / "materials").string(),
                   "set LOOSEFIT_SHARE to the folder that holds materials/");
-  for (const std::string& name : names) load_material(name);
+  for (const std::string& name : names) io::load_material(name);
   return fmt::format("{} cards in {}", names.size(), (data_directory() / "materials").string());
 }
 
 std::string find_display() {
-  check_display();
+  render::check_display();
   return std::getenv("DISPLAY");
 }
 

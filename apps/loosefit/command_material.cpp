@@ -19,15 +19,15 @@ namespace {
 void list_materials() {
   fmt::print("{:22} {:>8} {:>9} {:>9} {:>7} {:>9} {:>9} {:>6} {:>6} {:>6}  {}\n", "name", "w kg/m2",
              "K warp", "K weft", "G N/m", "B warp", "B weft", "c warp", "c weft", "HB/B", "");
-  for (const std::string& name : material_names()) {
-    const Material m = load_material(name).material;
+  for (const std::string& name : io::material_names()) {
+    const fabric::Material m = io::load_material(name).material;
     const double residual = std::max(m.bending_hysteresis_warp / m.bending_warp,
                                      m.bending_hysteresis_weft / m.bending_weft);
     const bool curves = !(m.curve_warp.empty() && m.curve_weft.empty() && m.curve_shear.empty());
     fmt::print("{:22} {:8.3f} {:9.4g} {:9.4g} {:7.4g} {:9.3g} {:9.3g} {:6.1f} {:6.1f} {:>6}  {}\n",
                name, m.areal_density, m.stiffness_warp, m.stiffness_weft, m.stiffness_shear,
-               m.bending_warp, m.bending_weft, 1e3 * bending_length(m, m.bending_warp),
-               1e3 * bending_length(m, m.bending_weft),
+               m.bending_warp, m.bending_weft, 1e3 * io::bending_length(m, m.bending_warp),
+               1e3 * io::bending_length(m, m.bending_weft),
                residual > 0 ? fmt::format("{:.1f}", residual) : "-", curves ? "curves" : "");
   }
   fmt::print(
@@ -35,9 +35,10 @@ void list_materials() {
       "curvature 1/m\n`loosefit material show NAME` tells the source\n");
 }
 
-void show_bending(const Material& m) {
+void show_bending(const fabric::Material& m) {
   fmt::print("# bending length: warp {:.1f} mm, weft {:.1f} mm\n",
-             1e3 * bending_length(m, m.bending_warp), 1e3 * bending_length(m, m.bending_weft));
+             1e3 * io::bending_length(m, m.bending_warp),
+             1e3 * io::bending_length(m, m.bending_weft));
   const double warp = m.bending_hysteresis_warp / m.bending_warp;
   const double weft = m.bending_hysteresis_weft / m.bending_weft;
   if (warp > 0 || weft > 0)
@@ -45,10 +46,10 @@ void show_bending(const Material& m) {
                warp, weft);
 }
 
-void show_kes(const std::vector<KesFigure>& figures) {
+void show_kes(const std::vector<scenario::KesFigure>& figures) {
   if (figures.empty()) return;
   fmt::print("# as measured (KES)\n");
-  for (const KesFigure& f : figures) {
+  for (const scenario::KesFigure& f : figures) {
     const std::string si = f.unit.factor == 1 && f.unit.unit == "-"
                                ? ""
                                : fmt::format("= {:.6g} {}", f.value * f.unit.factor,
@@ -59,9 +60,10 @@ void show_kes(const std::vector<KesFigure>& figures) {
 }
 
 // Initial tangent and secants; the last measured strain tells where extrapolation begins.
-void show_curve(const char* name, const std::vector<CurvePoint>& points, const char* strain) {
+void show_curve(const char* name, const std::vector<fabric::CurvePoint>& points,
+                const char* strain) {
   if (points.empty()) return;
-  const MonotoneCubic law(points);
+  const fabric::MonotoneCubic law(points);
   const double end = points.back().strain;
   std::string text = fmt::format("#   {:6} {} points to {} {:.4g}: initial {:.4g}", name,
                                  points.size(), strain, end, law.initial_slope());
@@ -71,7 +73,7 @@ void show_curve(const char* name, const std::vector<CurvePoint>& points, const c
   fmt::print("{} N/m\n", text);
 }
 
-void show_curves(const Material& m) {
+void show_curves(const fabric::Material& m) {
   if (m.curve_warp.empty() && m.curve_weft.empty() && m.curve_shear.empty()) return;
   fmt::print("# measured curves, stiffness as force over strain:\n");
   show_curve("warp", m.curve_warp, "elongation");
@@ -81,17 +83,17 @@ void show_curves(const Material& m) {
 
 void show_material(const std::string& name) {
   const bool file = std::filesystem::path(name).extension() == ".toml";
-  const MaterialCard card = file ? read_material_file(name) : load_material(name);
+  const scenario::MaterialCard card = file ? io::read_material_file(name) : io::load_material(name);
   fmt::print("# {}\n# source: {}\n# status: {}\n", terminal_line(card.title),
              terminal_line(card.material.source), terminal_line(card.status));
   show_bending(card.material);
   show_kes(card.kes);
   show_curves(card.material);
   for (const std::string& note : card.notes) fmt::print("# note: {}\n", terminal_line(note));
-  for (const ConstantInUse& c : constants_in_use(card))
+  for (const io::ConstantInUse& c : io::constants_in_use(card))
     if (c.from != "card " + card.material.name)
       fmt::print("# {} from {}\n", c.key, terminal_line(c.from));
-  fmt::print("{}", material_toml(card.material));
+  fmt::print("{}", io::material_toml(card.material));
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ void add_once(std::vector<NumberOption>& options, const NumberOption& option) {
 /// Measures of the body that any kind of garment asks for.
 std::vector<NumberOption> measure_options() {
   std::vector<NumberOption> options;
-  for (const GarmentKind& kind : garment_kinds())
-    for (const KindMeasure& m : kind.measures) {
+  for (const kinds::GarmentKind& kind : kinds::garment_kinds())
+    for (const kinds::KindMeasure& m : kind.measures) {
       const bool angle = m.unit == "rad";
       add_once(options, {dashed(m.name) + (angle ? "-deg" : ""), m.name,
                          angle ? "of the body [degrees]" : "of the body [m]", angle});
@@ -62,8 +62,8 @@ std::vector<NumberOption> measure_options() {
 /// Keys of [garment.fit] of any kind of garment.
 std::vector<NumberOption> fit_options() {
   std::vector<NumberOption> options;
-  for (const GarmentKind& kind : garment_kinds())
-    for (const KindKey& key : kind.keys)
+  for (const kinds::GarmentKind& kind : kinds::garment_kinds())
+    for (const kinds::KindKey& key : kind.keys)
       add_once(options, {(key.mobility ? "fit-" : "") + dashed(key.name), key.name,
                          key.meaning + (key.mobility ? ": garment girth / body girth - 1"
                                                      : " (" + key.unit + ")")});
@@ -72,7 +72,7 @@ std::vector<NumberOption> fit_options() {
 
 struct Wish {
   std::string file, size, body, scenario, out;
-  std::string kind = garment_kinds().front().name;
+  std::string kind = kinds::garment_kinds().front().name;
   bool kind_given = false;
   bool list_sizes = false;
   std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
@@ -86,14 +86,15 @@ bool any(const std::map<std::string, std::optional<double>>& wishes) {
 
 /// The pattern and how it fits the body it is compared with, if there is one.
 struct Made {
-  Pattern pattern;
-  std::vector<FitLevel> levels;
+  pattern::Pattern pattern;
+  std::vector<kinds::FitLevel> levels;
   std::string details;  ///< of the draft
   std::vector<std::string> warnings;
 };
 
 /// Measures that the user gave over those of a body; their keys go into `asked`.
-void override_measures(const Wish& wish, NamedValues& measures, std::set<std::string>& asked) {
+void override_measures(const Wish& wish, kinds::NamedValues& measures,
+                       std::set<std::string>& asked) {
   for (const NumberOption& option : measure_options())
     if (const auto& value = wish.measures.at(option.name)) {
       measures[option.key] = option.degrees ? radians(*value) : *value;
@@ -102,11 +103,11 @@ void override_measures(const Wish& wish, NamedValues& measures, std::set<std::st
 }
 
 /// What a scenario with these options would ask for.
-GarmentSpec garment_of(const Wish& wish, const GarmentKind& kind) {
-  GarmentSpec garment;
+scenario::GarmentSpec garment_of(const Wish& wish, const kinds::GarmentKind& kind) {
+  scenario::GarmentSpec garment;
   garment.kind = wish.kind;
   garment.size = wish.size;
-  for (const KindKey& key : kind.keys) garment.adapt.push_back(key.name);
+  for (const kinds::KindKey& key : kind.keys) garment.adapt.push_back(key.name);
   for (const NumberOption& option : fit_options()) {
     const auto& value = wish.fit.at(option.name);
     if (!value) continue;
@@ -127,30 +128,32 @@ Made make(const Wish& wish) {
                        "one of --file, --size, --scenario, or measures with a fit");
   // A scenario brings body and garment.
   if (!wish.scenario.empty()) {
-    const Scenario scenario = read_scenario(wish.scenario);
+    const scenario::Scenario scenario = io::read_scenario(wish.scenario);
     try {
-      CasePattern result = make_pattern(scenario.studied().spec, make_body(scenario.body).body);
+      study::CasePattern result =
+          study::make_pattern(scenario.studied().spec, study::make_body(scenario.body).body);
       return {std::move(result.pattern), std::move(result.levels), {}, std::move(result.warnings)};
     } catch (const InvalidInput& error) {
-      throw in_scenario(error, scenario);
+      throw io::in_scenario(error, scenario);
     }
   }
   // A pattern file tells its kind, which tells the measures that it is compared with.
   std::string kind_name = wish.kind;
   if (!wish.file.empty()) {
-    PatternFile file = read_garmentcode(wish.file);
+    io::PatternFile file = io::read_garmentcode(wish.file);
     made.pattern = std::move(file.pattern);
     made.warnings = std::move(file.warnings);
     kind_name = made.pattern.kind;
   }
-  const GarmentKind& kind = garment_kind(kind_name);
+  const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);
   const bool has_body = !wish.body.empty() || any(wish.measures);
-  NamedValues measures;
+  kinds::NamedValues measures;
   std::set<std::string> asked;
   if (!wish.body.empty())
-    measures = read_measures(wish.body, kind.measures);
+    measures = io::read_measures(wish.body, kind.measures);
   else if (wish.size.empty() && (wish.file.empty() || has_body))
-    measures = draft_measures(kind, make_body(default_scenario().body).body->measured);
+    measures =
+        kinds::draft_measures(kind, study::make_body(io::default_scenario().body).body->measured);
   override_measures(wish, measures, asked);
   if (!wish.file.empty()) {
     made.levels = kind.levels(made.pattern, measures, {});
@@ -158,12 +161,12 @@ Made make(const Wish& wish) {
   }
   // A draft; a size is compared with its own body unless there is another one.
   if (!wish.size.empty()) try {
-      const KindSize& size = find_size(kind.sizes, wish.size);
+      const kinds::KindSize& size = kinds::find_size(kind.sizes, wish.size);
       if (!has_body) measures = size.measures;
     } catch (const InvalidInput& error) {
       throw error.at({{}, 0, "--size"});
     }
-  DraftedGarment drafted = draft_garment(garment_of(wish, kind), measures, asked);
+  kinds::DraftedGarment drafted = study::draft_garment(garment_of(wish, kind), measures, asked);
   made.pattern = std::move(drafted.pattern);
   made.levels = kind.levels(made.pattern, measures, drafted.fit);
   made.details = std::move(drafted.details);
@@ -171,10 +174,10 @@ Made make(const Wish& wish) {
   return made;
 }
 
-void print_girths(const std::vector<FitLevel>& levels) {
+void print_girths(const std::vector<kinds::FitLevel>& levels) {
   if (levels.empty()) return;
   fmt::print("{:<10} {:>9} {:>11} {:>8}\n", "level", "body [m]", "garment [m]", "BGM");
-  for (const FitLevel& level : levels)
+  for (const kinds::FitLevel& level : levels)
     if (level.body)
       fmt::print("{:<10} {:>9.4f} {:>11.4f} {:>+8.4f}\n", level.name, *level.body, level.garment,
                  level.garment / *level.body - 1);
@@ -183,15 +186,15 @@ void print_girths(const std::vector<FitLevel>& levels) {
   fmt::print("\n");
 }
 
-void print_pieces(const Pattern& pattern) {
+void print_pieces(const pattern::Pattern& pattern) {
   fmt::print("{:<18} {:>10} {:>11} {:>10} {:>7}\n", "piece", "width [mm]", "height [mm]",
              "area [cm2]", "edges");
   double total = 0;
-  for (const Panel& panel : pattern.panels) {
-    const std::vector<Vec2> outline = outline_polygon(panel);
+  for (const pattern::Panel& panel : pattern.panels) {
+    const std::vector<Vec2> outline = pattern::outline_polygon(panel);
     Vec2 low = outline[0], high = outline[0];
     for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const double area = signed_area(outline);
+    const double area = pattern::signed_area(outline);
     total += area;
     fmt::print("{:<18} {:>10.1f} {:>11.1f} {:>10.1f} {:>7}\n", terminal_line(panel.name),
                1000 * (high - low).x(), 1000 * (high - low).y(), 1e4 * area, panel.edges.size());
@@ -199,15 +202,15 @@ void print_pieces(const Pattern& pattern) {
   fmt::print("{} pieces, {:.4f} m2\n\n", pattern.panels.size(), total);
 }
 
-void print_seams(const Pattern& pattern) {
+void print_seams(const pattern::Pattern& pattern) {
   fmt::print("{:>2} {:<18} {:<32} {:<32} {:>11} {:>9}\n", "", "seam", "first side", "second side",
              "length [mm]", "diff [mm]");
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    const Stitch& stitch = pattern.stitches[s];
-    const auto side = [&](const Stitch::Side& end) {
-      const Panel& panel = pattern.panels[end.panel];
+    const pattern::Stitch& stitch = pattern.stitches[s];
+    const auto side = [&](const pattern::Stitch::Side& end) {
+      const pattern::Panel& panel = pattern.panels[end.panel];
       return std::make_pair(terminal_line(panel.name + "." + panel.edges[end.edge].name),
-                            1000 * EdgePath(panel, end.edge).length());
+                            1000 * pattern::EdgePath(panel, end.edge).length());
     };
     const auto [first, length_a] = side(stitch.first);
     const auto [second, length_b] = side(stitch.second);
@@ -218,11 +221,11 @@ void print_seams(const Pattern& pattern) {
 }
 
 /// Body and garment at the levels of fit that a size has both for.
-void print_sizes(const GarmentKind& kind) {
-  for (const KindSize& size : kind.sizes) {
-    const DraftedGarment garment = kind.draft({{}, size.name, {}, {}});
+void print_sizes(const kinds::GarmentKind& kind) {
+  for (const kinds::KindSize& size : kind.sizes) {
+    const kinds::DraftedGarment garment = kind.draft({{}, size.name, {}, {}});
     std::vector<std::string> names, bodies, girths;
-    for (const FitLevel& level : kind.levels(garment.pattern, size.measures, garment.fit)) {
+    for (const kinds::FitLevel& level : kind.levels(garment.pattern, size.measures, garment.fit)) {
       if (!level.body) continue;
       names.push_back(level.name);
       bodies.push_back(fmt::format("{:.2f}", *level.body));
@@ -235,7 +238,7 @@ void print_sizes(const GarmentKind& kind) {
 }
 
 void run(const Wish& wish) {
-  if (wish.list_sizes) return print_sizes(garment_kind(wish.kind));
+  if (wish.list_sizes) return print_sizes(kinds::garment_kind(wish.kind));
   const Made made = make(wish);
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
@@ -245,9 +248,9 @@ void run(const Wish& wish) {
   print_seams(made.pattern);
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
   if (wish.out.empty()) return;
-  RunFolder folder = RunFolder::add(wish.out, "pattern");
-  write_garmentcode(folder.path() / "pattern.json", made.pattern);
-  write_pattern_svg(folder.path() / "pattern.svg", made.pattern);
+  io::RunFolder folder = io::RunFolder::add(wish.out, "pattern");
+  io::write_garmentcode(folder.path() / "pattern.json", made.pattern);
+  io::write_pattern_svg(folder.path() / "pattern.svg", made.pattern);
   folder.commit();
   fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
 }
@@ -262,8 +265,8 @@ void add_pattern_command(CLI::App& app) {
       ->add_option_function<std::string>(
           "--pattern",
           [wish](const std::string& kind) { wish->kind = kind, wish->kind_given = true; },
-          join(drafted_kinds()) + "; default " + wish->kind)
-      ->check(CLI::IsMember(drafted_kinds()));
+          join(kinds::drafted_kinds()) + "; default " + wish->kind)
+      ->check(CLI::IsMember(kinds::drafted_kinds()));
   command->add_option("--file", wish->file, "GarmentCode specification JSON instead of the draft");
   command->add_option("--size", wish->size, "garment size, e.g. child-142, women-38, men-M");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");

@@ -27,23 +27,24 @@ struct Arguments {
   unsigned seed = 1;
 };
 
-RankingWish wish_of(const Arguments& arguments) {
-  RankingWish wish;
-  wish.scorecard = load_scorecard(arguments.modality);
+placement::RankingWish wish_of(const Arguments& arguments) {
+  placement::RankingWish wish;
+  wish.scorecard = io::load_scorecard(arguments.modality);
   wish.best = arguments.best;
   wish.partial = arguments.partial;
   wish.constraints.spacing = 1e-3 * arguments.spacing_mm;
   wish.constraints.seam_clearance = 1e-3 * arguments.seam_mm;
   wish.constraints.edge_clearance = 1e-3 * arguments.edge_mm;
-  for (const std::string& text : arguments.keep_out) add_keep_out(text, wish.constraints.keep_out);
+  for (const std::string& text : arguments.keep_out)
+    placement::add_keep_out(text, wish.constraints.keep_out);
   for (const std::string& region : arguments.regions)
-    wish.constraints.regions.push_back(*find_region(region));
+    wish.constraints.regions.push_back(*body::find_region(region));
   wish.search.seed = wish.rank.seed = arguments.seed;
   return wish;
 }
 
 int rank(const Arguments& arguments) {
-  RankRuns asked;
+  report::RankRuns asked;
   asked.inputs = arguments.inputs;
   asked.wish = wish_of(arguments);
   asked.with_sites = arguments.sites || arguments.best == 0;
@@ -51,10 +52,11 @@ int rank(const Arguments& arguments) {
   asked.output = arguments.output;
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
-  const RankedRuns ranked = rank_runs(asked, shown, [&](const RankingTable& table) {
-    shown.clear();
-    if (!arguments.quiet) fmt::print("{}", ranking_text(table));
-  });
+  const report::RankedRuns ranked =
+      report::rank_runs(asked, shown, [&](const placement::RankingTable& table) {
+        shown.clear();
+        if (!arguments.quiet) fmt::print("{}", report::ranking_text(table));
+      });
   note_what_was_set_aside(ranked.folder, ranked.set_aside);
   if (!arguments.quiet) {
     if (ranked.folder.empty())
@@ -99,7 +101,7 @@ void add_rank_command(CLI::App& app, int& exit_code) {
           "--region", arguments->regions,
           "search only over this part of the body (default: what the scorecard names); may "
           "be repeated")
-      ->check(CLI::IsMember(region_names()))
+      ->check(CLI::IsMember(body::region_names()))
       ->allow_extra_args(false);
   command->add_flag("--partial", arguments->partial,
                     "judge by what one drape can tell; scores are upper bounds");

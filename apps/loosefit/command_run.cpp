@@ -20,19 +20,20 @@ namespace {
 struct Arguments {
   std::string scenario, output;
   bool quiet = false, pictures = true;
-  RunOptions options;
+  study::RunOptions options;
 };
 
 int run(const Arguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.scenario);
+  const scenario::Scenario scenario = io::read_scenario(arguments.scenario);
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
-  const FolderOutput made =
-      run_into_folder(scenario, arguments.output, arguments.options, arguments.pictures, shown);
+  const report::FolderOutput made = report::run_into_folder(
+      scenario, arguments.output, arguments.options, arguments.pictures, shown);
   shown.clear();
   if (!arguments.quiet) {
-    fmt::print("{}written: {}\n", result_text(made.result), terminal_line(arguments.output));
-    if (made.ranking) fmt::print("\n{}", ranking_text(*made.ranking));
+    fmt::print("{}written: {}\n", report::result_text(made.result),
+               terminal_line(arguments.output));
+    if (made.ranking) fmt::print("\n{}", report::ranking_text(*made.ranking));
   }
   return made.result.certificate().holds() ? kGood : kNotSettled;
 }

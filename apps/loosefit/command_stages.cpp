@@ -19,23 +19,25 @@ namespace {
 
 struct Arguments {
   std::string folder;
-  RedoOptions options;
+  report::RedoOptions options;
   bool quiet = false;
 };
 
 int redo(const Arguments& arguments) {
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
-  const FolderOutput made = redo_in_folder(arguments.folder, arguments.options, shown);
+  const report::FolderOutput made =
+      report::redo_in_folder(arguments.folder, arguments.options, shown);
   shown.clear();
   if (!arguments.quiet)
-    fmt::print("{}written: {}\n", result_text(made.result), terminal_line(arguments.folder));
+    fmt::print("{}written: {}\n", report::result_text(made.result),
+               terminal_line(arguments.folder));
   note_what_was_set_aside(arguments.folder, made.set_aside);
   return made.result.certificate().holds() ? kGood : kNotSettled;
 }
 
 void add_stage(CLI::App& app, const std::string& name, const std::string& description,
-               const RedoOptions& options, int& exit_code) {
+               const report::RedoOptions& options, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   arguments->options = options;
   CLI::App* command = app.add_subcommand(name, description);
@@ -43,7 +45,7 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
   command
       ->add_option("--map", arguments->options.maps,
                    "what to map, instead of the scenario's maps; may be repeated")
-      ->check(CLI::IsMember(map_names()))
+      ->check(CLI::IsMember(maps::map_names()))
       ->allow_extra_args(false);
   command->add_flag("--allow-unsettled", arguments->options.allow_unsettled,
                     "make maps even of a drape that did not settle or is not worn");

@@ -29,38 +29,41 @@ struct Arguments {
   bool quick = false, list = false;
 };
 
-void print_list(const std::vector<Benchmark>& all) {
-  for (const Benchmark& b : all)
+void print_list(const std::vector<validate::Benchmark>& all) {
+  for (const validate::Benchmark& b : all)
     fmt::print("{:4}{} {}\n    {}\n", b.id, b.in_quick ? "" : " (not in --quick)", b.title,
                b.reference);
 }
 
-int validate(const Arguments& arguments) {
-  const Effort effort = arguments.quick ? Effort::quick : Effort::full;
-  const auto chosen = select_benchmarks(benchmarks(), arguments.only, effort);
+int run_validate(const Arguments& arguments) {
+  const validate::Effort effort =
+      arguments.quick ? validate::Effort::quick : validate::Effort::full;
+  const auto chosen = validate::select_benchmarks(validate::benchmarks(), arguments.only, effort);
   if (arguments.list) {
     print_list(chosen);
     return kGood;
   }
   TerminalProgress shown(false);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
-  std::optional<RunFolder> folder;
+  std::optional<io::RunFolder> folder;
   if (!arguments.output.empty()) {
-    folder.emplace(RunFolder::create(arguments.output, "validation"));
+    folder.emplace(io::RunFolder::create(arguments.output, "validation"));
     folder->announce({"validation.json", "validation.html"});
   }
   shown.stage("validate");
   // Memory and sense both end at a handful; machines with one core get one.
   const int workers = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-  const Validation validation =
-      run_validation(chosen, effort, shown, workers, [&](const BenchmarkOutcome& outcome) {
+  const validate::Validation validation = validate::run_validation(
+      chosen, effort, shown, workers, [&](const validate::BenchmarkOutcome& outcome) {
         shown.clear();
-        fmt::print("{}\n", outcome_table(outcome));
+        fmt::print("{}\n", validate::outcome_table(outcome));
         std::fflush(stdout);
       });
   if (folder) {
-    write_text_file((folder->path() / "validation.json").string(), validation_json(validation));
-    write_text_file((folder->path() / "validation.html").string(), validation_html(validation));
+    io::write_text_file((folder->path() / "validation.json").string(),
+                        validate::validation_json(validation));
+    io::write_text_file((folder->path() / "validation.html").string(),
+                        validate::validation_html(validation));
     shown.check_cancelled();
     folder->commit();
   }
@@ -68,7 +71,7 @@ int validate(const Arguments& arguments) {
   if (folder)
     fmt::print("wrote validation.html and validation.json into {}\n",
                terminal_line(arguments.output));
-  fmt::print("{}\n", verdict_line(validation));
+  fmt::print("{}\n", validate::verdict_line(validation));
   return validation.pass() ? kGood : kGateMissed;
 }
 
@@ -84,7 +87,7 @@ void add_validate_command(CLI::App& app, int& exit_code) {
   command->add_flag("--quick", arguments->quick, "the subset that fits into a minute");
   command->add_option("--only", arguments->only, "ids of benchmarks: B1,C2")->delimiter(',');
   command->add_flag("--list", arguments->list, "say what there is; run nothing");
-  command->callback([arguments, &exit_code] { exit_code = validate(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_validate(*arguments); });
 }
 
 }  // namespace loosefit

@@ -102,6 +102,6 @@ int run_guarded(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace loosefit;
   hold_standard_streams();
-  pin_blas(arguments);
+  solver::pin_blas(arguments);
   return with_output_written(run_guarded(count, arguments));
 }

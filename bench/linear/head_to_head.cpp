@@ -45,7 +45,7 @@ struct Rival {
 };
 
 struct System {
-  const BlockMatrix& a;
+  const particles::BlockMatrix& a;
   const std::vector<double>& shift;
   const std::vector<char>& held;
   const std::vector<Vec3>& g;
@@ -80,23 +80,23 @@ void measure(const System& s, const Factorise& factorise, const Solve& solve, Ri
 void compare(const std::string& name, int threads, int blas_threads, int matrices) {
   const bakeoff::Problem problem = bakeoff::make_problem(name);
   bakeoff::World world = problem.make();
-  const ParticleSystem& system = *world.system;
-  TangentMatrix tangent(system);
-  NewtonSystem own;
-  CholmodSolver cholmod;
+  const solver::ParticleSystem& system = *world.system;
+  solver::TangentMatrix tangent(system);
+  solver::NewtonSystem own;
+  solver::CholmodSolver cholmod;
   Rival ours{"ours", {}, {}, {}}, theirs{"CHOLMOD", {}, {}, {}};
   std::vector<double> shift(system.particles());
   for (int i = 0; i < system.particles(); ++i) shift[i] = system.mass[i] / (kDt * kDt);
-  const auto integrator = make_quasi_static(system);
+  const auto integrator = solver::make_quasi_static(system);
   for (int k = 0; k < matrices; ++k) {
-    SettleOptions options;
+    solver::SettleOptions options;
     options.tolerance = 1e-3;
     options.max_iterations = kApart;
     options.first_dt = problem.first_dt;
     const bool at_rest =
-        integrator->settle(world.x, options).reason == SettleOutcome::Reason::converged;
+        integrator->settle(world.x, options).reason == solver::SettleOutcome::Reason::converged;
     system.begin_step(world.x, kDt);
-    tangent.assemble(world.x, HessianKind::projected);
+    tangent.assemble(world.x, particles::HessianKind::projected);
     const std::vector<Vec3> g = system.gradient(world.x);
     const System s{tangent.matrix(), shift, system.held, g};
     std::vector<Vec3> b(g.size());
@@ -148,7 +148,7 @@ int run(int argc, char** argv) {
 }  // namespace loosefit
 
 int main(int argc, char** argv) try {
-  loosefit::pin_blas(argv);
+  loosefit::solver::pin_blas(argv);
   return loosefit::run(argc, argv);
 } catch (const std::exception& error) {
   fmt::print(stderr, "error: {}\n", error.what());

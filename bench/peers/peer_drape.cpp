@@ -23,8 +23,8 @@ namespace loosefit {
 namespace {
 
 /// The sheet that the programs of the comparison were given: E t = 261 N/m, ν = 0.243, isotropic.
-Material common_material() {
-  Material m;
+fabric::Material common_material() {
+  fabric::Material m;
   m.areal_density = 0.15;
   m.thickness = 5e-4;
   m.stiffness_warp = m.stiffness_weft = 261;
@@ -36,13 +36,13 @@ Material common_material() {
 }
 
 /// The flat panels where the pattern places them, not sewn, and the pairs of vertices to be sewn.
-nlohmann::json unsewn(const Garment& garment, const Pattern& pattern) {
+nlohmann::json unsewn(const garment::Garment& garment, const pattern::Pattern& pattern) {
   std::map<std::pair<int, int>, int> number;  // (panel, garment vertex) → vertex
   nlohmann::json vertices = nlohmann::json::array(), triangles = nlohmann::json::array(),
                  sewing = nlohmann::json::array();
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const int p = pattern.find_panel(garment.panel_names[garment.triangle_panel[t]]);
-    const Panel& panel = pattern.panels[p];
+    const pattern::Panel& panel = pattern.panels[p];
     std::array<int, 3> corners{};
     for (int k = 0; k < 3; ++k) {
       const auto [entry, is_new] =
@@ -63,7 +63,7 @@ nlohmann::json unsewn(const Garment& garment, const Pattern& pattern) {
 }
 
 /// Of the edges of all triangles against the flat panels, as the peer reports them.
-nlohmann::json edge_strain(const Garment& garment, const std::vector<Vec3>& x) {
+nlohmann::json edge_strain(const garment::Garment& garment, const std::vector<Vec3>& x) {
   std::vector<double> strain;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -92,7 +92,7 @@ int run(int argc, char** argv) {
   std::string pattern_file, body_file, panels_file, mesh_file, figures_file;
   double edge = 0.0113;
   int threads = 0;
-  const DrapeOptions options;
+  const drape::DrapeOptions options;
   CLI::App app{"Drapes a placed garment on a closed surface"};
   app.add_option("pattern", pattern_file, "GarmentCode JSON")->required();
   app.add_option("body", body_file, "OBJ, metres, z up")->required();
@@ -106,22 +106,22 @@ int run(int argc, char** argv) {
   std::optional<tbb::global_control> limit;
   if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
   const auto start = std::chrono::steady_clock::now();
-  const Material material = common_material();
-  const Pattern pattern = read_garmentcode(pattern_file).pattern;
-  const GarmentHierarchy garment = build_hierarchy(pattern, edge, material);
+  const fabric::Material material = common_material();
+  const pattern::Pattern pattern = io::read_garmentcode(pattern_file).pattern;
+  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, edge, material);
   if (!panels_file.empty()) {
     write(panels_file, unsewn(garment.finest(), pattern));
     return 0;
   }
-  Body body;
-  body.surface = read_mesh(body_file).mesh;
-  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  body::Body body;
+  body.surface = io::read_mesh(body_file).mesh;
+  body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   Progress progress;
-  const Drape drape = drape_garment(
+  const drape::Drape drape = drape::drape_garment(
       garment, material, [&](double) { return body; }, options, progress);
-  if (!mesh_file.empty()) write_obj(mesh_file, {drape.positions, garment.finest().triangles});
-  const Certificate& c = drape.certificate;
-  const SolverWork work = drape.report.total();
+  if (!mesh_file.empty()) io::write_obj(mesh_file, {drape.positions, garment.finest().triangles});
+  const drape::Certificate& c = drape.certificate;
+  const solver::SolverWork work = drape.report.total();
   const nlohmann::json figures{
       {"settled", c.settled()},
       {"stop_reason", c.stop_reason},
@@ -146,7 +146,7 @@ int run(int argc, char** argv) {
 }  // namespace loosefit
 
 int main(int argc, char** argv) {
-  loosefit::pin_blas(argv);
+  loosefit::solver::pin_blas(argv);
   try {
     return loosefit::run(argc, argv);
   } catch (const std::exception& error) {

@@ -98,7 +98,7 @@ int run(int argc, char** argv) {
 }  // namespace loosefit::bakeoff
 
 int main(int argc, char** argv) {
-  loosefit::pin_blas(argv);
+  loosefit::solver::pin_blas(argv);
   try {
     return loosefit::bakeoff::run(argc, argv);
   } catch (const std::exception& error) {

@@ -9,16 +9,18 @@ namespace {
 /// The program's Newton with other tuning.
 template <class Change>
 auto newton(const Change& change) {
-  return [=](const ParticleSystem& system) {
-    SolverTuning tuning;
+  return [=](const solver::ParticleSystem& system) {
+    solver::SolverTuning tuning;
     change(tuning);
-    return std::make_unique<Newton>(system, tuning);
+    return std::make_unique<solver::Newton>(system, tuning);
   };
 }
 
 template <class MakeRule>
 auto factored(const FactoredOptions& options, MakeRule make_rule) {
-  return [=](const ParticleSystem& system) { return make_factored(system, options, make_rule()); };
+  return [=](const solver::ParticleSystem& system) {
+    return make_factored(system, options, make_rule());
+  };
 }
 
 }  // namespace
@@ -32,13 +34,15 @@ std::vector<Candidate> candidates() {
   };
   return {
       {"default", "the program's own Newton: its choice of matrices, its search, its regions", 3,
-       [](const ParticleSystem& s) { return std::make_unique<Newton>(s); }},
-      {"projected", "as default, with the projected Hessian alone", 3, newton([](SolverTuning& t) {
-         for (MatrixTuning* m : {&t.matrix, &t.region.matrix})
+       [](const solver::ParticleSystem& s) { return std::make_unique<solver::Newton>(s); }},
+      {"projected", "as default, with the projected Hessian alone", 3,
+       newton([](solver::SolverTuning& t) {
+         for (solver::MatrixTuning* m : {&t.matrix, &t.region.matrix})
            m->exact = m->half_compression = m->mass_shift = false;
        })},
-      {"no-regions", "as default, without steps of regions", 3,
-       newton([](SolverTuning& t) { t.region.min_particles = std::numeric_limits<int>::max(); })},
+      {"no-regions", "as default, without steps of regions", 3, newton([](solver::SolverTuning& t) {
+         t.region.min_particles = std::numeric_limits<int>::max();
+       })},
       {"reused-5", "a factor serves five iterations as it is", 5,
        factored(use({either, 5, false}), make_plain)},
       {"inexact-5", "a factor serves five iterations as preconditioner of CG on the exact Hessian",

@@ -8,8 +8,8 @@
 namespace loosefit::bakeoff {
 namespace {
 
-VectorField downhill(const VectorField& g, const Preconditioner& solve) {
-  VectorField z;
+particles::VectorField downhill(const particles::VectorField& g, const Preconditioner& solve) {
+  particles::VectorField z;
   solve(g, z);
   for (Vec3& v : z) v = -v;
   return z;
@@ -17,8 +17,8 @@ VectorField downhill(const VectorField& g, const Preconditioner& solve) {
 
 class Plain : public DirectionRule {
  public:
-  VectorField direction(const VectorField& g, const Preconditioner& solve, const Product&,
-                        const Inertia&) override {
+  particles::VectorField direction(const particles::VectorField& g, const Preconditioner& solve,
+                                   const Product&, const Inertia&) override {
     return downhill(g, solve);
   }
 };
@@ -27,28 +27,29 @@ class Lbfgs : public DirectionRule {
  public:
   explicit Lbfgs(int memory) : memory_(memory) {}
 
-  VectorField direction(const VectorField& g, const Preconditioner& solve, const Product&,
-                        const Inertia& inertia) override {
+  particles::VectorField direction(const particles::VectorField& g, const Preconditioner& solve,
+                                   const Product&, const Inertia& inertia) override {
     const std::size_t m = past_.size();
-    std::vector<VectorField> y(m);
+    std::vector<particles::VectorField> y(m);
     std::vector<double> alpha(m), rho(m);
-    VectorField q = g;
+    particles::VectorField q = g;
     for (std::size_t k = m; k-- > 0;) {
       y[k] = past_[k].y;
       add(1, inertia(past_[k].s), y[k]);
-      rho[k] = 1 / dot(y[k], past_[k].s);
-      alpha[k] = rho[k] * dot(past_[k].s, q);
+      rho[k] = 1 / particles::dot(y[k], past_[k].s);
+      alpha[k] = rho[k] * particles::dot(past_[k].s, q);
       add(-alpha[k], y[k], q);
     }
-    VectorField dx;
+    particles::VectorField dx;
     solve(q, dx);
-    for (std::size_t k = 0; k < m; ++k) add(alpha[k] - rho[k] * dot(y[k], dx), past_[k].s, dx);
+    for (std::size_t k = 0; k < m; ++k)
+      add(alpha[k] - rho[k] * particles::dot(y[k], dx), past_[k].s, dx);
     for (Vec3& v : dx) v = -v;
     return dx;
   }
-  void accepted(const VectorField& s, const VectorField& y) override {
+  void accepted(const particles::VectorField& s, const particles::VectorField& y) override {
     // Along a direction that curves downwards a definite matrix has nothing to learn.
-    if (!(dot(s, y) > 1e-8 * norm(s) * norm(y))) return;
+    if (!(particles::dot(s, y) > 1e-8 * norm(s) * norm(y))) return;
     past_.push_back({s, y});
     if (static_cast<int>(past_.size()) > memory_) past_.pop_front();
   }
@@ -56,7 +57,7 @@ class Lbfgs : public DirectionRule {
 
  private:
   struct Change {
-    VectorField s, y;
+    particles::VectorField s, y;
   };
   int memory_;
   std::deque<Change> past_;
@@ -66,24 +67,24 @@ class Inexact : public DirectionRule {
  public:
   Inexact(double forcing, int most) : forcing_(forcing), most_(most) {}
 
-  VectorField direction(const VectorField& g, const Preconditioner& solve, const Product& multiply,
-                        const Inertia& inertia) override {
-    VectorField dx(g.size(), Vec3::Zero()), r = g, z, hp;
+  particles::VectorField direction(const particles::VectorField& g, const Preconditioner& solve,
+                                   const Product& multiply, const Inertia& inertia) override {
+    particles::VectorField dx(g.size(), Vec3::Zero()), r = g, z, hp;
     for (Vec3& v : r) v = -v;
     solve(r, z);
-    VectorField p = z;
-    double rz = dot(r, z);
+    particles::VectorField p = z;
+    double rz = particles::dot(r, z);
     const double goal = forcing_ * forcing_ * rz;
     for (int k = 0; k < most_; ++k) {
       multiply(p, hp);
       add(1, inertia(p), hp);
-      const double curvature = dot(p, hp);
+      const double curvature = particles::dot(p, hp);
       if (!(curvature > 0)) return k == 0 ? z : dx;
       const double step = rz / curvature;
       add(step, p, dx);
       add(-step, hp, r);
       solve(r, z);
-      const double next = dot(r, z);
+      const double next = particles::dot(r, z);
       if (!(next > goal)) break;
       for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + next / rz * p[i];
       rz = next;
@@ -99,12 +100,12 @@ class Inexact : public DirectionRule {
 
 class Conjugate : public DirectionRule {
  public:
-  VectorField direction(const VectorField& g, const Preconditioner& solve, const Product&,
-                        const Inertia&) override {
-    VectorField d = downhill(g, solve);
-    const double gz = -dot(g, d);
+  particles::VectorField direction(const particles::VectorField& g, const Preconditioner& solve,
+                                   const Product&, const Inertia&) override {
+    particles::VectorField d = downhill(g, solve);
+    const double gz = -particles::dot(g, d);
     if (!g_.empty() && gz_ > 0) {
-      const double beta = (gz + dot(g_, d)) / gz_;
+      const double beta = (gz + particles::dot(g_, d)) / gz_;
       if (beta > 0) add(beta, d_, d);
     }
     g_ = g;
@@ -115,7 +116,7 @@ class Conjugate : public DirectionRule {
   void forget() override { g_.clear(); }
 
  private:
-  VectorField g_, d_;
+  particles::VectorField g_, d_;
   double gz_ = 0;
 };
 
@@ -123,9 +124,9 @@ class Anderson : public DirectionRule {
  public:
   explicit Anderson(int memory) : memory_(memory) {}
 
-  VectorField direction(const VectorField& g, const Preconditioner& solve, const Product&,
-                        const Inertia&) override {
-    VectorField f = downhill(g, solve);
+  particles::VectorField direction(const particles::VectorField& g, const Preconditioner& solve,
+                                   const Product&, const Inertia&) override {
+    particles::VectorField f = downhill(g, solve);
     if (!s_.empty()) {
       past_.push_back({s_, difference(f, f_)});
       if (static_cast<int>(past_.size()) > memory_) past_.pop_front();
@@ -137,8 +138,8 @@ class Anderson : public DirectionRule {
     Eigen::MatrixXd a(m, m);
     Eigen::VectorXd b(m);
     for (int i = 0; i < m; ++i) {
-      b[i] = dot(past_[i].df, f);
-      for (int j = 0; j <= i; ++j) a(i, j) = a(j, i) = dot(past_[i].df, past_[j].df);
+      b[i] = particles::dot(past_[i].df, f);
+      for (int j = 0; j <= i; ++j) a(i, j) = a(j, i) = particles::dot(past_[i].df, past_[j].df);
     }
     a.diagonal().array() += 1e-12 * a.diagonal().maxCoeff();
     const Eigen::VectorXd gamma = a.ldlt().solve(b);
@@ -148,7 +149,7 @@ class Anderson : public DirectionRule {
     }
     return f;
   }
-  void accepted(const VectorField& s, const VectorField&) override { s_ = s; }
+  void accepted(const particles::VectorField& s, const particles::VectorField&) override { s_ = s; }
   void forget() override {
     past_.clear();
     s_.clear();
@@ -156,11 +157,11 @@ class Anderson : public DirectionRule {
 
  private:
   struct Change {
-    VectorField s, df;
+    particles::VectorField s, df;
   };
   int memory_;
   std::deque<Change> past_;
-  VectorField f_, s_;
+  particles::VectorField f_, s_;
 };
 
 }  // namespace

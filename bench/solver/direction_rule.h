@@ -7,20 +7,22 @@
 namespace loosefit::bakeoff {
 
 /// r ↦ P⁻¹ r, the last factor's solution.
-using Preconditioner = std::function<void(const VectorField& r, VectorField& z)>;
+using Preconditioner =
+    std::function<void(const particles::VectorField& r, particles::VectorField& z)>;
 /// v ↦ H v with the present matrix.
-using Product = std::function<void(const VectorField& v, VectorField& hv)>;
+using Product = std::function<void(const particles::VectorField& v, particles::VectorField& hv)>;
 /// v ↦ (M/dt²) v, the inertia of the present pseudo-step.
-using Inertia = std::function<VectorField(const VectorField& v)>;
+using Inertia = std::function<particles::VectorField(const particles::VectorField& v)>;
 
 /// How a search direction comes from the gradient g of the step's function, a factor, and the past.
 class DirectionRule {
  public:
   virtual ~DirectionRule() = default;
-  virtual VectorField direction(const VectorField& g, const Preconditioner& solve,
-                                const Product& multiply, const Inertia& inertia) = 0;
+  virtual particles::VectorField direction(const particles::VectorField& g,
+                                           const Preconditioner& solve, const Product& multiply,
+                                           const Inertia& inertia) = 0;
   /// A step s was taken; y is the change of ∂Π/∂x (without inertia).
-  virtual void accepted(const VectorField& /*s*/, const VectorField& /*y*/) {}
+  virtual void accepted(const particles::VectorField& /*s*/, const particles::VectorField& /*y*/) {}
   /// The past misleads: start anew.
   virtual void forget() {}
   /// Needs the present matrix at every iteration, factorised or not.

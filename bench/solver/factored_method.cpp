@@ -19,14 +19,15 @@ constexpr double kMostBend = 0.75;   ///< longest second-order part over the fir
 
 /// The path x + t dx + t² bend. Collisions limit straight segments, so on a curved path every trial
 /// is limited by itself.
-class Path : public SearchLine {
+class Path : public solver::SearchLine {
  public:
-  Path(FactoredProblem& problem, const InertiaTerm& inertia, const VectorField& x,
-       const VectorField& dx, const VectorField& bend)
+  Path(FactoredProblem& problem, const solver::InertiaTerm& inertia,
+       const particles::VectorField& x, const particles::VectorField& dx,
+       const particles::VectorField& bend)
       : problem_(problem), inertia_(inertia), x_(x), dx_(dx), bend_(bend) {}
 
   double energy(double t) override {
-    VectorField delta(x_.size());
+    particles::VectorField delta(x_.size());
     for (std::size_t i = 0; i < x_.size(); ++i) delta[i] = t * dx_[i];
     if (!bend_.empty()) {
       add(t * t, bend_, delta);
@@ -38,36 +39,36 @@ class Path : public SearchLine {
     trial_.potential = problem_.evaluate(trial_.x, trial_.gradient);
     return trial_.potential + inertia_.energy(trial_.x);
   }
-  double slope() override { return dot(force(), dx_); }
+  double slope() override { return particles::dot(force(), dx_); }
   double squared_force() override {
-    const VectorField f = force();
-    return dot(f, f);
+    const particles::VectorField f = force();
+    return particles::dot(f, f);
   }
   void keep() override { best_ = trial_; }
-  Iterate& best() { return best_; }
+  solver::Iterate& best() { return best_; }
 
  private:
-  VectorField force() const {
-    VectorField f = trial_.gradient;
+  particles::VectorField force() const {
+    particles::VectorField f = trial_.gradient;
     inertia_.add_gradient(trial_.x, f);
     return f;
   }
   FactoredProblem& problem_;
-  const InertiaTerm& inertia_;
-  const VectorField &x_, &dx_, &bend_;
-  Iterate trial_, best_;
+  const solver::InertiaTerm& inertia_;
+  const particles::VectorField &x_, &dx_, &bend_;
+  solver::Iterate trial_, best_;
 };
 
-MatrixTuning matrix_tuning(const MatrixUse& use) {
-  MatrixTuning tuning;
+solver::MatrixTuning matrix_tuning(const MatrixUse& use) {
+  solver::MatrixTuning tuning;
   tuning.exact = use.kind == MatrixUse::Kind::exact_or_projected;
   tuning.half_compression = tuning.mass_shift = false;
   return tuning;
 }
 
-class Factored : public DescentMethod {
+class Factored : public solver::DescentMethod {
  public:
-  Factored(const ParticleSystem& system, const FactoredOptions& options,
+  Factored(const solver::ParticleSystem& system, const FactoredOptions& options,
            std::unique_ptr<DirectionRule> rule)
       : system_(system),
         options_(options),
@@ -80,13 +81,13 @@ class Factored : public DescentMethod {
     problem_.work() = {};
     evaluated_ = false;
   }
-  const SolverWork& work() const override { return problem_.work(); }
-  void begin_step(const VectorField& x, double dt) override {
-    const Stopwatch watch(problem_.work().refresh);
+  const solver::SolverWork& work() const override { return problem_.work(); }
+  void begin_step(const particles::VectorField& x, double dt) override {
+    const solver::Stopwatch watch(problem_.work().refresh);
     system_.begin_step(x, dt);
     evaluated_ = false;
   }
-  const VectorField& gradient(const VectorField& x) override {
+  const particles::VectorField& gradient(const particles::VectorField& x) override {
     if (!evaluated_ || x != at_.x) {
       at_.potential = problem_.evaluate(x, at_.gradient);
       at_.x = x;
@@ -95,10 +96,11 @@ class Factored : public DescentMethod {
     return at_.gradient;
   }
 
-  StepOutcome iterate(VectorField& x, const VectorField& target, double dt) override {
-    const InertiaTerm inertia(system_, target, dt);
-    StepOutcome outcome;
-    VectorField g = gradient(x);
+  solver::StepOutcome iterate(particles::VectorField& x, const particles::VectorField& target,
+                              double dt) override {
+    const solver::InertiaTerm inertia(system_, target, dt);
+    solver::StepOutcome outcome;
+    particles::VectorField g = gradient(x);
     inertia.add_gradient(x, g);
     outcome.force = norm(g);
     ++problem_.work().iterations;
@@ -108,7 +110,7 @@ class Factored : public DescentMethod {
       if (fresh && !refresh(x, inertia.per_dt2())) return outcome;
       if (!fresh) {
         ++used_;
-        if (rule_->multiplies()) problem_.assemble(x, HessianKind::exact);
+        if (rule_->multiplies()) problem_.assemble(x, particles::HessianKind::exact);
       }
       if (advance(inertia, g, fresh, outcome)) {
         x = at_.x;
@@ -132,30 +134,36 @@ class Factored : public DescentMethod {
     if (options_.matrix.constant) return ratio > 4 || ratio < 0.25;
     return used_ >= options_.matrix.iterations_per_factor || ratio > 4.1;
   }
-  bool refresh(const VectorField& x, double per_dt2) {
+  bool refresh(const particles::VectorField& x, double per_dt2) {
     factor_per_dt2_ = per_dt2;
     used_ = 1;
     const auto kind = matrix_.factorise(problem_, x, per_dt2);
     has_factor_ = kind.has_value();
-    exact_ = kind == MatrixKind::exact;
-    if (has_factor_ && !exact_ && rule_->multiplies()) problem_.assemble(x, HessianKind::exact);
+    exact_ = kind == solver::MatrixKind::exact;
+    if (has_factor_ && !exact_ && rule_->multiplies())
+      problem_.assemble(x, particles::HessianKind::exact);
     return has_factor_;
   }
 
-  VectorField direction(const InertiaTerm& inertia, const VectorField& g) {
-    const Stopwatch watch(problem_.work().solve);
-    const auto solve = [&](const VectorField& r, VectorField& z) { problem_.precondition(r, z); };
-    const auto multiply = [&](const VectorField& v, VectorField& hv) { problem_.multiply(v, hv); };
-    const auto inertial = [&](const VectorField& v) {
-      VectorField m(v.size());
+  particles::VectorField direction(const solver::InertiaTerm& inertia,
+                                   const particles::VectorField& g) {
+    const solver::Stopwatch watch(problem_.work().solve);
+    const auto solve = [&](const particles::VectorField& r, particles::VectorField& z) {
+      problem_.precondition(r, z);
+    };
+    const auto multiply = [&](const particles::VectorField& v, particles::VectorField& hv) {
+      problem_.multiply(v, hv);
+    };
+    const auto inertial = [&](const particles::VectorField& v) {
+      particles::VectorField m(v.size());
       for (std::size_t i = 0; i < v.size(); ++i) m[i] = system_.mass[i] * inertia.per_dt2() * v[i];
       return m;
     };
     return rule_->direction(g, solve, multiply, inertial);
   }
   /// The part of the path x + t dx + t² bend that follows the curved valley.
-  VectorField bend_of(const VectorField& dx) {
-    VectorField bend(dx.size(), Vec3::Zero()), probe = at_.x, plus, minus;
+  particles::VectorField bend_of(const particles::VectorField& dx) {
+    particles::VectorField bend(dx.size(), Vec3::Zero()), probe = at_.x, plus, minus;
     add(kProbe, dx, probe);
     problem_.evaluate(probe, plus);
     add(-2 * kProbe, dx, probe);
@@ -170,28 +178,29 @@ class Factored : public DescentMethod {
   }
 
   /// Searches along a direction from at_; true when it moved.
-  bool advance(const InertiaTerm& inertia, const VectorField& g, bool fresh, StepOutcome& outcome) {
+  bool advance(const solver::InertiaTerm& inertia, const particles::VectorField& g, bool fresh,
+               solver::StepOutcome& outcome) {
     outcome.exact = fresh && exact_;
-    VectorField dx = direction(inertia, g);
-    if (!(dot(g, dx) < 0)) return false;
+    particles::VectorField dx = direction(inertia, g);
+    if (!(particles::dot(g, dx) < 0)) return false;
     double largest = 0;
     for (const Vec3& d : dx) largest = std::max(largest, d.squaredNorm());
     const bool extend = fresh && !exact_ && !options_.matrix.constant;
     const double extension =
         std::min(extend ? step_.max_extension : 1.0, step_.max_move / std::sqrt(largest));
     for (Vec3& d : dx) d *= extension;
-    const VectorField bend = options_.curved ? bend_of(dx) : VectorField{};
+    const particles::VectorField bend = options_.curved ? bend_of(dx) : particles::VectorField{};
 
-    SearchStart start;
-    start.slope = dot(g, dx);
+    solver::SearchStart start;
+    start.slope = particles::dot(g, dx);
     start.force = outcome.force;
     start.first = std::min(1.0, 1.0 / extension);
     start.limit = options_.curved ? 1.0 : problem_.max_step(at_.x, dx);
     start.energy = at_.potential + inertia.energy(at_.x);
-    LineSearchTuning search;
+    solver::LineSearchTuning search;
     if (!fresh && !options_.matrix.constant) search.max_backtracks = kStaleBacktracks;
     Path path(problem_, inertia, at_.x, dx, bend);
-    const SearchResult found = line_search(path, start, search);
+    const solver::SearchResult found = solver::line_search(path, start, search);
     if (!found.found) return false;
 
     rule_->accepted(difference(path.best().x, at_.x),
@@ -204,13 +213,13 @@ class Factored : public DescentMethod {
     return true;
   }
 
-  const ParticleSystem& system_;
+  const solver::ParticleSystem& system_;
   FactoredOptions options_;
   std::unique_ptr<DirectionRule> rule_;
   FactoredProblem problem_;
-  MatrixChoice matrix_;
-  StepTuning step_;
-  Iterate at_;
+  solver::MatrixChoice matrix_;
+  solver::StepTuning step_;
+  solver::Iterate at_;
   bool has_factor_ = false, exact_ = false, retried_ = false, evaluated_ = false;
   double factor_per_dt2_ = 0;
   int used_ = 0;  ///< iterations that the factor has served
@@ -218,9 +227,9 @@ class Factored : public DescentMethod {
 
 }  // namespace
 
-std::unique_ptr<DescentMethod> make_factored(const ParticleSystem& system,
-                                             const FactoredOptions& options,
-                                             std::unique_ptr<DirectionRule> rule) {
+std::unique_ptr<solver::DescentMethod> make_factored(const solver::ParticleSystem& system,
+                                                     const FactoredOptions& options,
+                                                     std::unique_ptr<DirectionRule> rule) {
   return std::make_unique<Factored>(system, options, std::move(rule));
 }
 

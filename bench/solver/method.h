@@ -30,15 +30,15 @@ struct FactoredOptions {
   /// Second-order path by differences of the gradient (Transtrum, Sethna 2012).
   bool curved = false;
 };
-std::unique_ptr<DescentMethod> make_factored(const ParticleSystem& system,
-                                             const FactoredOptions& options,
-                                             std::unique_ptr<DirectionRule> rule);
+std::unique_ptr<solver::DescentMethod> make_factored(const solver::ParticleSystem& system,
+                                                     const FactoredOptions& options,
+                                                     std::unique_ptr<DirectionRule> rule);
 
 /// A method of the contest.
 struct Candidate {
   std::string name, what;
   int per_step = 3;  ///< iterations between two renewals of friction and contacts, at first
-  std::function<std::unique_ptr<DescentMethod>(const ParticleSystem&)> make;
+  std::function<std::unique_ptr<solver::DescentMethod>(const solver::ParticleSystem&)> make;
 };
 std::vector<Candidate> candidates();
 

@@ -18,39 +18,40 @@ double cpu_now() {
 
 }  // namespace
 
-Race run_race(const ParticleSystem& system, VectorField& x, const Candidate& candidate,
-              const RaceOptions& options) {
+Race run_race(const solver::ParticleSystem& system, particles::VectorField& x,
+              const Candidate& candidate, const RaceOptions& options) {
   using Clock = std::chrono::steady_clock;
   const auto wall_start = Clock::now();
   const double cpu_start = cpu_now();
   auto owned = candidate.make(system);
-  const DescentMethod& method = *owned;
+  const solver::DescentMethod& method = *owned;
   Race race;
   const auto sample = [&](double residual) {
-    const SolverWork& work = method.work();
+    const solver::SolverWork& work = method.work();
     const double wall = std::chrono::duration<double>(Clock::now() - wall_start).count();
     race.samples.push_back(
         {wall, cpu_now() - cpu_start, work.iterations, work.factorisations, residual});
   };
 
-  SettleOptions settle;
+  solver::SettleOptions settle;
   settle.tolerance = options.tolerance;
   settle.max_iterations = std::numeric_limits<int>::max();
   settle.first_dt = options.first_dt;
-  settle.tangent = BendingTangent::hinge;
+  settle.tangent = particles::BendingTangent::hinge;
   // The residual changes where friction and contacts have just been renewed.
   settle.watch = [&](int, double residual) {
     if (race.samples.empty() || race.samples.back().residual != residual) sample(residual);
     return race.samples.back().cpu > options.cpu_limit;
   };
-  QuasiStaticTuning tuning;
+  solver::QuasiStaticTuning tuning;
   tuning.newton_per_step = candidate.per_step;
   tuning.max_newton_per_step = std::max(tuning.max_newton_per_step, candidate.per_step);
-  const auto integrator = make_quasi_static(system, std::move(owned), tuning);
-  const SettleOutcome outcome = integrator->settle(x, settle);
+  const auto integrator = solver::make_quasi_static(system, std::move(owned), tuning);
+  const solver::SettleOutcome outcome = integrator->settle(x, settle);
   sample(outcome.residual);
   race.work = method.work();
-  race.reason = outcome.reason == SettleOutcome::Reason::stopped ? "time limit" : outcome.text();
+  race.reason =
+      outcome.reason == solver::SettleOutcome::Reason::stopped ? "time limit" : outcome.text();
   return race;
 }
 

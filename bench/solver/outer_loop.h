@@ -16,7 +16,7 @@ struct Sample {
 struct Race {
   std::string reason;  ///< "converged", "time limit", "no further descent", "diverged"
   std::vector<Sample> samples;
-  SolverWork work;
+  solver::SolverWork work;
 };
 
 struct RaceOptions {
@@ -27,7 +27,7 @@ struct RaceOptions {
 
 /// Settles by the program's quasi-static integrator with the candidate inside, and records samples
 /// on the way.
-Race run_race(const ParticleSystem& system, VectorField& x, const Candidate& candidate,
-              const RaceOptions& options);
+Race run_race(const solver::ParticleSystem& system, particles::VectorField& x,
+              const Candidate& candidate, const RaceOptions& options);
 
 }  // namespace loosefit::bakeoff

@@ -20,39 +20,40 @@ namespace {
 
 /// The reference shirt (examples/reference-shirt.toml) on its body.
 struct Shirt {
-  CaseBody body;
-  GarmentHierarchy garment;
-  Material material;
-  std::shared_ptr<const ContactBody> skin;
-  DrapeOptions options;
+  study::CaseBody body;
+  garment::GarmentHierarchy garment;
+  fabric::Material material;
+  std::shared_ptr<const drape::ContactBody> skin;
+  drape::DrapeOptions options;
 
-  std::unique_ptr<ClothModel> model(int level, double stiffness_share = 1,
-                                    bool with_friction = true) const {
-    Material m = material;
+  std::unique_ptr<drape::ClothModel> model(int level, double stiffness_share = 1,
+                                           bool with_friction = true) const {
+    fabric::Material m = material;
     if (!with_friction) m.friction_body = m.friction_self = 0;
-    scale_membrane(m, stiffness_share);
+    fabric::scale_membrane(m, stiffness_share);
     const bool finest = level + 1 == static_cast<int>(garment.levels.size());
-    auto made = std::make_unique<ClothModel>(garment.levels[level], m, options,
-                                             material.thickness * (finest ? 1.0 : 2.0));
+    auto made = std::make_unique<drape::ClothModel>(garment.levels[level], m, options,
+                                                    material.thickness * (finest ? 1.0 : 2.0));
     made->body().set_field(skin->field);
     return made;
   }
 };
 
-void settle(ClothModel& model, VectorField& x, double tolerance, int iterations, double first_dt) {
-  SettleOptions options;
+void settle(drape::ClothModel& model, particles::VectorField& x, double tolerance, int iterations,
+            double first_dt) {
+  solver::SettleOptions options;
   options.tolerance = tolerance;
-  options.tangent = BendingTangent::hinge;
+  options.tangent = particles::BendingTangent::hinge;
   options.max_iterations = iterations;
   options.first_dt = first_dt;
-  make_quasi_static(model.system())->settle(x, options);
+  solver::make_quasi_static(model.system())->settle(x, options);
 }
 
 /// To the next finer level, bulged towards the smooth surface (PN triangles, Vlachos et al. 2001).
-VectorField refined(const Shirt& shirt, int level, const VectorField& x) {
+particles::VectorField refined(const Shirt& shirt, int level, const particles::VectorField& x) {
   const auto& parents = shirt.garment.parents[level + 1];
-  const auto normal = vertex_normals(x, shirt.garment.levels[level].triangles);
-  VectorField fine(parents.size()), bulge(parents.size());
+  const auto normal = geometry::vertex_normals(x, shirt.garment.levels[level].triangles);
+  particles::VectorField fine(parents.size()), bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
     const Vec3 edge = x[b] - x[a];
@@ -67,7 +68,7 @@ VectorField refined(const Shirt& shirt, int level, const VectorField& x) {
 }
 
 Problem shirt_problem(const std::string& name, double edge_length, const std::string& what) {
-  Scenario scenario = parse_scenario(R"([body]
+  scenario::Scenario scenario = io::parse_scenario(R"([body]
 sex = "female"
 age = 30
 height = 1.68
@@ -77,15 +78,17 @@ fit = { chest = 0.10, hip = 0.08, sleeve = 0.15, wrist = 0.20 }
 [material]
 name = "paper-cotton"
 )",
-                                     "bakeoff.toml");
+                                                   "bakeoff.toml");
   auto shirt = std::make_shared<Shirt>();
-  shirt->body = make_body(scenario.body);
+  shirt->body = study::make_body(scenario.body);
   shirt->material = scenario.studied().material.material;
-  shirt->garment = build_hierarchy(make_pattern(scenario.studied().spec, shirt->body.body).pattern,
-                                   edge_length, shirt->material);
+  shirt->garment = garment::build_hierarchy(
+      study::make_pattern(scenario.studied().spec, shirt->body.body).pattern, edge_length,
+      shirt->material);
   // As the dress stage: contract soft and without friction, then with both, then level by level.
-  VectorField x = lay_round(shirt->garment.levels[0], shirt->body.path(0.0), lay_shirt);
-  shirt->skin = with_field(shirt->body.path(0.0), bounds(x), 0.005);
+  particles::VectorField x =
+      dress::lay_round(shirt->garment.levels[0], shirt->body.path(0.0), kinds::lay_shirt);
+  shirt->skin = drape::with_field(shirt->body.path(0.0), drape::bounds(x), 0.005);
   for (double share : {0.01, 0.1}) settle(*shirt->model(0, share, false), x, 30, 60, 0.01);
   int level = 0;
   {
@@ -103,7 +106,7 @@ name = "paper-cotton"
   problem.make = [shirt, x, level] {
     struct Owned {
       std::shared_ptr<Shirt> shirt;
-      std::unique_ptr<ClothModel> model;
+      std::unique_ptr<drape::ClothModel> model;
     };
     auto owned = std::make_shared<Owned>(Owned{shirt, shirt->model(level)});
     return World{owned, &owned->model->system(), x};
@@ -112,17 +115,17 @@ name = "paper-cotton"
 }
 
 Problem cusick_problem(const std::string& name) {
-  const DrapeTester tester;
-  Material m;
+  const validate::DrapeTester tester;
+  fabric::Material m;
   m.areal_density = 0.12;
   m.stiffness_warp = m.stiffness_weft = 300;
   m.poisson = 0;
   m.stiffness_shear = 150;
   m.bending_warp = m.bending_weft = m.areal_density * kGravity * 3.375e-6;  // length 1.5 cm
   const auto make = [=] {
-    const Specimen specimen = cut_drape_specimen(tester, 0.006, m);
-    auto bench = std::make_shared<Bench>(specimen, m, folded_start(tester, 6));
-    bench->hold(on_disc(specimen, tester));
+    const validate::Specimen specimen = validate::cut_drape_specimen(tester, 0.006, m);
+    auto bench = std::make_shared<validate::Bench>(specimen, m, validate::folded_start(tester, 6));
+    bench->hold(validate::on_disc(specimen, tester));
     return World{bench, &bench->system(), bench->x};
   };
   return {name, "disc of 30 cm on a plate of 18 cm (Cusick), six folds to start with, 6 mm edges",

@@ -11,8 +11,8 @@ namespace loosefit::bakeoff {
 /// A cloth with its contacts at a start; every race gets a new one, with the same bits.
 struct World {
   std::shared_ptr<void> owner;  ///< keeps the energies alive
-  const ParticleSystem* system = nullptr;
-  VectorField x;
+  const solver::solver::ParticleSystem* system = nulparticles::lptr;
+  particles::VectorField x;
 };
 
 struct Problem {

@@ -6,17 +6,18 @@
 
 namespace loosefit::bakeoff {
 
-using loosefit::dot;
+using loosefit::particles::dot;
 
-inline double norm(const VectorField& a) { return std::sqrt(dot(a, a)); }
+inline double norm(const particles::VectorField& a) { return std::sqrt(particles::dot(a, a)); }
 
 /// to += factor · a
-inline void add(double factor, const VectorField& a, VectorField& to) {
+inline void add(double factor, const particles::VectorField& a, particles::VectorField& to) {
   for (std::size_t i = 0; i < a.size(); ++i) to[i] += factor * a[i];
 }
 
-inline VectorField difference(const VectorField& a, const VectorField& b) {
-  VectorField d = a;
+inline particles::VectorField difference(const particles::VectorField& a,
+                                         const particles::VectorField& b) {
+  particles::VectorField d = a;
   add(-1, b, d);
   return d;
 }

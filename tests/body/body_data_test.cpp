@@ -12,7 +12,7 @@
 #include "loosefit/body/raw_body_data.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // The source files, fetched by tools/setup_body_data.sh; without them these tests fail.
@@ -110,10 +110,10 @@ TEST(BodyData, SkinIsClosedManifoldAndOutward) {
   EXPECT_EQ(directed.size(), 2u * 26756u);
   for (const auto& [a, b] : directed) ASSERT_TRUE(directed.contains({b, a}));
   EXPECT_EQ(13380 - 26756 + 13378, 2);
-  TriangleMesh base;
+  geometry::TriangleMesh base;
   base.vertices.assign(data.base.begin(), data.base.begin() + 13380);
   base.triangles = triangulate(data.quads);
-  EXPECT_NEAR(enclosed_volume(base) * 1000, 54.895, 0.001);
+  EXPECT_NEAR(geometry::enclosed_volume(base) * 1000, 54.895, 0.001);
   EXPECT_EQ(data.quads.front(), (std::array<int, 4>{4848, 0, 1, 4847}));
   EXPECT_EQ(data.quads.back(), (std::array<int, 4>{7267, 520, 537, 7282}));
 }
@@ -195,4 +195,4 @@ TEST(BodyData, MissingAndDamagedFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -7,7 +7,7 @@
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 using testing::turn_about;
@@ -73,7 +73,8 @@ TEST(SkinPoint, MovesAndTurnsWithTheBody) {
   Body body = testing::cylinder_body(0.1, 1.0, 40, 20);
   body.joints["pelvis"] = Vec3(0, 0, 0.1);
   body.joints["neck"] = Vec3(0, 0, 0.9);
-  const ClosestPoint at = ClosestPointTree(body.surface).query(Vec3(0.13, 0.05, 0.43));
+  const geometry::ClosestPoint at =
+      geometry::ClosestPointTree(body.surface).query(Vec3(0.13, 0.05, 0.43));
   const SkinPoint point = skin_point(body, segment_axes(body), at);
   EXPECT_TRUE(point.has_direction);
   EXPECT_NEAR((position_of(point, body) - at.point).norm(), 0, 1e-12);
@@ -97,7 +98,8 @@ TEST(SkinPoint, FollowsTheTwistOfTheSkin) {
     twisted.surface.vertices[v] = turn * body.surface.vertices[v];
     twisted.normals[v] = turn * body.normals[v];
   }
-  const ClosestPoint at = ClosestPointTree(body.surface).query(Vec3(0.05, 0.02, 0.2));
+  const geometry::ClosestPoint at =
+      geometry::ClosestPointTree(body.surface).query(Vec3(0.05, 0.02, 0.2));
   const SkinPoint point = skin_point(body, segment_axes(body), at);
   const SurfaceFrame frame = frame_of(point, twisted);
   const double lean = std::atan2(frame.axes.col(1).head<2>().norm(), frame.axes(2, 1));
@@ -115,4 +117,4 @@ TEST(SameWearer, IsAskedForBySurface) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 BodyParameters aged(double years) {
@@ -93,4 +93,4 @@ TEST(BodyParameters, ValuesOutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

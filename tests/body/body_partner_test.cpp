@@ -5,7 +5,7 @@
 #include "loosefit/body/posed_body.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 /// A torso cylinder and an arm cylinder beside it, 20 mm apart at x = 0.13.
@@ -65,4 +65,4 @@ TEST(PartnerFinder, ABodyWithoutThePartStillAnswers) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -10,7 +10,7 @@
 #include "loosefit/body/body_tape.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 struct Fitted {
@@ -154,8 +154,9 @@ TEST(BodyFit, SevenReferenceBodiesWithoutSubdivision) {
       EXPECT_NEAR(fit.parameters.details.at(key), value, 0.02) << key;
     }
     for (const auto& row : fit.table) EXPECT_NEAR(row.measured, row.asked, 0.001) << row.name;
-    EXPECT_NEAR(enclosed_volume(model.rest(fit.parameters, BodyDetail::coarse).surface) * 1000,
-                body.litres, 0.06);
+    EXPECT_NEAR(
+        geometry::enclosed_volume(model.rest(fit.parameters, BodyDetail::coarse).surface) * 1000,
+        body.litres, 0.06);
     EXPECT_LE(fit.evaluations, 120);
   }
 }
@@ -288,4 +289,4 @@ TEST(BodyFit, AbsurdWishesAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -8,7 +8,7 @@
 #include "loosefit/body/section.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 struct Golden {
@@ -142,7 +142,7 @@ TEST(GoldenBodies, AToGAgreeWithTheReference) {
     EXPECT_NEAR(tape.measure("chest") * 100, golden.chest, 0.01);
     EXPECT_NEAR(tape.measure("waist") * 100, golden.waist, 0.01);
     EXPECT_NEAR(tape.measure("hip") * 100, golden.hip, 0.01);
-    EXPECT_NEAR(enclosed_volume(rest.surface) * 1000, golden.litres, 0.001);
+    EXPECT_NEAR(geometry::enclosed_volume(rest.surface) * 1000, golden.litres, 0.001);
   }
 }
 
@@ -198,4 +198,4 @@ TEST(GoldenBodies, ChestSectionIsTrunkAndTwoArms) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

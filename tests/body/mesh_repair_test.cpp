@@ -4,12 +4,12 @@
 
 #include "loosefit/body/surface_topology.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 /// A closed box from `lower` to `upper`, outwards.
-TriangleMesh box(const Vec3& lower, const Vec3& upper) {
-  TriangleMesh mesh;
+geometry::TriangleMesh box(const Vec3& lower, const Vec3& upper) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(),
                                i & 4 ? upper.z() : lower.z());
@@ -18,8 +18,8 @@ TriangleMesh box(const Vec3& lower, const Vec3& upper) {
   return mesh;
 }
 
-TriangleMesh cut_at_every_edge(const TriangleMesh& mesh) {
-  TriangleMesh cut;
+geometry::TriangleMesh cut_at_every_edge(const geometry::TriangleMesh& mesh) {
+  geometry::TriangleMesh cut;
   for (const Triangle& t : mesh.triangles) {
     const int first = int(cut.vertices.size());
     for (const int v : t) cut.vertices.push_back(mesh.vertices[std::size_t(v)]);
@@ -29,9 +29,9 @@ TriangleMesh cut_at_every_edge(const TriangleMesh& mesh) {
 }
 
 /// A mouth: upper and lower lip are two blocks on one jaw whose inner edges lie on each other.
-TriangleMesh lips_that_touch() {
-  TriangleMesh upper = box({0, 0, 1}, {1, 1, 2});
-  const TriangleMesh lower = box({0, -1, 0}, {1, 0, 1});  // shares the edge y = 0, z = 1
+geometry::TriangleMesh lips_that_touch() {
+  geometry::TriangleMesh upper = box({0, 0, 1}, {1, 1, 2});
+  const geometry::TriangleMesh lower = box({0, -1, 0}, {1, 0, 1});  // shares the edge y = 0, z = 1
   const int base = int(upper.vertices.size());
   upper.vertices.insert(upper.vertices.end(), lower.vertices.begin(), lower.vertices.end());
   for (const auto& t : lower.triangles)
@@ -40,7 +40,7 @@ TriangleMesh lips_that_touch() {
 }
 
 TEST(MeshRepair, LipsThatTouchAreNotWelded) {
-  TriangleMesh mesh = lips_that_touch();
+  geometry::TriangleMesh mesh = lips_that_touch();
   const auto vertices = mesh.vertices;
   weld_seams(mesh, 1e-6);
   EXPECT_EQ(mesh.vertices, vertices);
@@ -49,7 +49,7 @@ TEST(MeshRepair, LipsThatTouchAreNotWelded) {
 }
 
 TEST(MeshRepair, SeamsAreWeldedButNoEdgeIsCrowded) {
-  TriangleMesh seams = cut_at_every_edge(box({0, 0, 0}, {1, 1, 1}));
+  geometry::TriangleMesh seams = cut_at_every_edge(box({0, 0, 0}, {1, 1, 1}));
   for (std::size_t v = 0; v < seams.vertices.size(); ++v)
     seams.vertices[v].x() += v % 2 ? 4e-7 : 0;  // corners of one place in neighbouring cells
   weld_seams(seams, 1e-6);
@@ -57,14 +57,14 @@ TEST(MeshRepair, SeamsAreWeldedButNoEdgeIsCrowded) {
   EXPECT_EQ(inspect_edges(seams).open, 0);
 
   // Where four open edges lie on each other, at most two are united.
-  TriangleMesh lips = cut_at_every_edge(lips_that_touch());
+  geometry::TriangleMesh lips = cut_at_every_edge(lips_that_touch());
   weld_seams(lips, 1e-6);
   EXPECT_EQ(inspect_edges(lips).crowded, 0);
   EXPECT_LT(lips.vertices.size(), 72u);
 }
 
 TEST(MeshRepair, RepeatedFacesAndLooseVerticesGo) {
-  TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  geometry::TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
   mesh.vertices.emplace_back(50, 0, 0);
   mesh.triangles.push_back({1, 2, 0});
   mesh.triangles.push_back({4, 6, 5});
@@ -74,11 +74,11 @@ TEST(MeshRepair, RepeatedFacesAndLooseVerticesGo) {
 }
 
 TEST(MeshRepair, AFilledHoleClosesTheSurfaceAsItWas) {
-  const TriangleMesh whole = box({0, 0, 0}, {1, 1, 1});
+  const geometry::TriangleMesh whole = box({0, 0, 0}, {1, 1, 1});
   for (std::size_t missing = 0; missing < 12; ++missing) {
     for (const std::size_t count : {1u, 2u, 4u}) {  // a face, a side, two sides
       if (missing % count != 0) continue;
-      TriangleMesh mesh = whole;
+      geometry::TriangleMesh mesh = whole;
       mesh.triangles.erase(mesh.triangles.begin() + long(missing),
                            mesh.triangles.begin() + long(missing + count));
       std::vector<Hole> holes = find_holes(mesh);
@@ -87,11 +87,11 @@ TEST(MeshRepair, AFilledHoleClosesTheSurfaceAsItWas) {
       EXPECT_EQ(edges.open + edges.crowded, 0) << missing << ' ' << count;
       EXPECT_EQ(orient_consistently(mesh), Orientation::consistent);
       if (count < 4) {
-        EXPECT_NEAR(enclosed_volume(mesh), 1, 1e-12);
+        EXPECT_NEAR(geometry::enclosed_volume(mesh), 1, 1e-12);
       }
     }
   }
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

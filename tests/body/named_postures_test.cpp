@@ -5,7 +5,7 @@
 #include "loosefit/base/error.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 Body in(const std::string& posture) { return body_model().build({}, named_posture(posture)); }
@@ -84,4 +84,4 @@ TEST(NamedPostures, BlendGoesHalfWayInEveryAngle) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

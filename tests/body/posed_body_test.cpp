@@ -9,7 +9,7 @@
 #include "loosefit/body/body_frame.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 TEST(PosedBody, IsABodyWhereverOneIsAskedFor) {
@@ -33,11 +33,25 @@ TEST(PosedBody, CopiesShareWhatOneOfThemHasMade) {
 
 TEST(PosedBody, OutlivesTheOneItWasCopiedFrom) {
   auto first = std::make_unique<const PosedBody>(testing::cylinder_body(0.1, 1.0, 64, 4));
-  const ClosestPointTree* tree = &first->tree();
+  const geometry::ClosestPointTree* tree = &first->tree();
   const PosedBody copy = *first;
   first.reset();
   EXPECT_EQ(&copy.tree(), tree);
   EXPECT_NEAR(copy.tree().signed_distance(Vec3(0.3, 0, 0.5)), 0.2, 1e-3);
+}
+
+TEST(RememberedBody, KeepsTheIndexOnlyAsLongAsSomebodyElseHoldsIt) {
+  auto held = std::make_unique<const PosedBody>(testing::cylinder_body(0.1, 1.0, 12, 4));
+  const geometry::ClosestPointTree* tree = &held->tree();
+  RememberedBody remembered(*held);
+  EXPECT_EQ(&remembered.posed().tree(), tree) << "shared while it is in use";
+  const std::vector<Vec3> vertices = (*held)->surface.vertices;
+  const Body* body = &held->body();
+  held.reset();
+  const PosedBody again = remembered.posed();
+  EXPECT_EQ(&again.body(), body) << "the body itself is kept";
+  EXPECT_EQ(again->surface.vertices, vertices);
+  EXPECT_EQ(&remembered.posed().tree(), &again.tree()) << "and shares the next index";
 }
 
 TEST(PosedBody, AnswersAsIndicesMadeForItAlone) {
@@ -45,7 +59,7 @@ TEST(PosedBody, AnswersAsIndicesMadeForItAlone) {
   const PosedBody posed = body;
   EXPECT_EQ(posed.axes(), segment_axes(body));
   EXPECT_EQ(posed.regions(), body_regions(body));
-  const ClosestPointTree tree(body.surface);
+  const geometry::ClosestPointTree tree(body.surface);
   const PartnerFinder finder(body, tree);
   const Vec3 place(0.13, 0.02, 0.4), normal(1, 0, 0);
   const BodyPartner own = finder.find(place, normal, BodyPart::trunk),
@@ -81,4 +95,4 @@ TEST(PosedBody, PartnersNeedSegmentsAndSayItEachTime) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -9,7 +9,7 @@
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr int kWristVertex = 10208;
@@ -124,7 +124,8 @@ TEST(Posture, ArmsAtTwentyDegreesDoNotCutTheTrunkOfTheStudyChildren) {
     const BodyFit fit = study_child(child.chest, child.waist, child.hip);
     const Body body = body_model().build(fit.parameters, {radians(20), 0, 0});
     int cuts = 0;
-    const auto crossings = self_intersections(body.surface.vertices, body.surface.triangles);
+    const auto crossings =
+        geometry::self_intersections(body.surface.vertices, body.surface.triangles);
     for (const auto& [a, b] : crossings) {
       std::set<Segment> segments;
       for (const int t : {a, b}) {
@@ -156,4 +157,4 @@ TEST(Posture, ImpossibleAnglesAreRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

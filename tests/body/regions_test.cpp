@@ -7,7 +7,7 @@
 
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 Body woman(double sitting = 0) {
@@ -86,4 +86,4 @@ TEST(BodyRegions, AreFoundByTheNamesInFiles) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

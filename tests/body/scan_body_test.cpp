@@ -15,7 +15,7 @@
 #include "loosefit/body/surface_topology.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kAgree = 0.97;   // share of the vertices with the segment of the parametric body
@@ -36,8 +36,8 @@ Body person(const Person& p) {
 }
 
 // As a scanner might store it: centimetres, y up, somewhere in the room.
-TriangleMesh as_scan(const Body& body) {
-  TriangleMesh mesh = body.surface;
+geometry::TriangleMesh as_scan(const Body& body) {
+  geometry::TriangleMesh mesh = body.surface;
   for (auto& p : mesh.vertices) p = Vec3(p.x(), p.z(), -p.y()) * 100 + Vec3(31, 7, -12);
   return mesh;
 }
@@ -105,27 +105,28 @@ TEST(ScanBody, FindsWhatTheParametricBodyKnows) {
 
 TEST(ScanBody, TurnsInwardFacesAndBackwardPeople) {
   const Body known = person(kPeople[0]);
-  TriangleMesh mesh = known.surface;
+  geometry::TriangleMesh mesh = known.surface;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   for (auto& p : mesh.vertices) p = Vec3(-p.x(), -p.y(), p.z());
   const CheckedSurface checked = check_surface(mesh, {"scan.obj", "m", "z"});
   EXPECT_TRUE(mentions(checked.warnings, "turned outwards"));
   EXPECT_TRUE(mentions(checked.warnings, "180 degrees"));
-  EXPECT_GT(enclosed_volume(checked.mesh), 0.05);
+  EXPECT_GT(geometry::enclosed_volume(checked.mesh), 0.05);
   EXPECT_FALSE(mentions(checked.warnings, "no units"));
 }
 
 TEST(ScanBody, RepairsMixedOrientation) {
   const Body known = person(kPeople[0]);
-  TriangleMesh mesh = known.surface;
+  geometry::TriangleMesh mesh = known.surface;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   const CheckedSurface checked = check_surface(mesh, {"scan.obj", "m", "z"});
-  EXPECT_NEAR(enclosed_volume(checked.mesh), enclosed_volume(known.surface), 1e-9);
+  EXPECT_NEAR(geometry::enclosed_volume(checked.mesh), geometry::enclosed_volume(known.surface),
+              1e-9);
 }
 
 // Cuts out the faces whose corners lie within `radius` of a point.
-TriangleMesh with_hole(TriangleMesh mesh, const Vec3& at, double radius) {
+geometry::TriangleMesh with_hole(geometry::TriangleMesh mesh, const Vec3& at, double radius) {
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return (mesh.vertices[std::size_t(t[0])] - at).norm() < radius;
   });
@@ -138,8 +139,9 @@ TEST(ScanBody, FillsSmallHolesAndRefusesWideOnes) {
   const CheckedSurface filled =
       check_surface(with_hole(whole.surface, back, 0.015), {"hole.obj", "m", "z"});
   EXPECT_TRUE(mentions(filled.warnings, "1 small hole filled"));
-  EXPECT_NEAR(enclosed_volume(filled.mesh), enclosed_volume(whole.surface), 2e-6);
-  TriangleMesh one_face = whole.surface;
+  EXPECT_NEAR(geometry::enclosed_volume(filled.mesh), geometry::enclosed_volume(whole.surface),
+              2e-6);
+  geometry::TriangleMesh one_face = whole.surface;
   one_face.triangles.pop_back();
   EXPECT_TRUE(mentions(check_surface(one_face, {"hole.obj", "m", "z"}).warnings, "1 small hole"));
   try {
@@ -155,7 +157,7 @@ TEST(ScanBody, FillsSmallHolesAndRefusesWideOnes) {
 TEST(ScanBody, RefusesASieve) {
   const Body whole = person(kPeople[0]);
   const auto with_missing_faces = [&](std::size_t count) {
-    TriangleMesh mesh = whole.surface;  // one in so many, which do not touch each other
+    geometry::TriangleMesh mesh = whole.surface;  // one in so many, which do not touch each other
     const std::size_t step = mesh.triangles.size() / count;
     for (std::size_t i = count; i-- > 0;)
       mesh.triangles.erase(mesh.triangles.begin() + long(i * step + 7));
@@ -176,7 +178,7 @@ TEST(ScanBody, RefusesASieve) {
 TEST(ScanBody, HolesAreJudgedByTheHeight) {
   const Body whole = person(kPeople[0]);
   const Vec3 back = whole.landmarks.at("mid_back");
-  TriangleMesh mesh = with_hole(whole.surface, back, 0.027);
+  geometry::TriangleMesh mesh = with_hole(whole.surface, back, 0.027);
   const double width = find_holes(mesh).front().width;
   ASSERT_GT(width, 0.03 * 1.68);
   for (auto& p : mesh.vertices)  // the arms drawn out
@@ -185,8 +187,8 @@ TEST(ScanBody, HolesAreJudgedByTheHeight) {
 }
 
 TEST(ScanBody, StrayVerticesAndRepeatedFacesDoNotMatter) {
-  const TriangleMesh one = person(kPeople[0]).surface;
-  TriangleMesh mesh = one;
+  const geometry::TriangleMesh one = person(kPeople[0]).surface;
+  geometry::TriangleMesh mesh = one;
   mesh.vertices.emplace_back(0, 0, 400);
   for (std::size_t t = 0; t < 50; ++t) mesh.triangles.push_back(one.triangles[t * 7]);
   const CheckedSurface checked = check_surface(mesh, {"scan.obj", "", "z"});
@@ -195,9 +197,9 @@ TEST(ScanBody, StrayVerticesAndRepeatedFacesDoNotMatter) {
 }
 
 TEST(ScanBody, TellsHowTheFileWasMoved) {
-  const TriangleMesh original = person(kPeople[0]).surface;
+  const geometry::TriangleMesh original = person(kPeople[0]).surface;
   for (const bool backwards : {false, true}) {
-    TriangleMesh mesh = original;  // in a room, centimetres, y up
+    geometry::TriangleMesh mesh = original;  // in a room, centimetres, y up
     const double sign = backwards ? -1 : 1;
     for (auto& p : mesh.vertices)
       p = Vec3(sign * p.x() + 0.3, p.z() - 0.95, -sign * p.y() + 0.2) * 100;
@@ -212,8 +214,9 @@ TEST(ScanBody, TellsHowTheFileWasMoved) {
 }
 
 TEST(ScanBody, RefusesTwoPeopleAndDropsCrumbs) {
-  const TriangleMesh one = person(kPeople[0]).surface;
-  const auto add = [](TriangleMesh mesh, const TriangleMesh& other, double scale, double shift) {
+  const geometry::TriangleMesh one = person(kPeople[0]).surface;
+  const auto add = [](geometry::TriangleMesh mesh, const geometry::TriangleMesh& other,
+                      double scale, double shift) {
     const int base = int(mesh.vertices.size());
     for (const auto& p : other.vertices) mesh.vertices.push_back(scale * p + Vec3(shift, 0, 0));
     for (const auto& t : other.triangles)
@@ -229,20 +232,20 @@ TEST(ScanBody, RefusesTwoPeopleAndDropsCrumbs) {
 }
 
 TEST(ScanBody, RefusesAnImpossibleSize) {
-  const TriangleMesh mesh = person(kPeople[0]).surface;
+  const geometry::TriangleMesh mesh = person(kPeople[0]).surface;
   EXPECT_THROW(check_surface(mesh, {"scan.obj", "mm", "z"}), InvalidInput);
   EXPECT_THROW(check_surface(mesh, {"scan.obj", "furlong", "z"}), InvalidInput);
-  TriangleMesh tiny = mesh;
+  geometry::TriangleMesh tiny = mesh;
   for (auto& p : tiny.vertices) p *= 1e-3;
   EXPECT_THROW(check_surface(tiny, {"scan.obj", "", "z"}), InvalidInput);
 }
 
 TEST(ScanBody, GuessesInchesAndAsksAboutImplausibleHeights) {
-  TriangleMesh inches = person(kPeople[0]).surface;
+  geometry::TriangleMesh inches = person(kPeople[0]).surface;
   for (auto& p : inches.vertices) p /= 0.0254;
   const CheckedSurface checked = check_surface(inches, {"scan.obj", "", "z"});
   EXPECT_TRUE(mentions(checked.warnings, "taken as in"));
-  TriangleMesh small = person(kPeople[0]).surface;
+  geometry::TriangleMesh small = person(kPeople[0]).surface;
   for (auto& p : small.vertices) p *= 0.65 / 1.68;
   try {
     check_surface(small, {"scan.obj", "", "z"});
@@ -335,8 +338,8 @@ TEST(ScanBody, TapesTheWaistWhereTheParametricBodyHasIt) {
 }
 
 /// The left hand grown together with the hip by a bridge between two faces at the height of `z`.
-TriangleMesh with_grown_hand(const Body& body, double z) {
-  TriangleMesh mesh = body.surface;
+geometry::TriangleMesh with_grown_hand(const Body& body, double z) {
+  geometry::TriangleMesh mesh = body.surface;
   const auto middle = [&](const Triangle& t) {
     return Vec3((mesh.vertices[std::size_t(t[0])] + mesh.vertices[std::size_t(t[1])] +
                  mesh.vertices[std::size_t(t[2])]) /
@@ -388,7 +391,7 @@ TEST(ScanBody, AHandGrownToTheHipIsNotTaped) {
   const Body known =
       body_model().build(fit_body(body_model(), spec).parameters, {radians(18), 0, 0});
   const double apart = body_from_scan(known.surface, {"scan.obj", "m", "z"}).body.measured["hip"];
-  const TriangleMesh mesh = with_grown_hand(known, known.measured.at("hip_level"));
+  const geometry::TriangleMesh mesh = with_grown_hand(known, known.measured.at("hip_level"));
   ScanBody grown = body_from_scan(mesh, {"scan.obj", "m", "z"});
   EXPECT_TRUE(mentions(grown.warnings, "left hand has grown together"));
   EXPECT_NEAR(grown.body.measured.at("hip"), apart, 0.02);
@@ -411,7 +414,7 @@ TEST(ScanBody, AHandGrownToTheHipIsNotTaped) {
 
 TEST(ScanBody, SaysWhatKeepsAnArmFromBeingFound) {
   const Body known = person(kPeople[0]);
-  TriangleMesh mesh = known.surface;  // the left arm drawn into the trunk
+  geometry::TriangleMesh mesh = known.surface;  // the left arm drawn into the trunk
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     if (known.side[v] > 0 && known.segment[v] != Segment::thigh &&
         known.segment[v] != Segment::shank && known.segment[v] != Segment::foot)
@@ -427,4 +430,4 @@ TEST(ScanBody, SaysWhatKeepsAnArmFromBeingFound) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -7,11 +7,11 @@
 #include "loosefit/body/body_fit.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 /// Angle of the line through the shoulders to x, in our frame [degrees].
-double askew(const TriangleMesh& mesh, const Body& known) {
+double askew(const geometry::TriangleMesh& mesh, const Body& known) {
   const Vec3 across = mesh.vertices[known.landmark_vertex.at("acromion_L")] -
                       mesh.vertices[known.landmark_vertex.at("acromion_R")];
   return degrees(std::atan2(across.y(), across.x()));
@@ -22,7 +22,7 @@ TEST(ScanFrame, PersonsWhoStandAskewAreTurned) {
   for (const double arms : {20.0, 45.0, 90.0}) {
     const Body known = body_model().build(parameters, {radians(arms), 0, 0});
     for (const double turn : {15.0, 25.0, -40.0, 60.0, -75.0, 120.0, 200.0}) {
-      TriangleMesh mesh = known.surface;
+      geometry::TriangleMesh mesh = known.surface;
       const Mat3 rotation = Eigen::AngleAxisd(radians(turn), Vec3::UnitZ()).toRotationMatrix();
       for (Vec3& p : mesh.vertices) p = rotation * p + Vec3(0.3, -0.7, 0.1);
       std::vector<std::string> warnings;
@@ -35,7 +35,7 @@ TEST(ScanFrame, PersonsWhoStandAskewAreTurned) {
 
 TEST(ScanFrame, PersonsWhoStandStraightStayAsTheyAre) {
   const Body known = body_model().build(fit_body(body_model(), {}).parameters, {radians(30), 0, 0});
-  TriangleMesh mesh = known.surface;
+  geometry::TriangleMesh mesh = known.surface;
   std::vector<std::string> warnings;
   const RigidMotion motion = stand_in_our_frame(mesh, {"scan.obj", "m", "z"}, warnings);
   EXPECT_EQ(motion.linear(), Mat3::Identity());
@@ -43,4 +43,4 @@ TEST(ScanFrame, PersonsWhoStandStraightStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

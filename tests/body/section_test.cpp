@@ -7,12 +7,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/body/tape_paths.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // A torus of tube radius `r` round the z axis at radius `big`.
-TriangleMesh torus(double big, double r, int n, int m) {
-  TriangleMesh mesh;
+geometry::TriangleMesh torus(double big, double r, int n, int m) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) {
       const double a = 2 * kPi * i / n, b = 2 * kPi * j / m;
@@ -31,7 +31,7 @@ TriangleMesh torus(double big, double r, int n, int m) {
 }
 
 TEST(Section, HorizontalCutOfATorusIsTwoCircles) {
-  const TriangleMesh mesh = torus(0.3, 0.1, 400, 200);
+  const geometry::TriangleMesh mesh = torus(0.3, 0.1, 400, 200);
   const auto loops = plane_section(mesh, Vec3(0, 0, 0.001), Vec3::UnitZ());
   ASSERT_EQ(loops.size(), 2u);
   const double longest = std::max(loops[0].length, loops[1].length);
@@ -44,20 +44,21 @@ TEST(Section, HorizontalCutOfATorusIsTwoCircles) {
 }
 
 TEST(Section, VerticesOnThePlaneDoNotBreakTheLoops) {
-  const TriangleMesh mesh = torus(0.3, 0.1, 40, 20);  // whole rings of vertices lie in z = 0
+  const geometry::TriangleMesh mesh =
+      torus(0.3, 0.1, 40, 20);  // whole rings of vertices lie in z = 0
   const auto loops = plane_section(mesh, Vec3::Zero(), Vec3::UnitZ());
   ASSERT_EQ(loops.size(), 2u);
 }
 
 TEST(Section, VerticalCutFindsTheLoopRoundAPoint) {
-  const TriangleMesh mesh = torus(0.3, 0.1, 400, 200);
+  const geometry::TriangleMesh mesh = torus(0.3, 0.1, 400, 200);
   EXPECT_NEAR(girth_round(mesh, Vec3(0.3, 0, 0), Vec3::UnitY()), 2 * kPi * 0.1, 1e-3);
   EXPECT_THROW(girth_round(mesh, Vec3(0, 0, 0), Vec3::UnitY()), GeometryError);
   EXPECT_THROW(trunk_girth(mesh, 0.5), GeometryError);
 }
 
 TEST(Section, OpenChainsAreLeftOut) {
-  TriangleMesh mesh = torus(0.3, 0.1, 40, 20);
+  geometry::TriangleMesh mesh = torus(0.3, 0.1, 40, 20);
   mesh.triangles.erase(mesh.triangles.begin(),
                        mesh.triangles.begin() + 40);  // one ring of the tube
   EXPECT_TRUE(plane_section(mesh, Vec3(0, 0, 0.01), Vec3::UnitZ()).empty());
@@ -78,4 +79,4 @@ TEST(TapePaths, NeckBaseOfACircleIsItsCircumference) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

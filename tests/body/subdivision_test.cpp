@@ -11,7 +11,7 @@
 #include "loosefit/body/tape_paths.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 const std::vector<std::array<int, 4>> kCube = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
@@ -30,8 +30,8 @@ TEST(CatmullClark, CubeAgreesWithHandCalculation) {
   for (int e = 8; e < 20; ++e)
     EXPECT_NEAR(fine[std::size_t(e)].norm(), 0.75 * std::sqrt(2.), 1e-12);
   for (int f = 20; f < 26; ++f) EXPECT_NEAR(fine[std::size_t(f)].norm(), 1, 1e-12);
-  const TriangleMesh mesh{fine, step.fine_triangles()};
-  EXPECT_GT(enclosed_volume(mesh), 0);
+  const geometry::TriangleMesh mesh{fine, step.fine_triangles()};
+  EXPECT_GT(geometry::enclosed_volume(mesh), 0);
   EXPECT_EQ(inspect_edges(mesh).open, 0);
 }
 
@@ -63,7 +63,7 @@ TEST(Subdivision, BodyCountsAndClosedness) {
   const EdgeReport edges = inspect_edges(rest.surface);
   EXPECT_EQ(edges.open, 0);
   EXPECT_EQ(edges.crowded, 0);
-  TriangleMesh copy = rest.surface;
+  geometry::TriangleMesh copy = rest.surface;
   EXPECT_EQ(orient_consistently(copy), Orientation::consistent);
 }
 
@@ -89,7 +89,8 @@ TEST(Subdivision, ShrinksTheGirthsOfTheStudyChildrenAsTheReferenceSays) {
     EXPECT_NEAR(loss_cm("hips_circ"), child.hip_loss_cm, 0.012);
     const BodyTape before(model.data(), coarse), after(model.data(), fine);
     EXPECT_NEAR(100 * (before.measure("height") - after.measure("height")), 0.14, 0.01);
-    const double share = enclosed_volume(fine.surface) / enclosed_volume(coarse.surface) - 1;
+    const double share =
+        geometry::enclosed_volume(fine.surface) / geometry::enclosed_volume(coarse.surface) - 1;
     EXPECT_NEAR(share, -0.008, 0.0015);
   }
 }
@@ -101,7 +102,7 @@ TEST(Subdivision, EveryFieldOfABodyIsFilled) {
   EXPECT_EQ(body.segment.size(), n);
   EXPECT_EQ(body.side.size(), n);
   EXPECT_EQ(body.pose_from_rest.size(), n);
-  EXPECT_GT(enclosed_volume(body.surface), 0.04);
+  EXPECT_GT(geometry::enclosed_volume(body.surface), 0.04);
   std::map<Segment, int> count;
   for (std::size_t v = 0; v < n; ++v) {
     ++count[body.segment[v]];
@@ -151,4 +152,4 @@ TEST(Subdivision, MeasuresOfAWomanAreThoseOfATailor) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::body

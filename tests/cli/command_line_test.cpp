@@ -22,7 +22,7 @@ struct CommandLine : ::testing::Test {
   }
   void TearDown() override { fs::remove_all(base); }
   std::string file(const std::string& name, const std::string& text) const {
-    write_text_file((base / name).string(), text);
+    io::write_text_file((base / name).string(), text);
     return (base / name).string();
   }
   static ProgramRun loosefit(const std::string& arguments, const std::string& environment = {}) {
@@ -65,7 +65,8 @@ TEST_F(CommandLine, AGarmentThatIsNotWornIsCodeOneAndNamedInWords) {
   EXPECT_NE(run.output.find("\nsettled:"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("NOT WORN: " + words), std::string::npos) << run.output;
   for (const char* name : {"log.jsonl", "report.html", "summary.json"})
-    EXPECT_NE(read_text_file(out + "/" + name, 50000000).find(words), std::string::npos) << name;
+    EXPECT_NE(io::read_text_file(out + "/" + name, 50000000).find(words), std::string::npos)
+        << name;
   EXPECT_FALSE(fs::exists(out + "/sites.csv"));
   const ProgramRun rank = loosefit("rank " + out + " -m imu-inclination");
   EXPECT_NE(rank.exit_code, 0);
@@ -133,7 +134,7 @@ TEST_F(CommandLine, ForeignFolderStaysUntouched) {
   file("thesis/chapter.tex", "dear");
   expect_refused(loosefit("drape " + file("case.toml", "") + " -o " + (base / "thesis").string()),
                  "not an earlier output");
-  EXPECT_EQ(read_text_file((base / "thesis/chapter.tex").string(), 10), "dear");
+  EXPECT_EQ(io::read_text_file((base / "thesis/chapter.tex").string(), 10), "dear");
 }
 
 TEST_F(CommandLine, ImpossibleWishNamesTheMeasure) {
@@ -212,14 +213,14 @@ TEST_F(CommandLine, RankWritesItsFilesBesideTheRunAndRefusesTheRest) {
 TEST_F(CommandLine, SameBitsFromTheResolvedScenarioOnTwoThreads) {
   const std::string first = (base / "first").string(), second = (base / "second").string();
   loosefit("drape " + file("case.toml", kStopped) + " -o " + first);
-  std::string resolved = read_text_file(first + "/scenario.toml", 100000);
+  std::string resolved = io::read_text_file(first + "/scenario.toml", 100000);
   const std::size_t threads = resolved.find("threads = 1");
   ASSERT_NE(threads, std::string::npos) << resolved;
   resolved.replace(threads, 11, "threads = 2");
   loosefit("drape " + file("again.toml", resolved) + " -o " + second);
-  EXPECT_EQ(read_text_file(first + "/drape.vtp", 100000000),
-            read_text_file(second + "/drape.vtp", 100000000));
-  EXPECT_EQ(read_text_file(second + "/scenario.toml", 100000), resolved);
+  EXPECT_EQ(io::read_text_file(first + "/drape.vtp", 100000000),
+            io::read_text_file(second + "/drape.vtp", 100000000));
+  EXPECT_EQ(io::read_text_file(second + "/scenario.toml", 100000), resolved);
 }
 
 // A file size limit behaves like a full disk: writing fails half-way through a file.

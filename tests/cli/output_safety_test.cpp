@@ -30,17 +30,17 @@ struct OutputSafety : ::testing::Test {
 
   std::string file(const std::string& name, const std::string& text) const {
     fs::create_directories((base / name).parent_path());
-    write_text_file((base / name).string(), text);
+    io::write_text_file((base / name).string(), text);
     return (base / name).string();
   }
   std::string text(const std::string& name) const {
-    return read_text_file((base / name).string(), 100000000);
+    return io::read_text_file((base / name).string(), 100000000);
   }
   std::map<std::string, std::string> everything() const {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(base))
       files[entry.path().string()] =
-          entry.is_regular_file() ? read_text_file(entry.path().string(), 100000000) : "";
+          entry.is_regular_file() ? io::read_text_file(entry.path().string(), 100000000) : "";
     return files;
   }
   static ProgramRun loosefit(const std::string& arguments) {

@@ -25,7 +25,7 @@ class PatternCommand : public testing::Test {
   }
   void TearDown() override { fs::remove_all(base); }
   std::string file(const std::string& name, const std::string& text) const {
-    write_text_file((base / name).string(), text);
+    io::write_text_file((base / name).string(), text);
     return (base / name).string();
   }
   ProgramRun pattern(const std::string& arguments) const {
@@ -37,15 +37,15 @@ class PatternCommand : public testing::Test {
     fs::remove_all(out);
     const ProgramRun run = pattern(arguments + " -o " + out.string());
     EXPECT_EQ(run.exit_code, 0) << run.output;
-    return run.exit_code == 0 ? read_text_file((out / "pattern.json").string(), 1 << 24) : "";
+    return run.exit_code == 0 ? io::read_text_file((out / "pattern.json").string(), 1 << 24) : "";
   }
 };
 
 TEST_F(PatternCommand, HasTheDefaultsOfAScenario) {
-  const Body body = make_body(default_scenario().body).body;
+  const body::Body body = study::make_body(io::default_scenario().body).body;
   const auto of_run = [&](const std::string& garment) {
-    const Scenario scenario = parse_scenario("[garment]\n" + garment, "case.toml");
-    return garmentcode_text(make_pattern(scenario.studied().spec, body).pattern);
+    const scenario::Scenario scenario = io::parse_scenario("[garment]\n" + garment, "case.toml");
+    return io::garmentcode_text(study::make_pattern(scenario.studied().spec, body).pattern);
   };
   EXPECT_EQ(written(""), of_run(""));
   EXPECT_EQ(written("--pattern t-shirt"), of_run("pattern = \"t-shirt\""));
@@ -91,11 +91,11 @@ TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
 }
 
 TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {
-  Pattern shirt = draft_shirt({});
+  pattern::Pattern shirt = kinds::draft_shirt({});
   shirt.panels[0].name = "a\x1b[2Jb\nc";
   shirt.panels[1].edges[0].name = "hem\x1b]0;x\x07";
   shirt.stitches[0].name = "side\rx";
-  const std::string text = garmentcode_text(shirt);
+  const std::string text = io::garmentcode_text(shirt);
   const ProgramRun read = pattern("--file " + file("p.json", text));
   EXPECT_EQ(read.exit_code, 0) << read.output;
   EXPECT_NE(read.output.find("a\\x1b[2Jb\\nc"), std::string::npos) << read.output;

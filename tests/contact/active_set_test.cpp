@@ -9,23 +9,24 @@
 #include "support/active_set_checker.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
-constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::half_compression,
-                                  HessianKind::projected};
+constexpr particles::HessianKind kKinds[] = {particles::HessianKind::exact,
+                                             particles::HessianKind::half_compression,
+                                             particles::HessianKind::projected};
 constexpr double kStatic = std::numeric_limits<double>::infinity();
 
 /// Sheets that lie on each other, crumpled by less than the gap between them.
 struct Layers {
   std::vector<Triangle> triangles;
   std::vector<double> area;
-  VectorField x;
+  particles::VectorField x;
   explicit Layers(double edge = 0.01) {
     std::mt19937 rng(5);
     std::uniform_real_distribution<double> u(-1, 1);
     for (int layer = 0; layer < 3; ++layer) {
-      const TriangleMesh sheet = support::sheet(0.1, 0.1, edge, 0.2, 1 + layer);
+      const geometry::TriangleMesh sheet = support::sheet(0.1, 0.1, edge, 0.2, 1 + layer);
       const int first = static_cast<int>(x.size());
       for (const Triangle& t : sheet.triangles) {
         triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -43,10 +44,10 @@ TEST(SelfContact, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   SelfContact::Options options;
   options.thickness = 2e-3;
   SelfContact contact(layers.triangles, layers.area, layers.particles(), options);
-  const ActiveSet active_set = support::two_groups(layers.particles());
+  const particles::ActiveSet active_set = support::two_groups(layers.particles());
   contact.begin_step(layers.x, kStatic);
   ASSERT_GT(contact.active(layers.x), 100);
-  for (HessianKind kind : kKinds)
+  for (particles::HessianKind kind : kKinds)
     EXPECT_GT(support::expect_same_in_active_set(contact, layers.x, active_set, 1e-4, kind), 0);
 }
 
@@ -56,8 +57,8 @@ TEST(SelfContact, KeepsAllPairsThroughAnActiveSetWhoseParticlesMoveFar) {
   options.thickness = 2e-3;
   SelfContact contact(layers.triangles, layers.area, layers.particles(), options),
       fresh(layers.triangles, layers.area, layers.particles(), options);
-  const ActiveSet active_set = support::two_groups(layers.particles());
-  VectorField x = layers.x, dx(x.size(), Vec3::Zero());
+  const particles::ActiveSet active_set = support::two_groups(layers.particles());
+  particles::VectorField x = layers.x, dx(x.size(), Vec3::Zero());
   contact.begin_step(x, kStatic);
   fresh.begin_step(x, kStatic);
   contact.max_step(x, dx);
@@ -68,8 +69,8 @@ TEST(SelfContact, KeepsAllPairsThroughAnActiveSetWhoseParticlesMoveFar) {
     for (int i : active_set.particles) x[i] += 0.5 * share * dx[i];
   }
   contact.set_active_set(nullptr);
-  fresh.max_step(x, VectorField(x.size(), Vec3::Zero()));
-  VectorField g(x.size(), Vec3::Zero()), expected = g;
+  fresh.max_step(x, particles::VectorField(x.size(), Vec3::Zero()));
+  particles::VectorField g(x.size(), Vec3::Zero()), expected = g;
   const double energy = fresh.value_and_gradient(x, expected);
   EXPECT_NEAR(contact.value_and_gradient(x, g), energy, 1e-9 * energy);
   double largest = 0, difference = 0;  // the guard of parallel edges knows where a search began
@@ -88,7 +89,7 @@ TEST(SelfContact, AnActiveSetForgetsNoBlocksOfTheOthers) {
   SelfContact contact(layers.triangles, layers.area, layers.particles(), options);
   contact.begin_step(layers.x, kStatic);
   const auto blocks = [&] {
-    BlockPattern pattern(layers.particles());
+    particles::BlockPattern pattern(layers.particles());
     contact.add_pattern(layers.x, pattern);
     pattern.compress();
     std::size_t n = 0;
@@ -98,7 +99,7 @@ TEST(SelfContact, AnActiveSetForgetsNoBlocksOfTheOthers) {
   const std::size_t all = blocks();
   ASSERT_GT(all, kContact.barrier.pattern_slack + 500);  // so many that most would be forgotten
   const auto version = contact.pattern_version(layers.x);
-  ActiveSet active_set{{5}, std::vector<char>(layers.x.size(), 0)};
+  particles::ActiveSet active_set{{5}, std::vector<char>(layers.x.size(), 0)};
   active_set.inside[5] = 1;
   contact.set_active_set(&active_set);
   EXPECT_EQ(contact.pattern_version(layers.x), version);
@@ -111,7 +112,7 @@ TEST(CandidatePairs, InAnActiveSetAreThoseOfTheWholeThatTouchIt) {
   const Layers layers;
   const ContactFeatures features(layers.triangles, layers.area, layers.particles(), 2e-3, {}, {});
   CandidatePairs whole(features), part(features);
-  const ActiveSet active_set = support::two_groups(layers.particles());
+  const particles::ActiveSet active_set = support::two_groups(layers.particles());
   const auto expected = [&](const std::vector<FeaturePair>& pairs) {
     std::vector<std::uint64_t> keys;
     for (const FeaturePair& p : pairs)
@@ -125,7 +126,7 @@ TEST(CandidatePairs, InAnActiveSetAreThoseOfTheWholeThatTouchIt) {
   };
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> u(-1, 1);
-  VectorField x = layers.x, dx(x.size(), Vec3::Zero());
+  particles::VectorField x = layers.x, dx(x.size(), Vec3::Zero());
   part.touching(x);
   part.set_active_set(&active_set);
   for (int call = 0; call < 12; ++call) {
@@ -143,26 +144,26 @@ TEST(CandidatePairs, InAnActiveSetAreThoseOfTheWholeThatTouchIt) {
 
 TEST(BodyContact, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   constexpr double kOffset = 2e-3;
-  const TriangleMesh ball = support::sphere(0.05, 60, 120);
-  const ClosestPointTree tree(ball);
+  const geometry::TriangleMesh ball = support::sphere(0.05, 60, 120);
+  const geometry::ClosestPointTree tree(ball);
   const auto field = std::make_shared<DistanceField>(
-      tree, Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
+      tree, geometry::Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
   // A shell round the ball, here and there pressed in.
-  const TriangleMesh shell = support::sphere(0.05 + 0.7 * kOffset, 20, 30);
-  VectorField x = shell.vertices;
+  const geometry::TriangleMesh shell = support::sphere(0.05 + 0.7 * kOffset, 20, 30);
+  particles::VectorField x = shell.vertices;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] *= 1 + 0.01 * std::sin(40.0 * i);
   const std::vector<double> area(shell.triangles.size(), 1e-5);
   BodyContact contact(contact_points(shell.triangles, area, static_cast<int>(x.size()), kOffset),
                       1e6, 0.4, 1e-4);
   contact.set_field(field);
   contact.begin_step(x, kStatic);
-  VectorField slid = x;
+  particles::VectorField slid = x;
   for (Vec3& p : slid) p += 5e-5 * p.unitOrthogonal();
   contact.begin_step(slid, kStatic);
-  const ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
-  for (HessianKind kind : kKinds)
+  const particles::ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
+  for (particles::HessianKind kind : kKinds)
     EXPECT_GT(support::expect_same_in_active_set(contact, slid, active_set, 3e-4, kind), 0);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

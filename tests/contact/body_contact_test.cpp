@@ -8,7 +8,7 @@
 #include "support/law_checker.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr double kStiffness = 1e6, kOffset = 2e-3, kReach = 1e-4;
@@ -16,13 +16,13 @@ constexpr double kStatic = std::numeric_limits<double>::infinity();
 
 /// A sphere of 50 mm with its field, and a handful of cloth triangles at chosen depths around it.
 struct Scene {
-  TriangleMesh mesh = support::sphere(0.05, 60, 120);
-  ClosestPointTree tree{mesh};
+  geometry::TriangleMesh mesh = support::sphere(0.05, 60, 120);
+  geometry::ClosestPointTree tree{mesh};
   std::shared_ptr<const DistanceField> field = std::make_shared<DistanceField>(
-      tree, Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
+      tree, geometry::Box3(Vec3::Constant(-0.08), Vec3::Constant(0.08)), 0.005);
   std::vector<Triangle> triangles;
   std::vector<double> areas;
-  VectorField x;
+  particles::VectorField x;
 
   Scene() {
     std::mt19937 rng(2);
@@ -39,7 +39,7 @@ struct Scene {
         x.push_back((0.05 + kOffset * (1 - share)) * direction);
       }
       triangles.push_back({first, first + 1, first + 2});
-      areas.push_back(triangle_area(x[first], x[first + 1], x[first + 2]));
+      areas.push_back(geometry::triangle_area(x[first], x[first + 1], x[first + 2]));
     }
   }
 
@@ -63,7 +63,7 @@ TEST(BodyContact, ForceWithFrictionIsTheDerivativeOfTheEnergyStickingAndSliding)
   for (double slide : {0.3 * kReach, 5 * kReach}) {
     BodyContact contact = scene.contact(0.4);
     contact.begin_step(scene.x, kStatic);
-    VectorField x = scene.x;
+    particles::VectorField x = scene.x;
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Vec3 t = x[i].normalized().unitOrthogonal();
       x[i] += slide * (1 + 0.1 * static_cast<double>(i % 5)) * t;
@@ -76,7 +76,8 @@ TEST(BodyContact, DefiniteHessianIsDefinite) {
   const Scene scene;
   BodyContact contact = scene.contact(0.4);
   contact.begin_step(scene.x, kStatic);
-  const Eigen::MatrixXd h = support::dense_hessian(contact, scene.x, HessianKind::projected);
+  const Eigen::MatrixXd h =
+      support::dense_hessian(contact, scene.x, particles::HessianKind::projected);
   const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h).eigenvalues();
   EXPECT_GE(lambda.minCoeff(), -1e-10 * lambda.maxCoeff());
   EXPECT_GT(lambda.maxCoeff(), 0);
@@ -86,13 +87,13 @@ TEST(BodyContact, NormalForceIsTheMagnitudeOfTheFrictionlessForceAndKnowsNoFrict
   const Scene scene;
   BodyContact contact = scene.contact(0.4);
   contact.begin_step(scene.x, kStatic);
-  VectorField x = scene.x;
+  particles::VectorField x = scene.x;
   for (Vec3& p : x) p += 5 * kReach * p.normalized().unitOrthogonal();
   std::vector<double> magnitude(x.size(), 0.0);
   contact.add_normal_force(x, magnitude);
   // A triangle here is so small that the normals of its corners differ by less than 0.16 rad: the
   // vector sum of the frictionless forces is all but the sum of the magnitudes.
-  const VectorField vector = support::gradient(scene.contact(0), x);
+  const particles::VectorField vector = support::gradient(scene.contact(0), x);
   double total = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_GE(magnitude[i], vector[i].norm() * (1 - 1e-12));
@@ -123,10 +124,11 @@ TEST(BodyContact, FrictionForceNeverExceedsTheConeAndReachesIt) {
   for (double slide : {0.5 * kReach, 0.99 * kReach, 20 * kReach}) {
     BodyContact smooth = scene.contact(0), rough = scene.contact(mu);
     rough.begin_step(scene.x, kStatic);
-    const VectorField normal = support::gradient(smooth, scene.x);
-    VectorField x = scene.x;
+    const particles::VectorField normal = support::gradient(smooth, scene.x);
+    particles::VectorField x = scene.x;
     for (Vec3& p : x) p += slide * Vec3(0, 0, 1).cross(p).normalized();  // tangential everywhere
-    const VectorField without = support::gradient(smooth, x), with = support::gradient(rough, x);
+    const particles::VectorField without = support::gradient(smooth, x),
+                                 with = support::gradient(rough, x);
     Vec3 sum = Vec3::Zero();
     double friction = 0, pressing = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -146,14 +148,14 @@ TEST(BodyContact, TakesUpAStateAgainWithItsPointsAndFriction) {
   BodyContact contact = scene.contact(0.4);
   contact.change_points()[0].offset *= 1.5;
   contact.begin_step(scene.x, 0.1);
-  VectorField slid = scene.x;
+  particles::VectorField slid = scene.x;
   for (Vec3& p : slid) p += 0.5 * kReach * p.normalized().unitOrthogonal();
   const auto force = [&](const BodyContact& c) {
-    VectorField g(slid.size(), Vec3::Zero());
+    particles::VectorField g(slid.size(), Vec3::Zero());
     c.add_gradient(slid, g);
     return g;
   };
-  const VectorField before = force(contact);
+  const particles::VectorField before = force(contact);
   const auto kept = contact.memory();
   contact.set_layer(0.5 * kOffset, 2 * kStiffness);
   contact.begin_step(slid, 0.1);
@@ -166,23 +168,23 @@ TEST(BodyContact, PointsThatAreAddedPushAndThoseOfAKeptStateComeBackAfterAnActiv
   const Scene scene;
   BodyContact contact = scene.contact(0);
   const auto force = [&] {
-    VectorField g(scene.x.size(), Vec3::Zero());
+    particles::VectorField g(scene.x.size(), Vec3::Zero());
     contact.add_gradient(scene.x, g);
     return g;
   };
-  const VectorField before = force();
+  const particles::VectorField before = force();
   const auto kept = contact.memory();
   // A second set of the same points: everything pushes twice as hard.
   const std::vector<ContactPoint> points = contact.points();
   for (const ContactPoint& p : points) contact.change_points().push_back(p);
-  const VectorField twice = force();
+  const particles::VectorField twice = force();
   double largest = 0;
   for (std::size_t i = 0; i < twice.size(); ++i) {
     EXPECT_LT((twice[i] - 2 * before[i]).norm(), 1e-12 * before[i].norm());
     largest = std::max(largest, before[i].norm());
   }
   EXPECT_GT(largest, 0);
-  ActiveSet active_set{{0, 1}, std::vector<char>(scene.x.size(), 0)};
+  particles::ActiveSet active_set{{0, 1}, std::vector<char>(scene.x.size(), 0)};
   active_set.inside[0] = active_set.inside[1] = 1;
   contact.set_active_set(&active_set);
   force();
@@ -199,9 +201,9 @@ TEST(Friction, KeepsItsAnchorAcrossStepsAndSlidesOnlyBeyondIt) {
   c.weight = {1, 0, 0, 0};
   c.count = 1;
   c.normal_force = 2;
-  VectorField x = {Vec3::Zero()};
+  particles::VectorField x = {Vec3::Zero()};
   const auto force = [&] {
-    VectorField g(1, Vec3::Zero());
+    particles::VectorField g(1, Vec3::Zero());
     friction.add_gradient(x, g);
     return Vec3(-g[0]);
   };
@@ -227,9 +229,9 @@ TEST(Friction, IterationsOnOneBalanceTakeBackWhatSlidTooFar) {
   c.weight = {1, 0, 0, 0};
   c.count = 1;
   c.normal_force = 1;
-  VectorField x = {Vec3::Zero()};
+  particles::VectorField x = {Vec3::Zero()};
   const auto force = [&] {
-    VectorField g(1, Vec3::Zero());
+    particles::VectorField g(1, Vec3::Zero());
     friction.add_gradient(x, g);
     return Vec3(-g[0]);
   };
@@ -269,7 +271,7 @@ TEST(Friction, SlidingThereAndBackDissipates) {
   c.weight = {1, 0, 0, 0};
   c.count = 1;
   c.normal_force = 2;
-  VectorField x = {Vec3::Zero()};
+  particles::VectorField x = {Vec3::Zero()};
   double work = 0;  // done on the contact
   const int n = 400;
   const double length = 100 * kReach;
@@ -284,4 +286,4 @@ TEST(Friction, SlidingThereAndBackDissipates) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 using Field = std::vector<Vec3>;
@@ -23,7 +23,7 @@ struct Cloth {
     std::mt19937 rng(5);
     std::normal_distribution<double> normal;
     for (int layer = 0; layer < 2; ++layer) {
-      const TriangleMesh sheet = support::sheet(0.06, 0.05, 0.01, 0.2, 1 + layer);
+      const geometry::TriangleMesh sheet = support::sheet(0.06, 0.05, 0.01, 0.2, 1 + layer);
       const int first = static_cast<int>(x.size());
       for (const Triangle& t : sheet.triangles) {
         triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -162,7 +162,7 @@ struct LeapingCloth {
 
   LeapingCloth() {
     for (int layer = 0; layer < 2; ++layer) {
-      const TriangleMesh sheet = support::sheet(0.3, 0.2, 0.01, 0.2, 1 + layer);
+      const geometry::TriangleMesh sheet = support::sheet(0.3, 0.2, 0.01, 0.2, 1 + layer);
       const int first = static_cast<int>(x.size());
       for (const Triangle& t : sheet.triangles)
         triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -216,7 +216,7 @@ TEST(CandidatePairs, WhatStraysInAnActiveSetIsFoundThereAndAfterwards) {
   kept.touching(cloth.x);
   for (int call = 0; call < 6; ++call) {
     cloth.choose_move();
-    ActiveSet active_set{{}, std::vector<char>(cloth.x.size(), 0)};
+    particles::ActiveSet active_set{{}, std::vector<char>(cloth.x.size(), 0)};
     for (std::size_t i = 0; i < cloth.x.size(); ++i) {
       if (cloth.dx[i].norm() < 1e-3) cloth.dx[i].setZero();
       if (cloth.dx[i].isZero()) continue;
@@ -367,4 +367,4 @@ TEST(ContactFeatures, BadListsAreRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -5,10 +5,12 @@
 
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
-Box3 box(double half) { return Box3(Vec3::Constant(-half), Vec3::Constant(half)); }
+geometry::Box3 box(double half) {
+  return geometry::Box3(Vec3::Constant(-half), Vec3::Constant(half));
+}
 
 Vec3 random_direction(std::mt19937& rng) {
   std::normal_distribution<double> n;
@@ -19,8 +21,8 @@ class FieldOfSphere : public ::testing::TestWithParam<double> {};
 
 TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
   const double radius = GetParam();
-  const TriangleMesh mesh = support::sphere(radius, 90, 180);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = support::sphere(radius, 90, 180);
+  const geometry::ClosestPointTree tree(mesh);
   const DistanceField field(tree, box(radius + 0.02), 0.005);
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> depth(-0.003, 0.003);
@@ -42,9 +44,10 @@ TEST_P(FieldOfSphere, DistanceAndGradientAreThoseOfTheSphere) {
 INSTANTIATE_TEST_SUITE_P(Radii, FieldOfSphere, ::testing::Values(0.025, 0.05, 0.15));
 
 TEST(DistanceField, DistanceOfACylinder) {
-  const TriangleMesh mesh = support::cylinder(0.03, -0.2, 0.2, 40, 200);
-  const ClosestPointTree tree(mesh);
-  const DistanceField field(tree, Box3(Vec3(-0.05, -0.05, -0.1), Vec3(0.05, 0.05, 0.1)), 0.005);
+  const geometry::TriangleMesh mesh = support::cylinder(0.03, -0.2, 0.2, 40, 200);
+  const geometry::ClosestPointTree tree(mesh);
+  const DistanceField field(tree, geometry::Box3(Vec3(-0.05, -0.05, -0.1), Vec3(0.05, 0.05, 0.1)),
+                            0.005);
   double worst = 0;
   for (int i = 0; i < 500; ++i) {
     const double a = 0.1 + 2.399963 * i, d = -0.002 + 0.004 * (i % 17) / 16.0;
@@ -59,8 +62,8 @@ TEST(DistanceField, DistanceOfACylinder) {
 }
 
 TEST(DistanceField, DerivativesAreThoseOfTheInterpolant) {
-  const TriangleMesh mesh = support::sphere(0.04, 40, 80);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = support::sphere(0.04, 40, 80);
+  const geometry::ClosestPointTree tree(mesh);
   const DistanceField field(tree, box(0.06), 0.005);
   std::mt19937 rng(11);
   std::uniform_real_distribution<double> depth(-0.004, 0.004);
@@ -84,8 +87,8 @@ TEST(DistanceField, DerivativesAreThoseOfTheInterpolant) {
 }
 
 TEST(DistanceField, ExtremesOfThePositionAreAnswered) {
-  const TriangleMesh mesh = support::sphere(0.10, 60, 120);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = support::sphere(0.10, 60, 120);
+  const geometry::ClosestPointTree tree(mesh);
   const DistanceField field(tree, box(0.12), 0.005);
   DistanceField::Sample s;
   EXPECT_FALSE(field.sample(Vec3(0.13, 0, 0), 0.001, false, s));  // outside, on the grid
@@ -100,10 +103,11 @@ TEST(DistanceField, ExtremesOfThePositionAreAnswered) {
 }
 
 TEST(DistanceField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
-  const TriangleMesh mesh = support::cylinder(0.05, -1, 1, 100, 96);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = support::cylinder(0.05, -1, 1, 100, 96);
+  const geometry::ClosestPointTree tree(mesh);
   // Both ends of the cylinder leave the region, as head and legs leave that of a shirt.
-  const DistanceField field(tree, Box3(Vec3(-0.09, -0.09, -0.1), Vec3(0.09, 0.09, 0.1)), 0.005);
+  const DistanceField field(tree, geometry::Box3(Vec3(-0.09, -0.09, -0.1), Vec3(0.09, 0.09, 0.1)),
+                            0.005);
   DistanceField::Sample s;
   for (double z : {-0.12, -0.05, 0.0, 0.05, 0.12})
     for (int i = 0; i < 16; ++i) {
@@ -120,8 +124,8 @@ TEST(DistanceField, BodyCutByTheRimOfTheGridKeepsInsideAndOutsideApart) {
 }
 
 TEST(DistanceField, ReachDecidesWhatIsTouched) {
-  const TriangleMesh mesh = support::sphere(0.10, 60, 120);
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = support::sphere(0.10, 60, 120);
+  const geometry::ClosestPointTree tree(mesh);
   const DistanceField field(tree, box(0.12), 0.005);
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> depth(0, 0.02);
@@ -135,10 +139,10 @@ TEST(DistanceField, ReachDecidesWhatIsTouched) {
 }
 
 /// Many small spheres near each other: creases of the distance in every cell.
-TriangleMesh pebbles() {
-  TriangleMesh all;
+geometry::TriangleMesh pebbles() {
+  geometry::TriangleMesh all;
   for (int i = 0; i < 125; ++i) {
-    TriangleMesh one = support::sphere(0.004, 8, 12);
+    geometry::TriangleMesh one = support::sphere(0.004, 8, 12);
     const Vec3 centre = 0.011 * Vec3(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2) +
                         0.001 * Vec3(std::sin(7 * i), std::sin(11 * i), std::sin(13 * i));
     const int first = static_cast<int>(all.vertices.size());
@@ -150,8 +154,8 @@ TriangleMesh pebbles() {
 }
 
 TEST(DistanceField, WhatItCallsFarIsFarByItsInterpolantToo) {
-  const TriangleMesh mesh = pebbles();
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh = pebbles();
+  const geometry::ClosestPointTree tree(mesh);
   const DistanceField field(tree, box(0.04));
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> at(-0.032, 0.032);
@@ -170,9 +174,9 @@ TEST(DistanceField, WhatItCallsFarIsFarByItsInterpolantToo) {
 
 // Contact would stop where its energy jumps: up to the smooth reach nothing does.
 TEST(DistanceField, HasNoJumpsUpToItsSmoothReach) {
-  TriangleMesh wedge = support::sphere(0.05, 40, 80);
+  geometry::TriangleMesh wedge = support::sphere(0.05, 40, 80);
   for (Vec3& p : wedge.vertices) p[2] *= 0.3;  // a lens with a sharp rim
-  const ClosestPointTree tree(wedge);
+  const geometry::ClosestPointTree tree(wedge);
   const DistanceField field(tree, box(0.08));
   const double reach = field.smooth_reach();
   EXPECT_GT(reach, 0.010);
@@ -192,8 +196,8 @@ TEST(DistanceField, HasNoJumpsUpToItsSmoothReach) {
 }
 
 TEST(DistanceField, KnowsWhatItCovers) {
-  const TriangleMesh ball = support::sphere(0.04, 20, 40);
-  const ClosestPointTree tree(ball);
+  const geometry::TriangleMesh ball = support::sphere(0.04, 20, 40);
+  const geometry::ClosestPointTree tree(ball);
   const DistanceField field(tree, box(0.06));
   EXPECT_TRUE(field.covers(box(0.06)));
   EXPECT_FALSE(field.covers(box(0.09)));
@@ -201,12 +205,12 @@ TEST(DistanceField, KnowsWhatItCovers) {
 
 // Two balls that touch, the second only as a cover: the field is that of both together.
 TEST(DistanceField, CoversHideTheBodyInThem) {
-  const TriangleMesh ball = support::sphere(0.04, 60, 120);
-  TriangleMesh cover = ball;
+  const geometry::TriangleMesh ball = support::sphere(0.04, 60, 120);
+  geometry::TriangleMesh cover = ball;
   for (Vec3& p : cover.vertices) p[0] += 0.06;
-  const ClosestPointTree tree(ball);
-  const DistanceField field(tree, Box3(Vec3::Constant(-0.06), Vec3(0.12, 0.06, 0.06)), 0.005,
-                            {cover, TriangleMesh{}});
+  const geometry::ClosestPointTree tree(ball);
+  const DistanceField field(tree, geometry::Box3(Vec3::Constant(-0.06), Vec3(0.12, 0.06, 0.06)),
+                            0.005, {cover, geometry::TriangleMesh{}});
   const auto at = [&](const Vec3& p) {
     DistanceField::Sample s;
     field.sample(p, 0.02, false, s);
@@ -220,8 +224,8 @@ TEST(DistanceField, CoversHideTheBodyInThem) {
 
 // Nodes are measured when they are asked for: by whom, and in which order, must not show.
 TEST(DistanceField, OrderAndThreadsDoNotChangeABit) {
-  const TriangleMesh ball = support::sphere(0.04, 40, 80);
-  const ClosestPointTree tree(ball);
+  const geometry::TriangleMesh ball = support::sphere(0.04, 40, 80);
+  const geometry::ClosestPointTree tree(ball);
   std::mt19937 rng(7);
   std::uniform_real_distribution<double> depth(-0.01, 0.012);
   std::vector<Vec3> places(4000);
@@ -246,4 +250,4 @@ TEST(DistanceField, OrderAndThreadsDoNotChangeABit) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -2,7 +2,7 @@
 
 #include "loosefit/contact/friction.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr double kMu = 0.3, kNormal = 2.0, kReach = 1e-4;
@@ -17,8 +17,8 @@ std::vector<FrictionContact> one_contact() {
   return {c};
 }
 
-double force(const Friction& friction, const VectorField& x) {
-  VectorField g(1, Vec3::Zero());
+double force(const Friction& friction, const particles::VectorField& x) {
+  particles::VectorField g(1, Vec3::Zero());
   friction.add_gradient(x, g);
   return g[0].norm();
 }
@@ -27,7 +27,7 @@ double force(const Friction& friction, const VectorField& x) {
 // force when it moves and the ground does not, or the ground without it.
 TEST(FrictionCarry, OnlyMotionAgainstTheGroundRubs) {
   const Vec3 way(0.05, 0.02, 0);
-  const VectorField here = {Vec3::Zero()}, there = {way};
+  const particles::VectorField here = {Vec3::Zero()}, there = {way};
   Friction taken(kMu, kReach), left(kMu, kReach), alone(kMu, kReach);
   for (Friction* f : {&taken, &left, &alone}) f->restart(one_contact(), here);
   taken.carry({way});
@@ -40,7 +40,7 @@ TEST(FrictionCarry, OnlyMotionAgainstTheGroundRubs) {
 }
 
 TEST(FrictionCarry, WhatWasStretchedBeforeStaysStretched) {
-  const VectorField here = {Vec3::Zero()}, crept = {Vec3(0.5 * kReach, 0, 0)};
+  const particles::VectorField here = {Vec3::Zero()}, crept = {Vec3(0.5 * kReach, 0, 0)};
   Friction friction(kMu, kReach);
   friction.restart(one_contact(), here);
   const double before = force(friction, crept);
@@ -51,4 +51,4 @@ TEST(FrictionCarry, WhatWasStretchedBeforeStaysStretched) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -3,7 +3,7 @@
 #include "loosefit/contact/body_contact.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr double kStiffness = 2e7, kOffset = 2.5e-4;
@@ -43,11 +43,12 @@ TEST(CompressLayer, CarriesTheStatedPressureAtHalfAndFullCompression) {
 }
 
 TEST(ContactPoints, ShareTheAreaOfTheirTriangles) {
-  const TriangleMesh mesh = support::sheet(0.1, 0.07, 0.015, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.1, 0.07, 0.015, 0.2);
   std::vector<double> area;
   double total = 0;
   for (const Triangle& t : mesh.triangles) {
-    area.push_back(triangle_area(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]));
+    area.push_back(
+        geometry::triangle_area(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]));
     total += area.back();
   }
   const int n = static_cast<int>(mesh.vertices.size());
@@ -84,4 +85,4 @@ TEST(ContactPoints, LatticeAddsOnlyNewPointsInsideTheTriangle) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

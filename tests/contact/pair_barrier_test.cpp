@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 /// Two crossing edges, or a point over a triangle, `gap` apart and a little askew.
@@ -38,7 +38,7 @@ TEST(PairBarrier, DefiniteMatrixHasNoNegativeEigenvalue) {
     const PairPoints x = points_of(pair.kind, gap, rng);
     const Barrier b = evaluate_barrier(pair, x);
     ASSERT_TRUE(b.active);
-    const PairMatrix h = barrier_hessian(pair, x, b, HessianKind::projected);
+    const PairMatrix h = barrier_hessian(pair, x, b, particles::HessianKind::projected);
     EXPECT_GT(least_eigenvalue(h), -1e-9 * h.norm()) << i;
   }
 }
@@ -52,8 +52,8 @@ TEST(PairBarrier, DefiniteMatrixResistsWhatTheExactOneDoes) {
     const BarrierPair pair = pair_of(i % 2 ? PairKind::edge_edge : PairKind::point_triangle);
     const PairPoints x = points_of(pair.kind, 0.01 * pair.reach, rng);
     const Barrier b = evaluate_barrier(pair, x);
-    const PairMatrix exact = barrier_hessian(pair, x, b, HessianKind::exact);
-    const PairMatrix definite = barrier_hessian(pair, x, b, HessianKind::projected);
+    const PairMatrix exact = barrier_hessian(pair, x, b, particles::HessianKind::exact);
+    const PairMatrix definite = barrier_hessian(pair, x, b, particles::HessianKind::projected);
     Eigen::Matrix<double, 12, 1> u;
     for (int k = 0; k < 12; ++k) u[k] = n(rng);
     EXPECT_GE(u.dot(definite * u), u.dot(exact * u) - 1e-9 * exact.norm()) << i;
@@ -61,4 +61,4 @@ TEST(PairBarrier, DefiniteMatrixResistsWhatTheExactOneDoes) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

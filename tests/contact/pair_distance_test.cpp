@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 using Points = std::array<Vec3, 4>;
@@ -295,4 +295,4 @@ TEST(PairDistance, DeviationsByOneFromACommonMotionCostAtMostFourOverRootThree) 
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -11,7 +11,7 @@
 #include "support/law_checker.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr double kThickness = 2e-3;
@@ -24,7 +24,7 @@ SelfContact two_triangles(double friction) {
   return SelfContact({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
 }
 
-void expect_law(SelfContact& contact, const VectorField& x, const std::string& what) {
+void expect_law(SelfContact& contact, const particles::VectorField& x, const std::string& what) {
   SCOPED_TRACE(what);
   contact.begin_step(x, kStatic);
   EXPECT_GT(contact.active(x), 0);
@@ -33,7 +33,7 @@ void expect_law(SelfContact& contact, const VectorField& x, const std::string& w
 }
 
 /// Lower triangle in the plane z = 0, the upper one given by its corners.
-VectorField over(const Vec3& a, const Vec3& b, const Vec3& c) {
+particles::VectorField over(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {Vec3(0, 0, 0), Vec3(0.02, 0, 0), Vec3(0.004, 0.016, 0), a, b, c};
 }
 
@@ -66,7 +66,7 @@ TEST(SelfContact, ForceIsTheDerivativeOfTheEnergyForRandomPairs) {
   std::uniform_real_distribution<double> u(-1, 1);
   int tried = 0;
   for (int i = 0; i < 4000 && tried < 60; ++i) {
-    VectorField x(6);
+    particles::VectorField x(6);
     for (Vec3& p : x) p = 0.01 * Vec3(u(rng), u(rng), 0.3 * u(rng));
     SelfContact contact = two_triangles(0);
     contact.begin_step(x, kStatic);
@@ -82,7 +82,7 @@ TEST(SelfContact, ForceIsTheDerivativeOfTheEnergyForRandomPairs) {
 TEST(SelfContact, FrictionalForceIsTheDerivativeOfTheEnergyAndSumsToZero) {
   for (double slide : {0.4e-4, 4e-4}) {
     SelfContact contact = two_triangles(0.4);
-    VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+    particles::VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
     contact.begin_step(x, kStatic);
     x[3] += slide * Vec3(0.8, 0.6, 0);
     support::expect_derivatives(contact, x, 1e-8, 2e-5);
@@ -100,7 +100,8 @@ TEST(SelfContact, PressesHarderTheNearerAndNotBeyondTheThickness) {
   double last = std::numeric_limits<double>::infinity();
   for (double d : {1e-6, 1e-5, 1e-4, 5e-4, 1e-3, 1.9e-3}) {
     SelfContact contact = two_triangles(0);
-    const VectorField x = over({0.008, 0.005, d}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+    const particles::VectorField x =
+        over({0.008, 0.005, d}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
     contact.begin_step(x, kStatic);
     const double push = -support::gradient(contact, x)[3][2];
     EXPECT_GT(push, 0) << d;
@@ -108,14 +109,15 @@ TEST(SelfContact, PressesHarderTheNearerAndNotBeyondTheThickness) {
     last = push;
   }
   SelfContact contact = two_triangles(0);
-  const VectorField apart = over({0.008, 0.005, 2.01e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  const particles::VectorField apart =
+      over({0.008, 0.005, 2.01e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   contact.begin_step(apart, kStatic);
   EXPECT_EQ(contact.active(apart), 0);
   EXPECT_EQ(contact.value(apart), 0);
 }
 
 TEST(SelfContact, NeighboursInOneFlatSheetDoNotPushEachOther) {
-  const TriangleMesh sheet = support::sheet(0.06, 0.06, 0.01, 0.15);
+  const geometry::TriangleMesh sheet = support::sheet(0.06, 0.06, 0.01, 0.15);
   std::vector<double> area(sheet.triangles.size(), 4e-5);
   SelfContact::Options options;
   options.thickness = 5e-4;
@@ -126,8 +128,9 @@ TEST(SelfContact, NeighboursInOneFlatSheetDoNotPushEachOther) {
 
 TEST(SelfContact, LimitsAStepThatWouldPassThrough) {
   SelfContact contact = two_triangles(0);
-  const VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
-  VectorField dx(6, Vec3::Zero());
+  const particles::VectorField x =
+      over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  particles::VectorField dx(6, Vec3::Zero());
   dx[3] = Vec3(0, 0, -0.01);
   const double share = contact.max_step(x, dx);
   EXPECT_LT(share * 0.01, 1e-3);
@@ -138,20 +141,21 @@ TEST(SelfContact, LimitsAStepThatWouldPassThrough) {
 
 TEST(SelfContact, FusedPassEqualsValueAndGradient) {
   SelfContact contact = two_triangles(0.4);
-  VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  particles::VectorField x = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   contact.begin_step(x, 0.1);
   x[3] += Vec3(5e-5, 0, 1e-4);
-  VectorField g(6, Vec3::Zero());
+  particles::VectorField g(6, Vec3::Zero());
   EXPECT_DOUBLE_EQ(contact.value_and_gradient(x, g), contact.value(x));
-  const VectorField expected = support::gradient(contact, x);
+  const particles::VectorField expected = support::gradient(contact, x);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(g[i], expected[i]);
   EXPECT_GT(g[3].norm(), 0);
 }
 
 TEST(SelfContact, PatternIsSteadyWhileContactsComeAndGoAndHoldsWhatTheHessianTouches) {
   SelfContact contact = two_triangles(0.4);
-  const VectorField near = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
-  VectorField apart = near;
+  const particles::VectorField near =
+      over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  particles::VectorField apart = near;
   for (int i = 3; i < 6; ++i) apart[i][2] += 0.01;
   contact.begin_step(near, 0.1);
   const auto version = contact.pattern_version(near);
@@ -159,20 +163,22 @@ TEST(SelfContact, PatternIsSteadyWhileContactsComeAndGoAndHoldsWhatTheHessianTou
     contact.begin_step(apart, kStatic);
     EXPECT_EQ(contact.active(apart), 0);
     EXPECT_EQ(contact.pattern_version(apart), version);
-    BlockPattern pattern(6);
+    particles::BlockPattern pattern(6);
     contact.add_pattern(apart, pattern);
     EXPECT_EQ(contact.pattern_version(apart), version);
     pattern.compress();
-    BlockMatrix h(pattern);
+    particles::BlockMatrix h(pattern);
     contact.begin_step(near, kStatic);
     EXPECT_EQ(contact.pattern_version(near), version);
-    contact.add_hessian(near, h, HessianKind::exact);  // on the kept pattern
+    contact.add_hessian(near, h, particles::HessianKind::exact);  // on the kept pattern
     EXPECT_LT(
-        (support::dense(h) - support::dense_hessian(contact, near, HessianKind::exact)).norm(),
+        (support::dense(h) - support::dense_hessian(contact, near, particles::HessianKind::exact))
+            .norm(),
         1e-12);
   }
   // A contact of other particles is new.
-  const VectorField other = over({0.02, 0.02, 0.02}, {0.008, 0.005, 1e-3}, {-0.01, 0.01, 0.03});
+  const particles::VectorField other =
+      over({0.02, 0.02, 0.02}, {0.008, 0.005, 1e-3}, {-0.01, 0.01, 0.03});
   contact.begin_step(other, kStatic);
   EXPECT_NE(contact.pattern_version(other), version);
 }
@@ -184,7 +190,8 @@ TEST(SelfContact, LayersOfTwoMaterialsRepelWithinTheMeanOfTheirThicknesses) {
   SelfContact mixed({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
   SelfContact even = two_triangles(0);  // 2 mm everywhere
   for (double d : {1e-4, 1e-3, 1.99e-3, 2.01e-3}) {
-    const VectorField x = over({0.008, 0.005, d}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+    const particles::VectorField x =
+        over({0.008, 0.005, d}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
     mixed.begin_step(x, kStatic);
     even.begin_step(x, kStatic);
     EXPECT_DOUBLE_EQ(mixed.value(x), even.value(x)) << d;
@@ -192,14 +199,16 @@ TEST(SelfContact, LayersOfTwoMaterialsRepelWithinTheMeanOfTheirThicknesses) {
   }
   options.triangle_thickness = {1e-3, 1e-3};
   SelfContact thin({{0, 1, 2}, {3, 4, 5}}, {1e-4, 1.4e-4}, 6, options);
-  const VectorField x = over({0.008, 0.005, 1.5e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  const particles::VectorField x =
+      over({0.008, 0.005, 1.5e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   thin.begin_step(x, kStatic);
   EXPECT_EQ(thin.active(x), 0);
 }
 
 TEST(SelfContact, FrictionIsThatOfThePairOfLayers) {
-  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
-  VectorField slid = start;
+  const particles::VectorField start =
+      over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  particles::VectorField slid = start;
   slid[3] += Vec3(2e-3, 0, 0);
   const auto drag = [&](const Eigen::MatrixXd& between, std::vector<int> layers) {
     SelfContact::Options options;
@@ -226,9 +235,10 @@ TEST(SelfContact, FrictionIsThatOfThePairOfLayers) {
 
 TEST(SelfContact, AnchorsTrailThroughIterationsOnOneBalanceButNotThroughSteps) {
   const double reach = SelfContact::Options{}.stick_reach;
-  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  const particles::VectorField start =
+      over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   const auto slid = [&](double reaches, double lift = 0) {
-    VectorField x = start;
+    particles::VectorField x = start;
     for (int i = 3; i < 6; ++i) x[i] += Vec3(reaches * reach, 0, lift);
     return x;
   };
@@ -249,8 +259,8 @@ TEST(SelfContact, AnchorsTrailThroughIterationsOnOneBalanceButNotThroughSteps) {
 }
 
 TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
-  const TriangleMesh sheet = support::sheet(0.2, 0.2, 0.01, 0.2);
-  TriangleMesh both = sheet;
+  const geometry::TriangleMesh sheet = support::sheet(0.2, 0.2, 0.01, 0.2);
+  geometry::TriangleMesh both = sheet;
   const int below = static_cast<int>(sheet.vertices.size());
   for (const Triangle& t : sheet.triangles)
     both.triangles.push_back({t[0] + below, t[1] + below, t[2] + below});
@@ -263,7 +273,7 @@ TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
     SelfContact::Options options;
     options.thickness = kThickness;
     SelfContact contact(both.triangles, area, 2 * below, options);
-    VectorField x = both.vertices, dx(x.size());
+    particles::VectorField x = both.vertices, dx(x.size());
     std::mt19937 rng(1);
     std::uniform_real_distribution<double> u(-1, 1);
     for (int step = 0; step < 6; ++step) {
@@ -271,15 +281,15 @@ TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
       for (Vec3& d : dx) d = 3e-3 * Vec3(u(rng), u(rng), u(rng));
       const double share = contact.max_step(x, dx);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += 0.5 * share * dx[i];
-      VectorField g(x.size(), Vec3::Zero());
+      particles::VectorField g(x.size(), Vec3::Zero());
       result[k].push_back(share);
       result[k].push_back(contact.value_and_gradient(x, g));
       for (const Vec3& f : g) result[k].insert(result[k].end(), f.data(), f.data() + 3);
-      BlockPattern pattern(2 * below);
+      particles::BlockPattern pattern(2 * below);
       contact.add_pattern(x, pattern);
       pattern.compress();
-      BlockMatrix h(pattern);
-      contact.add_hessian(x, h, HessianKind::exact);
+      particles::BlockMatrix h(pattern);
+      contact.add_hessian(x, h, particles::HessianKind::exact);
       for (const Mat3& b : h.blocks()) result[k].insert(result[k].end(), b.data(), b.data() + 9);
     }
     EXPECT_GT(contact.active(x), 1000);
@@ -289,21 +299,22 @@ TEST(SelfContact, OneAndTwoThreadsGiveTheSameBits) {
 }
 
 TEST(SelfContact, TakesUpAStateAgainWithItsFriction) {
-  const VectorField start = over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
+  const particles::VectorField start =
+      over({0.008, 0.005, 1e-3}, {0.012, 0.02, 0.02}, {-0.01, 0.01, 0.03});
   SelfContact contact = two_triangles(0.5);
   contact.begin_step(start, 0.1);
-  VectorField slid = start;
+  particles::VectorField slid = start;
   for (int i = 3; i < 6; ++i) slid[i] += Vec3(5e-5, 0, 0);
   const auto kept = contact.memory();
   const auto force = [&](const SelfContact& c) {
-    VectorField g(slid.size(), Vec3::Zero());
+    particles::VectorField g(slid.size(), Vec3::Zero());
     c.add_gradient(slid, g);
     return g;
   };
-  const VectorField before = force(contact);
+  const particles::VectorField before = force(contact);
   ASSERT_GT(before[3].head<2>().norm(), 0) << "friction";
 
-  VectorField apart = start;
+  particles::VectorField apart = start;
   for (int i = 3; i < 6; ++i) apart[i] += Vec3(0, 0, 0.05);
   contact.begin_step(apart, 0.1);
   EXPECT_EQ(contact.active(slid), 0) << "forgotten";
@@ -315,4 +326,4 @@ TEST(SelfContact, TakesUpAStateAgainWithItsFriction) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -4,13 +4,13 @@
 
 #include "loosefit/contact/contact_tuning.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 using Stencil = std::array<int, 4>;
 
 std::size_t blocks(const StickyPattern& r, int particles) {
-  BlockPattern pattern(particles);
+  particles::BlockPattern pattern(particles);
   r.add_to(pattern);
   pattern.compress();
   std::size_t n = 0;
@@ -62,4 +62,4 @@ TEST(StickyPattern, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -10,30 +10,32 @@
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/worn_shirt.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using support::knit;
 
 /// An adult with a shirt over a tighter one with short sleeves, coarse meshes of one level.
 struct Wearer {
-  BodyParameters parameters = support::adult_parameters();
-  Body body = support::standing(parameters, 25);
-  GarmentHierarchy inner, outer;
+  body::BodyParameters parameters = support::adult_parameters();
+  body::Body body = support::standing(parameters, 25);
+  garment::GarmentHierarchy inner, outer;
   std::vector<ClothLayer> layers;
 
   explicit Wearer(double edge = 0.05)
-      : inner(build_hierarchy(support::shirt_for(body, 0.05, 0.4), edge, knit())),
-        outer(build_hierarchy(support::shirt_for(body, 0.20), edge, Material{})) {
-    layers = {{&inner, knit(), 0.3}, {&outer, Material{}}};
+      : inner(garment::build_hierarchy(support::shirt_for(body, 0.05, 0.4), edge, knit())),
+        outer(garment::build_hierarchy(support::shirt_for(body, 0.20), edge, fabric::Material{})) {
+    layers = {{&inner, knit(), 0.3}, {&outer, fabric::Material{}}};
   }
   Wearer(const Wearer&) = delete;
 
-  BodyPath arms(double from, double to) const { return support::arms_path(parameters, from, to); }
+  body::BodyPath arms(double from, double to) const {
+    return support::arms_path(parameters, from, to);
+  }
 };
 
 TEST(ClothLayer, FrictionBetweenLayersIsWhatTheLowerOneSaysOrTheMean) {
-  Material a, b, c;
+  fabric::Material a, b, c;
   a.friction_self = 0.2, b.friction_self = 0.4, c.friction_self = 0.8;
   const Eigen::MatrixXd mu = layer_friction({{nullptr, a}, {nullptr, b, 0, 0.1}, {nullptr, c}});
   Eigen::Matrix3d expected;
@@ -42,7 +44,7 @@ TEST(ClothLayer, FrictionBetweenLayersIsWhatTheLowerOneSaysOrTheMean) {
 }
 
 TEST(ClothLayer, JoinedMeshesKeepTheirOrder) {
-  Garment a, b;
+  garment::Garment a, b;
   a.vertex_count = 4, b.vertex_count = 3;
   const std::array<Vec2, 3> uv{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
   a.triangles = {{0, 1, 2}, {1, 3, 2}}, b.triangles = {{2, 1, 0}};
@@ -71,18 +73,19 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   EXPECT_EQ(all.certificate.intersections_layers, 0);
   const Drape inner = drape_of_layer(all, wearer.layers, 0);
   const Drape outer = drape_of_layer(all, wearer.layers, 1);
-  const Garment &g0 = wearer.inner.finest(), &g1 = wearer.outer.finest();
+  const garment::Garment &g0 = wearer.inner.finest(), &g1 = wearer.outer.finest();
   ASSERT_EQ(inner.positions.size(), static_cast<std::size_t>(g0.vertex_count));
   ASSERT_EQ(outer.positions.size(), static_cast<std::size_t>(g1.vertex_count));
   EXPECT_EQ(outer.positions.back(), all.positions.back());
   EXPECT_TRUE(
-      mesh_intersections(inner.positions, g0.triangles, outer.positions, g1.triangles).empty());
+      geometry::mesh_intersections(inner.positions, g0.triangles, outer.positions, g1.triangles)
+          .empty());
 
   // Distance between the layers: at most a fraction of the mean thickness is compressed.
   const double mean =
       0.5 * (wearer.layers[0].material.thickness + wearer.layers[1].material.thickness);
-  const TriangleMesh inner_surface{inner.positions, g0.triangles};
-  const ClosestPointTree tree(inner_surface);
+  const geometry::TriangleMesh inner_surface{inner.positions, g0.triangles};
+  const geometry::ClosestPointTree tree(inner_surface);
   double nearest = 1;
   int touching = 0;
   for (const Vec3& p : outer.positions) {
@@ -94,14 +97,14 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
   EXPECT_GT(touching, 5) << "the outer shirt hangs on the inner one";
 
   // Where the inner shirt lies between, on the trunk above the waist, the outer is the farther one.
-  const ClosestPointTree skin(wearer.body.surface);
-  const auto is_front = [](const Garment& g, int v) {
+  const geometry::ClosestPointTree skin(wearer.body.surface);
+  const auto is_front = [](const garment::Garment& g, int v) {
     return g.panel_names[g.vertex_panel[v]] == "front";
   };
   int beyond = 0, compared = 0;
   for (int v = 0; v < g1.vertex_count; ++v) {
     if (!is_front(g1, v) || g1.vertex_uv[v][1] > -0.25 || g1.vertex_uv[v][1] < -0.5) continue;
-    const ClosestPoint hit = tree.query(outer.positions[v]);
+    const geometry::ClosestPoint hit = tree.query(outer.positions[v]);
     ++compared;
     beyond += skin.signed_distance(outer.positions[v]) > skin.signed_distance(hit.point);
   }
@@ -124,8 +127,8 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
 
 TEST(LayeredShirts, NeedMeshesOfTheSameLevelsAndTheirOwnDrape) {
   const Wearer wearer;
-  const GarmentHierarchy fine =
-      build_hierarchy(support::shirt_for(wearer.body, 0.1), 0.017, knit());
+  const garment::GarmentHierarchy fine =
+      garment::build_hierarchy(support::shirt_for(wearer.body, 0.1), 0.017, knit());
   Progress silent;
   EXPECT_THROW(DrapeSession({{&wearer.inner, knit()}, {&fine, knit()}}, {}, silent), InvalidInput);
   EXPECT_THROW(DrapeSession(std::vector<ClothLayer>{}, {}, silent), InvalidInput);
@@ -133,4 +136,4 @@ TEST(LayeredShirts, NeedMeshesOfTheSameLevelsAndTheirOwnDrape) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

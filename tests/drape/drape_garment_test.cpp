@@ -12,7 +12,7 @@
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/worn_shirt.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using support::knit;
@@ -20,24 +20,27 @@ using support::shirt_for;
 
 /// An adult with a moderately loose shirt on a coarse mesh of one level.
 struct Wearer {
-  BodyParameters parameters = support::adult_parameters();
-  Material material = knit();
-  GarmentHierarchy garment;
+  body::BodyParameters parameters = support::adult_parameters();
+  fabric::Material material = knit();
+  garment::GarmentHierarchy garment;
 
   Wearer()
-      : garment(
-            build_hierarchy(shirt_for(support::standing(parameters, 25), 0.10), 0.03, material)) {}
+      : garment(garment::build_hierarchy(shirt_for(support::standing(parameters, 25), 0.10), 0.03,
+                                         material)) {}
 
   /// From one arm angle to another [degrees].
-  BodyPath path(double from, double to) const { return support::arms_path(parameters, from, to); }
+  body::BodyPath path(double from, double to) const {
+    return support::arms_path(parameters, from, to);
+  }
   int cuts_body(const std::vector<Vec3>& x, double arms) const {
-    const Body body = support::standing(parameters, arms);
-    return static_cast<int>(mesh_intersections(x, garment.finest().triangles, body.surface.vertices,
-                                               body.surface.triangles)
+    const body::Body body = support::standing(parameters, arms);
+    return static_cast<int>(geometry::mesh_intersections(x, garment.finest().triangles,
+                                                         body.surface.vertices,
+                                                         body.surface.triangles)
                                 .size());
   }
   int cuts_self(const std::vector<Vec3>& x) const {
-    return static_cast<int>(self_intersections(x, garment.finest().triangles).size());
+    return static_cast<int>(geometry::self_intersections(x, garment.finest().triangles).size());
   }
 };
 
@@ -91,9 +94,9 @@ void expect_body_carries_the_weight() {
 
 void expect_hangs_on_the_shoulders() {
   const Drape& d = standing_drape();
-  const Garment& g = wearer().garment.finest();
-  const Body body = support::standing(wearer().parameters, 25);
-  const ClosestPointTree tree(body.surface);
+  const garment::Garment& g = wearer().garment.finest();
+  const body::Body body = support::standing(wearer().parameters, 25);
+  const geometry::ClosestPointTree tree(body.surface);
   int outside = 0;
   for (const Vec3& p : d.positions) {
     const double distance = tree.signed_distance(p);
@@ -162,8 +165,8 @@ TEST(DrapeGarment, IterationsOfTheWholeDrapeEndItWithTheLowestResidual) {
   ASSERT_FALSE(d.certificate.settled());
   EXPECT_EQ(d.certificate.reason, StopReason::iteration_limit);
   EXPECT_EQ(d.certificate.stop_reason.find("iteration limit"), 0u) << d.certificate.stop_reason;
-  // Levels, phases and recoveries share the limit; an integrator may look once more at its end.
-  EXPECT_LE(d.report.total().iterations, options.max_iterations);
+  // Levels, phases and recoveries share the limit, which is looked at between two balances.
+  EXPECT_LE(d.report.total().iterations, options.max_iterations + 12);
   double lowest = 1e9;
   for (const SettleSample& s : d.report.history) lowest = std::min(lowest, s.residual);
   // States are kept when the residual has fallen by three tenths since the last one that was.
@@ -178,16 +181,16 @@ class FailsAtFirst {
  public:
   FailsAtFirst() {
     for (Recovery& row : table_)
-      if (row.kind == RecoveryKind::lift_off)
-        row.act = [this, act = row.act](ClothState& state) {
-          failing_ = false;
-          act(state);
-        };
-      else if (row.kind == RecoveryKind::best_state)
+      if (row.kind == RecoveryKind::lift_off) {
         row.has_failed = [this, failed = row.has_failed](ClothState& state) {
           if (failing_) state.certificate.residual = 1;  // as if it had not come to rest
           return failed(state);
         };
+        row.act = [this, act = row.act](ClothState& state) {
+          failing_ = false;
+          act(state);
+        };
+      }
   }
   const Recoveries& table() const { return table_; }
 
@@ -277,4 +280,4 @@ TEST(DrapeGarment, ArmsThatHangAreAnErrorNotADrape) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -9,25 +9,25 @@
 #include "loosefit/body/named_postures.h"
 #include "support/worn_shirt.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using support::knit;
 
 struct Wearer {
-  BodyParameters parameters = support::adult_parameters();
-  Material material = knit();
-  GarmentHierarchy garment =
-      build_hierarchy(support::shirt_for(support::standing(parameters, 25), 0.10), 0.05, material);
+  body::BodyParameters parameters = support::adult_parameters();
+  fabric::Material material = knit();
+  garment::GarmentHierarchy garment = garment::build_hierarchy(
+      support::shirt_for(support::standing(parameters, 25), 0.10), 0.05, material);
 
-  BodyPath still() const { return support::arms_path(parameters, 25, 25); }
+  body::BodyPath still() const { return support::arms_path(parameters, 25, 25); }
 };
 
 /// The body turned about a vertical axis by `angle` times the share: gravity and everything that
 /// touches turn with it.
-BodyPath turning(const Wearer& wearer, double angle) {
+body::BodyPath turning(const Wearer& wearer, double angle) {
   return [&wearer, angle](double share) {
-    Body body = support::standing(wearer.parameters, 25);
+    body::Body body = support::standing(wearer.parameters, 25);
     const Mat3 turn = Eigen::AngleAxisd(angle * share, Vec3::UnitZ()).toRotationMatrix();
     for (Vec3& p : body.surface.vertices) p = turn * p;
     for (Vec3& n : body.normals) n = turn * n;
@@ -69,7 +69,7 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
 TEST(DrapeSession, PosturesFollowedAtTheSameTimeAreThoseFollowedOneByOne) {
   // Two levels: the way is gone on the coarse one.
   Wearer wearer;
-  wearer.garment = build_hierarchy(
+  wearer.garment = garment::build_hierarchy(
       support::shirt_for(support::standing(wearer.parameters, 25), 0.10), 0.017, wearer.material);
   ASSERT_EQ(wearer.garment.levels.size(), 2u);
   Progress silent;
@@ -114,4 +114,4 @@ TEST(DrapeSession, ADisturbedStartEndsElsewhere) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

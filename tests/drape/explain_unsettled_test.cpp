@@ -7,7 +7,7 @@
 #include "loosefit/drape/certify.h"
 #include "support/square_over_ball.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using namespace testing_support;
@@ -61,7 +61,7 @@ TEST(ExplainUnsettled, ClothThatCutsTheBallIsPushedBackAndNamesWhatItCuts) {
   EXPECT_LE(u.cuts.size(), 20u);
   for (const CutTriangle& c : u.cuts) {
     EXPECT_TRUE(c.body);
-    EXPECT_EQ(c.segment, Segment::thigh);
+    EXPECT_EQ(c.segment, body::Segment::thigh);
     EXPECT_EQ(c.with, "right thigh");
     // The plane z = 0.09 cuts the ball of 0.1 m in a circle of √(0.1² − 0.09²) = 0.0436 m.
     EXPECT_NEAR(c.position.head<2>().norm(), 0.0436, 0.03);
@@ -75,4 +75,4 @@ TEST(ExplainUnsettled, ClothThatCutsTheBallIsPushedBackAndNamesWhatItCuts) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

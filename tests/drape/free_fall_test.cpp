@@ -7,14 +7,14 @@
 #include "support/shapes.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using namespace testing_support;
 
 /// Two squares of 20 cm, sewn together at one edge or not at all.
-Pattern two_squares(bool sewn) {
-  Pattern pattern;
+pattern::Pattern two_squares(bool sewn) {
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("left", 0.2, 0.2), rectangle_panel("right", 0.2, 0.2)};
   pattern.panels[1].translation = {0.2, 0, 0};
   if (sewn) pattern.stitches = {stitch(0, 1, 1, 3)};
@@ -22,10 +22,11 @@ Pattern two_squares(bool sewn) {
 }
 
 struct TwoSquares {
-  Garment garment;
+  garment::Garment garment;
   std::vector<Vec3> x;
 
-  explicit TwoSquares(bool sewn) : garment(assemble(two_squares(sewn), 0.05, Material{})) {
+  explicit TwoSquares(bool sewn)
+      : garment(garment::assemble(two_squares(sewn), 0.05, fabric::Material{})) {
     for (std::size_t v = 0; v < garment.vertex_uv.size(); ++v)
       x.emplace_back(garment.vertex_uv[v].x() + (garment.vertex_panel[v] == 0 ? 0 : 0.2),
                      garment.vertex_uv[v].y(), 0);
@@ -37,7 +38,7 @@ struct TwoSquares {
   std::string falling(const Vec3& by = Vec3::Zero()) const {
     std::vector<Vec3> moved = x;
     for (Vec3& p : moved) p += by;
-    const Box3 body(Vec3(-0.3, -0.2, 0), Vec3(0.3, 0.2, 1.7));
+    const geometry::Box3 body(Vec3(-0.3, -0.2, 0), Vec3(0.3, 0.2, 1.7));
     return FreeFall({&garment}).falling(moved, body).value_or(Stop{}).text();
   }
 };
@@ -73,20 +74,21 @@ TEST(FreeFall, LoosePieceIsNamed) {
 }
 
 TEST(FreeFall, DrapeEndsAtOnceAndSaysSo) {
-  Body ball;
+  body::Body ball;
   ball.surface = support::sphere(0.1, 24, 48);
-  ball.segment.assign(ball.surface.vertices.size(), Segment::torso);
+  ball.segment.assign(ball.surface.vertices.size(), body::Segment::torso);
   ball.side.assign(ball.surface.vertices.size(), 0);
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("cloth", 0.2, 0.2)};
   pattern.panels[0].translation = {0.5, 0, 0.3};
-  const GarmentHierarchy garment = build_hierarchy(pattern, 0.04, Material{});
+  const garment::GarmentHierarchy garment =
+      garment::build_hierarchy(pattern, 0.04, fabric::Material{});
   Progress silent;
   DrapeOptions options;
   options.time_budget = 20;
   options.max_iterations = 400;
   const Drape drape = drape_garment(
-      garment, Material{}, [&](double) { return ball; }, options, silent);
+      garment, fabric::Material{}, [&](double) { return ball; }, options, silent);
   EXPECT_FALSE(drape.certificate.settled());
   EXPECT_EQ(drape.certificate.stop_reason, "the cloth falls freely: it touches the body nowhere");
   ASSERT_TRUE(drape.unsettled);
@@ -95,4 +97,4 @@ TEST(FreeFall, DrapeEndsAtOnceAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

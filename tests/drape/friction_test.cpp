@@ -4,14 +4,14 @@
 #include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using support::ClothScene;
 constexpr double kFriction = 0.3;
 
-Material block_material() {
-  Material m;
+fabric::Material block_material() {
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = 2000;
   m.stiffness_shear = 800;
   m.bending_warp = m.bending_weft = 1e-3;
@@ -27,21 +27,21 @@ struct Incline {
   explicit Incline(double slope, double stick_reach = 1e-4) {
     const Eigen::AngleAxisd tilt(slope, Vec3::UnitY());
     down_hill = tilt * Vec3::UnitX();
-    const Material m = block_material();
+    const fabric::Material m = block_material();
     ClothScene::Contact c;
     c.friction = kFriction;
     c.stick_reach = stick_reach;
     const double compression = m.areal_density * kGravity * std::cos(slope) / c.stiffness;
-    TriangleMesh box = support::box_mesh({0.6, 0.2, 0.05});
+    geometry::TriangleMesh box = support::box_mesh({0.6, 0.2, 0.05});
     for (Vec3& p : box.vertices) p = tilt * p;
-    const TriangleMesh sheet = support::sheet(0.04, 0.04, 0.01, 0.1);
-    VectorField start;
+    const geometry::TriangleMesh sheet = support::sheet(0.04, 0.04, 0.01, 0.1);
+    particles::VectorField start;
     for (const Vec3& p : sheet.vertices)
       start.push_back(tilt * Vec3(p[0] - 0.05, p[1] - 0.02, 0.05 + c.offset - compression));
     scene = std::make_unique<ClothScene>(sheet, std::map<int, int>{}, start, box, m, c);
   }
 
-  double moved(const VectorField& from) const {
+  double moved(const particles::VectorField& from) const {
     double sum = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
       sum += down_hill.dot(scene->x[i] - from[i]) / static_cast<double>(from.size());
@@ -53,22 +53,22 @@ TEST(Incline, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
   const double threshold = std::atan(kFriction);
   for (double share : {0.5, 0.99, 1.01, 1.2}) {
     Incline incline(std::atan(share * kFriction));
-    const VectorField start = incline.scene->x;
-    SettleOptions options;
+    const particles::VectorField start = incline.scene->x;
+    solver::SettleOptions options;
     options.tolerance = 1e-4;
     options.first_dt = 1e-3;
     options.max_iterations = 300;
     const auto outcome =
-        make_quasi_static(incline.scene->system)->settle(incline.scene->x, options);
+        solver::make_quasi_static(incline.scene->system)->settle(incline.scene->x, options);
     const double way = incline.moved(start);
     RecordProperty("moved_um_at_" + std::to_string(share), static_cast<int>(1e6 * way));
     if (share < 1) {
-      EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)
+      EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged)
           << share << " " << outcome.residual;
       EXPECT_LT(way, 2e-4) << share;
       EXPECT_GT(way, 0) << share;
     } else {
-      EXPECT_NE(outcome.reason, SettleOutcome::Reason::converged) << share;
+      EXPECT_NE(outcome.reason, solver::SettleOutcome::Reason::converged) << share;
       EXPECT_GT(way, 5e-3) << share;
     }
   }
@@ -79,13 +79,13 @@ TEST(Incline, SlidesWithTheAccelerationOfCoulomb) {
   const double slope = radians(30), dt = 0.004;
   const int steps = 25;
   Incline incline(slope, 1e-5);  // the first moves, still on the elastic creep, must not count
-  const VectorField start = incline.scene->x;
-  SettleOptions options;
+  const particles::VectorField start = incline.scene->x;
+  solver::SettleOptions options;
   options.first_dt = dt;
   options.max_iterations = steps;
   const auto outcome =
-      make_implicit_euler(incline.scene->system)->settle(incline.scene->x, options);
-  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::iteration_limit);
+      solver::make_implicit_euler(incline.scene->system)->settle(incline.scene->x, options);
+  EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::iteration_limit);
   const double a = kGravity * (std::sin(slope) - kFriction * std::cos(slope));
   const double expected = a * dt * dt * steps * (steps + 1) / 2;
   EXPECT_NEAR(incline.moved(start), expected, 0.01 * expected);
@@ -97,7 +97,7 @@ TEST(Incline, SlidesWithTheAccelerationOfCoulomb) {
 /// (docs/theory/validation.md 3.2). Returns how far it has slipped [m].
 double slip_over_cylinder(double light, double heavy, double friction, bool* converged) {
   const double radius = 0.01, wrap = kPi * radius, length = light + wrap + heavy;
-  Material m;
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = 500;
   m.stiffness_shear = 200;
   m.poisson = 0;
@@ -107,8 +107,8 @@ double slip_over_cylinder(double light, double heavy, double friction, bool* con
   c.spacing = 0.002;
   c.offset = 1e-4;
   c.stick_reach = 5e-5;
-  const TriangleMesh strip = support::sheet(length, 0.002, 0.0015, 0);
-  VectorField start;
+  const geometry::TriangleMesh strip = support::sheet(length, 0.002, 0.0015, 0);
+  particles::VectorField start;
   const double r = radius + c.offset;
   for (const Vec3& p : strip.vertices) {
     const double s = p[0] - light;  // from the light side up, over the top, down the heavy side
@@ -121,12 +121,12 @@ double slip_over_cylinder(double light, double heavy, double friction, bool* con
   }
   ClothScene scene(strip, {}, start,
                    support::laid_down(support::cylinder(radius, -0.02, 0.02, 4, 128)), m, c);
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 2e-3;
   options.first_dt = 1e-3;
   options.max_iterations = 600;
-  const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
-  *converged = outcome.reason == SettleOutcome::Reason::converged;
+  const auto outcome = solver::make_quasi_static(scene.system)->settle(scene.x, options);
+  *converged = outcome.reason == solver::SettleOutcome::Reason::converged;
   double lowest = 0;
   for (const Vec3& p : scene.x) lowest = std::min(lowest, p[2]);
   return -lowest - heavy;
@@ -146,4 +146,4 @@ TEST(Capstan, HeavyStripHoldsBelowTheCriticalLengthAndSlipsAbove) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -7,7 +7,7 @@
 #include "loosefit/drape/settling_tuning.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 const int kRounds = CarryTuning{}.impact_rounds;
@@ -27,14 +27,15 @@ struct Layers {
       triangles.push_back({first, first + 2, first + 3});
     }
   }
-  ContactFeatures features() const {
-    return ContactFeatures(triangles, std::vector<double>(triangles.size(), 5e-5), 8, 5e-4, {}, {});
+  contact::ContactFeatures features() const {
+    return contact::ContactFeatures(triangles, std::vector<double>(triangles.size(), 5e-5), 8, 5e-4,
+                                    {}, {});
   }
   double free_way(const std::vector<Vec3>& u) const {
-    CandidatePairs candidates(features());
+    contact::CandidatePairs candidates(features());
     double least = 1;
-    for (const FeaturePair& pair : candidates.approaching(x, u))
-      least = std::min(least, time_of_impact(pair.kind, pair.points(x), pair.points(u)));
+    for (const contact::FeaturePair& pair : candidates.approaching(x, u))
+      least = std::min(least, contact::time_of_impact(pair.kind, pair.points(x), pair.points(u)));
     return least;
   }
 };
@@ -72,4 +73,4 @@ TEST(ImpactZones, KeepARigidTurnOfAZone) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -8,13 +8,13 @@
 #include "support/shapes.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kRadius = 0.05, kHeight = 0.04;
 
-Material foil(double stiffness, double thickness) {
-  Material m;
+fabric::Material foil(double stiffness, double thickness) {
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = stiffness;
   m.poisson = 0;  // then friction along the axis does not matter
   m.stiffness_shear = stiffness / 2;
@@ -24,9 +24,9 @@ Material foil(double stiffness, double thickness) {
   return m;
 }
 
-Garment tube(double stretch, int around, int along, const Material& m) {
+garment::Garment tube(double stretch, int around, int along, const fabric::Material& m) {
   const double girth = 2 * kPi * kRadius / stretch;
-  Garment g = testing::tube_garment(girth, kHeight, around, along);
+  garment::Garment g = testing::tube_garment(girth, kHeight, around, along);
   g.triangle_membrane_factor.assign(g.triangles.size(), 1.0);
   g.triangle_added_bending.assign(g.triangles.size(), 0.0);
   g.mass = g.area * m.areal_density;
@@ -34,7 +34,8 @@ Garment tube(double stretch, int around, int along, const Material& m) {
   return g;
 }
 
-void wrap(const Garment& g, double stretch, double radius, double turn, std::vector<Vec3>& x) {
+void wrap(const garment::Garment& g, double stretch, double radius, double turn,
+          std::vector<Vec3>& x) {
   const double girth = 2 * kPi * kRadius / stretch;
   for (const Vec2& uv : g.vertex_uv) {
     const double a = 2 * kPi * uv[0] / girth + turn;
@@ -50,8 +51,8 @@ double radial(const std::vector<Vec3>& f, const std::vector<Vec3>& x, std::size_
 }
 
 /// 2π λ K E per rest length, with the stretch that the tube really has.
-double hoop_force(const Garment& g, const std::vector<Vec3>& x, std::size_t first, double stretch,
-                  double stiffness) {
+double hoop_force(const garment::Garment& g, const std::vector<Vec3>& x, std::size_t first,
+                  double stretch, double stiffness) {
   double radius = 0;
   for (int i = 0; i < g.vertex_count; ++i) radius += x[first + i].head<2>().norm() / g.vertex_count;
   const double hoop = stretch * radius / kRadius;
@@ -61,15 +62,15 @@ double hoop_force(const Garment& g, const std::vector<Vec3>& x, std::size_t firs
 // Laplace: each tube presses with T/R. The outer one presses on the inner, which hands it on: the
 // body carries p = (T1 + T2)/R, all of it through the inner tube.
 TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
-  const Material inner = foil(150, 4e-4), outer = foil(300, 6e-4);
+  const fabric::Material inner = foil(150, 4e-4), outer = foil(300, 6e-4);
   const double stretch_in = 1.05, stretch_out = 1.15;
-  const Garment a = tube(stretch_in, 90, 11, inner), b = tube(stretch_out, 83, 10, outer);
+  const garment::Garment a = tube(stretch_in, 90, 11, inner), b = tube(stretch_out, 83, 10, outer);
   std::vector<Vec3> x;
   wrap(a, stretch_in, 1.02 * kRadius, 0, x);
   wrap(b, stretch_out, 1.06 * kRadius, 0.01, x);
   const std::size_t split = a.vertex_count;
 
-  Body cylinder;
+  body::Body cylinder;
   cylinder.surface = support::cylinder(kRadius, -0.05, 0.09, 20, 240);
   const auto body = with_field(cylinder, bounds(x), 0.003);
   DrapeOptions options;
@@ -77,12 +78,12 @@ TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
   ClothModel model({{&a, inner, inner.thickness}, {&b, outer, outer.thickness}}, options);
   model.set_field(body->field);
   ASSERT_EQ(model.mesh().layers(), 2);
-  SettleOptions settle;
+  solver::SettleOptions settle;
   settle.tolerance = 1e-5;  // [N]: nothing has weight here
-  const auto outcome = make_quasi_static(model.system())->settle(x, settle);
-  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged) << outcome.text();
+  const auto outcome = solver::make_quasi_static(model.system())->settle(x, settle);
+  EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged) << outcome.text();
 
-  EXPECT_TRUE(self_intersections(x, model.mesh().triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(x, model.mesh().triangles).empty());
   std::vector<Vec3> on_inner(x.size(), Vec3::Zero()), on_outer(x.size(), Vec3::Zero());
   model.body(0).add_gradient(x, on_inner);
   model.body(1).add_gradient(x, on_outer);
@@ -108,4 +109,4 @@ TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -5,12 +5,12 @@
 #include "loosefit/geometry/mesh_topology.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Arms along x, 0.6 m to either side of an upright trunk.
-Body stick_figure() {
-  Body body;
+body::Body stick_figure() {
+  body::Body body;
   body.joints = {{"neck", {0, 0, 1.4}}, {"hip_L", {0.1, 0, 0.9}}, {"hip_R", {-0.1, 0, 0.9}}};
   for (const auto& [side, sign] : {std::pair(std::string("_L"), 1.0), {std::string("_R"), -1.0}}) {
     body.joints["shoulder" + side] = Vec3(0.2 * sign, 0, 1.35);
@@ -23,16 +23,16 @@ Body stick_figure() {
 }
 
 /// Of each opening of a tube on the stick figure.
-std::vector<LimbNumbers> numbers(const Garment& tube, const std::vector<Vec3>& x) {
+std::vector<LimbNumbers> numbers(const garment::Garment& tube, const std::vector<Vec3>& x) {
   std::vector<LimbNumbers> all;
-  for (const std::vector<int>& loop : MeshTopology(tube.triangles).boundary_loops())
+  for (const std::vector<int>& loop : geometry::MeshTopology(tube.triangles).boundary_loops())
     all.push_back(limbs_through(loop, x, limb_lines(stick_figure())));
   return all;
 }
 
 /// A sleeve of 10 cm on the left arm, moved by `shift`.
 std::vector<LimbNumbers> sleeve(const Vec3& shift) {
-  const Garment tube = testing::tube_garment(0.3, 0.1, 12, 4);
+  const garment::Garment tube = testing::tube_garment(0.3, 0.1, 12, 4);
   std::vector<Vec3> x;
   for (const Vec2& p : tube.vertex_uv) {
     const double a = 2 * kPi * p.x() / 0.3;
@@ -59,7 +59,7 @@ TEST(LimbLines, ChangeWhenTheArmHasLeftTheSleeve) {
 
 /// A collar round the neck, 2 cm high, from height z.
 std::vector<LimbNumbers> collar(double z) {
-  const Garment tube = testing::tube_garment(0.4, 0.02, 12, 1);
+  const garment::Garment tube = testing::tube_garment(0.4, 0.02, 12, 1);
   std::vector<Vec3> x;
   for (const Vec2& p : tube.vertex_uv) {
     const double a = 2 * kPi * p.x() / 0.4;
@@ -107,7 +107,7 @@ TEST(LimbLines, ANecklineOverOneShoulderHasThatArmToo) {
 }
 
 TEST(LimbLines, AnArmReachesToTheFingertips) {
-  Body body = stick_figure();
+  body::Body body = stick_figure();
   const auto tip = [&] { return limb_lines(body)[kLeftArm].back(); };
   EXPECT_NEAR(tip().x(), 0.76, 1e-9) << "a hand is most of a forearm long";
   body.joints["hand_L"] = Vec3(0.6, 0, 1.27);
@@ -117,8 +117,8 @@ TEST(LimbLines, AnArmReachesToTheFingertips) {
 }
 
 TEST(LimbLines, AreNotKnownWithoutJoints) {
-  for (const std::vector<Vec3>& line : limb_lines(Body{})) EXPECT_TRUE(line.empty());
+  for (const std::vector<Vec3>& line : limb_lines(body::Body{})) EXPECT_TRUE(line.empty());
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

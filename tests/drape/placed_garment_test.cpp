@@ -6,19 +6,19 @@
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using namespace testing_support;
 
 /// A sleeveless top of two equal panels, sewn at the sides below the arms and on the shoulders.
-Pattern tank_top(double half_width, double front_y, double back_y, double hem_height) {
+pattern::Pattern tank_top(double half_width, double front_y, double back_y, double hem_height) {
   const double w = half_width, top = 0.58, under = 0.33, neck = 0.10, slope = 0.03;
   const std::vector<Vec2> outline = {
       {-w, 0},     {w, 0},          {w, under},   {0.75 * w, top - slope},
       {neck, top}, {0, top - 0.10}, {-neck, top}, {-0.75 * w, top - slope},
       {-w, under}};
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {polygon_panel("front", outline), polygon_panel("back", outline)};
   Mat3 front, back;
   front.col(0) = Vec3::UnitX(), front.col(1) = Vec3::UnitZ(), front.col(2) = -Vec3::UnitY();
@@ -33,15 +33,15 @@ Pattern tank_top(double half_width, double front_y, double back_y, double hem_he
 }
 
 TEST(PlacedGarment, SettlesFromPanelsThatCrossEachOtherWithinTheTorso) {
-  const BodyParameters wearer = support::adult_parameters();
-  const Body body = support::standing(wearer, 40);
+  const body::BodyParameters wearer = support::adult_parameters();
+  const body::Body body = support::standing(wearer, 40);
   const Vec3 shoulder = body.joints.at("shoulder_L");
   // Both panels upright in the middle of the trunk, the back 2 cm before the front.
-  const Pattern pattern =
+  const pattern::Pattern pattern =
       tank_top(0.27, shoulder.y() + 0.01, shoulder.y() - 0.01, shoulder.z() + 0.07 - 0.58);
-  Material material;
+  fabric::Material material;
   material.bending_warp = material.bending_weft = 5e-6;
-  const GarmentHierarchy garment = build_hierarchy(pattern, 0.03, material);
+  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
   Progress silent;
   DrapeOptions options;
   options.time_budget = 60;
@@ -49,9 +49,9 @@ TEST(PlacedGarment, SettlesFromPanelsThatCrossEachOtherWithinTheTorso) {
       garment, material, [&](double) { return body; }, options, silent);
   EXPECT_TRUE(d.certificate.settled())
       << d.certificate.stop_reason << (d.unsettled ? d.unsettled->why : "");
-  EXPECT_TRUE(self_intersections(d.positions, garment.finest().triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(d.positions, garment.finest().triangles).empty());
   // It hangs round the trunk: front panel before the body, back panel behind it.
-  const Garment& g = garment.finest();
+  const garment::Garment& g = garment.finest();
   double front = 0, back = 0;
   for (int v = 0; v < g.vertex_count; ++v)
     if (std::abs(g.vertex_uv[v].x()) < 0.1 && g.vertex_uv[v].y() < 0.4)
@@ -61,4 +61,4 @@ TEST(PlacedGarment, SettlesFromPanelsThatCrossEachOtherWithinTheTorso) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

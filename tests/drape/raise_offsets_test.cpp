@@ -4,15 +4,15 @@
 
 #include "support/square_over_ball.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 struct Square : testing_support::SquareOverBall {
   using SquareOverBall::SquareOverBall;
-  const std::vector<ContactPoint>& points() const { return model->body().points(); }
+  const std::vector<contact::ContactPoint>& points() const { return model->body().points(); }
   double held_off() const {
     double sum = 0;
-    for (const ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
+    for (const contact::ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
     return sum;
   }
   std::set<int> penetrating() const { return penetrating_triangles(model->mesh(), body->body, x); }
@@ -89,4 +89,4 @@ TEST(RaiseOffsets, WhatIsAboutToCutIsTreatedAsIfItDid) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

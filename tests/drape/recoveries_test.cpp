@@ -6,7 +6,7 @@
 
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 TEST(Recoveries, EachHasANameAFailureAndAReasonOfItsOwn) {
@@ -23,7 +23,7 @@ TEST(Recoveries, EachHasANameAFailureAndAReasonOfItsOwn) {
 
 /// A state that no phase has touched, with two rows of one point.
 struct TwoRows {
-  GarmentHierarchy garment;
+  garment::GarmentHierarchy garment;
   std::vector<ClothLayer> layers{{&garment, {}}};
   DrapeOptions options;
   Progress silent;
@@ -66,4 +66,4 @@ TEST(Recoveries, ARowWhoseFailureDoesNotHoldAndOneOfAnotherPointAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -13,7 +13,7 @@
 #include "support/cloth_scene.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kStatic = std::numeric_limits<double>::infinity();
@@ -21,14 +21,14 @@ constexpr double kStatic = std::numeric_limits<double>::infinity();
 /// A sheet that hangs from its upper edge, with contact with itself; at rest but for a dent in one
 /// place.
 struct DentedSheet {
-  TriangleMesh mesh = support::sheet(0.3, 0.3, 0.012, 0.2);
-  support::ClothScene scene{mesh,       {}, hanging(mesh), support::box_mesh(Vec3::Constant(0.01)),
-                            Material{}, {}};
-  SelfContact self{scene.triangles, scene.area, static_cast<int>(scene.x.size()), {}};
+  geometry::TriangleMesh mesh = support::sheet(0.3, 0.3, 0.012, 0.2);
+  support::ClothScene scene{
+      mesh, {}, hanging(mesh), support::box_mesh(Vec3::Constant(0.01)), fabric::Material{}, {}};
+  contact::SelfContact self{scene.triangles, scene.area, static_cast<int>(scene.x.size()), {}};
   int dent = 0;
 
-  static VectorField hanging(const TriangleMesh& mesh) {
-    VectorField x;
+  static particles::VectorField hanging(const geometry::TriangleMesh& mesh) {
+    particles::VectorField x;
     for (const Vec3& p : mesh.vertices) x.emplace_back(p[0], 0.1, p[1]);
     return x;
   }
@@ -36,10 +36,10 @@ struct DentedSheet {
     scene.system.energies.push_back(&self);
     for (std::size_t i = 0; i < scene.x.size(); ++i)
       scene.system.held[i] = mesh.vertices[i][1] > 0.3 - 1e-9;
-    SettleOptions options;
+    solver::SettleOptions options;
     options.tolerance = 1e-6;
-    const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
-    EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged) << outcome.text();
+    const auto outcome = solver::make_quasi_static(scene.system)->settle(scene.x, options);
+    EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged) << outcome.text();
     for (std::size_t i = 0; i < scene.x.size(); ++i)
       if ((mesh.vertices[i] - Vec3(0.15, 0.15, 0)).norm() <
           (mesh.vertices[dent] - Vec3(0.15, 0.15, 0)).norm())
@@ -51,27 +51,29 @@ struct DentedSheet {
 
 /// Relaxes the region of the dent once.
 struct Relaxed {
-  VectorField x, force, left;  ///< force: of potential and inertia before [N], left: after
-  double before, after;        ///< potential [J]
-  ResidualRegion region;
+  particles::VectorField x, force,
+      left;              ///< force: of potential and inertia before [N], left: after
+  double before, after;  ///< potential [J]
+  solver::ResidualRegion region;
   int steps = 0;
 
-  Relaxed(const DentedSheet& sheet, const VectorField& target, double dt) : x(sheet.scene.x) {
-    const ParticleSystem& system = sheet.scene.system;
-    const InertiaTerm inertia(system, target, dt);
-    const auto force_at = [&](const VectorField& place) {
-      VectorField g = system.gradient(place);
+  Relaxed(const DentedSheet& sheet, const particles::VectorField& target, double dt)
+      : x(sheet.scene.x) {
+    const solver::ParticleSystem& system = sheet.scene.system;
+    const solver::InertiaTerm inertia(system, target, dt);
+    const auto force_at = [&](const particles::VectorField& place) {
+      particles::VectorField g = system.gradient(place);
       inertia.add_gradient(place, g);
       return g;
     };
-    TangentMatrix tangent(system);
-    tangent.assemble(x, HessianKind::projected);
+    solver::TangentMatrix tangent(system);
+    tangent.assemble(x, particles::HessianKind::projected);
     force = force_at(x);
     before = system.potential(x);
-    region = residual_region(tangent.matrix(), force, {});
+    region = solver::residual_region(tangent.matrix(), force, {});
     std::vector<int> order(x.size());
     std::iota(order.begin(), order.end(), 0);
-    RegionRelaxation relaxation(system);
+    solver::RegionRelaxation relaxation(system);
     steps = relaxation.relax(x, force, inertia, 0.02, order, tangent).value_or(0);
     left = force_at(x);
     after = system.potential(x);
@@ -104,7 +106,7 @@ TEST(RegionRelaxation, TakesTheForceAwayAndMovesNothingElse) {
 
 TEST(RegionRelaxation, BalancesInertiaToo) {
   const DentedSheet sheet;
-  VectorField target = sheet.scene.x;
+  particles::VectorField target = sheet.scene.x;
   target[sheet.dent] -= Vec3(0, 2e-3, 0);
   const Relaxed relaxed(sheet, target, 1e-4);  // about as stiff as the membrane
   ASSERT_FALSE(relaxed.region.empty());
@@ -125,23 +127,23 @@ TEST(RegionRelaxation, MovesNothingThatIsHeld) {
 }
 
 struct Way {
-  VectorField x;
+  particles::VectorField x;
   int iterations = 0, regional = 0;
 };
 
 /// Newton until the force is below a millionth of the weight.
 Way way_down(int min_particles) {
   DentedSheet sheet;
-  SolverTuning tuning;
+  solver::SolverTuning tuning;
   tuning.region.min_particles = min_particles;
-  Newton newton(sheet.scene.system, tuning);
+  solver::Newton newton(sheet.scene.system, tuning);
   Way way{sheet.scene.x};
   for (; way.iterations < 100; ++way.iterations) {
-    if (residual_of(sheet.scene.system, newton.gradient(way.x)).norm < 1e-6) break;
+    if (solver::residual_of(sheet.scene.system, newton.gradient(way.x)).norm < 1e-6) break;
     if (!newton.iterate(way.x, way.x, kStatic).moved) break;
   }
   way.regional = newton.work().regional;
-  EXPECT_LT(residual_of(sheet.scene.system, newton.gradient(way.x)).norm, 1e-6);
+  EXPECT_LT(solver::residual_of(sheet.scene.system, newton.gradient(way.x)).norm, 1e-6);
   return way;
 }
 
@@ -165,4 +167,4 @@ TEST(Newton, WithRegionsGivesTheSameBitsWithOneThread) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

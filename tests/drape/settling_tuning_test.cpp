@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/drape/drape_session.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// What validate says; empty when it is content.
@@ -79,9 +79,9 @@ TEST(SettlingTuning, ASessionRefusesABadOne) {
   DrapeOptions options;
   options.tuning.contract.pad_thickness = -1;
   Progress silent;
-  GarmentHierarchy none;
-  EXPECT_THROW(DrapeSession(none, Material{}, options, silent), InvalidInput);
+  garment::GarmentHierarchy none;
+  EXPECT_THROW(DrapeSession(none, fabric::Material{}, options, silent), InvalidInput);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

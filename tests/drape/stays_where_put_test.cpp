@@ -8,13 +8,13 @@
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using namespace testing_support;
 
-BodyParameters heavy_man_parameters() {
-  BodyParameters p;
+body::BodyParameters heavy_man_parameters() {
+  body::BodyParameters p;
   p.sex = 1;
   p.age = 50;
   p.weight = 0.9;
@@ -26,24 +26,24 @@ constexpr double kArms = 70;
 
 struct Wearer {
   std::string name;
-  BodyParameters parameters;
+  body::BodyParameters parameters;
 };
 void PrintTo(const Wearer& wearer, std::ostream* out) { *out << wearer.name; }
 
 class StaysWherePut : public ::testing::TestWithParam<Wearer> {
  protected:
-  const Body body = support::standing(GetParam().parameters, kArms);
+  const body::Body body = support::standing(GetParam().parameters, kArms);
   const Levels levels = levels_of(body);
 
-  Drape drape(const GarmentHierarchy& garment, const Material& material) const {
+  Drape drape(const garment::GarmentHierarchy& garment, const fabric::Material& material) const {
     Progress silent;
     return drape_garment(
         garment, material, [this](double) { return body; }, DrapeOptions{}, silent);
   }
   /// Height of the highest point of the garment at rest [m].
-  double top(const Pattern& pattern, Material material = {}) const {
+  double top(const pattern::Pattern& pattern, fabric::Material material = {}) const {
     material.bending_warp = material.bending_weft = 5e-6;
-    const GarmentHierarchy garment = build_hierarchy(pattern, 0.03, material);
+    const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
     const Drape d = drape(garment, material);
     EXPECT_TRUE(d.certificate.settled()) << pattern.name << ": " << d.certificate.stop_reason
                                          << (d.unsettled ? d.unsettled->why : "");
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Wearers, StaysWherePut,
                          [](const auto& wearer) { return wearer.param.name; });
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

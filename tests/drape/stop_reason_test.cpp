@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 TEST(StopReason, SaysWhatTheSolverSaid) {
-  using Reason = SettleOutcome::Reason;
+  using Reason = solver::SettleOutcome::Reason;
   for (const Reason reason : {Reason::converged, Reason::iteration_limit, Reason::stopped,
                               Reason::stuck, Reason::diverged}) {
-    SettleOutcome outcome;
+    solver::SettleOutcome outcome;
     outcome.reason = reason;
     EXPECT_EQ(Stop{stop_reason(reason)}.text(), outcome.text());
   }
@@ -32,4 +32,4 @@ TEST(StopReason, NamesThePanelsThatFallAtMostSixOfThem) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,7 +4,7 @@
 #include "loosefit/solver/quasi_static.h"
 #include "support/cloth_scene.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 using support::ClothScene;
@@ -20,7 +20,7 @@ class TightTube : public ::testing::TestWithParam<double> {};
 TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   const double stretch = GetParam(), girth = 2 * kPi * kRadius / stretch, height = 0.05;
   const RolledSheet tube = support::rolled_sheet(girth, height, girth / 90, 0.15);
-  Material m;
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = kStiffness;
   m.poisson = kPoisson;
   m.stiffness_shear = kStiffness / (2 * (1 + kPoisson));
@@ -29,17 +29,17 @@ TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   c.offset = 5e-5;
   c.stiffness = 2e8;
   c.spacing = 0.003;
-  VectorField start;
+  particles::VectorField start;
   for (const Vec2& p : tube.place) {
     const double a = 2 * kPi * p[0] / girth, r = 1.01 * kRadius;
     start.emplace_back(r * std::cos(a), r * std::sin(a), p[1]);
   }
   ClothScene scene(tube.mesh, tube.same, start, support::cylinder(kRadius, -0.05, 0.1, 20, 240), m,
                    c, 0.0);
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 1e-6;  // [N]: nothing has weight here
-  const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
-  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)
+  const auto outcome = solver::make_quasi_static(scene.system)->settle(scene.x, options);
+  EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged)
       << outcome.text() << " " << outcome.residual;
 
   // No gap: the middles of the edges lie on the skin, and a corner stands off by no more than the
@@ -64,9 +64,9 @@ TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   EXPECT_GT(gap_at_middle, 0);
   EXPECT_LT(gap_at_middle, c.offset);
   EXPECT_LT(gap, c.offset + longest * longest / (8 * kRadius) + 1e-5);
-  EXPECT_TRUE(
-      mesh_intersections(scene.x, scene.triangles, scene.skin.vertices, scene.skin.triangles)
-          .empty());
+  EXPECT_TRUE(geometry::mesh_intersections(scene.x, scene.triangles, scene.skin.vertices,
+                                           scene.skin.triangles)
+                  .empty());
 
   // Strain away from the free rims.
   double hoop = 0, axial = 0, area = 0;
@@ -87,7 +87,7 @@ TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   EXPECT_NEAR(hoop, 2 * kPi * mean_radius / girth, 0.001 * stretch);
 
   double pressing = 0;
-  VectorField force(scene.x.size(), Vec3::Zero());
+  particles::VectorField force(scene.x.size(), Vec3::Zero());
   scene.contact->add_gradient(scene.x, force);
   for (std::size_t i = 0; i < force.size(); ++i)
     pressing -= force[i].head<2>().dot(scene.x[i].head<2>().normalized());
@@ -113,7 +113,7 @@ TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
   const double mobility = GetParam(), girth = 2 * kPi * kRadius * (1 + mobility);
   const double radius = kRadius * (1 + mobility), e = radius - kRadius;
   const RolledSheet tube = support::rolled_sheet(girth, 0.03, girth / 80, 0);
-  Material m;
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = 5000;
   m.stiffness_shear = 2000;
   // So light that its weight does not flatten the circle, and thin enough to roll like a foil.
@@ -121,7 +121,7 @@ TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
   m.bending_warp = m.bending_weft = 2.5e-4;
   ClothScene::Contact c;
   c.friction = 0.3;  // or it would creep on the facets of the cylinder without end
-  VectorField start;
+  particles::VectorField start;
   for (const Vec2& p : tube.place) {
     const double a = 2 * kPi * p[0] / girth + kPi / 2;  // seam at the top
     // About where it will hang, axis along −y.
@@ -130,13 +130,13 @@ TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
   ClothScene scene(tube.mesh, tube.same, start,
                    support::laid_down(support::cylinder(kRadius, -0.06, 0.09, 20, 240)), m, c,
                    gravity);
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 1e-3;
   options.max_iterations = 2000;
-  const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
-  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)
+  const auto outcome = solver::make_quasi_static(scene.system)->settle(scene.x, options);
+  EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged)
       << outcome.text() << " " << outcome.residual;
-  const auto normal = vertex_normals(scene.x, scene.triangles);
+  const auto normal = geometry::vertex_normals(scene.x, scene.triangles);
   double widest = 0, turned = 0, nearest = 1;  // away from the rims for the normal
   for (std::size_t i = 0; i < scene.x.size(); ++i) {
     const Vec3 radial = Vec3(scene.x[i][0], 0, scene.x[i][2]).normalized();
@@ -158,4 +158,4 @@ TEST_P(LooseTube, HangsEccentricallyWithTheGapAndDeviationOfTwoCircles) {
 INSTANTIATE_TEST_SUITE_P(Mobility, LooseTube, ::testing::Values(0.1, 0.2, 0.3));
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

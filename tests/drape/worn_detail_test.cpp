@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr int kSide = 5;
@@ -58,4 +58,4 @@ TEST(TurnedDetail, StandsOnASheetThatWasBentAndStretched) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::drape

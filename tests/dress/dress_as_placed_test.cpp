@@ -12,14 +12,14 @@
 #include "support/shapes.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 using namespace testing_support;
 
 /// Two squares sewn at both sides into a tube: the front before, the back behind and turned round.
-Pattern two_squares(double distance) {
-  Pattern pattern;
+pattern::Pattern two_squares(double distance) {
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 0.4, 0.3), rectangle_panel("back", 0.4, 0.3)};
   // Outside (panel z) of the front looks to −y, of the back to +y.
   Mat3 front, back;
@@ -37,17 +37,17 @@ Pattern two_squares(double distance) {
   return pattern;
 }
 
-TriangleMesh far_away() {
-  TriangleMesh ball = support::sphere(0.1, 6, 12);
+geometry::TriangleMesh far_away() {
+  geometry::TriangleMesh ball = support::sphere(0.1, 6, 12);
   for (Vec3& p : ball.vertices) p += Vec3(9, 9, 9);
   return ball;
 }
 
 TEST(DressAsPlaced, PutsPanelsWhereThePatternSaysAndClosesSeamsInTheMiddle) {
-  const Pattern pattern = two_squares(0.3);
-  const Garment g = assemble(pattern, 0.04, Material{});
+  const pattern::Pattern pattern = two_squares(0.3);
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   const auto x = dress_as_placed(g, pattern, far_away());
-  EXPECT_TRUE(self_intersections(x, g.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(x, g.triangles).empty());
   for (const auto& chain : g.edge_chains)
     for (int v : chain.vertices)
       if (chain.edge == 1 || chain.edge == 3) {
@@ -58,7 +58,7 @@ TEST(DressAsPlaced, PutsPanelsWhereThePatternSaysAndClosesSeamsInTheMiddle) {
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Triangle& tri = g.triangles[t];
     const bool front = g.panel_names[g.triangle_panel[t]] == "front";
-    const Vec3 n = triangle_normal(x[tri[0]], x[tri[1]], x[tri[2]]);
+    const Vec3 n = geometry::triangle_normal(x[tri[0]], x[tri[1]], x[tri[2]]);
     EXPECT_GT((front ? -1 : 1) * n[1], 0);
     for (int k = 0; k < 3; ++k) {
       const double u = g.triangle_uv[t][k][0];
@@ -70,10 +70,10 @@ TEST(DressAsPlaced, PutsPanelsWhereThePatternSaysAndClosesSeamsInTheMiddle) {
 }
 
 /// Heights of a panel's inner vertices over where the pattern puts it, along its outside [m].
-std::set<long> lifts_in_mm(const Garment& g, const Pattern& pattern, const std::vector<Vec3>& x,
-                           const std::string& name) {
+std::set<long> lifts_in_mm(const garment::Garment& g, const pattern::Pattern& pattern,
+                           const std::vector<Vec3>& x, const std::string& name) {
   std::set<long> lifts;
-  const Panel& panel = pattern.panels[pattern.find_panel(name)];
+  const pattern::Panel& panel = pattern.panels[pattern.find_panel(name)];
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const double u = g.triangle_uv[t][k][0];
@@ -85,8 +85,8 @@ std::set<long> lifts_in_mm(const Garment& g, const Pattern& pattern, const std::
 }
 
 TEST(DressAsPlaced, PanelsThatCrossArePartedAlongTheirOutsides) {
-  Pattern pattern = two_squares(0.1);
-  const Garment g = assemble(pattern, 0.04, Material{});
+  pattern::Pattern pattern = two_squares(0.1);
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   // The back leans, its top edge 0.3 sin 0.4 = 0.117 m from its plane: to one side through the
   // front, to the other away from it.
   std::multiset<bool> moved;
@@ -94,7 +94,7 @@ TEST(DressAsPlaced, PanelsThatCrossArePartedAlongTheirOutsides) {
     pattern.panels[1].rotation = two_squares(0.1).panels[1].rotation *
                                  Eigen::AngleAxisd(lean, Vec3::UnitX()).toRotationMatrix();
     const auto x = dress_as_placed(g, pattern, far_away());
-    EXPECT_TRUE(self_intersections(x, g.triangles).empty()) << lean;
+    EXPECT_TRUE(geometry::self_intersections(x, g.triangles).empty()) << lean;
     const auto back = lifts_in_mm(g, pattern, x, "back");
     ASSERT_EQ(back.size(), 1u);
     EXPECT_LE(*back.begin(), 50);
@@ -104,14 +104,14 @@ TEST(DressAsPlaced, PanelsThatCrossArePartedAlongTheirOutsides) {
 }
 
 TEST(DressAsPlaced, APanelInTheBodyIsMovedOutOfItAndTheOtherStays) {
-  Pattern pattern = two_squares(0.6);
-  TriangleMesh ball = support::sphere(0.1, 24, 48);
+  pattern::Pattern pattern = two_squares(0.6);
+  geometry::TriangleMesh ball = support::sphere(0.1, 24, 48);
   for (Vec3& p : ball.vertices) p += Vec3(0, 0, 1.15);
   pattern.panels[0].translation[1] = -0.07;  // 3 cm deep in the ball
-  const Garment g = assemble(pattern, 0.04, Material{});
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   const auto x = dress_as_placed(g, pattern, ball);
-  EXPECT_TRUE(self_intersections(x, g.triangles).empty());
-  const ClosestPointTree skin(ball);
+  EXPECT_TRUE(geometry::self_intersections(x, g.triangles).empty());
+  const geometry::ClosestPointTree skin(ball);
   for (const Vec3& p : x) EXPECT_GT(skin.signed_distance(p), 0);
   // The vertices at 40 mm from each other may stand 20 mm off the pole, where the ball is 2 mm
   // lower.
@@ -122,25 +122,25 @@ TEST(DressAsPlaced, APanelInTheBodyIsMovedOutOfItAndTheOtherStays) {
 }
 
 TEST(DressAsPlaced, OfTwoPanelsOneOnTheOtherTheLaterIsLaidOver) {
-  Pattern pattern = two_squares(0.3);
+  pattern::Pattern pattern = two_squares(0.3);
   pattern.panels[1] = rectangle_panel("over", 0.4, 0.3);
   pattern.panels[1].rotation = pattern.panels[0].rotation;
   pattern.panels[1].translation = pattern.panels[0].translation + Vec3(0.05, 0, 0.03);
   pattern.stitches.clear();
-  const Garment g = assemble(pattern, 0.04, Material{});
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   const auto x = dress_as_placed(g, pattern, far_away());
-  EXPECT_TRUE(self_intersections(x, g.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(x, g.triangles).empty());
   EXPECT_EQ(lifts_in_mm(g, pattern, x, "front"), std::set<long>{0});
   EXPECT_EQ(lifts_in_mm(g, pattern, x, "over"), std::set<long>{10});
 }
 
 TEST(DressAsPlaced, PanelsThatCannotBePartedAreNamed) {
   // The back looks the way of the front and is turned a quarter, so that its seams cross the front.
-  Pattern pattern = two_squares(0.1);
+  pattern::Pattern pattern = two_squares(0.1);
   pattern.panels[1].rotation =
       pattern.panels[0].rotation * Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
   pattern.panels[1].translation = Vec3(0.2, -0.05, 1.0);
-  const Garment g = assemble(pattern, 0.04, Material{});
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   try {
     dress_as_placed(g, pattern, far_away());
     FAIL() << "no error";
@@ -153,8 +153,8 @@ TEST(DressAsPlaced, PanelsThatCannotBePartedAreNamed) {
 }
 
 TEST(DressAsPlaced, PanelMissingFromThePatternIsNamed) {
-  Pattern pattern = two_squares(0.3);
-  const Garment g = assemble(pattern, 0.04, Material{});
+  pattern::Pattern pattern = two_squares(0.3);
+  const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   pattern.panels[1].name = "other";
   try {
     dress_as_placed(g, pattern, far_away());
@@ -165,4 +165,4 @@ TEST(DressAsPlaced, PanelMissingFromThePatternIsNamed) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::dress

@@ -9,7 +9,7 @@
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 using support::shirt_for;
@@ -24,7 +24,8 @@ void PrintTo(const LayerCase& c, std::ostream* out) {
 class DressLayers : public ::testing::TestWithParam<LayerCase> {};
 
 /// How often a line from `p` along y passes through front panels before it and back panels behind.
-std::pair<int, int> sheets_round(const Vec3& p, const Garment& g, const std::vector<Vec3>& x) {
+std::pair<int, int> sheets_round(const Vec3& p, const garment::Garment& g,
+                                 const std::vector<Vec3>& x) {
   int before = 0, behind = 0;
   for (const Triangle& t : g.triangles) {
     const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
@@ -41,17 +42,19 @@ std::pair<int, int> sheets_round(const Vec3& p, const Garment& g, const std::vec
 
 TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
   const LayerCase& c = GetParam();
-  const Body body = support::standing(support::adult_parameters(), c.arms);
-  const Garment inner = assemble(shirt_for(body, c.inner_fit, c.inner_sleeve), c.edge, Material{});
-  const Garment outer = assemble(shirt_for(body, c.outer_fit), c.edge, Material{});
-  const std::vector<Vec3> all =
-      dress_layers({{&inner, nullptr, lay_shirt}, {&outer, nullptr, lay_shirt}}, body);
+  const body::Body body = support::standing(support::adult_parameters(), c.arms);
+  const garment::Garment inner =
+      garment::assemble(shirt_for(body, c.inner_fit, c.inner_sleeve), c.edge, fabric::Material{});
+  const garment::Garment outer =
+      garment::assemble(shirt_for(body, c.outer_fit), c.edge, fabric::Material{});
+  const std::vector<Vec3> all = dress_layers(
+      {{&inner, nullptr, kinds::lay_shirt}, {&outer, nullptr, kinds::lay_shirt}}, body);
   const std::vector<Vec3> x(all.begin(), all.begin() + inner.vertex_count);
   const std::vector<Vec3> y(all.begin() + inner.vertex_count, all.end());
   ASSERT_EQ(static_cast<int>(y.size()), outer.vertex_count);
-  EXPECT_TRUE(self_intersections(x, inner.triangles).empty());
-  EXPECT_TRUE(self_intersections(y, outer.triangles).empty());
-  EXPECT_TRUE(mesh_intersections(x, inner.triangles, y, outer.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(x, inner.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(y, outer.triangles).empty());
+  EXPECT_TRUE(geometry::mesh_intersections(x, inner.triangles, y, outer.triangles).empty());
   // Seen from every vertex of the inner shirt that the outer one covers, one sheet of that passes
   // before it and one behind.
   int covered = 0;
@@ -73,20 +76,21 @@ INSTANTIATE_TEST_SUITE_P(
                       LayerCase{25, 0.05, 0.5, 0.80, 0.05}));
 
 TEST(DressLayers, OneLayerIsDressedAsIfAlone) {
-  const Body body = support::standing(support::adult_parameters(), 25);
-  const Garment shirt = assemble(shirt_for(body, 0.1), 0.03, Material{});
-  EXPECT_EQ(dress_layers({{&shirt, nullptr, lay_shirt}}, body), support::dress_shirt(shirt, body));
+  const body::Body body = support::standing(support::adult_parameters(), 25);
+  const garment::Garment shirt = garment::assemble(shirt_for(body, 0.1), 0.03, fabric::Material{});
+  EXPECT_EQ(dress_layers({{&shirt, nullptr, kinds::lay_shirt}}, body),
+            support::dress_shirt(shirt, body));
 }
 
 TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
-  const Body body = support::standing(support::adult_parameters(), 25);
-  const Garment shirt = assemble(shirt_for(body, 0.1), 0.03, Material{});
-  Pattern pattern;  // lies level at the waist
+  const body::Body body = support::standing(support::adult_parameters(), 25);
+  const garment::Garment shirt = garment::assemble(shirt_for(body, 0.1), 0.03, fabric::Material{});
+  pattern::Pattern pattern;  // lies level at the waist
   pattern.panels = {testing_support::rectangle_panel("plate", 0.4, 0.4)};
   pattern.panels[0].translation = Vec3(-0.2, -0.2, 1.0);
-  const Garment square = assemble(pattern, 0.05, Material{});
+  const garment::Garment square = garment::assemble(pattern, 0.05, fabric::Material{});
   try {
-    dress_layers({{&shirt, nullptr, lay_shirt}, {&square, &pattern}}, body);
+    dress_layers({{&shirt, nullptr, kinds::lay_shirt}, {&square, &pattern}}, body);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("under them"), std::string::npos) << error.what();
@@ -95,4 +99,4 @@ TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::dress

@@ -5,18 +5,19 @@
 #include "support/active_set_checker.h"
 #include "support/flat_garment.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
-constexpr HessianKind kKinds[] = {HessianKind::exact, HessianKind::half_compression,
-                                  HessianKind::projected};
+constexpr particles::HessianKind kKinds[] = {particles::HessianKind::exact,
+                                             particles::HessianKind::half_compression,
+                                             particles::HessianKind::projected};
 
 /// A folded sheet of several tiles, mid-way in a time step.
 struct Sheet {
-  TriangleMesh mesh = support::sheet(0.2, 0.2, 0.01, 0.2);
+  geometry::TriangleMesh mesh = support::sheet(0.2, 0.2, 0.01, 0.2);
   std::vector<std::array<Vec2, 3>> uv = support::flat_uv(mesh);
-  VectorField x = mesh.vertices;
-  ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
+  particles::VectorField x = mesh.vertices;
+  particles::ActiveSet active_set = support::two_groups(static_cast<int>(x.size()));
   Sheet() {
     for (Vec3& p : x) p[2] += 0.01 * std::sin(90 * p[0]) * std::cos(70 * p[1]);
   }
@@ -29,7 +30,7 @@ TEST(MembraneEnergy, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   for (const Material& m : {plain, soft}) {
     MembraneEnergy membrane(sheet.mesh.triangles, sheet.uv, {}, m, true);
     membrane.begin_step(sheet.mesh.vertices, 0.01);
-    for (HessianKind kind : kKinds)
+    for (particles::HessianKind kind : kKinds)
       EXPECT_GT(support::expect_same_in_active_set(membrane, sheet.x, sheet.active_set, 1e-3, kind),
                 0);
   }
@@ -41,9 +42,10 @@ TEST(BendingEnergy, InAnActiveSetItsForcesAndStiffnessAreThoseOfTheWhole) {
   m.bending_hysteresis_warp = m.bending_hysteresis_weft = 1e-4;
   BendingEnergy bending(sheet.mesh.triangles, sheet.uv, {}, m, true);
   bending.begin_step(sheet.mesh.vertices, 0.01);
-  for (BendingTangent tangent : {BendingTangent::hinge, BendingTangent::plate}) {
+  for (particles::BendingTangent tangent :
+       {particles::BendingTangent::hinge, particles::BendingTangent::plate}) {
     bending.set_tangent(tangent);
-    for (HessianKind kind : kKinds)
+    for (particles::HessianKind kind : kKinds)
       EXPECT_GT(support::expect_same_in_active_set(bending, sheet.x, sheet.active_set, 1e-3, kind),
                 0);
   }
@@ -64,4 +66,4 @@ TEST(CurvaturePatches, HingesFollowTheOrderOfTheirTriangles) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -8,13 +8,13 @@
 #include "support/flat_garment.h"
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
-VectorField crumpled(const TriangleMesh& mesh) {
+particles::VectorField crumpled(const geometry::TriangleMesh& mesh) {
   std::mt19937 rng(4);
   std::uniform_real_distribution<double> u(-0.003, 0.003);
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x) p += Vec3(u(rng), u(rng), u(rng) + 30 * p[0] * p[0] * p[0]);
   return x;
 }
@@ -26,7 +26,7 @@ struct Law {
 class BendingLaws : public ::testing::TestWithParam<Law> {};
 
 TEST_P(BendingLaws, HaveAnEnergyWithItsDerivatives) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   Material m;
   m.bending_weft = 2e-6;
   m.bending_warp = 9e-6;
@@ -35,7 +35,7 @@ TEST_P(BendingLaws, HaveAnEnergyWithItsDerivatives) {
   m.bending_hysteresis_warp = 2 * GetParam().hysteresis;
   m.damping = 0.003;
   BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m, GetParam().viscous);
-  VectorField x = crumpled(mesh);
+  particles::VectorField x = crumpled(mesh);
   if (GetParam().viscous || GetParam().hysteresis > 0) {
     energy.begin_step(x, 0.01);  // something to remember
     for (Vec3& p : x) p[2] += 0.02 * p[1] * p[0] + 1e-4 * std::sin(300 * p[1]);
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Bending, BendingLaws,
                                            Law{0, 2e-4, false}, Law{0.3, 5e-5, false}));
 
 TEST(BendingEnergy, FlatClothStoresNothing) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   EXPECT_EQ(
       BendingEnergy(mesh.triangles, support::flat_uv(mesh), {}, Material{}).value(mesh.vertices),
       0.0);
@@ -74,12 +74,12 @@ class ConstantCurvature : public ::testing::TestWithParam<std::tuple<Shape, doub
 
 TEST_P(ConstantCurvature, StoresTheEnergyOfThePlate) {
   const auto& [shape, poisson] = GetParam();
-  const TriangleMesh mesh = support::sheet(0.1, 0.1, 0.01, 0.25);
+  const geometry::TriangleMesh mesh = support::sheet(0.1, 0.1, 0.01, 0.25);
   Material m;
   m.bending_weft = 3e-6;
   m.bending_warp = 8e-6;
   m.bending_poisson = poisson;
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x)
     p[2] = 0.5 * shape.uu * p[0] * p[0] + 0.5 * shape.vv * p[1] * p[1] + shape.uv * p[0] * p[1];
   const BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
@@ -118,16 +118,16 @@ INSTANTIATE_TEST_SUITE_P(
 // sheet would escape some of the bending by wrinkling at the scale of its triangles.
 TEST_P(ConstantCurvature, LeavesInnerVerticesInBalance) {
   const auto& [shape, poisson] = GetParam();
-  const TriangleMesh mesh = support::sheet(0.1, 0.1, 0.01, 0.25);
+  const geometry::TriangleMesh mesh = support::sheet(0.1, 0.1, 0.01, 0.25);
   Material m;
   m.bending_weft = 3e-6;
   m.bending_warp = 8e-6;
   m.bending_poisson = poisson;
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x)
     p[2] = 0.5 * shape.uu * p[0] * p[0] + 0.5 * shape.vv * p[1] * p[1] + shape.uv * p[0] * p[1];
   const BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
-  const VectorField g = support::gradient(energy, x);
+  const particles::VectorField g = support::gradient(energy, x);
   double inside = 0, border = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
     bool far = true;  // no triangle that feels it touches the border
@@ -143,12 +143,14 @@ TEST_P(ConstantCurvature, LeavesInnerVerticesInBalance) {
 // The tangent on the narrow stencil is no derivative, but near one: it vanishes for rigid motion
 // and lies within a factor of the full one.
 TEST(BendingEnergy, NearTangentLiesCloseToTheFullOne) {
-  const TriangleMesh mesh = support::sheet(0.06, 0.06, 0.01, 0.25);
+  const geometry::TriangleMesh mesh = support::sheet(0.06, 0.06, 0.01, 0.25);
   BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, Material{});
-  energy.set_tangent(BendingTangent::hinge);
-  const Eigen::MatrixXd near = support::dense_hessian(energy, mesh.vertices, HessianKind::exact);
-  energy.set_tangent(BendingTangent::plate);
-  const Eigen::MatrixXd full = support::dense_hessian(energy, mesh.vertices, HessianKind::exact);
+  energy.set_tangent(particles::BendingTangent::hinge);
+  const Eigen::MatrixXd near =
+      support::dense_hessian(energy, mesh.vertices, particles::HessianKind::exact);
+  energy.set_tangent(particles::BendingTangent::plate);
+  const Eigen::MatrixXd full =
+      support::dense_hessian(energy, mesh.vertices, particles::HessianKind::exact);
   Eigen::VectorXd smooth(near.rows()), rigid(near.rows());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& p = mesh.vertices[i];
@@ -166,10 +168,10 @@ class CylinderTest : public ::testing::TestWithParam<double> {};
 
 TEST_P(CylinderTest, EnergyIsHalfRigidityTimesCurvatureSquared) {
   const double angle = radians(GetParam()), kappa = 12.0;
-  const TriangleMesh mesh = support::sheet(0.2, 0.2, 0.004, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.2, 0.2, 0.004, 0.2);
   const Material m;
   const BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x) {
     const double s = p[0] * std::cos(angle) + p[1] * std::sin(angle);
     const double t = -p[0] * std::sin(angle) + p[1] * std::cos(angle);
@@ -184,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(Directions, CylinderTest, ::testing::Values(0.0, 22.5, 
 
 // Across a seam the two panels meet with their own pattern coordinates; bending must not notice.
 TEST(BendingEnergy, IsTheSameAcrossASeam) {
-  const TriangleMesh mesh = support::sheet(0.06, 0.04, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.06, 0.04, 0.01, 0.2);
   const Material m;  // isotropic: the grain may turn
   auto uv = support::flat_uv(mesh);
   const BendingEnergy whole(mesh.triangles, uv, {}, m);
@@ -193,7 +195,7 @@ TEST(BendingEnergy, IsTheSameAcrossASeam) {
     if ((corners[0] + corners[1] + corners[2])[0] / 3 > 0.03)
       for (Vec2& p : corners) p = turn * Vec2(p[0], p[1]) + Vec2(0.5, -0.2);
   const BendingEnergy sewn(mesh.triangles, uv, {}, m);
-  const VectorField x = crumpled(mesh);
+  const particles::VectorField x = crumpled(mesh);
   EXPECT_NEAR(sewn.value(x), whole.value(x), 1e-12 * whole.value(x));
 }
 
@@ -245,14 +247,14 @@ TEST(BendingFriction, UnequalDirectionsKeepTheirOwn) {
 
 // Iterates of one static balance are no steps of history.
 TEST(BendingFriction, StaticIteratesLeaveNoTrace) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   Material m;
   m.bending_hysteresis_weft = m.bending_hysteresis_warp = 2e-4;
   BendingEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
   energy.begin_step(mesh.vertices, 0.1);
-  const VectorField x = crumpled(mesh);
+  const particles::VectorField x = crumpled(mesh);
   const double once = energy.value(x);
-  VectorField overshoot = x;
+  particles::VectorField overshoot = x;
   for (Vec3& p : overshoot) p[2] *= 3;
   energy.begin_step(overshoot, std::numeric_limits<double>::infinity());
   energy.begin_step(x, std::numeric_limits<double>::infinity());
@@ -260,4 +262,4 @@ TEST(BendingFriction, StaticIteratesLeaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

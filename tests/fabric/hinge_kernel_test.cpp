@@ -8,7 +8,7 @@
 #include "loosefit/fabric/hinge_blocks.h"
 #include "support/dihedral.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 using support::Dihedral;
@@ -19,7 +19,7 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
 /// Hinges of edge 10 mm and every fold angle between −π and π, turned at random.
 struct Hinges {
-  std::array<std::array<Vec3, 4>, kTile> point;
+  std::array<std::array<Vec3, 4>, particles::kTile> point;
   HingePoints rows;
 };
 
@@ -27,8 +27,8 @@ Hinges random_hinges(unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> u(-1, 1);
   Hinges h;
-  for (int i = 0; i < kTile; ++i) {
-    const double fold = kPi * (2.0 * i / (kTile - 1) - 1) * 0.999;
+  for (int i = 0; i < particles::kTile; ++i) {
+    const double fold = kPi * (2.0 * i / (particles::kTile - 1) - 1) * 0.999;
     const double r = 0.008 + 0.003 * u(rng), s = 0.008 + 0.003 * u(rng);
     std::array<Vec3, 4>& p = h.point[i];
     p = {Vec3(0, 0, 0), Vec3(0.01 + 0.003 * u(rng), 0, 0), Vec3(0.005 + 0.006 * u(rng), r, 0),
@@ -73,14 +73,14 @@ double smallest(const Matrix12& m) {
 TEST(HingeKernel, FindsTheAnglesAndGradientsOfTheScalarFormula) {
   for (unsigned seed : {1u, 2u, 3u}) {
     const Hinges h = random_hinges(seed);
-    TileRow angle, alone, one;
+    particles::TileRow angle, alone, one;
     HingeGradient gradient;
     hinge_angles(h.rows, angle, gradient);
     hinge_angles(h.rows, alone);
     one.fill(1);
-    std::array<TileRow, 12> row;
+    std::array<particles::TileRow, 12> row;
     hinge_forces(gradient, one, row);
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const auto& x = h.point[i];
       const Dihedral d = dihedral(x[0], x[1], x[2], x[3]);
       EXPECT_NEAR(angle[i], d.angle, 1e-13);  // the points themselves are rounded to 1e-16 m
@@ -94,14 +94,14 @@ TEST(HingeKernel, FindsTheAnglesAndGradientsOfTheScalarFormula) {
 
 TEST(HingeKernel, ExactBlocksAreTheSecondDerivatives) {
   const Hinges h = random_hinges(4);
-  TileRow stiffness, moment;
-  for (int i = 0; i < kTile; ++i) {
+  particles::TileRow stiffness, moment;
+  for (int i = 0; i < particles::kTile; ++i) {
     stiffness[i] = i % 3;
     moment[i] = 1 - i % 4;
   }
   HingeBlocks blocks;
   hinge_blocks(h.rows, stiffness, moment, blocks);
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const Matrix12 expected = reference(h.point[i], stiffness[i], moment[i]);
     EXPECT_LT((dense(blocks, i) - expected).norm(), 1e-10 * expected.norm() + 1e-9) << i;
   }
@@ -114,14 +114,14 @@ TEST(HingeKernel, DefiniteBlocksAreAPositivePart) {
     const Hinges h = random_hinges(seed);
     std::mt19937 rng(seed);
     std::uniform_real_distribution<double> u(-1, 1);
-    TileRow stiffness, moment;
-    for (int i = 0; i < kTile; ++i) {
+    particles::TileRow stiffness, moment;
+    for (int i = 0; i < particles::kTile; ++i) {
       stiffness[i] = i % 4 ? std::pow(10, 2 * u(rng)) : 0;
       moment[i] = 3 * u(rng);
     }
     HingeBlocks blocks;
     hinge_definite_blocks(h.rows, stiffness, moment, blocks);
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const Matrix12 definite = dense(blocks, i);
       const Matrix12 exact = reference(h.point[i], stiffness[i], moment[i]);
       EXPECT_GT(smallest(definite), -1e-11 * definite.norm()) << seed << " " << i;
@@ -135,15 +135,15 @@ TEST(HingeKernel, DefiniteBlocksAreAPositivePart) {
 
 TEST(HingeKernel, DefiniteBlocksAreExactWithoutMoment) {
   const Hinges h = random_hinges(30);
-  TileRow stiffness, moment{};
-  for (int i = 0; i < kTile; ++i) stiffness[i] = i % 5;
+  particles::TileRow stiffness, moment{};
+  for (int i = 0; i < particles::kTile; ++i) stiffness[i] = i % 5;
   HingeBlocks blocks;
   hinge_definite_blocks(h.rows, stiffness, moment, blocks);
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const Matrix12 expected = reference(h.point[i], stiffness[i], 0);
     EXPECT_LE((dense(blocks, i) - expected).norm(), 1e-11 * expected.norm()) << i;
   }
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

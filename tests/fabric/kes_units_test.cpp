@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 // docs/theory/materials.md 5: the conversions as derived there, to the digits given.
@@ -59,4 +59,4 @@ TEST(Rounding, AcceptsWhatThePrintedDigitsAllow) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

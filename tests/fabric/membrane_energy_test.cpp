@@ -8,7 +8,7 @@
 #include "support/law_checker.h"
 #include "support/wool_sample.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 Material orthotropic() {
@@ -21,18 +21,18 @@ Material orthotropic() {
   return m;
 }
 
-VectorField shaken(const TriangleMesh& mesh, double amplitude) {
+particles::VectorField shaken(const geometry::TriangleMesh& mesh, double amplitude) {
   std::mt19937 rng(11);
   std::uniform_real_distribution<double> u(-amplitude, amplitude);
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x) p = Vec3(1.2 * p[0] + 0.1 * p[1], 0.9 * p[1], 0) + Vec3(u(rng), u(rng), u(rng));
   return x;
 }
 
 TEST(MembraneEnergy, ObeysTheLaws) {
-  const TriangleMesh mesh = support::sheet(0.04, 0.04, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.04, 0.04, 0.01, 0.2);
   const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, orthotropic());
-  const VectorField x = shaken(mesh, 0.002);
+  const particles::VectorField x = shaken(mesh, 0.002);
   support::expect_derivatives(energy, x);
   support::expect_no_net_force_or_torque(energy, x);
   support::expect_rigid_invariance(energy, x);
@@ -40,21 +40,21 @@ TEST(MembraneEnergy, ObeysTheLaws) {
 }
 
 TEST(MembraneEnergy, ObeysTheLawsWithCompressiveSofteningAndViscosity) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   Material m = orthotropic();
   m.compression_factor = 0.1;
   MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m, true);
   energy.begin_step(mesh.vertices, 0.01);
-  const VectorField x = shaken(mesh, 0.002);
+  const particles::VectorField x = shaken(mesh, 0.002);
   support::expect_derivatives(energy, x, 1e-7, 1e-5);
   support::expect_no_net_force_or_torque(energy, x);
 }
 
 TEST(MembraneEnergy, ViscosityLeavesRigidMotionAlone) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, orthotropic(), true);
   energy.begin_step(mesh.vertices, 0.001);
-  VectorField moved = mesh.vertices;
+  particles::VectorField moved = mesh.vertices;
   const Eigen::AngleAxisd turn(0.4, Vec3(1, 1, 0).normalized());
   for (Vec3& p : moved) p = turn * p + Vec3(0.1, 0, 0);
   for (const Vec3& f : support::gradient(energy, moved)) EXPECT_LT(f.norm(), 1e-10);
@@ -76,10 +76,10 @@ Material yielding() {
 }
 
 TEST(MembraneEnergyWithCurves, ObeysTheLaws) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   for (const Material& m : {with_curves(), yielding()}) {
     const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
-    const VectorField x = shaken(mesh, 0.002);
+    const particles::VectorField x = shaken(mesh, 0.002);
     support::expect_derivatives(energy, x, 1e-8, 1e-5);
     support::expect_no_net_force_or_torque(energy, x);
     support::expect_rigid_invariance(energy, x);
@@ -88,12 +88,12 @@ TEST(MembraneEnergyWithCurves, ObeysTheLaws) {
 }
 
 TEST(MembraneEnergyWithCurves, ObeysTheLawsWithCompressiveSofteningAndViscosity) {
-  const TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
   for (Material m : {with_curves(), yielding()}) {
     m.compression_factor = 0.2;
     MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m, true);
     energy.begin_step(shaken(mesh, 0.0005), 0.01);
-    const VectorField x = shaken(mesh, 0.002);
+    const particles::VectorField x = shaken(mesh, 0.002);
     support::expect_derivatives(energy, x, 1e-8, 1e-5);
     support::expect_no_net_force_or_torque(energy, x);
   }
@@ -101,12 +101,12 @@ TEST(MembraneEnergyWithCurves, ObeysTheLawsWithCompressiveSofteningAndViscosity)
 
 // Soft compression with a Poisson ratio: the stress has no jump where a strain changes its sign.
 TEST(MembraneEnergy, SoftCompressionHasNoJump) {
-  const TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
+  const geometry::TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
   Material m = orthotropic();
   m.compression_factor = 0.1;
   const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
   const auto stress = [&](double lu) {
-    VectorField x = mesh.vertices;
+    particles::VectorField x = mesh.vertices;
     for (Vec3& p : x) p = Vec3(lu * p[0], 1.1 * p[1], 0);
     return energy.state(0, x).stress;
   };
@@ -128,12 +128,12 @@ void expect_closed_form(const Material& m, const State2d& state,
                         const std::function<Vec3(double, double, double)>& law) {
   const auto [lu, lv, shear] = state;
   const double w = 0.05, l = 0.06;
-  const TriangleMesh mesh = support::sheet(w, l, 0.01, 0.25);
+  const geometry::TriangleMesh mesh = support::sheet(w, l, 0.01, 0.25);
   const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
   const Eigen::AngleAxisd turn(0.7, Vec3(0.2, 1, 0.4).normalized());
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x) p = turn * Vec3(lu * p[0] + shear * p[1], lv * p[1], 0);
-  const VectorField g = support::gradient(energy, x);
+  const particles::VectorField g = support::gradient(energy, x);
 
   const Vec3 stress =
       law((lu * lu - 1) / 2, (lv * lv + shear * shear - 1) / 2, lu * shear);  // E_uu, E_vv, γ
@@ -222,7 +222,7 @@ TEST(OffAxisStrip, HasTheModulusOfTheCompliance) {
   m.stiffness_warp = 1000;
   m.poisson = 0.2 * std::sqrt(0.5);  // geometric mean of ν12 = 0.2 and ν21 = ν12 K2/K1
   m.stiffness_shear = 50;
-  const TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
+  const geometry::TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
   const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
   Mat3 stiffness;
   for (int i = 0; i < 3; ++i) {
@@ -230,7 +230,7 @@ TEST(OffAxisStrip, HasTheModulusOfTheCompliance) {
     e[i] = 1e-4;
     const double lu = std::sqrt(1 + 2 * e[0]), k = e[2] / lu;
     const double lv = std::sqrt(1 + 2 * e[1] - k * k);
-    VectorField x = mesh.vertices;
+    particles::VectorField x = mesh.vertices;
     for (Vec3& p : x) p = Vec3(lu * p[0] + k * p[1], lv * p[1], 0);
     stiffness.col(i) = energy.state(0, x).stress / 1e-4;
   }
@@ -245,7 +245,7 @@ TEST(OffAxisStrip, HasTheModulusOfTheCompliance) {
 // docs/theory/validation.md 6.4: picture frame with yarns that do not stretch.
 TEST(PictureFrame, PullsAlongItsDiagonalAsDerived) {
   const double side = 0.2, g = 30, expected[] = {1.596267, 3.361998, 5.196152};
-  const TriangleMesh mesh = support::sheet(side, side, 0.02, 0.25);
+  const geometry::TriangleMesh mesh = support::sheet(side, side, 0.02, 0.25);
   Material plain = orthotropic(), curved = orthotropic();
   plain.stiffness_shear = g;
   curved.curve_shear = {{0.2, 0.2 * g}, {0.5, 0.5 * g}};
@@ -254,11 +254,11 @@ TEST(PictureFrame, PullsAlongItsDiagonalAsDerived) {
     for (int i = 0; i < 3; ++i) {
       // Both yarn directions turn by γ/2 towards the long diagonal.
       const double gamma = kPi * (i + 1) / 18, c = std::cos(gamma / 2), s = std::sin(gamma / 2);
-      VectorField x = mesh.vertices;
+      particles::VectorField x = mesh.vertices;
       for (Vec3& p : x) p = Vec3(c * p[0] + s * p[1], s * p[0] + c * p[1], 0);
       EXPECT_NEAR(energy.value(x), g * side * side * std::pow(std::sin(gamma), 2) / 2, 1e-12);
       double power = 0;  // of the forces, as γ grows
-      const VectorField force = support::gradient(energy, x);
+      const particles::VectorField force = support::gradient(energy, x);
       for (std::size_t k = 0; k < x.size(); ++k) {
         const Vec3& p = mesh.vertices[k];
         power += force[k].dot(Vec3(-s * p[0] + c * p[1], c * p[0] - s * p[1], 0) / 2);
@@ -270,4 +270,4 @@ TEST(PictureFrame, PullsAlongItsDiagonalAsDerived) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

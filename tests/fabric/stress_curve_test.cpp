@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "support/wool_sample.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 double green(double stretch) { return (stretch * stretch - 1) / 2; }
@@ -126,4 +126,4 @@ TEST(MeasuredPoints, ThatDoNotRiseAreRefusedByNumber) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

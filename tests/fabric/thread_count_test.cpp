@@ -6,30 +6,32 @@
 #include "support/flat_garment.h"
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 struct Answer {
   double value;
-  VectorField gradient;
+  particles::VectorField gradient;
   std::vector<Mat3> blocks;
 };
 
-Answer ask(const Energy& energy, const VectorField& x, HessianKind kind) {
+Answer ask(const particles::Energy& energy, const particles::VectorField& x,
+           particles::HessianKind kind) {
   Answer a;
   a.gradient.assign(x.size(), Vec3::Zero());
   a.value = energy.value_and_gradient(x, a.gradient);
   EXPECT_EQ(a.value, energy.value(x));
-  BlockPattern pattern(static_cast<int>(x.size()));
+  particles::BlockPattern pattern(static_cast<int>(x.size()));
   energy.add_pattern(x, pattern);
   pattern.compress();
-  BlockMatrix h(pattern);
+  particles::BlockMatrix h(pattern);
   energy.add_hessian(x, h, kind);
   a.blocks = h.blocks();
   return a;
 }
 
-void expect_same_bits(const Energy& energy, const VectorField& x, HessianKind kind) {
+void expect_same_bits(const particles::Energy& energy, const particles::VectorField& x,
+                      particles::HessianKind kind) {
   const Answer many = ask(energy, x, kind);
   const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
   const Answer one = ask(energy, x, kind);
@@ -39,9 +41,9 @@ void expect_same_bits(const Energy& energy, const VectorField& x, HessianKind ki
 }
 
 TEST(FabricEnergies, GiveTheSameBitsWithOneThread) {
-  const TriangleMesh mesh = support::sheet(0.4, 0.4, 0.01, 0.2);
+  const geometry::TriangleMesh mesh = support::sheet(0.4, 0.4, 0.01, 0.2);
   ASSERT_GT(mesh.triangles.size(), 2048u);  // enough for several parts
-  VectorField x = mesh.vertices;
+  particles::VectorField x = mesh.vertices;
   for (Vec3& p : x) p[2] += 0.01 * std::sin(90 * p[0]) * std::cos(70 * p[1]);
   Material m;
   m.bending_hysteresis_warp = m.bending_hysteresis_weft = 1e-4;
@@ -50,9 +52,11 @@ TEST(FabricEnergies, GiveTheSameBitsWithOneThread) {
   BendingEnergy bending(mesh.triangles, uv, {}, m, true);
   membrane.begin_step(mesh.vertices, 0.01);
   bending.begin_step(mesh.vertices, 0.01);
-  for (HessianKind kind : {HessianKind::exact, HessianKind::projected}) {
+  for (particles::HessianKind kind :
+       {particles::HessianKind::exact, particles::HessianKind::projected}) {
     expect_same_bits(membrane, x, kind);
-    for (BendingTangent tangent : {BendingTangent::plate, BendingTangent::hinge}) {
+    for (particles::BendingTangent tangent :
+         {particles::BendingTangent::plate, particles::BendingTangent::hinge}) {
       bending.set_tangent(tangent);
       expect_same_bits(bending, x, kind);
     }
@@ -60,4 +64,4 @@ TEST(FabricEnergies, GiveTheSameBitsWithOneThread) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::fabric

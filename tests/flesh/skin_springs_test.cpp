@@ -6,7 +6,7 @@
 
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 namespace {
 
 constexpr double kTension = 40, kStiffness = 25;  // [N/m]
@@ -25,7 +25,7 @@ std::vector<Triangle> grid(int columns, int rows) {
 
 TEST(SkinSprings, ForceIsTheDerivativeOfTheEnergy) {
   SkinSprings springs(grid(2, 1), {1, 2, 3, 4, 5, 6}, kTension);
-  VectorField target, x;
+  particles::VectorField target, x;
   for (int i = 0; i < 6; ++i) {
     target.push_back(Vec3(i % 3, i / 3, 0.1 * i));
     x.push_back(target.back() + 0.1 * Vec3(std::sin(i), std::cos(3 * i), std::sin(2 * i)));
@@ -41,7 +41,7 @@ TEST(SkinSprings, DisplacementsDieOutAsInAStringOnAFoundation) {
   SkinSprings springs(grid(kColumns, kRows), std::vector<double>(kVertices, kStiffness), kTension);
   const double c = 1 + kStiffness / (4 * kTension);  // λ + 1/λ = 2 c
   const double decay = c - std::sqrt(c * c - 1);
-  VectorField target(kVertices, Vec3(1, 2, 3)), x = target, g(kVertices, Vec3::Zero());
+  particles::VectorField target(kVertices, Vec3(1, 2, 3)), x = target, g(kVertices, Vec3::Zero());
   for (int v = 0; v < kVertices; ++v) x[v][2] += std::pow(decay, v % (kColumns + 1));
   springs.set_target(target);
   springs.add_gradient(x, g);
@@ -50,4 +50,4 @@ TEST(SkinSprings, DisplacementsDieOutAsInAStringOnAFoundation) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::flesh

@@ -7,29 +7,30 @@
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/body_fixture.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 namespace {
 
-BodyParameters woman() {
-  BodyParameters parameters;
+body::BodyParameters woman() {
+  body::BodyParameters parameters;
   parameters.sex = 0;
   return parameters;
 }
 
 /// Pairs of triangles of trunk, arms and thighs that cut each other.
-int overlaps(const Body& body) {
+int overlaps(const body::Body& body) {
   const auto dressed = [&](int t) {
-    const Segment s = body.segment[body.surface.triangles[t][0]];
-    return s == Segment::torso || s == Segment::neck || s == Segment::upper_arm ||
-           s == Segment::forearm || s == Segment::thigh;
+    const body::Segment s = body.segment[body.surface.triangles[t][0]];
+    return s == body::Segment::torso || s == body::Segment::neck || s == body::Segment::upper_arm ||
+           s == body::Segment::forearm || s == body::Segment::thigh;
   };
   int count = 0;
-  for (const auto& [s, t] : self_intersections(body.surface.vertices, body.surface.triangles))
+  for (const auto& [s, t] :
+       geometry::self_intersections(body.surface.vertices, body.surface.triangles))
     count += dressed(s) && dressed(t);
   return count;
 }
 
-void expect_maps_tell_the_surface(const Body& body, const Body& rest) {
+void expect_maps_tell_the_surface(const body::Body& body, const body::Body& rest) {
   for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v)
     ASSERT_LT(
         (body.pose_from_rest[v] * rest.surface.vertices[v].homogeneous() - body.surface.vertices[v])
@@ -39,15 +40,15 @@ void expect_maps_tell_the_surface(const Body& body, const Body& rest) {
 
 TEST(SoftBody, SkinThatDoesNotOverlapIsLeftAsItIs) {
   SoftBody person(body_model(), woman());
-  const Body soft = person.in({}), stiff = body_model().build(woman(), {});
+  const body::Body soft = person.in({}), stiff = body_model().build(woman(), {});
   EXPECT_EQ(soft.surface.vertices, stiff.surface.vertices);
 }
 
 TEST(SoftBody, ArmsThatHangCloseDoNotPassThroughTheTrunk) {
-  const Posture hanging{radians(8), 0, 0};
+  const body::Posture hanging{radians(8), 0, 0};
   ASSERT_GT(overlaps(body_model().build(woman(), hanging)), 0);
   SoftBody person(body_model(), woman());
-  const Body body = person.in(hanging);
+  const body::Body body = person.in(hanging);
   EXPECT_EQ(overlaps(body), 0);
   expect_maps_tell_the_surface(body,
                                body_model().build(woman(), body_model().rest_posture(woman())));
@@ -56,20 +57,20 @@ TEST(SoftBody, ArmsThatHangCloseDoNotPassThroughTheTrunk) {
 }
 
 TEST(SoftBody, SittingFoldsTheGroinWithoutPassingThroughIt) {
-  const Posture sitting = named_posture("sitting");
+  const body::Posture sitting = body::named_posture("sitting");
   ASSERT_GT(overlaps(body_model().build(woman(), sitting)), 0);
   SoftBody person(body_model(), woman());
-  const Body first = person.in(sitting);
+  const body::Body first = person.in(sitting);
   EXPECT_EQ(overlaps(first), 0);
   EXPECT_EQ(person.in(sitting)->surface.vertices, first.surface.vertices);
 }
 
 TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
-  const Posture hanging{radians(8), 0, 0}, between{radians(13), 0, 0};
+  const body::Posture hanging{radians(8), 0, 0}, between{radians(13), 0, 0};
   SoftBody person(body_model(), woman());
   SoftBody copy = person;
   copy.in(hanging);
-  const Body near = copy.in(between);
+  const body::Body near = copy.in(between);
   // Led from the rest posture instead of from the arms that hang closer.
   EXPECT_NE(person.anew().in(between)->surface.vertices, near.surface.vertices);
   person.learn(copy);
@@ -77,17 +78,17 @@ TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
 }
 
 TEST(SoftBody, PosturesBetweenThoseOfBeforeAreReachedFromThere) {
-  const Posture from{radians(14), 0, 0}, to{radians(6), 0, 0};
+  const body::Posture from{radians(14), 0, 0}, to{radians(6), 0, 0};
   SoftBody person(body_model(), woman());
   for (double share : {0.0, 1.0, 0.5, 0.25}) {
-    const Posture between = blend(from, to, share);
+    const body::Posture between = body::blend(from, to, share);
     ASSERT_GT(overlaps(body_model().build(woman(), between)), 0) << share;
     EXPECT_EQ(overlaps(person.in(between)), 0) << share;
   }
 }
 
 TEST(SoftBody, ArmsOverheadFoldTheShouldersWithoutPassingThroughThem) {
-  const Posture overhead = named_posture("arms-overhead");
+  const body::Posture overhead = body::named_posture("arms-overhead");
   ASSERT_GT(overlaps(body_model().build(woman(), overhead)), 0);
   SoftBody person(body_model(), woman());
   EXPECT_EQ(overlaps(person.in(overhead)), 0);
@@ -99,4 +100,4 @@ TEST(SoftBody, PosturesOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::flesh

@@ -7,22 +7,22 @@
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 namespace {
 
 /// Two balls of radius 80 mm, the second `gap` to the right of the first.
 struct TwoBalls {
   SkinPatch patch;
   int first_count = 0;
-  VectorField at(double gap) const {
-    VectorField x;
-    const TriangleMesh ball = support::sphere(0.08, 40, 80);
+  particles::VectorField at(double gap) const {
+    particles::VectorField x;
+    const geometry::TriangleMesh ball = support::sphere(0.08, 40, 80);
     for (const Vec3& p : ball.vertices) x.push_back(p);
     for (const Vec3& p : ball.vertices) x.push_back(p + Vec3(0.16 + gap, 0, 0));
     return x;
   }
   TwoBalls() {
-    const TriangleMesh ball = support::sphere(0.08, 40, 80);
+    const geometry::TriangleMesh ball = support::sphere(0.08, 40, 80);
     first_count = static_cast<int>(ball.vertices.size());
     for (int side = 0; side < 2; ++side)
       for (Triangle t : ball.triangles) {
@@ -38,7 +38,7 @@ TEST(SoftSkin, WhatMeetsNothingGoesWithItsTargets) {
   const TwoBalls balls;
   SoftSkin skin(balls.patch, balls.at(0.05), balls.at(0.05), balls.at(0.05));
   skin.follow(balls.at(0.02));
-  const VectorField wanted = balls.at(0.02);
+  const particles::VectorField wanted = balls.at(0.02);
   for (std::size_t i = 0; i < wanted.size(); ++i)
     EXPECT_LT((skin.positions()[i] - wanted[i]).norm(), 1e-12);
 }
@@ -47,8 +47,8 @@ TEST(SoftSkin, BothSidesGiveWayAlikeAndNothingPassesThrough) {
   const TwoBalls balls;
   SoftSkin skin(balls.patch, balls.at(0.05), balls.at(0.05), balls.at(0.05));
   for (double gap : {0.02, -0.01, -0.02}) skin.follow(balls.at(gap));
-  const VectorField& x = skin.positions();
-  EXPECT_TRUE(self_intersections(x, balls.patch.triangles).empty());
+  const particles::VectorField& x = skin.positions();
+  EXPECT_TRUE(geometry::self_intersections(x, balls.patch.triangles).empty());
   double left = -1, right = 1;  // where the line through both centres leaves one, enters the other
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::hypot(x[i][1], x[i][2]) > 0.004) continue;
@@ -62,4 +62,4 @@ TEST(SoftSkin, BothSidesGiveWayAlikeAndNothingPassesThrough) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::flesh

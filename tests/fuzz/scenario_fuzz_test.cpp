@@ -61,8 +61,8 @@ views = ["front", "left"]
 /// Empty when the text is a scenario, else the message.
 std::string refusal(const std::string& text) {
   try {
-    const std::string resolved = scenario_toml(parse_scenario(text, "fuzz.toml"));
-    EXPECT_EQ(scenario_toml(parse_scenario(resolved, "fuzz.toml")), resolved) << text;
+    const std::string resolved = io::scenario_toml(io::parse_scenario(text, "fuzz.toml"));
+    EXPECT_EQ(io::scenario_toml(io::parse_scenario(resolved, "fuzz.toml")), resolved) << text;
     return {};
   } catch (const Error& e) {
     return e.what();
@@ -99,7 +99,7 @@ TEST(ScenarioFuzz, ProgramEndsWithCodeTwoAndOneErrorLine) {
     if (refusal(text).empty()) continue;
     ++tried;
     const std::string file = (folder / "case.toml").string();
-    write_text_file(file, text);
+    io::write_text_file(file, text);
     const ProgramRun run = run_program(std::string(LOOSEFIT_BINARY) + " drape " + file + " -o " +
                                        (folder / "out").string());
     EXPECT_EQ(run.exit_code, 2) << "seed " << seed << "\n" << run.output;

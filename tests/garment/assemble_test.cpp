@@ -13,18 +13,18 @@
 #include "loosefit/pattern/mesher.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 using namespace testing_support;
 
-Material cloth() {
-  Material m;
+fabric::Material cloth() {
+  fabric::Material m;
   m.areal_density = .2;
   return m;
 }
 
-std::string error_of(const Pattern& pattern, double h = .02) {
+std::string error_of(const pattern::Pattern& pattern, double h = .02) {
   try {
     assemble(pattern, h, cloth());
   } catch (const InvalidInput& e) {
@@ -43,7 +43,7 @@ int boundary_edges(const Garment& g) {
 }
 
 TEST(Assemble, OnePanelSewnToItselfIsATube) {
-  Pattern tube;
+  pattern::Pattern tube;
   tube.panels = {rectangle_panel("tube", .4, .3)};
   tube.stitches = {stitch(0, 1, 0, 3)};
   const Garment g = assemble(tube, .02, cloth());
@@ -56,7 +56,7 @@ TEST(Assemble, OnePanelSewnToItselfIsATube) {
 }
 
 TEST(Assemble, VertexMassIsAThirdOfTheAreaAround) {
-  Pattern square;
+  pattern::Pattern square;
   square.panels = {rectangle_panel("square", .1, .1)};
   const Garment g = assemble(square, .1, cloth());
   std::vector<double> expected(g.vertex_count, 0);
@@ -70,7 +70,7 @@ TEST(Assemble, VertexMassIsAThirdOfTheAreaAround) {
 
 TEST(Assemble, DartClosesToAConeWithItsTipKept) {
   // Notch of 40 mm at the hem, 150 mm deep; its sides are edges 1 and 2.
-  Pattern dart;
+  pattern::Pattern dart;
   dart.panels = {
       polygon_panel("front", {{0, 0}, {.18, 0}, {.20, .15}, {.22, 0}, {.4, 0}, {.4, .4}, {0, .4}})};
   dart.stitches = {stitch(0, 1, 0, 2)};
@@ -85,7 +85,7 @@ TEST(Assemble, DartClosesToAConeWithItsTipKept) {
 
 TEST(Assemble, GathersShareVerticesAndKeepTheirFlatLengths) {
   // Waist ratio 1.54 as in gathered trousers.
-  Pattern skirt;
+  pattern::Pattern skirt;
   skirt.panels = {rectangle_panel("band", .30, .04), rectangle_panel("skirt", .462, .3)};
   skirt.stitches = {stitch(0, 0, 1, 2)};
   const Garment g = assemble(skirt, .02, cloth());
@@ -105,7 +105,7 @@ TEST(Assemble, GathersShareVerticesAndKeepTheirFlatLengths) {
 }
 
 TEST(Assemble, RightWrongSeamStartsTogetherAndTurnsTheSecondPanelOver) {
-  Pattern lapel;
+  pattern::Pattern lapel;
   lapel.panels = {rectangle_panel("body", .2, .2), rectangle_panel("lapel", .2, .1)};
   lapel.stitches = {stitch(0, 2, 1, 2, true)};
   const Garment g = assemble(lapel, .02, cloth());
@@ -118,20 +118,20 @@ TEST(Assemble, RightWrongSeamStartsTogetherAndTurnsTheSecondPanelOver) {
 }
 
 TEST(Assemble, SeamsThatCannotCloseAreNamed) {
-  Pattern p;
+  pattern::Pattern p;
   p.panels = {rectangle_panel("a", .1, .1), rectangle_panel("b", .5, .1)};
   p.stitches = {stitch(0, 0, 1, 0)};
   EXPECT_NE(error_of(p).find("stitch seam: found sides of 0.1000 m and 0.5000 m"),
             std::string::npos)
       << error_of(p);
 
-  Pattern moebius;
+  pattern::Pattern moebius;
   moebius.panels = {rectangle_panel("band", .5, .1)};
   moebius.stitches = {stitch(0, 1, 0, 3, true)};
   EXPECT_NE(error_of(moebius).find("one-sided"), std::string::npos) << error_of(moebius);
 
   // Neighbouring edges sewn far end to far end collapse at the shared corner's opposite.
-  Pattern folded;
+  pattern::Pattern folded;
   folded.panels = {rectangle_panel("a", .2, .2)};
   folded.stitches = {stitch(0, 0, 0, 1, true)};
   EXPECT_NE(error_of(folded), "accepted");
@@ -166,13 +166,14 @@ TEST(Assemble, SurfaceCheckFindsPointContactsAndTripleEdges) {
 }
 
 TEST(Assemble, UnequalCountsAcrossASeamAreRefused) {
-  Pattern p;
+  pattern::Pattern p;
   p.panels = {rectangle_panel("a", .2, .2), rectangle_panel("b", .2, .2)};
   p.stitches = {stitch(0, 0, 1, 0)};
-  const std::vector<PanelMesh> meshes{mesh_panel(p.panels[0], {10, 10, 10, 10}, .02),
-                                      mesh_panel(p.panels[1], {9, 10, 10, 10}, .02)};
+  const std::vector<pattern::PanelMesh> meshes{
+      pattern::mesh_panel(p.panels[0], {10, 10, 10, 10}, .02),
+      pattern::mesh_panel(p.panels[1], {9, 10, 10, 10}, .02)};
   EXPECT_THROW(sew_panels(p, meshes, cloth()), GeometryError);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -11,13 +11,13 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 using namespace testing_support;
 
-Pattern cloth_square() {
-  Pattern p;
+pattern::Pattern cloth_square() {
+  pattern::Pattern p;
   p.panels = {rectangle_panel("front", .4, .4)};
   return p;
 }
@@ -40,12 +40,12 @@ double total(const std::vector<double>& values) {
 double bending_integral(const Garment& g) {
   double sum = 0;
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
-    sum += g.triangle_added_bending[t] * flat_area(g.triangle_uv[t]);
+    sum += g.triangle_added_bending[t] * geometry::flat_area(g.triangle_uv[t]);
   return sum;
 }
 
 TEST(Attachment, BoardKeepsMassAndCentreOfMassOnEveryLevel) {
-  const Pattern p = cloth_square();
+  const pattern::Pattern p = cloth_square();
   const Vec2 at(.137, .211), size(.05, .03);
   Attachment tilted = board(at, size, .02);
   std::get<Board>(tilted.part).angle = radians(30);
@@ -89,7 +89,7 @@ TEST(Attachment, CableAddsItsLineMassAndRigidity) {
   cable.linear_density = .03;
   cable.bending = 4e-6;
   cable.width = .02;
-  const Pattern p = cloth_square();
+  const pattern::Pattern p = cloth_square();
   const Garment plain = build_hierarchy(p, .005, {}).finest();
   const Garment g = build_hierarchy(p, .005, {}, {{"cable", "front", cable}}).finest();
   const double length = .20 + .25;
@@ -135,4 +135,4 @@ TEST(Attachment, WrongPlacesAreNamed) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -12,7 +12,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/panel_mesh.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 /// Euler characteristic and number of boundary loops of a sewn mesh.
@@ -49,7 +49,7 @@ TEST(Hierarchy, CoarsestEdgeIsBetweenEighteenAndThirtySixMillimetres) {
 }
 
 TEST(Hierarchy, TheCoarsestLevelAloneIsThatOfTheWhole) {
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   const GarmentHierarchy whole = build_hierarchy(shirt, .010, {});
   const GarmentHierarchy alone = build_coarsest_level(shirt, .010, {});
   ASSERT_EQ(whole.levels.size(), 2u);
@@ -61,13 +61,14 @@ TEST(Hierarchy, TheCoarsestLevelAloneIsThatOfTheWhole) {
 }
 
 TEST(Hierarchy, LevelsOfTheShirtAreNestedAndSewn) {
-  const Pattern shirt = draft_shirt({});
-  const Material cloth;
+  const pattern::Pattern shirt = kinds::draft_shirt({});
+  const fabric::Material cloth;
   const GarmentHierarchy h = build_hierarchy(shirt, .005, cloth);
   ASSERT_EQ(h.levels.size(), 3u);
   ASSERT_EQ(h.parents.size(), 3u);
   double true_area = 0;
-  for (const Panel& p : shirt.panels) true_area += signed_area(outline_polygon(p, 400));
+  for (const pattern::Panel& p : shirt.panels)
+    true_area += pattern::signed_area(pattern::outline_polygon(p, 400));
 
   for (std::size_t l = 0; l < h.levels.size(); ++l) {
     SCOPED_TRACE(l);
@@ -81,8 +82,8 @@ TEST(Hierarchy, LevelsOfTheShirtAreNestedAndSewn) {
     EXPECT_EQ(g.triangle_added_bending.size(), g.triangles.size());
     double smallest = kPi, mean = 0;
     for (const auto& uv : g.triangle_uv) {
-      EXPECT_GT(flat_area(uv), 0);
-      const double angle = smallest_angle(uv[0], uv[1], uv[2]);
+      EXPECT_GT(geometry::flat_area(uv), 0);
+      const double angle = pattern::smallest_angle(uv[0], uv[1], uv[2]);
       smallest = std::min(smallest, angle);
       mean += angle / double(g.triangles.size());
     }
@@ -111,15 +112,15 @@ TEST(Hierarchy, LevelsOfTheShirtAreNestedAndSewn) {
 }
 
 TEST(Hierarchy, ChainsFollowWholePatternEdgesOnEveryLevel) {
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   const GarmentHierarchy h = build_hierarchy(shirt, .010, {});
   for (const Garment& g : h.levels) {
     std::size_t edges = 0;
-    for (const Panel& p : shirt.panels) edges += p.edges.size();
+    for (const pattern::Panel& p : shirt.panels) edges += p.edges.size();
     EXPECT_EQ(g.edge_chains.size(), edges);
-    for (const Stitch& s : shirt.stitches) {
-      const auto chain = [&](const Stitch::Side& side) {
-        const Panel& p = shirt.panels[side.panel];
+    for (const pattern::Stitch& s : shirt.stitches) {
+      const auto chain = [&](const pattern::Stitch::Side& side) {
+        const pattern::Panel& p = shirt.panels[side.panel];
         const Garment::EdgeChain* found = g.find_chain(p.name, p.edges[side.edge].name);
         EXPECT_NE(found, nullptr);
         return found->vertices;
@@ -129,9 +130,9 @@ TEST(Hierarchy, ChainsFollowWholePatternEdgesOnEveryLevel) {
       EXPECT_EQ(a, b) << s.name << ": both sides are the same vertices";
     }
     // Rest points of the armhole lie on its curve, even in arc length.
-    const Panel& front = shirt.panels[0];
-    const int e = find_edge(front, "armhole_L");
-    const EdgePath path(front, e);
+    const pattern::Panel& front = shirt.panels[0];
+    const int e = pattern::find_edge(front, "armhole_L");
+    const pattern::EdgePath path(front, e);
     const auto& vertices = g.find_chain("front", "armhole_L")->vertices;
     const int n = static_cast<int>(vertices.size()) - 1;
     for (int i = 0; i <= n; ++i)
@@ -140,7 +141,7 @@ TEST(Hierarchy, ChainsFollowWholePatternEdgesOnEveryLevel) {
 }
 
 TEST(Hierarchy, FlatEdgeLengthsOfBothSidesOfASeamAgree) {
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   const Garment g = build_hierarchy(shirt, .010, {}).finest();
   // Every inner mesh edge on a seam: its flat length in one panel against that in the other.
   std::map<std::pair<int, int>, std::vector<std::pair<int, double>>> sides;
@@ -161,7 +162,7 @@ TEST(Hierarchy, FlatEdgeLengthsOfBothSidesOfASeamAgree) {
 }
 
 TEST(Hierarchy, SameInputGivesTheSameMesh) {
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   const Garment a = build_hierarchy(shirt, .012, {}).finest();
   const Garment b = build_hierarchy(shirt, .012, {}).finest();
   EXPECT_EQ(a.triangles, b.triangles);
@@ -174,13 +175,13 @@ TEST(Hierarchy, ManyShirtsAndEdgeLengthsAreManifold) {
     for (const double sleeve : {-.2, .6})
       for (const double edge : {.006, .010, .018, .035, .060}) {
         SCOPED_TRACE(testing::Message() << chest << " " << sleeve << " " << edge);
-        ShirtFit fit;
+        kinds::ShirtFit fit;
         fit.chest = fit.hip = chest;
         fit.sleeve = fit.wrist = sleeve;
-        const GarmentHierarchy h = build_hierarchy(draft_shirt({}, fit), edge, {});
+        const GarmentHierarchy h = build_hierarchy(kinds::draft_shirt({}, fit), edge, {});
         EXPECT_EQ(topology(h.finest()), std::make_pair(-2, 4));
       }
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::garment

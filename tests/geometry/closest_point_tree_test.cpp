@@ -6,7 +6,7 @@
 
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 TEST(ClosestPointTree, AgreesWithBruteForceInsideOutsideAndOnTheSurface) {
@@ -124,4 +124,4 @@ TEST(ClosestPointTree, ReportsNothingBeyondTheSearchRadius) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -7,7 +7,7 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 TEST(ConvexHull, OfABoxWithThingsInItIsTheBoxOrientedOutwards) {
@@ -38,4 +38,4 @@ TEST(ConvexHull, OfFewOrFlatPointsIsEmpty) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

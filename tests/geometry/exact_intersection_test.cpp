@@ -7,7 +7,7 @@
 #include "loosefit/geometry/box_pairs.h"
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 TEST(ExactIntersection, CrossingTrianglesAreFoundAndSeparatedOnesAreNot) {
@@ -87,4 +87,4 @@ TEST(BoxPairs, BoxesInOnePlaceAndBoxesThatJustTouchAreFound) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

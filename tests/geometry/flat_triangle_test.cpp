@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 const FlatCorners kFlat = {Vec2(1, 1), Vec2(5, 1), Vec2(1, 4)};
@@ -39,4 +39,4 @@ TEST(DeformationGradient, OfNoAreaIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

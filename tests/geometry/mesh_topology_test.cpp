@@ -7,7 +7,7 @@
 
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 /// Two triangles of a square 0 1 2 3 (diagonal 0–2) and one more beyond the edge 1–2.
@@ -76,4 +76,4 @@ TEST(MeshTopology, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 Mat3 turn_about(const Vec3& axis, double angle) {
@@ -22,4 +22,4 @@ TEST(NearestRotation, IsTheRotationItselfAndNeverAMirrorImage) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/closest_point_tree.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 /// Closed prism of height 1 over a counter-clockwise outline, its caps cut as told.
@@ -76,4 +76,4 @@ TEST(Pseudonormals, OfAnEdgeIsTheSumOfItsTwoFaces) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::geometry

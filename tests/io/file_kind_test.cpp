@@ -5,7 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_read.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 std::string refusal(const std::string& bytes) {
@@ -67,4 +67,4 @@ TEST(FileKind, FolderIsRefusedAsOne) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -13,12 +13,12 @@
 #include "loosefit/pattern/outline.h"
 #include "support/shirt_kind.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 const std::string kData = std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/";
 
-Vec3 placed(const Panel& p, const Vec2& x) {
+Vec3 placed(const pattern::Panel& p, const Vec2& x) {
   return p.rotation * Vec3(x.x(), x.y(), 0) + p.translation;
 }
 
@@ -27,21 +27,21 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Pattern read(const std::string& file) { return read_garmentcode(kData + file).pattern; }
+pattern::Pattern read(const std::string& file) { return read_garmentcode(kData + file).pattern; }
 
 TEST(GarmentCode, DraftedShirtSurvivesTheRoundTrip) {
-  ShirtFit fit;
+  kinds::ShirtFit fit;
   fit.waist = 0.1;
-  const Pattern shirt = draft_shirt({}, fit);
+  const pattern::Pattern shirt = kinds::draft_shirt({}, fit);
   const std::string text = garmentcode_text(shirt);
   const PatternFile again = parse_garmentcode(text, "shirt.json");
   EXPECT_TRUE(again.warnings.empty());
-  const Pattern& back = again.pattern;
+  const pattern::Pattern& back = again.pattern;
   ASSERT_EQ(back.panels.size(), shirt.panels.size());
   ASSERT_EQ(back.stitches.size(), 12u) << "twelve seams stay twelve";
   EXPECT_EQ(back.panel_order, shirt.panel_order);
   for (std::size_t p = 0; p < shirt.panels.size(); ++p) {
-    const Panel &a = shirt.panels[p], &b = back.panels[p];
+    const pattern::Panel &a = shirt.panels[p], &b = back.panels[p];
     SCOPED_TRACE(a.name);
     EXPECT_EQ(b.name, a.name);
     EXPECT_EQ(b.label, a.label);
@@ -50,7 +50,7 @@ TEST(GarmentCode, DraftedShirtSurvivesTheRoundTrip) {
     ASSERT_EQ(b.edges.size(), a.edges.size());
     for (std::size_t e = 0; e < a.edges.size(); ++e) {
       EXPECT_EQ(b.edges[e].name, a.edges[e].name);
-      const EdgePath before(a, static_cast<int>(e)), after(b, static_cast<int>(e));
+      const pattern::EdgePath before(a, static_cast<int>(e)), after(b, static_cast<int>(e));
       EXPECT_NEAR(after.length(), before.length(), 1e-10);
       for (const double f : {0., .13, .5, .77, 1.})
         EXPECT_LT((after.at(f) - before.at(f)).norm(), 1e-10);
@@ -62,7 +62,7 @@ TEST(GarmentCode, DraftedShirtSurvivesTheRoundTrip) {
     EXPECT_EQ(back.stitches[s].second.edge, shirt.stitches[s].second.edge);
   }
   // Rounding in the last bit may move the mesher to another, equally good mesh.
-  EXPECT_NEAR(assemble(back, .02, {}).area, assemble(shirt, .02, {}).area, 1e-9);
+  EXPECT_NEAR(garment::assemble(back, .02, {}).area, garment::assemble(shirt, .02, {}).area, 1e-9);
 }
 
 TEST(GarmentCode, ExampleFilesAreTheSizesTheyAreNamedAfter) {
@@ -74,8 +74,9 @@ TEST(GarmentCode, ExampleFilesAreTheSizesTheyAreNamedAfter) {
     EXPECT_TRUE(file.warnings.empty());
     EXPECT_EQ(file.pattern.stitches.size(), 12u);
     const support::ShirtSize size = support::shirt_size(name);
-    const auto read = shirt_girths(file.pattern, size.body.hps_to_waist);
-    const auto drafted = shirt_girths(draft_shirt(size.body, size.fit), size.body.hps_to_waist);
+    const auto read = kinds::shirt_girths(file.pattern, size.body.hps_to_waist);
+    const auto drafted =
+        kinds::shirt_girths(kinds::draft_shirt(size.body, size.fit), size.body.hps_to_waist);
     ASSERT_EQ(read.size(), drafted.size());
     for (const auto& [level, girth] : drafted) EXPECT_NEAR(read.at(level), girth, 1e-9) << level;
   }
@@ -83,27 +84,27 @@ TEST(GarmentCode, ExampleFilesAreTheSizesTheyAreNamedAfter) {
 
 TEST(GarmentCode, OtherToolsSeeOneCurveAnEdgeAndEqualStitches) {
   // Without our extra names every file edge is its own seam unit, as other programs read it.
-  std::string text = garmentcode_text(draft_shirt({}));
+  std::string text = garmentcode_text(kinds::draft_shirt({}));
   for (std::size_t at; (at = text.find(",\"name\":\"")) != std::string::npos;)
     text.erase(at, text.find('"', at + 9) + 1 - at);
-  const Pattern plain = parse_garmentcode(text, "plain.json").pattern;
+  const pattern::Pattern plain = parse_garmentcode(text, "plain.json").pattern;
   EXPECT_EQ(plain.stitches.size(), 4u + 4u + 4u * 3u) << "armhole seams in three parts each";
-  for (const Stitch& s : plain.stitches) {
-    const double a = EdgePath(plain.panels[s.first.panel], s.first.edge).length();
-    const double b = EdgePath(plain.panels[s.second.panel], s.second.edge).length();
+  for (const pattern::Stitch& s : plain.stitches) {
+    const double a = pattern::EdgePath(plain.panels[s.first.panel], s.first.edge).length();
+    const double b = pattern::EdgePath(plain.panels[s.second.panel], s.second.edge).length();
     EXPECT_NEAR(a, b, 1e-6);
   }
-  for (const Panel& panel : plain.panels)
-    for (const PanelEdge& edge : panel.edges) EXPECT_EQ(edge.curves.size(), 1u);
-  const Garment g = assemble(plain, .02, {});
+  for (const pattern::Panel& panel : plain.panels)
+    for (const pattern::PanelEdge& edge : panel.edges) EXPECT_EQ(edge.curves.size(), 1u);
+  const garment::Garment g = garment::assemble(plain, .02, {});
   EXPECT_NEAR(g.area, .8145, .002);
 }
 
 TEST(GarmentCode, EveryCurveTypeHasItsLength) {
-  const Pattern p = read("curves.json");
-  const Panel& panel = p.panels[0];
+  const pattern::Pattern p = read("curves.json");
+  const pattern::Panel& panel = p.panels[0];
   const auto length = [&](const char* name) {
-    return EdgePath(panel, find_edge(panel, name)).length();
+    return pattern::EdgePath(panel, pattern::find_edge(panel, name)).length();
   };
   // Chord 20 cm, control point at (.5, -.5): a parabola of closed-form length.
   const double parabola = .1 * (std::sqrt(2) + std::asinh(1));
@@ -113,22 +114,23 @@ TEST(GarmentCode, EveryCurveTypeHasItsLength) {
   EXPECT_NEAR(length("edge_4"), .2, 1e-12) << "cubic whose control points lie on the chord";
   EXPECT_NEAR(length("edge_3"), 2.0 / 3 * kPi * .2 / std::sqrt(3.0), 1e-9) << "120 degree arc";
   // All bulge outwards except edge_3, which is an arc with the other sweep.
-  EXPECT_LT(EdgePath(panel, 0).at(.5).y(), -.04);
-  EXPECT_GT(EdgePath(panel, 2).at(.5).x(), .4);
+  EXPECT_LT(pattern::EdgePath(panel, 0).at(.5).y(), -.04);
+  EXPECT_GT(pattern::EdgePath(panel, 2).at(.5).x(), .4);
 }
 
 TEST(GarmentCode, AbsoluteCoordinatesEqualRelativeOnes) {
-  const Pattern relative = read("quadratic_relative.json"),
-                absolute = read("quadratic_absolute.json");
+  const pattern::Pattern relative = read("quadratic_relative.json"),
+                         absolute = read("quadratic_absolute.json");
   for (int e = 0; e < 4; ++e)
     for (const double f : {.2, .5, .9})
-      EXPECT_LT(
-          (EdgePath(relative.panels[0], e).at(f) - EdgePath(absolute.panels[0], e).at(f)).norm(),
-          1e-12);
+      EXPECT_LT((pattern::EdgePath(relative.panels[0], e).at(f) -
+                 pattern::EdgePath(absolute.panels[0], e).at(f))
+                    .norm(),
+                1e-12);
 }
 
 TEST(GarmentCode, UnitsOf300InAMetreGiveTheSameSize) {
-  const Pattern cm = read("tube_cm.json"), third = read("tube_300.json");
+  const pattern::Pattern cm = read("tube_cm.json"), third = read("tube_300.json");
   ASSERT_EQ(cm.panels.size(), third.panels.size());
   for (std::size_t p = 0; p < cm.panels.size(); ++p) {
     for (std::size_t v = 0; v < cm.panels[p].vertices.size(); ++v)
@@ -139,17 +141,17 @@ TEST(GarmentCode, UnitsOf300InAMetreGiveTheSameSize) {
 }
 
 TEST(GarmentCode, ClockwiseBackPanelKeepsPlaceAndOutside) {
-  const Pattern p = read("tube_cm.json");
+  const pattern::Pattern p = read("tube_cm.json");
   ASSERT_EQ(p.panels[1].name, "back");
-  for (const Panel& panel : p.panels) {
-    EXPECT_GT(signed_area(outline_polygon(panel)), 0);
+  for (const pattern::Panel& panel : p.panels) {
+    EXPECT_GT(pattern::signed_area(pattern::outline_polygon(panel)), 0);
     EXPECT_NEAR(panel.rotation.determinant(), 1, 1e-12);
   }
   // Front outside faces -y (forwards), back outside +y; both seams close without crossing.
   EXPECT_NEAR(p.panels[0].rotation.col(2).y(), -1, 1e-12);
   EXPECT_NEAR(p.panels[1].rotation.col(2).y(), 1, 1e-12);
-  for (const Stitch& s : p.stitches) {
-    const EdgePath a(p.panels[s.first.panel], s.first.edge),
+  for (const pattern::Stitch& s : p.stitches) {
+    const pattern::EdgePath a(p.panels[s.first.panel], s.first.edge),
         b(p.panels[s.second.panel], s.second.edge);
     const Vec3 a0 = placed(p.panels[s.first.panel], a.at(0)),
                b1 = placed(p.panels[s.second.panel], b.at(1));
@@ -157,7 +159,7 @@ TEST(GarmentCode, ClockwiseBackPanelKeepsPlaceAndOutside) {
     EXPECT_NEAR(a0.x(), b1.x(), 1e-9);
     EXPECT_NEAR(a0.z(), b1.z(), 1e-9);
   }
-  const Garment g = assemble(p, .02, {});
+  const garment::Garment g = garment::assemble(p, .02, {});
   EXPECT_EQ(g.find_chain("front", "edge_1")->vertices.size(), 16u);
 }
 
@@ -179,7 +181,7 @@ TEST(GarmentCode, RotationOrderIsRzRyRx) {
 }
 
 TEST(GarmentCode, ObliquePanelsLandWhereTheFileMeansThem) {
-  const Pattern p = read("oblique.json");
+  const pattern::Pattern p = read("oblique.json");
   // Point (10, 0) cm turned by (0, 90, 45): first about y to (0, 0, −10), then z leaves it.
   const Vec3 file = frame_from_y_up().transpose() * placed(p.panels[0], {.10, 0});
   EXPECT_LT((file - Vec3(.05, 1.0, -.10)).norm(), 1e-12);
@@ -190,25 +192,25 @@ TEST(GarmentCode, ObliquePanelsLandWhereTheFileMeansThem) {
 
 TEST(GarmentCode, RightWrongDartAndGatherAreRead) {
   const PatternFile file = read_garmentcode(kData + "lapel_dart_gather.json");
-  const Pattern& p = file.pattern;
+  const pattern::Pattern& p = file.pattern;
   ASSERT_EQ(p.stitches.size(), 3u);
   EXPECT_FALSE(p.stitches[0].right_wrong);
   EXPECT_EQ(p.stitches[0].first.panel, p.stitches[0].second.panel) << "dart";
   EXPECT_TRUE(p.stitches[1].right_wrong);
-  const Garment g = assemble(p, .01, {});
+  const garment::Garment g = garment::assemble(p, .01, {});
   EXPECT_EQ(g.find_chain("body", "edge_4")->vertices, g.find_chain("lapel", "edge_2")->vertices);
-  const Stitch& gather = p.stitches[2];
-  const double a = EdgePath(p.panels[gather.first.panel], gather.first.edge).length();
-  const double b = EdgePath(p.panels[gather.second.panel], gather.second.edge).length();
+  const pattern::Stitch& gather = p.stitches[2];
+  const double a = pattern::EdgePath(p.panels[gather.first.panel], gather.first.edge).length();
+  const double b = pattern::EdgePath(p.panels[gather.second.panel], gather.second.edge).length();
   EXPECT_NEAR(std::max(a, b) / std::min(a, b), 1.54, 1e-9);
   EXPECT_EQ(p.panel_order, (std::vector<int>{2, 0, 1})) << "as listed, the rest by position";
 }
 
 TEST(GarmentCode, LoopsMayCloseByPosition) {
-  const Pattern p = read("repeated_vertex.json");
+  const pattern::Pattern p = read("repeated_vertex.json");
   EXPECT_EQ(p.panels[0].edges.size(), 4u);
   EXPECT_EQ(p.panels[0].vertices.size(), 4u);
-  EXPECT_NEAR(signed_area(outline_polygon(p.panels[0])), .01, 1e-12);
+  EXPECT_NEAR(pattern::signed_area(pattern::outline_polygon(p.panels[0])), .01, 1e-12);
 }
 
 TEST(GarmentCode, MissingKeysAreWarnings) {
@@ -222,7 +224,7 @@ TEST(GarmentCode, MissingKeysAreWarnings) {
 
 TEST(GarmentCode, PanelOrderIsComputedWhenMissing) {
   // Top-middle points in the file frame: c at x 0, y 1.0; a at x 0.05 (equal), y 1.2; b at x 0.5.
-  const Pattern p = parse_garmentcode(R"({"pattern": {"panels": {
+  const pattern::Pattern p = parse_garmentcode(R"({"pattern": {"panels": {
       "a": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [0,100,0], "rotation": [0,0,0],
             "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]},
       "b": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [50,100,0], "rotation": [0,0,0],
@@ -230,8 +232,8 @@ TEST(GarmentCode, PanelOrderIsComputedWhenMissing) {
       "c": {"vertices": [[0,0],[10,0],[10,20],[0,20]], "translation": [-5,80,0], "rotation": [0,0,0],
             "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]}},
       "stitches": []}, "properties": {"units_in_meter": 100, "curvature_coords": "relative"}})",
-                                      "order.json")
-                        .pattern;
+                                               "order.json")
+                                 .pattern;
   EXPECT_EQ(p.panel_order, (std::vector<int>{2, 0, 1}));
 }
 
@@ -319,8 +321,8 @@ TEST(GarmentCode, NoMutilatedFileCrashesOrHangs) {
       }
     }
     try {
-      const Pattern p = parse_garmentcode(text, "fuzz.json").pattern;
-      assemble(p, .03, {});
+      const pattern::Pattern p = parse_garmentcode(text, "fuzz.json").pattern;
+      garment::assemble(p, .03, {});
     } catch (const InvalidInput&) {
       ++refused;
     }
@@ -338,4 +340,4 @@ TEST(GarmentCode, DeepNestingAndManyEdgesAreRefusedQuickly) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

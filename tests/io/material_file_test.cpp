@@ -16,13 +16,13 @@
 #include "loosefit/io/toml_file.h"
 #include "support/wool_sample.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-MaterialCard overridden(const std::string& text) {
+scenario::MaterialCard overridden(const std::string& text) {
   const ConfigNode node = parse_toml(text, "m.toml");
   ConfigReader table(node, "m.toml");
-  MaterialCard card = load_material("paper-cotton");
+  scenario::MaterialCard card = load_material("paper-cotton");
   read_material_constants(table, card);
   table.finish();
   return card;
@@ -42,7 +42,7 @@ TEST(MaterialCards, AllShippedCardsAreCompleteAndPlausible) {
   ASSERT_GE(names.size(), 8u);
   for (const std::string& name : names) {
     SCOPED_TRACE(name);
-    const MaterialCard card = load_material(name);
+    const scenario::MaterialCard card = load_material(name);
     EXPECT_EQ(card.material.name, name);
     EXPECT_GT(card.material.source.size(), 20u);
     EXPECT_GT(card.status.size(), 20u);
@@ -61,7 +61,7 @@ TEST(MaterialCards, AllShippedCardsAreCompleteAndPlausible) {
 // that makes it a fabric, and E h = 1.318e5 N/m at the thickness which agrees with it.
 TEST(MaterialCards, PaperCottonAsDerived) {
   EXPECT_NEAR(bending_length(load_material("paper-cotton").material), 15.5e-3, 0.1e-3);
-  const Material literal = load_material("paper-cotton-literal").material;
+  const fabric::Material literal = load_material("paper-cotton-literal").material;
   EXPECT_NEAR(literal.stiffness_warp, 1.318e5, 0.001e5);
   EXPECT_NEAR(literal.stiffness_shear, 5.73e4, 0.01e4);
 }
@@ -69,7 +69,7 @@ TEST(MaterialCards, PaperCottonAsDerived) {
 TEST(MaterialConstants, IsotropicPairReportsTheContradiction) {
   // 6.65 GPa over a real fabric thickness of 0.3 mm: bending would be 1.5e-2 N m.
   const auto toml = "youngs_modulus = 6.65e8\nelastic_thickness = 0.0003\n";
-  const MaterialCard card = overridden(toml);
+  const scenario::MaterialCard card = overridden(toml);
   EXPECT_NEAR(card.material.stiffness_warp, 6.65e8 * 3e-4, 1e-6);
   ASSERT_FALSE(card.notes.empty());
   EXPECT_NE(card.notes.back().find("0.00153 N m"), std::string::npos) << card.notes.back();
@@ -93,7 +93,7 @@ TEST(MaterialConstants, RefusesOutOfRangeWithUnits) {
 }
 
 TEST(MaterialToml, ReadsBackToTheSameConstants) {
-  Material m = load_material("denim").material;
+  fabric::Material m = load_material("denim").material;
   m.damping = 0.1 + 0.2;
   const std::string text = material_toml(m);
   EXPECT_EQ(material_toml(overridden(text).material), text);
@@ -103,15 +103,15 @@ TEST(MaterialToml, ReadsBackToTheSameConstants) {
 TEST(MaterialCards, KesFiguresAreTheConstantsInUse) {
   int figures = 0, constants = 0;
   for (const std::string& name : material_names()) {
-    const MaterialCard card = load_material(name);
-    const Material& m = card.material;
-    for (const KesFigure& f : card.kes) {
+    const scenario::MaterialCard card = load_material(name);
+    const fabric::Material& m = card.material;
+    for (const scenario::KesFigure& f : card.kes) {
       SCOPED_TRACE(name + " " + f.key);
       ++figures;
-      const double si = kes_to_si(f.unit.quantity, f.value);
+      const double si = fabric::kes_to_si(f.unit.quantity, f.value);
       const auto expect_used = [&](double used, double per_figure) {
         ++constants;
-        EXPECT_TRUE(same_within_rounding(f.value, si, used * per_figure)) << used;
+        EXPECT_TRUE(fabric::same_within_rounding(f.value, si, used * per_figure)) << used;
       };
       const bool warp = f.key.find("_weft") == std::string::npos;
       const bool weft = f.key.find("_warp") == std::string::npos;
@@ -133,28 +133,29 @@ TEST(MaterialCards, ResidualCurvaturesAsMeasured) {
   const std::pair<const char*, double> expected[] = {
       {"cotton-broad", 52.54}, {"wool-tropical", 24.63}, {"polyester-faille", 18.42}};
   for (const auto& [name, curvature] : expected) {
-    const Material m = load_material(name).material;
+    const fabric::Material m = load_material(name).material;
     EXPECT_NEAR(m.bending_hysteresis_warp / m.bending_warp, curvature, 0.005) << name;
     EXPECT_NEAR(m.bending_hysteresis_weft / m.bending_weft, curvature, 0.005) << name;
   }
 }
 
 TEST(MaterialCards, MeasuredWoolIsTheSample) {
-  const Material m = load_material("wool-measured").material, sample = support::wool_sample();
+  const fabric::Material m = load_material("wool-measured").material,
+                         sample = support::wool_sample();
   ASSERT_EQ(m.curve_warp.size(), 7u);
   for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_EQ(m.curve_warp[i].force, sample.curve_warp[i].force);
     EXPECT_EQ(m.curve_weft[i].strain, sample.curve_weft[i].strain);
     EXPECT_EQ(m.curve_shear[i].force, sample.curve_shear[i].force);
   }
-  EXPECT_DOUBLE_EQ(m.stiffness_weft, StressCurve::tension(m.curve_weft).at(0).tangent);
+  EXPECT_DOUBLE_EQ(m.stiffness_weft, fabric::StressCurve::tension(m.curve_weft).at(0).tangent);
 }
 
 TEST(Kes, GivesTheConstantWhenTheSiFigureIsAbsent) {
-  const Material m = overridden(
-                         "[kes]\nB_warp = 0.1\nB_weft = 0.05\n2HB = 0.06\nG = 0.5\n"
-                         "W = 14\nT = 0.4\nEMT_warp = 5\nLT_warp = 0.7\nMIU = 0.2\n")
-                         .material;
+  const fabric::Material m = overridden(
+                                 "[kes]\nB_warp = 0.1\nB_weft = 0.05\n2HB = 0.06\nG = 0.5\n"
+                                 "W = 14\nT = 0.4\nEMT_warp = 5\nLT_warp = 0.7\nMIU = 0.2\n")
+                                 .material;
   EXPECT_DOUBLE_EQ(m.bending_warp, 9.80665e-6);
   EXPECT_DOUBLE_EQ(m.bending_weft, 4.903325e-6);
   EXPECT_DOUBLE_EQ(m.bending_hysteresis_weft, 0.03 * 9.80665e-3);
@@ -180,7 +181,7 @@ TEST(Kes, DisagreementNamesBothFigures) {
   EXPECT_NE(si.find("units of the KES instruments"), std::string::npos) << si;
 }
 
-MaterialCard own_card(const std::string& text) {
+scenario::MaterialCard own_card(const std::string& text) {
   const auto path = std::filesystem::temp_directory_path() /
                     ("loosefit-card-" + std::to_string(::getpid()) + ".toml");
   std::ofstream(path) << text;
@@ -195,7 +196,7 @@ TEST(Kes, MakesACompleteCard) {
       "title = \"own\"\nsource = \"own measurement\"\npoisson = 0\nfriction_body = 0.4\n"
       "friction_self = 0.4\ndamping = 0.02\n[kes]\nW = 12\nT = 0.5\nB = 0.045\n2HB = 0.04\n"
       "EMT_warp = 3\nEMT_weft = 6\n";
-  const Material m = own_card(sheet + "G = 0.7\n").material;
+  const fabric::Material m = own_card(sheet + "G = 0.7\n").material;
   EXPECT_DOUBLE_EQ(m.areal_density, 0.12);
   EXPECT_DOUBLE_EQ(m.stiffness_warp, 2 * m.stiffness_weft);
   try {
@@ -209,16 +210,17 @@ TEST(Kes, MakesACompleteCard) {
 }
 
 TEST(Curves, AreReadAsForceOrAsStress) {
-  const Material force =
+  const fabric::Material force =
       overridden("[curve.warp]\nelongation = [0, 0.1, 0.2]\nforce = [0, 50, 150]\n").material;
   ASSERT_EQ(force.curve_warp.size(), 3u);
   EXPECT_DOUBLE_EQ(force.stiffness_warp, 500);
   EXPECT_TRUE(force.curve_weft.empty());
-  const Material stress =
+  const fabric::Material stress =
       overridden("[curve.warp]\ngreen_strain = [0.105]\nsecond_piola_kirchhoff = [50]\n").material;
   EXPECT_NEAR(stress.curve_warp[0].strain, 0.1, 1e-15);
   EXPECT_NEAR(stress.curve_warp[0].force, 55, 1e-12);
-  const Material shear = overridden("[curve.shear]\nangle = [0.5]\nstress = [20]\n").material;
+  const fabric::Material shear =
+      overridden("[curve.shear]\nangle = [0.5]\nstress = [20]\n").material;
   EXPECT_DOUBLE_EQ(shear.curve_shear[0].strain, std::sin(0.5));
 }
 
@@ -247,10 +249,10 @@ TEST(Curves, BadOnesAreRefusedWithPlaceAndReason) {
             std::string::npos);
 }
 
-MaterialCard wool_with(const std::string& text) {
+scenario::MaterialCard wool_with(const std::string& text) {
   const ConfigNode node = parse_toml(text, "m.toml");
   ConfigReader table(node, "m.toml");
-  MaterialCard card = load_material("wool-measured");
+  scenario::MaterialCard card = load_material("wool-measured");
   read_material_constants(table, card);
   table.finish();
   return card;
@@ -265,13 +267,14 @@ TEST(Curves, ReadBackToTheSamePoints) {
 }
 
 TEST(Curves, AStiffnessTakesTheirPlace) {
-  const MaterialCard card = wool_with("stiffness_warp = 800\n");
+  const scenario::MaterialCard card = wool_with("stiffness_warp = 800\n");
   EXPECT_TRUE(card.material.curve_warp.empty());
   EXPECT_FALSE(card.material.curve_weft.empty());
   ASSERT_EQ(card.notes.size(), 1u);
   const std::string text = material_toml(card.material);
   EXPECT_EQ(material_toml(wool_with(text).material), text);
-  const Material isotropic = wool_with("youngs_modulus = 1e6\nelastic_thickness = 3e-4\n").material;
+  const fabric::Material isotropic =
+      wool_with("youngs_modulus = 1e6\nelastic_thickness = 3e-4\n").material;
   EXPECT_TRUE(isotropic.curve_weft.empty() && isotropic.curve_shear.empty());
 }
 
@@ -323,4 +326,4 @@ TEST(Kes, ACardTellsAllThatItLacksAtOnce) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -6,14 +6,14 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-MaterialCard card(const std::string& section) {
+scenario::MaterialCard card(const std::string& section) {
   return parse_scenario("[material]\n" + section, "m.toml").studied().material;
 }
 
-std::string from(const MaterialCard& card, const std::string& key) {
+std::string from(const scenario::MaterialCard& card, const std::string& key) {
   for (const ConstantInUse& c : constants_in_use(card))
     if (c.key == key) return c.from;
   return "no such constant";
@@ -24,7 +24,7 @@ const char* const kSheet =
     "EMT_weft = 6\n";
 
 TEST(MaterialOrigin, CardAsItIsKeepsNameAndSource) {
-  const MaterialCard plain = card("");
+  const scenario::MaterialCard plain = card("");
   EXPECT_EQ(plain.material.name, "paper-cotton");
   EXPECT_EQ(plain.material.source, load_material("paper-cotton").material.source);
   EXPECT_EQ(from(plain, "poisson"), "card paper-cotton");
@@ -33,7 +33,7 @@ TEST(MaterialOrigin, CardAsItIsKeepsNameAndSource) {
 }
 
 TEST(MaterialOrigin, ReplacedClothIsNotCalledByItsCard) {
-  const MaterialCard own = card(kSheet);
+  const scenario::MaterialCard own = card(kSheet);
   EXPECT_EQ(own.material.name, "own constants");
   EXPECT_EQ(own.material.source.find("Harms"), std::string::npos) << own.material.source;
   EXPECT_NE(own.material.source.find("inherited from card paper-cotton: poisson, bending_poisson, "
@@ -44,14 +44,15 @@ TEST(MaterialOrigin, ReplacedClothIsNotCalledByItsCard) {
   EXPECT_EQ(from(own, "thickness"), "scenario: kes.T = 0.4 mm × 0.001");
   EXPECT_EQ(from(own, "stiffness_warp"),
             "scenario: kes.EMT_warp = 5 %: 500 gf/cm × 0.980665 / (5 / 100)");
-  const MaterialCard named =
+  const scenario::MaterialCard named =
       card(std::string("title = \"jersey 7\"\nsource = \"our KES-FB\"\n") + kSheet);
   EXPECT_EQ(named.material.name, "jersey 7");
   EXPECT_EQ(named.material.source.rfind("our KES-FB; inherited", 0), 0u) << named.material.source;
 }
 
 TEST(MaterialOrigin, PartlyReplacedClothSaysWhat) {
-  const MaterialCard part = card("name = \"wool\"\nfriction_body = 0.2\nthickness = 0.0006\n");
+  const scenario::MaterialCard part =
+      card("name = \"wool\"\nfriction_body = 0.2\nthickness = 0.0006\n");
   EXPECT_EQ(part.material.name, "wool, changed: thickness, friction_body");
   EXPECT_EQ(from(part, "friction_body"), "scenario");
   EXPECT_EQ(from(part, "bending_warp").rfind("inherited from card wool", 0), 0u);
@@ -66,9 +67,9 @@ TEST(MaterialOrigin, ResolvedScenarioTellsTheSame) {
         std::string("title = \"t\"\n"), std::string("source = \"s\"\nthickness = 0.0006\n"),
         std::string("title = \"t\"\nsource = \"s\"\n"), std::string()}) {
     SCOPED_TRACE(section);
-    const Scenario first = parse_scenario("[material]\n" + section, "m.toml");
+    const scenario::Scenario first = parse_scenario("[material]\n" + section, "m.toml");
     const std::string text = scenario_toml(first);
-    const Scenario second = parse_scenario(text, "m.toml");
+    const scenario::Scenario second = parse_scenario(text, "m.toml");
     EXPECT_EQ(scenario_toml(second), text);
     EXPECT_EQ(second.studied().material.material.name, first.studied().material.material.name);
     EXPECT_EQ(second.studied().material.material.source, first.studied().material.material.source);
@@ -83,12 +84,12 @@ TEST(MaterialOrigin, ResolvedScenarioTellsTheSame) {
 
 TEST(MaterialOrigin, OwnSourceStandsEvenWhereEveryFigureIsThatOfTheCard) {
   const std::string all = material_toml(load_material("denim").material);
-  const MaterialCard own =
+  const scenario::MaterialCard own =
       card("name = \"denim\"\ntitle = \"my cloth\"\nsource = \"own KES-F, lab 2026\"\n" + all);
   EXPECT_EQ(own.material.name, "my cloth");
   EXPECT_EQ(own.material.source.rfind("own KES-F, lab 2026", 0), 0u) << own.material.source;
   EXPECT_EQ(from(own, "thickness"), "scenario");
-  const MaterialCard noted = card("source = \"checked by us\"\n");
+  const scenario::MaterialCard noted = card("source = \"checked by us\"\n");
   EXPECT_EQ(noted.material.source.rfind("checked by us; all constants: card paper-cotton", 0), 0u)
       << noted.material.source;
 }
@@ -104,4 +105,4 @@ TEST(MaterialOrigin, UnknownGivenConstantIsRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -8,11 +8,11 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/registry.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-NamedValues read_shirt_measures(const std::filesystem::path& path) {
-  return read_measures(path, garment_kind("long-sleeve-shirt").measures);
+kinds::NamedValues read_shirt_measures(const std::filesystem::path& path) {
+  return read_measures(path, kinds::garment_kind("long-sleeve-shirt").measures);
 }
 
 class MeasuresFile : public testing::Test {
@@ -39,7 +39,7 @@ const std::string kPlain =
 TEST_F(MeasuresFile, ReadsPlainAndNestedObjects) {
   for (const std::string& text : {kPlain, "{\"measured\": " + kPlain + "}"}) {
     write_text_file(path_.string(), text);
-    const NamedValues m = read_shirt_measures(path_);
+    const kinds::NamedValues m = read_shirt_measures(path_);
     EXPECT_EQ(m.at("chest"), 0.9);
     EXPECT_EQ(m.at("upper_arm"), 0.28);
     EXPECT_EQ(m.at("shoulder_slope"), 0.35);
@@ -64,4 +64,4 @@ TEST_F(MeasuresFile, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

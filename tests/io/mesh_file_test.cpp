@@ -11,7 +11,7 @@
 #include "loosefit/io/mesh_obj.h"
 #include "support/mesh_bytes.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 class MeshFileTest : public ::testing::Test {
@@ -44,21 +44,21 @@ class MeshFileTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TriangleMesh tetrahedron() {
+geometry::TriangleMesh tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
-void expect_same(const TriangleMesh& a, const TriangleMesh& b) {
+void expect_same(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
   ASSERT_EQ(a.vertices.size(), b.vertices.size());
   ASSERT_EQ(a.triangles.size(), b.triangles.size());
-  EXPECT_NEAR(enclosed_volume(a), enclosed_volume(b), 1e-7);
+  EXPECT_NEAR(geometry::enclosed_volume(a), geometry::enclosed_volume(b), 1e-7);
 }
 
 TEST_F(MeshFileTest, ObjReadsBackAndBinaryPlyAndStlAreRead) {
-  const TriangleMesh mesh = tetrahedron();
+  const geometry::TriangleMesh mesh = tetrahedron();
   write_obj(path("a.obj"), mesh);
-  write_obj(path("n.obj"), mesh, vertex_normals(mesh.vertices, mesh.triangles));
+  write_obj(path("n.obj"), mesh, geometry::vertex_normals(mesh.vertices, mesh.triangles));
   put("a.ply", support::ply_bytes(mesh));
   put("a.stl", support::stl_bytes(mesh));
   for (const char* name : {"a.obj", "n.obj", "a.ply", "a.stl"}) {
@@ -173,4 +173,4 @@ TEST_F(MeshFileTest, MutatedFilesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -17,7 +17,7 @@
 #include "support/shirt_kind.h"
 
 // Patterns that our draft made, as files: the same bytes again, and known for what they are.
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,9 +25,11 @@ namespace fs = std::filesystem;
 const std::string kSource = LOOSEFIT_SOURCE_DIR;
 const std::string kShared = kSource + "/../shared/garments/";
 
-std::string shirt_text() { return garmentcode_text(draft_shirt({})); }
+std::string shirt_text() { return garmentcode_text(kinds::draft_shirt({})); }
 
-Pattern parsed(const std::string& text) { return parse_garmentcode(text, "p.json").pattern; }
+pattern::Pattern parsed(const std::string& text) {
+  return parse_garmentcode(text, "p.json").pattern;
+}
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
@@ -43,16 +45,16 @@ TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
   const std::vector<std::string> names = support::shirt_size_names();
   int drafted = 0;
   for (int i = 0; i < 60; ++i) {
-    ShirtMeasures body = support::shirt_size(names[random() % names.size()]).body;
+    kinds::ShirtMeasures body = support::shirt_size(names[random() % names.size()]).body;
     for (double* value : {&body.chest, &body.waist, &body.hip, &body.arm_length, &body.hps_to_hem})
       *value *= uniform(0.93, 1.07);
-    ShirtFit fit;
+    kinds::ShirtFit fit;
     fit.chest = uniform(0, 0.3), fit.hip = uniform(0, 0.3), fit.wrist = uniform(0.1, 0.4);
     fit.sleeve_length = i % 3 == 0 ? uniform(0.4, 0.9) : 1;
     if (i % 2) fit.waist = uniform(0, 0.3);
     std::string text;
     try {
-      text = garmentcode_text(draft_shirt(body, fit, nullptr, {0, uniform(0.2, 1.2)}));
+      text = garmentcode_text(kinds::draft_shirt(body, fit, nullptr, {0, uniform(0.2, 1.2)}));
     } catch (const InvalidInput&) {
       continue;
     }
@@ -60,13 +62,13 @@ TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
     const PatternFile again = parse_garmentcode(text, "p.json");
     EXPECT_TRUE(again.warnings.empty()) << again.warnings[0];
     EXPECT_EQ(again.pattern.kind, "long-sleeve-shirt");
-    EXPECT_EQ(draft_mark(again.pattern), "shirt 1");
+    EXPECT_EQ(kinds::draft_mark(again.pattern), "shirt 1");
     ASSERT_EQ(garmentcode_text(again.pattern), text) << i;
   }
   EXPECT_GT(drafted, 40);
   for (const std::string& name : names) {
     const support::ShirtSize size = support::shirt_size(name);
-    const std::string text = garmentcode_text(draft_shirt(size.body, size.fit));
+    const std::string text = garmentcode_text(kinds::draft_shirt(size.body, size.fit));
     ASSERT_EQ(garmentcode_text(parsed(text)), text) << name;
   }
 }
@@ -80,33 +82,34 @@ TEST(OwnPatterns, WhatWasReadFromOthersIsWrittenAndReadAsTheSameBytes) {
       if (entry.path().extension() == ".json") files.push_back(entry.path());
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.filename());
-    const Pattern pattern = read_garmentcode(file).pattern;
-    EXPECT_EQ(draft_mark(pattern), "");
+    const pattern::Pattern pattern = read_garmentcode(file).pattern;
+    EXPECT_EQ(kinds::draft_mark(pattern), "");
     const std::string text = garmentcode_text(pattern);
     EXPECT_EQ(garmentcode_text(parsed(text)), text);
   }
 }
 
 TEST(OwnPatterns, PartsAreFoundByTheSeams) {
-  const Pattern shirt = draft_shirt({});
-  Pattern blank = shirt;
-  for (Panel& panel : blank.panels) {
+  const pattern::Pattern shirt = kinds::draft_shirt({});
+  pattern::Pattern blank = shirt;
+  for (pattern::Panel& panel : blank.panels) {
     panel.part.clear(), panel.name = "piece " + panel.name;
-    for (PanelEdge& edge : panel.edges) edge.part.clear();
+    for (pattern::PanelEdge& edge : panel.edges) edge.part.clear();
   }
   std::swap(blank.panels[0].name, blank.panels[1].name);
-  ASSERT_TRUE(garment_kind("long-sleeve-shirt").note_parts(blank));
+  ASSERT_TRUE(kinds::garment_kind("long-sleeve-shirt").note_parts(blank));
   for (std::size_t p = 0; p < 6; ++p) {
     EXPECT_EQ(blank.panels[p].part, shirt.panels[p].part);
     for (std::size_t e = 0; e < shirt.panels[p].edges.size(); ++e)
       EXPECT_EQ(blank.panels[p].edges[e].part, shirt.panels[p].edges[e].part);
   }
-  Pattern open = shirt;
+  pattern::Pattern open = shirt;
   open.stitches.pop_back();
-  EXPECT_FALSE(garment_kind("long-sleeve-shirt").note_parts(open)) << "a sleeve that is not closed";
-  Pattern crossed = shirt;
+  EXPECT_FALSE(kinds::garment_kind("long-sleeve-shirt").note_parts(open))
+      << "a sleeve that is not closed";
+  pattern::Pattern crossed = shirt;
   std::swap(crossed.stitches[0].second, crossed.stitches[1].second);
-  EXPECT_FALSE(garment_kind("long-sleeve-shirt").note_parts(crossed))
+  EXPECT_FALSE(kinds::garment_kind("long-sleeve-shirt").note_parts(crossed))
       << "a side sewn to a shoulder";
 }
 
@@ -116,10 +119,10 @@ TEST(OwnPatterns, AreKnownWithOtherNames) {
     text = replaced(text, std::string("\"") + name + "\"", std::string("\"my ") + name + " 2\"");
   const PatternFile file = parse_garmentcode(text, "p.json");
   EXPECT_TRUE(file.warnings.empty());
-  EXPECT_EQ(draft_mark(file.pattern), "shirt 1");
+  EXPECT_EQ(kinds::draft_mark(file.pattern), "shirt 1");
   EXPECT_EQ(file.pattern.find_panel("front"), -1);
   EXPECT_EQ(file.pattern.panels[0].name, "my front 2");
-  EXPECT_EQ(shirt_girths(file.pattern, .4), shirt_girths(parsed(shirt_text()), .4));
+  EXPECT_EQ(kinds::shirt_girths(file.pattern, .4), kinds::shirt_girths(parsed(shirt_text()), .4));
 }
 
 TEST(OwnPatterns, NamesAloneDoNotMakeAShirt) {
@@ -129,15 +132,15 @@ TEST(OwnPatterns, NamesAloneDoNotMakeAShirt) {
   ASSERT_NE(last, std::string::npos);
   text.erase(last, text.find("\n    ],", last) - last);
   const PatternFile file = parse_garmentcode(text, "p.json");
-  EXPECT_EQ(draft_mark(file.pattern), "");
+  EXPECT_EQ(kinds::draft_mark(file.pattern), "");
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_NE(file.warnings[0].find("loosefit_draft"), std::string::npos) << file.warnings[0];
 
   // Sewn like a shirt and called front and back, but with neither mark nor our edges.
   std::string foreign = replaced(shirt_text(), "\"loosefit_draft\"", "\"other_draft\"");
-  EXPECT_EQ(draft_mark(parsed(foreign)), "shirt 1") << "a file of ours without a mark";
+  EXPECT_EQ(kinds::draft_mark(parsed(foreign)), "shirt 1") << "a file of ours without a mark";
   foreign = replaced(foreign, "\"name\":\"hem\"", "\"name\":\"lower\"");
-  EXPECT_EQ(draft_mark(parsed(foreign)), "");
+  EXPECT_EQ(kinds::draft_mark(parsed(foreign)), "");
   EXPECT_EQ(parsed(foreign).kind, "pattern-file");
 }
 
@@ -170,8 +173,8 @@ TEST(OwnPatterns, DamagedFilesAreReadOrRefused) {
   for (unsigned seed = 0; seed < kTries; ++seed) {
     const std::string text = Mutator(seed)(texts[seed % texts.size()]);
     try {
-      const Pattern pattern = parsed(text);
-      draft_mark(pattern);
+      const pattern::Pattern pattern = parsed(text);
+      kinds::draft_mark(pattern);
       if (seed % 10 == 0) garmentcode_text(pattern);
     } catch (const Error&) {
       ++refused;
@@ -182,4 +185,4 @@ TEST(OwnPatterns, DamagedFilesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

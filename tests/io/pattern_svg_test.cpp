@@ -11,7 +11,7 @@
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// End points of the path segments in the file [mm], per outline.
@@ -34,19 +34,19 @@ std::vector<std::vector<Vec2>> outline_points(const std::string& svg) {
 }
 
 TEST(PatternSvg, PiecesAreTrueToScaleAndApart) {
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   const std::string svg = pattern_svg(shirt);
   const auto outlines = outline_points(svg);
   ASSERT_EQ(outlines.size(), 6u);
   std::vector<std::pair<Vec2, Vec2>> boxes;
   for (std::size_t p = 0; p < outlines.size(); ++p) {
-    const Panel& panel = shirt.panels[p];
+    const pattern::Panel& panel = shirt.panels[p];
     Vec2 low(1e9, 1e9), high(-1e9, -1e9);
     for (const Vec2& q : outlines[p]) low = low.cwiseMin(q), high = high.cwiseMax(q);
     boxes.push_back({low, high});
     // Corner to corner distances of the panel come back in millimetres.
     std::size_t point = 0;
-    for (const PanelEdge& edge : panel.edges) {
+    for (const pattern::PanelEdge& edge : panel.edges) {
       const Vec2 from = outlines[p][point];
       point += edge.curves.size();
       EXPECT_NEAR((outlines[p][point] - from).norm(),
@@ -70,7 +70,7 @@ TEST(PatternSvg, PiecesAreTrueToScaleAndApart) {
 }
 
 TEST(PatternSvg, EverySeamNumberStandsOnBothSides) {
-  const std::string svg = pattern_svg(draft_shirt({}));
+  const std::string svg = pattern_svg(kinds::draft_shirt({}));
   for (int seam = 1; seam <= 12; ++seam) {
     const std::string word = ">" + std::to_string(seam) + "</text>";
     int count = 0;
@@ -83,7 +83,7 @@ TEST(PatternSvg, EverySeamNumberStandsOnBothSides) {
 }
 
 TEST(PatternSvg, NamesAreEscapedAndArcsTurnedOver) {
-  Pattern p =
+  pattern::Pattern p =
       read_garmentcode(std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/curves.json")
           .pattern;
   p.panels[0].name = "a<b>&\"c\"";
@@ -93,4 +93,4 @@ TEST(PatternSvg, NamesAreEscapedAndArcsTurnedOver) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

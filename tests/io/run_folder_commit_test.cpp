@@ -11,7 +11,7 @@
 #include "support/fault_plan.h"
 
 // What happens to an output while its files are being replaced.
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -258,4 +258,4 @@ TEST_F(RunFolderCommit, MarksAreOnTheDiskBeforeAnythingElseHappens) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -15,7 +15,7 @@
 // Random folders with and without our files, then a write that goes through, is given up, refused,
 // meets a full or failing disk, or is killed at any of its changes to the file system: nothing
 // foreign is ever another, and our files are all the old or all the new ones.
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -389,4 +389,4 @@ TEST(RunFolderFuzz, NothingForeignChangesAndOursAreAllOldOrAllNew) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -11,7 +11,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -289,4 +289,4 @@ TEST(TextFile, DiskFullIsAnIoError) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,7 +7,7 @@
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 // Every key that the resolved scenario writes out must be explained.
@@ -15,13 +15,13 @@ TEST(ScenarioDocs, NameEveryKey) {
   std::string docs;
   for (const char* page : {"/docs/scenario.md", "/docs/garments.md"})
     docs += read_text_file(std::string(LOOSEFIT_SOURCE_DIR) + page, 1000000);
-  Scenario scenario = default_scenario();
-  scenario.attachments = {{"board", "back", Board{}}, {"cable", "back", Cable{}}};
-  SiteSpec pattern, anatomical;
+  scenario::Scenario scenario = default_scenario();
+  scenario.attachments = {{"board", "back", garment::Board{}}, {"cable", "back", garment::Cable{}}};
+  placement::SiteSpec pattern, anatomical;
   pattern.panel = "back";
-  anatomical.anatomy = BodyAddress{BodySegment::forearm, 1, Vec3(0, 50, 30)};
-  anatomical.board = SensorBoard{};
-  scenario.sites = {SiteSpec{}, pattern, anatomical};
+  anatomical.anatomy = placement::BodyAddress{placement::BodySegment::forearm, 1, Vec3(0, 50, 30)};
+  anatomical.board = placement::SensorBoard{};
+  scenario.sites = {placement::SiteSpec{}, pattern, anatomical};
   scenario.studied().material = load_material("wool-measured");
   scenario.ranking.modality = "ecg";
   scenario.garments.insert(scenario.garments.begin(),
@@ -41,4 +41,4 @@ TEST(ScenarioDocs, NameEveryKey) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,12 +7,13 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/io/scenario_writer.h"
+#include "loosefit/maps/catalogue.h"
 #include "support/refused_scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-Scenario parsed(const std::string& text) { return parse_scenario(text, "case.toml"); }
+scenario::Scenario parsed(const std::string& text) { return parse_scenario(text, "case.toml"); }
 
 using support::refusal;
 
@@ -92,8 +93,12 @@ std::string line_of_full(int line) {
   return text;
 }
 
+TEST(Scenario, MapsMadeByDefaultAreThoseOfTheCatalogue) {
+  EXPECT_EQ(default_scenario().output.maps, maps::default_map_names());
+}
+
 TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
-  const Scenario s = default_scenario();
+  const scenario::Scenario s = default_scenario();
   EXPECT_EQ(s.body.height, 1.68);
   EXPECT_DOUBLE_EQ(degrees(s.body.posture.arm_abduction), 25);
   EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 25);
@@ -106,7 +111,7 @@ TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
 }
 
 TEST(Scenario, ReadsEveryKey) {
-  const Scenario s = parsed(kFull);
+  const scenario::Scenario s = parsed(kFull);
   EXPECT_EQ(s.body.sex, 1);
   EXPECT_EQ(s.body.measurements.at("chest"), 1.0);
   EXPECT_DOUBLE_EQ(degrees(s.body.posture.forward_bend), 12.5);
@@ -114,22 +119,23 @@ TEST(Scenario, ReadsEveryKey) {
   EXPECT_EQ(s.studied().material.material.areal_density, 0.187) << "from the card";
   EXPECT_EQ(s.studied().material.material.bending_warp, 9e-6) << "overridden";
   ASSERT_EQ(s.attachments.size(), 2u);
-  EXPECT_EQ(std::get<Board>(s.attachments[0].part).size, Vec2(0.04, 0.03));
-  EXPECT_DOUBLE_EQ(std::get<Board>(s.attachments[0].part).angle, radians(30));
-  EXPECT_EQ(std::get<Cable>(s.attachments[1].part).path.size(), 2u);
-  EXPECT_EQ(std::get<Cable>(s.attachments[1].part).linear_density, 0.004);
+  EXPECT_EQ(std::get<garment::Board>(s.attachments[0].part).size, Vec2(0.04, 0.03));
+  EXPECT_DOUBLE_EQ(std::get<garment::Board>(s.attachments[0].part).angle, radians(30));
+  EXPECT_EQ(std::get<garment::Cable>(s.attachments[1].part).path.size(), 2u);
+  EXPECT_EQ(std::get<garment::Cable>(s.attachments[1].part).linear_density, 0.004);
   EXPECT_EQ(s.sites[1].landmark, "c7");
-  EXPECT_EQ(s.sites[1].footprint.radius, kFootprintRadius);
-  EXPECT_EQ(name(s.sites[2].anatomy->segment), "forearm");
+  EXPECT_EQ(s.sites[1].footprint.radius, placement::kFootprintRadius);
+  EXPECT_EQ(placement::name(s.sites[2].anatomy->segment), "forearm");
   EXPECT_EQ(s.sites[2].anatomy->side, 1);
   EXPECT_EQ(s.sites[2].anatomy->percent, Vec3(0, 50, 30));
   EXPECT_DOUBLE_EQ(s.sites[2].angle, radians(-15));
   EXPECT_EQ(s.sites[2].footprint.size, Vec2(0.03, 0.045));
   EXPECT_EQ(s.sites[2].board->mass, 0.02);
   EXPECT_EQ(s.sites[2].board->bending, 0.01);
-  EXPECT_EQ(s.sites[2].board->membrane_factor, SensorBoard{}.membrane_factor);
-  EXPECT_EQ(s.sites[3].footprint.kind, FootprintShape::Kind::girth) << "that of the preset";
-  EXPECT_EQ(s.sites[4].footprint.kind, FootprintShape::Kind::line);
+  EXPECT_EQ(s.sites[2].board->membrane_factor, placement::SensorBoard{}.membrane_factor);
+  EXPECT_EQ(s.sites[3].footprint.kind, placement::FootprintShape::Kind::girth)
+      << "that of the preset";
+  EXPECT_EQ(s.sites[4].footprint.kind, placement::FootprintShape::Kind::line);
   EXPECT_EQ(s.sites[4].footprint.length, 0.08);
   EXPECT_EQ(s.simulation.seed, 7u);
   EXPECT_EQ(s.simulation.start_perturbation, 0.001) << "several repeats need different starts";
@@ -262,7 +268,7 @@ TEST(ScenarioErrors, SitesThatCannotBe) {
 }
 
 TEST(ScenarioErrors, LaterStagesAreToldByTheKeysOfTheFile) {
-  const Scenario s = parsed(kFull);
+  const scenario::Scenario s = parsed(kFull);
   const auto told = [&](const std::string& key) {
     const InputPlace place = in_scenario(InvalidInput({"", 0, key}, "x", "y"), s).place();
     return place.key + ":" + (place.line > 0 ? line_of_full(place.line) : "");
@@ -322,4 +328,4 @@ TEST(ScenarioErrors, SlipsAreNamedBeforeWhatIsThenMissing) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

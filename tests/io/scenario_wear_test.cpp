@@ -5,61 +5,62 @@
 #include "loosefit/io/scenario_writer.h"
 #include "support/refused_scenario.h"
 
-    namespace loosefit {
-  namespace {
+namespace loosefit::io {
+namespace {
 
-  using support::expect_refused;
+using support::expect_refused;
 
-  TEST(ScenarioWear, WithoutTheSectionsThereIsOnePostureAndOneDonning) {
-    const Scenario s = parse_scenario("", "case.toml");
-    EXPECT_TRUE(s.postures.empty());
-    EXPECT_EQ(s.donning.repeats, 1);
-    EXPECT_EQ(scenario_toml(s).find("[postures]"), std::string::npos);
+TEST(ScenarioWear, WithoutTheSectionsThereIsOnePostureAndOneDonning) {
+  const scenario::Scenario s = parse_scenario("", "case.toml");
+  EXPECT_TRUE(s.postures.empty());
+  EXPECT_EQ(s.donning.repeats, 1);
+  EXPECT_EQ(scenario_toml(s).find("[postures]"), std::string::npos);
+}
+
+TEST(ScenarioWear, TheReferenceComesFirstAndIsThePostureOfTheMaps) {
+  const scenario::Scenario s = parse_scenario(
+      "[postures]\nlist = [\"slouch\", \"arms-forward\", \"a-pose\"]\nreference = \"a-pose\"\n"
+      "[donning]\n[simulation]\nseed = 7\n",
+      "case.toml");
+  EXPECT_EQ(s.postures, (std::vector<std::string>{"a-pose", "slouch", "arms-forward"}));
+  EXPECT_EQ(s.body.posture, body::named_posture("a-pose"));
+  EXPECT_EQ(s.donning.repeats, 4);
+  EXPECT_EQ(s.donning.seed, 7u);
+  const scenario::Scenario again = parse_scenario(scenario_toml(s), "again.toml");
+  EXPECT_EQ(again.postures, s.postures);
+  EXPECT_EQ(again.body.posture, s.body.posture);
+  EXPECT_EQ(again.donning.twist, s.donning.twist);
+  EXPECT_EQ(scenario_toml(again), scenario_toml(s));
+}
+
+TEST(ScenarioWear, EveryNamedPostureReadsBackFromTheResolvedText) {
+  for (const auto& [name, posture] : body::named_postures()) {
+    const scenario::Scenario s =
+        parse_scenario("[body]\nposture = \"" + name + "\"\n", "case.toml");
+    EXPECT_EQ(parse_scenario(scenario_toml(s), "again.toml").body.posture, posture) << name;
   }
+}
 
-  TEST(ScenarioWear, TheReferenceComesFirstAndIsThePostureOfTheMaps) {
-    const Scenario s = parse_scenario(
-        "[postures]\nlist = [\"slouch\", \"arms-forward\", \"a-pose\"]\nreference = \"a-pose\"\n"
-        "[donning]\n[simulation]\nseed = 7\n",
-        "case.toml");
-    EXPECT_EQ(s.postures, (std::vector<std::string>{"a-pose", "slouch", "arms-forward"}));
-    EXPECT_EQ(s.body.posture, named_posture("a-pose"));
-    EXPECT_EQ(s.donning.repeats, 4);
-    EXPECT_EQ(s.donning.seed, 7u);
-    const Scenario again = parse_scenario(scenario_toml(s), "again.toml");
-    EXPECT_EQ(again.postures, s.postures);
-    EXPECT_EQ(again.body.posture, s.body.posture);
-    EXPECT_EQ(again.donning.twist, s.donning.twist);
-    EXPECT_EQ(scenario_toml(again), scenario_toml(s));
-  }
+TEST(ScenarioWear, OddInputIsRefusedByName) {
+  expect_refused("[postures]\nlist = [\"standing\", \"siting\"]", {"postures.list", "sitting"});
+  expect_refused("[postures]\nlist = [\"standing\", \"standing\"]", {"postures.list", "twice"});
+  expect_refused("[postures]\nlist = []", {"postures.list", "at least one"});
+  expect_refused("[postures]\nreference = \"standing\"", {"postures.reference"});
+  expect_refused("[postures]\nlist = [\"standing\"]\nreference = \"slouch\"",
+                 {"postures.reference"});
+  expect_refused("[postures]\nlist = \"standing\"", {"postures.list", "array"});
+  expect_refused("[postures]\nlst = [\"standing\"]", {"postures.lst", "list"});
+  expect_refused("[body]\nposture = \"sitting\"\n[postures]\nlist = [\"standing\"]",
+                 {"body.posture", "standing"});
+  expect_refused("[donning]\nrepeats = 0", {"donning.repeats"});
+  expect_refused("[donning]\nshift = -0.01", {"donning.shift"});
+  expect_refused("[donning]\nshift = 10", {"donning.shift", "metres"});
+  expect_refused("[donning]\ntwist_deg = -1", {"donning.twist_deg"});
+  expect_refused("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
+  expect_refused("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
+                 {"donning.repeats", "simulation.repeats"});
+  expect_refused("donning = 4", {"donning"});
+}
 
-  TEST(ScenarioWear, EveryNamedPostureReadsBackFromTheResolvedText) {
-    for (const auto& [name, posture] : named_postures()) {
-      const Scenario s = parse_scenario("[body]\nposture = \"" + name + "\"\n", "case.toml");
-      EXPECT_EQ(parse_scenario(scenario_toml(s), "again.toml").body.posture, posture) << name;
-    }
-  }
-
-  TEST(ScenarioWear, OddInputIsRefusedByName) {
-    expect_refused("[postures]\nlist = [\"standing\", \"siting\"]", {"postures.list", "sitting"});
-    expect_refused("[postures]\nlist = [\"standing\", \"standing\"]", {"postures.list", "twice"});
-    expect_refused("[postures]\nlist = []", {"postures.list", "at least one"});
-    expect_refused("[postures]\nreference = \"standing\"", {"postures.reference"});
-    expect_refused("[postures]\nlist = [\"standing\"]\nreference = \"slouch\"",
-                   {"postures.reference"});
-    expect_refused("[postures]\nlist = \"standing\"", {"postures.list", "array"});
-    expect_refused("[postures]\nlst = [\"standing\"]", {"postures.lst", "list"});
-    expect_refused("[body]\nposture = \"sitting\"\n[postures]\nlist = [\"standing\"]",
-                   {"body.posture", "standing"});
-    expect_refused("[donning]\nrepeats = 0", {"donning.repeats"});
-    expect_refused("[donning]\nshift = -0.01", {"donning.shift"});
-    expect_refused("[donning]\nshift = 10", {"donning.shift", "metres"});
-    expect_refused("[donning]\ntwist_deg = -1", {"donning.twist_deg"});
-    expect_refused("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
-    expect_refused("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
-                   {"donning.repeats", "simulation.repeats"});
-    expect_refused("donning = 4", {"donning"});
-  }
-
-  }  // namespace
-}  // namespace loosefit
+}  // namespace
+}  // namespace loosefit::io

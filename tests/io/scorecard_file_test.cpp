@@ -14,7 +14,7 @@
 #include "loosefit/placement/derived_metrics.h"
 #include "support/mutate.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 const std::string kHead =
@@ -53,22 +53,22 @@ TEST(Scorecards, ShippedOnesAreReadAndComplete) {
       << "found in data/scorecards, expected as in docs/scorecards.md";
   for (const std::string& name : scorecard_names()) {
     SCOPED_TRACE(name);
-    const Scorecard card = load_scorecard(name);
+    const placement::Scorecard card = load_scorecard(name);
     EXPECT_EQ(card.name, name);
     EXPECT_GT(card.about.size(), 40u);
-    EXPECT_GT(outer_radius(card.footprint), 0);
-    for (const Criterion& c : card.criteria) {
+    EXPECT_GT(placement::outer_radius(card.footprint), 0);
+    for (const placement::Criterion& c : card.criteria) {
       EXPECT_GE(c.source.size(), 10u);
       EXPECT_GT(c.reason.size(), 15u);
     }
     // With every measured word of the vocabulary a card can be rated, whatever it derives.
-    MetricValues all;
-    for (const MetricName& m : metric_vocabulary()) all[m.name] = 0.5;
+    placement::MetricValues all;
+    for (const placement::MetricName& m : placement::metric_vocabulary()) all[m.name] = 0.5;
     for (const char* derived :
          {"usable_signal_ratio", "pre_strain_margin", "strain_peak", "capacitance_pF",
           "capacitance_swing", "temperature_error_K", "sensor_diameter_mm"})
       all.erase(derived);
-    EXPECT_TRUE(score(all, card).q.has_value()) << score(all, card).reason;
+    EXPECT_TRUE(placement::score(all, card).q.has_value()) << placement::score(all, card).reason;
   }
 }
 
@@ -80,30 +80,34 @@ TEST(Scorecards, ManualNamesEveryWord) {
   const auto named = [&](const std::string& word) {
     EXPECT_NE(docs.find("`" + word + "`"), std::string::npos) << word;
   };
-  for (const MetricName& m : metric_vocabulary()) named(m.name);
-  for (const SensorParameter& p : sensor_parameters()) named(p.name);
+  for (const placement::MetricName& m : placement::metric_vocabulary()) named(m.name);
+  for (const placement::SensorParameter& p : placement::sensor_parameters()) named(p.name);
   for (const std::string& name : scorecard_names()) named(name);
 }
 
 // docs/theory/sensor_metrics.md 3.4 and 8.
 TEST(Scorecards, LimitsAreTheDocumentedOnes) {
-  const Scorecard imu = load_scorecard("imu-inclination");
-  EXPECT_DOUBLE_EQ(score({{"coe_rms_deg", 8.5}}, imu).q.value(), 0.5);
-  EXPECT_GE(score({{"coe_rms_deg", 4.98}}, imu).q.value(), imu.pass) << "usable to 5 degrees";
-  EXPECT_LT(score({{"coe_rms_deg", 5.02}}, imu).q.value(), imu.pass);
-  const MetricValues pressed = {{"contact_ratio", 1}, {"contact_duty", 1}, {"pressure_kPa", 5.0}};
-  EXPECT_DOUBLE_EQ(score(pressed, load_scorecard("ppg")).q.value(), 1);
-  EXPECT_EQ(score(pressed, load_scorecard("eda")).q.value(), 0) << "too hard for the trunk";
-  const Scorecard temperature = load_scorecard("temperature");
-  EXPECT_NEAR(with_derived({{"gap_mm", 0.5}}, temperature.parameters, temperature.footprint)
-                  .at("temperature_error_K"),
-              0.24, 0.005);
+  const placement::Scorecard imu = load_scorecard("imu-inclination");
+  EXPECT_DOUBLE_EQ(placement::score({{"coe_rms_deg", 8.5}}, imu).q.value(), 0.5);
+  EXPECT_GE(placement::score({{"coe_rms_deg", 4.98}}, imu).q.value(), imu.pass)
+      << "usable to 5 degrees";
+  EXPECT_LT(placement::score({{"coe_rms_deg", 5.02}}, imu).q.value(), imu.pass);
+  const placement::MetricValues pressed = {
+      {"contact_ratio", 1}, {"contact_duty", 1}, {"pressure_kPa", 5.0}};
+  EXPECT_DOUBLE_EQ(placement::score(pressed, load_scorecard("ppg")).q.value(), 1);
+  EXPECT_EQ(placement::score(pressed, load_scorecard("eda")).q.value(), 0)
+      << "too hard for the trunk";
+  const placement::Scorecard temperature = load_scorecard("temperature");
+  EXPECT_NEAR(
+      placement::with_derived({{"gap_mm", 0.5}}, temperature.parameters, temperature.footprint)
+          .at("temperature_error_K"),
+      0.24, 0.005);
 }
 
 TEST(Scorecards, ReadByPathToo) {
   const auto path = std::filesystem::temp_directory_path() / "loosefit_my_card.toml";
   write_text_file(path.string(), kHead + criterion("gap_mm", "mm", "good = 0.1\nfail = 1"));
-  const Scorecard card = load_scorecard(path.string());
+  const placement::Scorecard card = load_scorecard(path.string());
   EXPECT_EQ(card.name, "loosefit_my_card");
   EXPECT_DOUBLE_EQ(card.criteria.at(0).limit.fail, 1);
   std::filesystem::remove(path);
@@ -128,7 +132,7 @@ TEST(Scorecards, WithoutDataSaysWhereTheyAre) {
 }
 
 TEST(ScorecardFile, RangesAndShapes) {
-  Scorecard card =
+  placement::Scorecard card =
       parse_scorecard(kHead + criterion("pressure_kPa", "kPa", "good = [1, 2]\nfail = [0, 4]") +
                           "reason_above = \"too much\"\n",
                       "dir/my.toml");
@@ -142,7 +146,7 @@ TEST(ScorecardFile, RangesAndShapes) {
       "= 0.03\nwidth = 0.04\n" +
           criterion("slack", "-", "good = 0\nfail = 0.2"),
       "my.toml");
-  EXPECT_DOUBLE_EQ(outer_radius(card.footprint), 0.025);
+  EXPECT_DOUBLE_EQ(placement::outer_radius(card.footprint), 0.025);
 }
 
 TEST(ScorecardFile, RefusalsNamePlaceAndRemedy) {
@@ -200,11 +204,11 @@ TEST(ScorecardFile, DamagedOnesAreRefusedOrSound) {
   for (int i = 0; i < 1500; ++i) {
     const std::string text = damage(whole);
     try {
-      const Scorecard card = parse_scorecard(text, "damaged.toml");
+      const placement::Scorecard card = parse_scorecard(text, "damaged.toml");
       ++accepted;
-      MetricValues all;
-      for (const MetricName& m : metric_vocabulary()) all[m.name] = 0.7;
-      const Score s = score(all, card);
+      placement::MetricValues all;
+      for (const placement::MetricName& m : placement::metric_vocabulary()) all[m.name] = 0.7;
+      const placement::Score s = placement::score(all, card);
       ASSERT_TRUE(s.q.has_value() && *s.q >= 0 && *s.q <= 1 && s.limiting >= 0) << text;
     } catch (const InvalidInput& e) {
       ++refused;
@@ -226,4 +230,4 @@ TEST(ScorecardFile, SlipsAreNamedBeforeWhatIsThenMissing) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

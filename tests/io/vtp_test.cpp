@@ -9,7 +9,7 @@
 #include "loosefit/io/vtp_write.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 class Vtp : public ::testing::Test {
@@ -33,9 +33,9 @@ class Vtp : public ::testing::Test {
     return {std::istreambuf_iterator<char>(f), {}};
   }
   std::filesystem::path dir_;
-  Garment garment_;
-  Drape drape_;
-  PerformanceMap map_;
+  garment::Garment garment_;
+  drape::Drape drape_;
+  maps::PerformanceMap map_;
 };
 
 TEST_F(Vtp, DrapeComesBackToTheLastBit) {
@@ -82,9 +82,9 @@ TEST_F(Vtp, EqualInputGivesEqualBytes) {
 }
 
 TEST_F(Vtp, BodyIsWrittenWithSegmentsAndItsSurfaceComesBackToTheLastBit) {
-  const Body body = testing::cylinder_body(0.1, 1, 12, 3);
+  const body::Body body = testing::cylinder_body(0.1, 1, 12, 3);
   write_body_vtp(dir_ / "body.vtp", body);
-  const TriangleMesh read = read_body_vtp(dir_ / "body.vtp");
+  const geometry::TriangleMesh read = read_body_vtp(dir_ / "body.vtp");
   EXPECT_EQ(read.vertices, body.surface.vertices);
   EXPECT_EQ(read.triangles, body.surface.triangles);
   EXPECT_NE(bytes(dir_ / "body.vtp").find("Name=\"segment\""), std::string::npos);
@@ -137,4 +137,4 @@ TEST_F(Vtp, SealedFileThatIsNoDrapeIsRefused) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::io

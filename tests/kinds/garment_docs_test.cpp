@@ -7,7 +7,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/kinds/registry.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 std::string document() {
@@ -45,4 +45,4 @@ TEST(GarmentDocs, HaveTheKeysOfEveryKindWithRangeDefaultAndMeaning) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -12,7 +12,7 @@
 #include "support/shirt_kind.h"
 #include "support/shirt_on_body.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 using support::dress_shirt;
@@ -42,15 +42,15 @@ class DressShirt : public ::testing::TestWithParam<DressCase> {};
 TEST_P(DressShirt, EnclosesTheBodyWithoutIntersectionsOrTurnedPanels) {
   const DressCase& c = GetParam();
   const auto parameters = c.child ? support::slim_child_parameters() : support::adult_parameters();
-  const Body body = standing(parameters, c.arms);
-  const Pattern pattern = shirt_for(body, c.fit);
-  const Garment shirt = assemble(pattern, kEdge, Material{});
+  const body::Body body = standing(parameters, c.arms);
+  const pattern::Pattern pattern = shirt_for(body, c.fit);
+  const garment::Garment shirt = garment::assemble(pattern, kEdge, fabric::Material{});
   const std::vector<Vec3> x = dress_shirt(shirt, body);
   ASSERT_EQ(static_cast<int>(x.size()), shirt.vertex_count);
   for (const Vec3& p : x) ASSERT_TRUE(p.allFinite());
-  EXPECT_TRUE(self_intersections(x, shirt.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(x, shirt.triangles).empty());
   const auto& skin = body.surface;
-  const ClosestPointTree tree(skin);
+  const geometry::ClosestPointTree tree(skin);
   // Outside the body, but for a few millimetres at a child's throat. (Triangles between such
   // vertices may still cut thumb and throat; settling takes them out.)
   double deepest = 1;
@@ -62,7 +62,7 @@ TEST_P(DressShirt, EnclosesTheBodyWithoutIntersectionsOrTurnedPanels) {
   for (std::size_t t = 0; t < shirt.triangles.size(); ++t) {
     const Triangle& tri = shirt.triangles[t];
     const bool back = shirt.panel_names[shirt.triangle_panel[t]].find("back") != std::string::npos;
-    const Vec3 n = triangle_normal(x[tri[0]], x[tri[1]], x[tri[2]]);
+    const Vec3 n = geometry::triangle_normal(x[tri[0]], x[tri[1]], x[tri[2]]);
     EXPECT_GT((back ? 1 : -1) * n[1], 0) << shirt.panel_names[shirt.triangle_panel[t]];
   }
 
@@ -72,7 +72,7 @@ TEST_P(DressShirt, EnclosesTheBodyWithoutIntersectionsOrTurnedPanels) {
   double least = 1;
   int tested = 0;
   for (std::size_t v = 0; v < skin.vertices.size(); v += 37) {
-    if (body.segment[v] != Segment::torso || std::abs(skin.vertices[v][2] - chest_z) > 0.05)
+    if (body.segment[v] != body::Segment::torso || std::abs(skin.vertices[v][2] - chest_z) > 0.05)
       continue;
     double w = 0;
     for (const Triangle& t : shirt.triangles)
@@ -107,21 +107,22 @@ INSTANTIATE_TEST_SUITE_P(Bodies, DressShirt,
                                            DressCase{true, 42, -0.05}, DressCase{true, 42, 0.45}));
 
 TEST(DressShirtParts, CountAndNamesDoNot) {
-  const Body body = standing(support::adult_parameters(), 40);
-  const Pattern pattern = shirt_for(body, 0.1);
-  const Garment shirt = assemble(pattern, kEdge, Material{});
-  Pattern renamed = pattern;
-  for (Panel& panel : renamed.panels) panel.name = "piece of " + panel.name;
+  const body::Body body = standing(support::adult_parameters(), 40);
+  const pattern::Pattern pattern = shirt_for(body, 0.1);
+  const garment::Garment shirt = garment::assemble(pattern, kEdge, fabric::Material{});
+  pattern::Pattern renamed = pattern;
+  for (pattern::Panel& panel : renamed.panels) panel.name = "piece of " + panel.name;
   std::swap(renamed.panels[0].name, renamed.panels[1].name);
-  const Garment other = assemble(renamed, kEdge, Material{});
+  const garment::Garment other = garment::assemble(renamed, kEdge, fabric::Material{});
   EXPECT_EQ(dress_shirt(other, body), dress_shirt(shirt, body));
 }
 
 TEST(DressShirtParts, OfNoKindIsPutOnAsItIsPlaced) {
-  const Body body = standing(support::adult_parameters(), 40);
-  Pattern foreign = shirt_for(body, 0.1);  // of somebody else, who calls panels and edges as we do
-  foreign.kind = Pattern{}.kind;
-  const Garment unknown = assemble(foreign, kEdge, Material{});
+  const body::Body body = standing(support::adult_parameters(), 40);
+  pattern::Pattern foreign =
+      shirt_for(body, 0.1);  // of somebody else, who calls panels and edges as we do
+  foreign.kind = pattern::Pattern{}.kind;
+  const garment::Garment unknown = garment::assemble(foreign, kEdge, fabric::Material{});
   EXPECT_FALSE(garment_kind(foreign.kind).lay);
   const auto outcome = [&](const auto& dress) -> std::pair<std::vector<Vec3>, std::string> {
     try {
@@ -130,22 +131,25 @@ TEST(DressShirtParts, OfNoKindIsPutOnAsItIsPlaced) {
       return {{}, error.what()};
     }
   };
-  const auto placed = outcome([&] { return dress_as_placed(unknown, foreign, body.surface); });
-  EXPECT_EQ(outcome([&] {
-              return dress_layers({{&unknown, &foreign, garment_kind(foreign.kind).lay}}, body);
-            }),
-            placed);
+  const auto placed =
+      outcome([&] { return dress::dress_as_placed(unknown, foreign, body.surface); });
+  EXPECT_EQ(
+      outcome([&] {
+        return dress::dress_layers({{&unknown, &foreign, garment_kind(foreign.kind).lay}}, body);
+      }),
+      placed);
   EXPECT_NE(placed.first, dress_shirt(unknown, body));
 }
 
 TEST(DressShirtErrors, HangingArmsAreRefusedWithTheAngle) {
-  const Body open = standing(support::adult_parameters(), 25);
-  const Garment shirt = assemble(shirt_for(open, 0.15), kEdge, Material{});
-  const Body closed = standing(support::adult_parameters(), 5);
+  const body::Body open = standing(support::adult_parameters(), 25);
+  const garment::Garment shirt =
+      garment::assemble(shirt_for(open, 0.15), kEdge, fabric::Material{});
+  const body::Body closed = standing(support::adult_parameters(), 5);
   try {
     dress_shirt(shirt, closed);
     FAIL() << "no error";
-  } catch (const NoRoom& e) {
+  } catch (const dress::NoRoom& e) {
     const std::string what = e.what();
     EXPECT_NE(what.find("arm"), std::string::npos) << what;
     EXPECT_NE(what.find("15"), std::string::npos) << what;
@@ -153,8 +157,9 @@ TEST(DressShirtErrors, HangingArmsAreRefusedWithTheAngle) {
 }
 
 TEST(DressShirtErrors, BodyWithoutJointsIsRefusedByName) {
-  Body body = standing(support::adult_parameters(), 25);
-  const Garment shirt = assemble(shirt_for(body, 0.15), kEdge, Material{});
+  body::Body body = standing(support::adult_parameters(), 25);
+  const garment::Garment shirt =
+      garment::assemble(shirt_for(body, 0.15), kEdge, fabric::Material{});
   body.joints.clear();
   try {
     dress_shirt(shirt, body);
@@ -168,4 +173,4 @@ TEST(DressShirtErrors, BodyWithoutJointsIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -11,22 +11,22 @@
 #include "support/body_fixture.h"
 #include "support/shirt_on_body.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 /// Every kind that can be drafted, on a grown woman and a slim child.
 class EveryKind : public testing::TestWithParam<std::string> {
  protected:
   const GarmentKind& kind = garment_kind(GetParam());
-  DraftedGarment draft(const Body& body) const {
+  DraftedGarment draft(const body::Body& body) const {
     return kind.draft({draft_measures(kind, body.measured), "", {}, {}});
   }
 };
 
 TEST_P(EveryKind, HasTheUsualFitOnTheBodyItIsDraftedFor) {
-  for (const BodyParameters& person :
+  for (const body::BodyParameters& person :
        {support::adult_parameters(), support::slim_child_parameters()}) {
-    const Body body = support::standing(person, 40);
+    const body::Body body = support::standing(person, 40);
     const DraftedGarment garment = draft(body);
     EXPECT_EQ(garment.pattern.kind, kind.name);
     const NamedValues measures = known_measures(kind, body.measured);
@@ -42,31 +42,31 @@ TEST_P(EveryKind, HasTheUsualFitOnTheBodyItIsDraftedFor) {
 }
 
 TEST_P(EveryKind, IsKnownAgainByItsSeamsAndLosesItsMarkWithOneOfThem) {
-  const Body body = support::standing(support::adult_parameters(), 40);
-  const Pattern pattern = draft(body).pattern;
+  const body::Body body = support::standing(support::adult_parameters(), 40);
+  const pattern::Pattern pattern = draft(body).pattern;
   EXPECT_EQ(draft_mark(pattern), kind.mark);
-  Pattern read = pattern;
-  read.kind = Pattern{}.kind;
-  for (Panel& panel : read.panels) {
+  pattern::Pattern read = pattern;
+  read.kind = pattern::Pattern{}.kind;
+  for (pattern::Panel& panel : read.panels) {
     panel.part.clear();
     panel.name = "my " + panel.name;
-    for (PanelEdge& edge : panel.edges) edge.part.clear();
+    for (pattern::PanelEdge& edge : panel.edges) edge.part.clear();
   }
-  Pattern torn = read;
+  pattern::Pattern torn = read;
   torn.stitches.pop_back();
   ASSERT_EQ(recognise_kind(read, kind.mark), Recognised::yes);
   EXPECT_EQ(garment_kind(read.kind).mark, kind.mark);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
     EXPECT_EQ(read.panels[p].part, pattern.panels[p].part);
   EXPECT_EQ(recognise_kind(torn, kind.mark), Recognised::sewn_otherwise);
-  EXPECT_EQ(torn.kind, Pattern{}.kind);
+  EXPECT_EQ(torn.kind, pattern::Pattern{}.kind);
   EXPECT_EQ(recognise_kind(torn, "coat 9"), Recognised::unknown_draft);
   EXPECT_EQ(recognise_kind(torn, ""), Recognised::no);
 }
 
 TEST_P(EveryKind, SaysWhatGoesThroughAllOfItsOpenEdges) {
-  const Body body = support::standing(support::adult_parameters(), 40);
-  const Garment garment = assemble(draft(body).pattern, 0.03, Material{});
+  const body::Body body = support::standing(support::adult_parameters(), 40);
+  const garment::Garment garment = garment::assemble(draft(body).pattern, 0.03, fabric::Material{});
   std::set<std::pair<std::string, std::string>> told;
   for (const KindOpening& opening : kind.openings)
     for (const auto& edge : opening.edges) {
@@ -76,7 +76,7 @@ TEST_P(EveryKind, SaysWhatGoesThroughAllOfItsOpenEdges) {
   std::map<std::pair<int, int>, int> sides;  // of an edge between two vertices: its triangles
   for (const Triangle& t : garment.triangles)
     for (int k = 0; k < 3; ++k) ++sides[std::minmax(t[k], t[(k + 1) % 3])];
-  for (const Garment::EdgeChain& chain : garment.edge_chains) {
+  for (const garment::Garment::EdgeChain& chain : garment.edge_chains) {
     const bool open = sides.at(std::minmax(chain.vertices[0], chain.vertices[1])) == 1;
     EXPECT_EQ(open, told.count({garment.panel_parts[chain.panel], chain.part}) == 1) << chain.part;
   }
@@ -116,4 +116,4 @@ TEST(GarmentKinds, AnUnknownOneIsRefusedWithTheNearestName) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::kinds

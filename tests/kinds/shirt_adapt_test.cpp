@@ -11,7 +11,7 @@
 #include "loosefit/pattern/outline.h"
 #include "support/shirt_kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 using support::usual_fit;
@@ -41,10 +41,10 @@ std::set<std::string> all_but(const std::set<std::string>& asked) {
   return keys;
 }
 
-bool same(const Pattern& a, const Pattern& b) {
+bool same(const pattern::Pattern& a, const pattern::Pattern& b) {
   if (a.panels.size() != b.panels.size() || a.name != b.name) return false;
   for (std::size_t p = 0; p < a.panels.size(); ++p) {
-    const Panel &x = a.panels[p], &y = b.panels[p];
+    const pattern::Panel &x = a.panels[p], &y = b.panels[p];
     if (x.vertices != y.vertices || x.translation != y.translation || x.rotation != y.rotation)
       return false;
     for (std::size_t e = 0; e < x.edges.size(); ++e) {
@@ -97,8 +97,9 @@ TEST(AdaptedShirt, BoyWithALooseTShirtGetsALongerSleeve) {
   ASSERT_EQ(shirt.notes.size(), 1u);
   EXPECT_EQ(shirt.notes[0].rfind("fit.sleeve_length: 0.", 0), 0u) << shirt.notes[0];
   EXPECT_NE(shirt.notes[0].find("instead of 0.36"), std::string::npos) << shirt.notes[0];
-  const Panel& sleeve = shirt.pattern.panels[shirt.pattern.find_part("sleeve_L_front")];
-  EXPECT_NEAR(EdgePath(sleeve, find_edge_part(sleeve, "under")).length(), 0.03, 0.01);
+  const pattern::Panel& sleeve = shirt.pattern.panels[shirt.pattern.find_part("sleeve_L_front")];
+  EXPECT_NEAR(pattern::EdgePath(sleeve, pattern::find_edge_part(sleeve, "under")).length(), 0.03,
+              0.01);
 }
 
 TEST(AdaptedShirt, WhatCanBeDraftedIsDraftedAsItIs) {
@@ -107,7 +108,7 @@ TEST(AdaptedShirt, WhatCanBeDraftedIsDraftedAsItIs) {
   for (int i = 0; i < 24; ++i) {
     const ShirtMeasures m = people.next();
     const ShirtFit fit = usual_fit(i % 2 ? "t-shirt" : "long-sleeve-shirt");
-    Pattern plain;
+    pattern::Pattern plain;
     try {
       plain = draft_shirt(m, fit);
     } catch (const InvalidInput&) {
@@ -221,4 +222,4 @@ TEST(AdaptedShirt, MeasuresBeyondPeopleAreTakenAtTheirEndUnlessGiven) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::kinds

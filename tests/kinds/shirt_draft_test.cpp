@@ -11,7 +11,7 @@
 #include "loosefit/pattern/self_crossing.h"
 #include "support/shirt_kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 const ShirtMeasures kAdult;
@@ -49,19 +49,20 @@ ShirtFit fit_of(double chest, double hip, double sleeve, double wrist) {
   return fit;
 }
 
-double edge_length(const Pattern& p, const std::string& panel, const std::string& edge) {
+double edge_length(const pattern::Pattern& p, const std::string& panel, const std::string& edge) {
   const int i = p.find_panel(panel);
-  return EdgePath(p.panels[i], find_edge(p.panels[i], edge)).length();
+  return pattern::EdgePath(p.panels[i], pattern::find_edge(p.panels[i], edge)).length();
 }
 
-double pattern_area(const Pattern& p) {
+double pattern_area(const pattern::Pattern& p) {
   double area = 0;
-  for (const Panel& panel : p.panels) area += signed_area(outline_polygon(panel, 400));
+  for (const pattern::Panel& panel : p.panels)
+    area += pattern::signed_area(pattern::outline_polygon(panel, 400));
   return area;
 }
 
 /// Girths exact, seams equal, outlines simple and counter-clockwise (docs/theory/patterns.md 3, 5).
-void expect_sound(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
+void expect_sound(const pattern::Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
   const auto girths = shirt_girths(shirt, m.hps_to_waist);
   EXPECT_NEAR(girths.at("chest") / m.chest - 1, fit.chest, 1e-12);
   EXPECT_NEAR(girths.at("hip") / m.hip - 1, fit.hip, 1e-12);
@@ -71,13 +72,14 @@ void expect_sound(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& 
     EXPECT_NEAR(girths.at("waist") / m.waist - 1, *fit.waist, 1e-9);
   }
   ASSERT_EQ(shirt.stitches.size(), 12u);
-  for (const Stitch& s : shirt.stitches)
-    EXPECT_NEAR(EdgePath(shirt.panels[s.first.panel], s.first.edge).length(),
-                EdgePath(shirt.panels[s.second.panel], s.second.edge).length(), 1e-7)
+  for (const pattern::Stitch& s : shirt.stitches)
+    EXPECT_NEAR(pattern::EdgePath(shirt.panels[s.first.panel], s.first.edge).length(),
+                pattern::EdgePath(shirt.panels[s.second.panel], s.second.edge).length(), 1e-7)
         << s.name;
-  for (const Panel& panel : shirt.panels) {
-    EXPECT_EQ(first_self_crossing(outline_polygon(panel)).first, -1) << panel.name;
-    EXPECT_GT(signed_area(outline_polygon(panel)), 0) << panel.name;
+  for (const pattern::Panel& panel : shirt.panels) {
+    EXPECT_EQ(pattern::first_self_crossing(pattern::outline_polygon(panel)).first, -1)
+        << panel.name;
+    EXPECT_GT(pattern::signed_area(pattern::outline_polygon(panel)), 0) << panel.name;
   }
 }
 
@@ -125,7 +127,7 @@ TEST(ShirtDraft, ReproducesCheckValues) {
   for (const Golden& g : goldens()) {
     SCOPED_TRACE(g.name);
     ShirtDraftReport r;
-    const Pattern shirt = draft_shirt(g.body, g.fit, &r);
+    const pattern::Pattern shirt = draft_shirt(g.body, g.fit, &r);
     expect_sound(shirt, g.body, g.fit);
     EXPECT_NEAR(r.armhole, g.armhole, 2e-6);
     EXPECT_NEAR(r.armhole_depth, g.depth, 1e-7);
@@ -154,7 +156,7 @@ TEST(ShirtDraft, PrintedTableAgreesToItsDigits) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     SCOPED_TRACE(rows[i].name);
     ShirtDraftReport r;
-    const Pattern shirt = draft_shirt(rows[i].body, rows[i].fit, &r);
+    const pattern::Pattern shirt = draft_shirt(rows[i].body, rows[i].fit, &r);
     EXPECT_NEAR(r.armhole, table[i][0], 5.1e-4);
     EXPECT_NEAR(r.armhole_depth, table[i][1], 5.1e-4);
     EXPECT_NEAR(r.cap_height, table[i][2], 5.1e-4);
@@ -177,12 +179,12 @@ TEST(ShirtDraft, TorsoAndSleeveFitsAreIndependent) {
 }
 
 TEST(ShirtDraft, SeamsPairEndWithStartOnTheSameSideOfTheBody) {
-  const Pattern shirt = draft_shirt(kAdult);
+  const pattern::Pattern shirt = draft_shirt(kAdult);
   const auto world = [&](int p, const Vec2& x) -> Vec3 {
     return shirt.panels[p].rotation * Vec3(x.x(), x.y(), 0) + shirt.panels[p].translation;
   };
-  for (const Stitch& s : shirt.stitches) {
-    const EdgePath a(shirt.panels[s.first.panel], s.first.edge),
+  for (const pattern::Stitch& s : shirt.stitches) {
+    const pattern::EdgePath a(shirt.panels[s.first.panel], s.first.edge),
         b(shirt.panels[s.second.panel], s.second.edge);
     const double straight =
         (world(s.first.panel, a.at(0)) - world(s.second.panel, b.at(1))).norm() +
@@ -194,7 +196,7 @@ TEST(ShirtDraft, SeamsPairEndWithStartOnTheSameSideOfTheBody) {
     EXPECT_GT(side * world(s.first.panel, a.at(.5)).x(), 0) << s.name;
     EXPECT_GT(side * world(s.second.panel, b.at(.5)).x(), 0) << s.name;
   }
-  for (const Panel& panel : shirt.panels) {
+  for (const pattern::Panel& panel : shirt.panels) {
     EXPECT_NEAR(panel.rotation.determinant(), 1, 1e-12);
     const bool front = panel.name.find("front") != std::string::npos;
     EXPECT_EQ(panel.rotation.col(2).y() < 0, front) << panel.name << ": outside faces away";
@@ -262,7 +264,7 @@ TEST(ShirtDraft, AnyInputInRangeIsDraftedOrRefused) {
     ShirtFit fit = fit_of(pick(-.5, 2), pick(-.5, 2), pick(-.5, 3), pick(-.5, 3));
     if (i % 2) fit.waist = pick(-.5, 3);
     try {
-      const Pattern shirt = draft_shirt(m, fit);
+      const pattern::Pattern shirt = draft_shirt(m, fit);
       expect_sound(shirt, m, fit);
       ++accepted;
     } catch (const InvalidInput&) {
@@ -298,7 +300,7 @@ TEST(ShortSleeves, EndWhereTheyAreAskedToWithTheAskedGirthThere) {
       fit.sleeve_length = length;
       fit.shoulder_follow = 0;
       ShirtDraftReport report;
-      const Pattern shirt = draft_shirt(body, fit, &report);
+      const pattern::Pattern shirt = draft_shirt(body, fit, &report);
       EXPECT_NEAR(edge_length(shirt, "sleeve_L_front", "top"),
                   length * body.arm_length - report.dropped, 1e-9);
       const auto girths = shirt_girths(shirt, body.hps_to_waist);
@@ -335,4 +337,4 @@ TEST(ShortSleeves, TooShortAndTooLongAreErrorsThatSayWhatWouldDo) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::kinds

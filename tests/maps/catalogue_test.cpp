@@ -12,7 +12,7 @@
 #include "loosefit/maps/compute_maps.h"
 #include "support/wall_and_patch.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 std::string in_cell(const std::string& text) {
@@ -88,13 +88,13 @@ TEST(MapCatalogue, KnowsWhatIsMadeByDefault) {
 }
 
 TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAPatchBeforeAWall) {
-  const Body body = testing::wall_body();
-  const Garment patch = testing::patch_garment(0.04, 0.01);
+  const body::Body body = testing::wall_body();
+  const garment::Garment patch = testing::patch_garment(0.04, 0.01);
   const std::vector<Vec3> positions = testing::before_wall(patch, 0.02);
   const WornGarment worn = relate(patch, positions, body);
   const std::vector<double> none(patch.vertex_count, 0.0);
   const PressureField pressure{none, none, none, std::vector<char>(patch.vertex_count, 0)};
-  const Material material;
+  const fabric::Material material;
   const DressedState state{positions, body, worn};
   const std::vector<DressedState> states = {state};
   for (const MapDefinition& map : map_catalogue()) {
@@ -109,7 +109,7 @@ TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAPatchBeforeAWall) {
 }
 
 TEST(MapCatalogue, RefusesWhatTheInputLacks) {
-  const Garment garment;
+  const garment::Garment garment;
   const std::vector<Vec3> positions;
   const WornGarment worn;
   for (const MapDefinition& map : map_catalogue())
@@ -120,4 +120,4 @@ TEST(MapCatalogue, RefusesWhatTheInputLacks) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -8,11 +8,11 @@
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
-Material cloth(double thickness) {
-  Material m;
+fabric::Material cloth(double thickness) {
+  fabric::Material m;
   m.thickness = thickness;
   return m;
 }
@@ -33,10 +33,10 @@ TEST(Gap, IsContactUpToTheToleranceOfTheFabric) {
 }
 
 TEST(Gap, OfAConcentricTubeIsTheDifferenceOfRadiiLessHalfTheThickness) {
-  const Body body = testing::cylinder_body(0.1, 1.0, 400, 20);
-  const Material m = cloth(0.002);
-  const Garment tube = testing::tube_garment(2 * kPi * 0.11, 0.2, 100, 8);
-  const Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
+  const body::Body body = testing::cylinder_body(0.1, 1.0, 400, 20);
+  const fabric::Material m = cloth(0.002);
+  const garment::Garment tube = testing::tube_garment(2 * kPi * 0.11, 0.2, 100, 8);
+  const drape::Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
     const double a = uv.x() / 0.11;
     return Vec3(0.11 * std::cos(a), 0.11 * std::sin(a), 0.4 + uv.y());
   });
@@ -49,8 +49,8 @@ TEST(Gap, OfAConcentricTubeIsTheDifferenceOfRadiiLessHalfTheThickness) {
 }
 
 TEST(Gap, OfATiltedPlaneGrowsWithTheSineAndTouchesWhereItIsBelowTheTolerance) {
-  const Garment patch = testing::patch_garment(0.1, 0.0025);
-  const Material m = cloth(0.001);
+  const garment::Garment patch = testing::patch_garment(0.1, 0.0025);
+  const fabric::Material m = cloth(0.001);
   const double tilt = radians(5);
   // Turned about the edge u = −0.05, which lies on the skin.
   const auto positions = testing::before_wall(patch, 0.0005 + 0.05 * std::sin(tilt),
@@ -66,10 +66,10 @@ TEST(Gap, OfATiltedPlaneGrowsWithTheSineAndTouchesWhereItIsBelowTheTolerance) {
 
 TEST(Gap, ShowsWhereClothBridgesAHollow) {
   // A groove 30 mm wide and 10 mm deep along z under a flat patch that lies on both banks.
-  const Body body = testing::wall_body(
+  const body::Body body = testing::wall_body(
       {{0.5, 0}, {0.015, 0}, {0.01499, -0.01}, {-0.01499, -0.01}, {-0.015, 0}, {-0.5, 0}});
-  const Garment patch = testing::patch_garment(0.1, 0.0025);
-  const Material m = cloth(0.001);
+  const garment::Garment patch = testing::patch_garment(0.1, 0.0025);
+  const fabric::Material m = cloth(0.001);
   const auto positions = testing::before_wall(patch, 0.0005);
   const WornGarment worn = relate(patch, positions, body);
   const auto maps = make_maps("gap", {patch, positions, worn, &m});
@@ -84,8 +84,8 @@ TEST(Gap, ShowsWhereClothBridgesAHollow) {
 }
 
 TEST(Gap, NeedsTheMaterial) {
-  const Garment tube = testing::tube_garment(0.8, 0.2, 24, 4);
-  const Drape d = testing::settled_drape(tube, [](const Vec2& uv) {
+  const garment::Garment tube = testing::tube_garment(0.8, 0.2, 24, 4);
+  const drape::Drape d = testing::settled_drape(tube, [](const Vec2& uv) {
     const double a = 2 * kPi * uv.x() / 0.8;
     return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.4 + uv.y());
   });
@@ -94,4 +94,4 @@ TEST(Gap, NeedsTheMaterial) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

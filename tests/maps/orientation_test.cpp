@@ -10,7 +10,7 @@
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 using testing::turn_about;
@@ -41,7 +41,7 @@ TEST_P(KnownTurn, ComesApartIntoItsSwingAndTwist) {
 TEST_P(KnownTurn, OfARigidShellIsReadFromTheMap) {
   const Turn t = GetParam();
   if (t.tilt > 80) return;  // the shell would show the wall its edge
-  const Garment patch = testing::patch_garment(0.06, 0.01);
+  const garment::Garment patch = testing::patch_garment(0.06, 0.01);
   const Mat3 frame = testing::wall_frame();
   const auto positions = testing::before_wall(patch, 0.05, frame * rotation(t) * frame.transpose());
   const WornGarment worn = relate(patch, positions, testing::wall_body());
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Turns, KnownTurn,
                                            Turn{150, 20, 10}));
 
 TEST(Orientation, TiltIsPositiveForANormalThatLeansDownAndToTheWearersRightOnTheBack) {
-  const Garment patch = testing::patch_garment(0.04, 0.01);
+  const garment::Garment patch = testing::patch_garment(0.04, 0.01);
   const auto tilts = [&](const Vec3& normal) {
     const Mat3 turn =
         Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal.normalized()).toRotationMatrix();
@@ -95,13 +95,13 @@ TEST(RotationAngle, IsExactNearZeroAndNearAHalfTurn) {
 // A tube whose grain winds round a cylinder at 20° to the axis, both ways: the twist of the map.
 TEST(Orientation, OfAHelicalTubeIsItsTwistAlone) {
   constexpr double kRadius = 0.12, kCloth = 0.13;
-  Body body = testing::cylinder_body(kRadius, 1.0, 360, 20);
+  body::Body body = testing::cylinder_body(kRadius, 1.0, 360, 20);
   body.joints["pelvis"] = Vec3(0, 0, 0.1);
   body.joints["neck"] = Vec3(0, 0, 0.9);
-  const Garment tube = testing::tube_garment(2 * kPi * kCloth, 0.3, 180, 40);
+  const garment::Garment tube = testing::tube_garment(2 * kPi * kCloth, 0.3, 180, 40);
   for (const double pitch : {20.0, -20.0}) {
     const double slope = std::tan(radians(pitch));
-    const Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
+    const drape::Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
       const double angle = (uv.x() + slope * uv.y()) / kCloth;
       return Vec3(kCloth * std::cos(angle), kCloth * std::sin(angle), 0.3 + uv.y());
     });
@@ -117,7 +117,7 @@ TEST(Orientation, OfAHelicalTubeIsItsTwistAlone) {
 }
 
 TEST(Orientation, TakesTheGrainOfTheVerticesOwnPanelAtASeam) {
-  Garment patch = testing::patch_garment(0.04, 0.01);
+  garment::Garment patch = testing::patch_garment(0.04, 0.01);
   patch.panel_names.push_back("right");
   // Right of the middle another panel, cut a quarter turn off the grain.
   std::vector<char> left(patch.vertex_count, 0);
@@ -140,9 +140,9 @@ TEST(Orientation, TakesTheGrainOfTheVerticesOwnPanelAtASeam) {
 }
 
 TEST(Orientation, IsNotDefinedWithoutASegmentAxis) {
-  Body body = testing::wall_body();
+  body::Body body = testing::wall_body();
   body.joints.clear();
-  const Garment patch = testing::patch_garment(0.04, 0.01);
+  const garment::Garment patch = testing::patch_garment(0.04, 0.01);
   const auto positions = testing::before_wall(patch, 0.02);
   const WornGarment worn = relate(patch, positions, body);
   for (const PerformanceMap& map : make_maps("orientation", {patch, positions, worn}))
@@ -150,7 +150,7 @@ TEST(Orientation, IsNotDefinedWithoutASegmentAxis) {
 }
 
 TEST(TriangleFrame, IsNoneWithoutArea) {
-  Garment patch = testing::patch_garment(0.02, 0.01);
+  garment::Garment patch = testing::patch_garment(0.02, 0.01);
   auto positions = testing::before_wall(patch, 0);
   EXPECT_TRUE(triangle_frame(patch, 0, positions).isApprox(testing::wall_frame(), 1e-12));
   const Vec2 diagonal = Vec2(1, 1).normalized();
@@ -161,4 +161,4 @@ TEST(TriangleFrame, IsNoneWithoutArea) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -14,11 +14,11 @@
 #include "support/cloth_scene.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
-Material knit(double stiffness, double poisson) {
-  Material m;
+fabric::Material knit(double stiffness, double poisson) {
+  fabric::Material m;
   m.stiffness_warp = m.stiffness_weft = stiffness;
   m.poisson = poisson;
   m.stiffness_shear = stiffness / (2 * (1 + poisson));
@@ -30,9 +30,9 @@ Material knit(double stiffness, double poisson) {
 /// A tube as it lies on a cylinder of `radius` with hoop and axial stretch, no forces known but 1 N
 /// in all.
 struct PlacedTube {
-  Garment garment;
-  Drape drape;
-  Body body;
+  garment::Garment garment;
+  drape::Drape drape;
+  body::Body body;
 };
 PlacedTube placed_tube(double radius, double hoop, double axial) {
   PlacedTube p;
@@ -58,7 +58,7 @@ class SleeveOnCylinder : public ::testing::TestWithParam<Row> {};
 TEST_P(SleeveOnCylinder, HasTheTensionAndPressureOfTheTable) {
   const Row row = GetParam();
   const PlacedTube tube = placed_tube(0.05, row.stretch, row.axial);
-  const Material m = knit(200, 0.3);
+  const fabric::Material m = knit(200, 0.3);
   const auto tension = membrane_tension(tube.garment, tube.drape.positions, m);
   for (std::size_t t = 0; t < tension.size(); ++t) {
     const Triangle& c = tube.garment.triangles[t];
@@ -103,15 +103,15 @@ TEST(ContactForce, IntegratesToTheTotalNormalForce) {
 // Tension T in every direction on a ball presses with 2 T/R.
 TEST(MembranePressure, OnASphereIsTwiceTheTensionOverTheRadius) {
   const double radius = 0.08, stretch = 1.2;
-  Body body;
+  body::Body body;
   body.surface = support::sphere(radius, 120, 240);
   for (const Vec3& p : body.surface.vertices) body.normals.push_back(p.normalized());
-  Garment g;
-  const TriangleMesh flat = support::sheet(0.01, 0.01, 0.001, 0.2);
+  garment::Garment g;
+  const geometry::TriangleMesh flat = support::sheet(0.01, 0.01, 0.001, 0.2);
   g.vertex_count = static_cast<int>(flat.vertices.size());
   g.triangles = flat.triangles;
   g.triangle_uv = support::flat_uv(flat);
-  Drape drape;
+  drape::Drape drape;
   for (const Vec3& p : flat.vertices) {
     // Stereographic from the far side, on the equator where the mesh of the ball is even: the
     // stretch is the same in all directions, and over so small a patch everywhere.
@@ -133,7 +133,7 @@ TEST(MembranePressure, OnASphereIsTwiceTheTensionOverTheRadius) {
 TEST(MembranePressure, OnASaddleIsThereOnlyForAPullOverTheRidge) {
   constexpr double big = 0.2, small = 0.05;
   constexpr int n = 240, m = 90;
-  Body body;
+  body::Body body;
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
       const double u = 2 * kPi * i / n, v = 2 * kPi * j / m;
@@ -144,15 +144,15 @@ TEST(MembranePressure, OnASaddleIsThereOnlyForAPullOverTheRidge) {
       body.surface.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
       body.surface.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
-  const TriangleMesh flat = support::sheet(0.02, 0.02, 0.002);
-  Garment g;
+  const geometry::TriangleMesh flat = support::sheet(0.02, 0.02, 0.002);
+  garment::Garment g;
   g.vertex_count = static_cast<int>(flat.vertices.size());
   g.triangles = flat.triangles;
   g.triangle_uv = support::flat_uv(flat);
-  const Material cloth = knit(200, 0);  // no Poisson: tension only along the pull
+  const fabric::Material cloth = knit(200, 0);  // no Poisson: tension only along the pull
   // A patch round the waist of the hole (v = π), u across the ridge, v along the hollow.
   const auto press = [&](double over, double along) {
-    Drape drape;
+    drape::Drape drape;
     for (const Vec3& p : flat.vertices) {
       const double v = kPi - over * (p.y() - 0.01) / small;
       const double u = along * (p.x() - 0.01) / (big - small);
@@ -172,16 +172,16 @@ TEST(MembranePressure, OnASaddleIsThereOnlyForAPullOverTheRidge) {
 }
 
 TEST(MembranePressure, OfLimpClothOnAFlatTopIsItsWeight) {
-  Body body;
+  body::Body body;
   body.surface = support::box_mesh(Vec3(0.2, 0.2, 0.05));
   for (const Vec3& p : body.surface.vertices)
     body.normals.push_back(Vec3(0, 0, p.z()).normalized());
-  const TriangleMesh flat = support::sheet(0.1, 0.1, 0.01);
-  Garment g;
+  const geometry::TriangleMesh flat = support::sheet(0.1, 0.1, 0.01);
+  garment::Garment g;
   g.vertex_count = static_cast<int>(flat.vertices.size());
   g.triangles = flat.triangles;
   g.triangle_uv = support::flat_uv(flat);
-  Drape above, below;
+  drape::Drape above, below;
   for (const Vec3& p : flat.vertices) {
     above.positions.emplace_back(p.x() - 0.05, p.y() - 0.05, 0.05005);
     below.positions.emplace_back(p.x() - 0.05, p.y() - 0.05, -0.05005);
@@ -197,7 +197,7 @@ TEST(MembranePressure, OfLimpClothOnAFlatTopIsItsWeight) {
 
 TEST(Pressure, IsZeroBeyondTheContactTolerance) {
   PlacedTube tube = placed_tube(0.05, 1.2, 1);
-  const Material m = knit(200, 0.3);
+  const fabric::Material m = knit(200, 0.3);
   for (Vec3& p : tube.drape.positions) p.head<2>() *= 1 + (contact_tolerance(m) + 4e-4) / 0.05;
   tube.drape.body_normal_force.assign(tube.garment.vertex_count, 0.0);
   const PressureField field = contact_pressure(tube.garment, tube.drape, tube.body, m);
@@ -224,8 +224,9 @@ TEST(Agreement, IsThatOfTwoKnownFields) {
   field.membrane = {110, 220, 330, 50, 70};
   field.area = {1, 1, 2, 1, 4};
   field.touching = {1, 1, 1, 1, 0};  // the last does not touch
-  const std::vector<Region> regions = {Region::chest, Region::chest, Region::chest, Region::abdomen,
-                                       Region::abdomen};
+  const std::vector<body::Region> regions = {body::Region::chest, body::Region::chest,
+                                             body::Region::chest, body::Region::abdomen,
+                                             body::Region::abdomen};
   const PressureAgreement all = compare_pressures(field, regions);
   EXPECT_DOUBLE_EQ(all.contact_area, 5);
   EXPECT_DOUBLE_EQ(all.contact_force, 900);
@@ -233,11 +234,11 @@ TEST(Agreement, IsThatOfTwoKnownFields) {
   EXPECT_DOUBLE_EQ(all.contact_mean, 180);
   EXPECT_DOUBLE_EQ(all.membrane_mean, 208);
   EXPECT_NEAR(all.rms_difference, std::sqrt((100 + 400 + 2 * 900 + 2500) / 5.0), 1e-9);
-  const PressureAgreement chest = compare_pressures(field, regions, Region::chest);
+  const PressureAgreement chest = compare_pressures(field, regions, body::Region::chest);
   EXPECT_NEAR(chest.correlation, 1, 1e-12);
   EXPECT_DOUBLE_EQ(chest.contact_area, 4);
-  EXPECT_TRUE(std::isnan(compare_pressures(field, regions, Region::abdomen).correlation));
-  EXPECT_EQ(compare_pressures(field, regions, Region::hips).contact_area, 0);
+  EXPECT_TRUE(std::isnan(compare_pressures(field, regions, body::Region::abdomen).correlation));
+  EXPECT_EQ(compare_pressures(field, regions, body::Region::hips).contact_area, 0);
 }
 
 TEST(Agreement, ClassesShareTheWornArea) {
@@ -274,10 +275,10 @@ TEST(PressureMap, ShowsBothEstimatesInKilopascalWithTheClassesAsBreaks) {
 
 /// A tight tube with its seam, settled without friction on an upright body of any section.
 struct Settled {
-  Garment garment;
-  Drape drape;
-  Body body;
-  Material material;
+  garment::Garment garment;
+  drape::Drape drape;
+  body::Body body;
+  fabric::Material material;
   PressureField field;
   double tension = 0;  ///< expected hoop tension per worn length [N/m]
 };
@@ -293,19 +294,19 @@ Settled settle_on(const std::function<Vec2(double)>& section, double start_radiu
   c.offset = 5e-5;
   c.stiffness = 2e8;
   c.spacing = 0.003;
-  TriangleMesh skin = support::cylinder(1, -0.05, height + 0.05, 40, 360);
+  geometry::TriangleMesh skin = support::cylinder(1, -0.05, height + 0.05, 40, 360);
   for (Vec3& p : skin.vertices)
     if (p.head<2>().norm() > 0.5) p.head<2>() = section(std::atan2(p.y(), p.x()));
-  VectorField start;
+  particles::VectorField start;
   for (const Vec2& p : tube.place) {
     const double a = 2 * kPi * p[0] / girth;
     start.emplace_back(start_radius * std::cos(a), start_radius * std::sin(a), p[1]);
   }
   support::ClothScene scene(tube.mesh, tube.same, start, skin, s.material, c, 0.0);
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 1e-6;
-  const auto outcome = make_quasi_static(scene.system)->settle(scene.x, options);
-  EXPECT_EQ(outcome.reason, SettleOutcome::Reason::converged)
+  const auto outcome = solver::make_quasi_static(scene.system)->settle(scene.x, options);
+  EXPECT_EQ(outcome.reason, solver::SettleOutcome::Reason::converged)
       << outcome.text() << " " << outcome.residual;
   s.garment.vertex_count = static_cast<int>(scene.x.size());
   s.garment.triangles = scene.triangles;
@@ -314,7 +315,7 @@ Settled settle_on(const std::function<Vec2(double)>& section, double start_radiu
   s.drape.body_normal_force.assign(scene.x.size(), 0.0);
   scene.contact->add_normal_force(scene.x, s.drape.body_normal_force);
   s.body.surface = skin;
-  s.body.normals = vertex_normals(skin.vertices, skin.triangles);
+  s.body.normals = geometry::vertex_normals(skin.vertices, skin.triangles);
   s.field = contact_pressure(s.garment, s.drape, s.body, s.material, 0);
   const double green = (stretch * stretch - 1) / 2;
   s.tension = stretch * 200 * green / std::sqrt(1 - 2 * 0.3 * green);
@@ -410,7 +411,7 @@ TEST(SettledSleeve, OverAGrooveBridgesItWithoutPressure) {
       s, [&](const Vec3& p) { return inner(p) && std::abs(std::atan2(p.y(), p.x())) < 0.2; });
   EXPECT_EQ(furrow.contact, 0);
   EXPECT_EQ(furrow.membrane, 0);
-  const ClosestPointTree tree(s.body.surface);
+  const geometry::ClosestPointTree tree(s.body.surface);
   for (const Vec3& p : s.drape.positions)
     if (std::abs(std::atan2(p.y(), p.x())) < 0.1) {
       EXPECT_GT(tree.signed_distance(p), 0.003);
@@ -428,4 +429,4 @@ TEST(SettledSleeve, OverAGrooveBridgesItWithoutPressure) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

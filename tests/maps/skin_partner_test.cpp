@@ -9,7 +9,7 @@
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 using testing::turn_about;
@@ -20,7 +20,7 @@ class SleeveOnArm : public ::testing::Test {
  protected:
   SleeveOnArm() {
     arm_ = testing::cylinder_body(kArm, 0.6, 360, 30);
-    arm_.segment.assign(arm_.segment.size(), Segment::upper_arm);
+    arm_.segment.assign(arm_.segment.size(), body::Segment::upper_arm);
     arm_.side.assign(arm_.side.size(), 1);
     arm_.joints["elbow_L"] = Vec3(0, 0, 0.05);
     arm_.joints["shoulder_L"] = Vec3(0, 0, 0.55);
@@ -35,17 +35,17 @@ class SleeveOnArm : public ::testing::Test {
   }
   struct State {
     std::vector<Vec3> positions;
-    Body body;
+    body::Body body;
     WornGarment worn;
     DressedState view() const { return {positions, body, worn}; }
   };
-  State state(const std::vector<Vec3>& positions, const Body& body) const {
+  State state(const std::vector<Vec3>& positions, const body::Body& body) const {
     return {positions, body, relate(tube_, positions, body)};
   }
   State state(const std::vector<Vec3>& positions) const { return state(positions, arm_); }
 
-  Body arm_;
-  Garment tube_ = testing::tube_garment(2 * kPi * kCloth, 0.2, 72, 16);
+  body::Body arm_;
+  garment::Garment tube_ = testing::tube_garment(2 * kPi * kCloth, 0.2, 72, 16);
 };
 
 TEST_F(SleeveOnArm, SlidingAlongAndAroundIsReadInMillimetres) {
@@ -130,7 +130,7 @@ TEST_F(SleeveOnArm, SlipDirectionsAreUnknownWithoutJointsButNotItsLength) {
 
 TEST_F(SleeveOnArm, OtherBodiesAndGarmentsAreRefused) {
   const State reference = state(sleeve());
-  const Body thin = testing::cylinder_body(kArm, 0.6, 300, 30);
+  const body::Body thin = testing::cylinder_body(kArm, 0.6, 300, 30);
   const State other = state(sleeve(), thin);
   EXPECT_THROW(slip_maps(tube_, reference.view(), other.view()), InvalidInput);
   EXPECT_THROW(orientation_error_maps(tube_, reference.view(), {other.view()}), InvalidInput);
@@ -162,4 +162,4 @@ TEST(ErrorSummary, IsRmsAndTheLeastErrorThatNineteenOfTwentyStayBelow) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

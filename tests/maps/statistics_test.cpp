@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 TEST(Statistics, UniformDistributionHasItsQuantiles) {
@@ -44,13 +44,13 @@ TEST(Statistics, UndefinedValuesAreCountedApart) {
 }
 
 TEST(Statistics, RegionsKeepToThemselves) {
-  const auto found =
-      regional_statistics({1, 2, 3, std::nan("")}, {1, 1, 2, 1},
-                          {Region::chest, Region::abdomen, Region::abdomen, Region::side_left});
+  const auto found = regional_statistics(
+      {1, 2, 3, std::nan("")}, {1, 1, 2, 1},
+      {body::Region::chest, body::Region::abdomen, body::Region::abdomen, body::Region::side_left});
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found.at(Region::chest).max, 1);
-  EXPECT_NEAR(found.at(Region::abdomen).area_mean, 8.0 / 3, 1e-12);
+  EXPECT_EQ(found.at(body::Region::chest).max, 1);
+  EXPECT_NEAR(found.at(body::Region::abdomen).area_mean, 8.0 / 3, 1e-12);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

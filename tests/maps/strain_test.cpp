@@ -9,12 +9,12 @@
 #include "loosefit/maps/vertex_reader.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// The flat panel of a tube laid out, its seam open: one vertex per corner of every triangle.
-Garment loose_triangles() {
-  Garment g = testing::tube_garment(0.4, 0.3, 10, 8);
+garment::Garment loose_triangles() {
+  garment::Garment g = testing::tube_garment(0.4, 0.3, 10, 8);
   g.vertex_count = 0;
   g.vertex_uv.clear();
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
@@ -26,14 +26,14 @@ Garment loose_triangles() {
   return g;
 }
 
-std::vector<Vec3> mapped(const Garment& g, const Eigen::Matrix<double, 3, 2>& gradient) {
+std::vector<Vec3> mapped(const garment::Garment& g, const Eigen::Matrix<double, 3, 2>& gradient) {
   std::vector<Vec3> positions;
   for (const Vec2& uv : g.vertex_uv) positions.push_back(gradient * uv + Vec3(0.1, -0.2, 1.3));
   return positions;
 }
 
 TEST(Strain, RigidMotionGivesZero) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   Eigen::Matrix<double, 3, 2> flat = Eigen::Matrix<double, 3, 2>::Zero();
   flat(0, 0) = flat(2, 1) = 1;
   const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -0.5).normalized()).toRotationMatrix();
@@ -44,7 +44,7 @@ TEST(Strain, RigidMotionGivesZero) {
 }
 
 TEST(Strain, HomogeneousStretchAndShearAreExact) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   Eigen::Matrix<double, 3, 2> gradient;
   gradient << 1.20, 0.30,  //
       0.00, 0.95,          //
@@ -59,7 +59,7 @@ TEST(Strain, HomogeneousStretchAndShearAreExact) {
 }
 
 TEST(Strain, SimpleShearHasItsKnownPrincipalStretches) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   const double gamma = 0.4;  // stretches (√(γ²+4) ± γ)/2
   Eigen::Matrix<double, 3, 2> gradient;
   gradient << 1, gamma, 0, 1, 0, 0;
@@ -70,7 +70,7 @@ TEST(Strain, SimpleShearHasItsKnownPrincipalStretches) {
 }
 
 TEST(Strain, VerticalStrainWeighsEdgesByTheGrain) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   // Warp stretched by λ: an edge at angle a to the grain grows by √(λ²cos²a + sin²a) − 1.
   const double lambda = 1.3;
   Eigen::Matrix<double, 3, 2> gradient;
@@ -87,7 +87,7 @@ TEST(Strain, VerticalStrainWeighsEdgesByTheGrain) {
 }
 
 TEST(Strain, EvenStretchIsExactOnEdgesToo) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   Eigen::Matrix<double, 3, 2> gradient;
   gradient << 1.07, 0, 0, 0, 0, 1.07;
   for (double value : vertical_strain(g, mapped(g, gradient))) EXPECT_NEAR(value, 0.07, 1e-12);
@@ -95,7 +95,7 @@ TEST(Strain, EvenStretchIsExactOnEdgesToo) {
 
 TEST(Strain, SeamEdgesAreLeftOut) {
   // Two triangles of two panels share an edge that is longer in one of them.
-  Garment g;
+  garment::Garment g;
   g.vertex_count = 4;
   g.panel_names = {"a", "b"};
   g.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -108,7 +108,7 @@ TEST(Strain, SeamEdgesAreLeftOut) {
 }
 
 TEST(Strain, AFlatlessTriangleHasNone) {
-  Garment g;
+  garment::Garment g;
   g.vertex_count = 3;
   g.panel_names = {"a"};
   g.triangles = {{0, 1, 2}};
@@ -121,14 +121,14 @@ TEST(Strain, AFlatlessTriangleHasNone) {
 }
 
 TEST(Strain, AreasSumToTheCloth) {
-  const Garment g = testing::tube_garment(0.8, 0.6, 30, 20);
+  const garment::Garment g = testing::tube_garment(0.8, 0.6, 30, 20);
   double sum = 0;
   for (double a : vertex_areas(g)) sum += a;
   EXPECT_NEAR(sum, 0.48, 1e-12);
 }
 
 TEST(Strain, AlongADirectionIsThatOfTheStretchedPatch) {
-  const Garment g = loose_triangles();
+  const garment::Garment g = loose_triangles();
   Eigen::Matrix<double, 3, 2> gradient = Eigen::Matrix<double, 3, 2>::Zero();
   gradient(0, 0) = 1.10;  // weft
   gradient(2, 1) = 0.96;  // warp
@@ -142,7 +142,7 @@ TEST(Strain, AlongADirectionIsThatOfTheStretchedPatch) {
 }
 
 TEST(Strain, SlackIsTheShareOfBuckledCloth) {
-  Garment g = loose_triangles();
+  garment::Garment g = loose_triangles();
   // The upper half shortened by 0.6 % along the warp, the lower by 0.4 %.
   std::vector<Vec3> positions(g.vertex_count);
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
@@ -171,4 +171,4 @@ TEST(Strain, SlackIsTheShareOfBuckledCloth) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

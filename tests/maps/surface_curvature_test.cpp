@@ -8,13 +8,13 @@
 
 #include "support/shapes.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// A surface of points p(a, b) on an n × m grid closed in both directions, triangles outwards.
-TriangleMesh closed_grid(int n, int m, const std::function<Vec3(double, double)>& p,
-                         double jitter = 0) {
-  TriangleMesh mesh;
+geometry::TriangleMesh closed_grid(int n, int m, const std::function<Vec3(double, double)>& p,
+                                   double jitter = 0) {
+  geometry::TriangleMesh mesh;
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> shake(-jitter, jitter);
   for (int j = 0; j < m; ++j)
@@ -34,7 +34,7 @@ double along(const Mat3& curvature, const Vec3& direction) {
 }
 
 TEST(SurfaceCurvature, OfASphereIsOneOverTheRadiusInEveryDirection) {
-  const TriangleMesh ball = support::sphere(0.08, 40, 80);
+  const geometry::TriangleMesh ball = support::sphere(0.08, 40, 80);
   const auto curvature = vertex_curvatures(ball);
   for (std::size_t v = 0; v < curvature.size(); ++v) {
     const Vec3 n = ball.vertices[v].normalized();
@@ -48,7 +48,7 @@ TEST(SurfaceCurvature, OfASphereIsOneOverTheRadiusInEveryDirection) {
 }
 
 TEST(SurfaceCurvature, OfACylinderIsHoopOnly) {
-  const TriangleMesh tube = support::cylinder(0.05, 0, 0.3, 30, 100);
+  const geometry::TriangleMesh tube = support::cylinder(0.05, 0, 0.3, 30, 100);
   const auto curvature = vertex_curvatures(tube);
   for (std::size_t v = 0; v < curvature.size(); ++v) {
     if (tube.vertices[v].z() < 0.02 || tube.vertices[v].z() > 0.28) continue;
@@ -64,7 +64,7 @@ TEST(SurfaceCurvature, OfACylinderIsHoopOnly) {
 TEST(SurfaceCurvature, OfAnEllipticCylinderRunsFromBOverASquaredToAOverBSquared) {
   constexpr double a = 0.16, b = 0.1, round = 0.6;  // a torus with an elliptic section, wide open
   for (double jitter : {0.0, 0.3}) {
-    const TriangleMesh ring = closed_grid(
+    const geometry::TriangleMesh ring = closed_grid(
         400, 200,
         [&](double u, double v) {
           const double r = round + a * std::cos(v);
@@ -97,7 +97,7 @@ TEST(SurfaceCurvature, OfAnEllipticCylinderRunsFromBOverASquaredToAOverBSquared)
 
 TEST(SurfaceCurvature, OfASaddleHasBothSigns) {
   constexpr double big = 0.2, small = 0.05;
-  const TriangleMesh torus = closed_grid(160, 60, [&](double u, double v) {
+  const geometry::TriangleMesh torus = closed_grid(160, 60, [&](double u, double v) {
     const double r = big + small * std::cos(v);
     return Vec3(r * std::cos(u), r * std::sin(u), small * std::sin(v));
   });
@@ -120,9 +120,9 @@ TEST(SurfaceCurvature, OfAParallelSurfaceIsThatOfTheLargerRadius) {
 }
 
 TEST(SurfaceCurvature, BetweenVerticesIsLinearAndInTheTangentPlane) {
-  const TriangleMesh ball = support::sphere(0.1, 30, 60);
+  const geometry::TriangleMesh ball = support::sphere(0.1, 30, 60);
   const auto curvature = vertex_curvatures(ball);
-  ClosestPoint at;
+  geometry::ClosestPoint at;
   at.triangle = 1700;
   at.barycentric = Vec3(0.2, 0.3, 0.5);
   Vec3 normal = Vec3::Zero();
@@ -135,4 +135,4 @@ TEST(SurfaceCurvature, BetweenVerticesIsLinearAndInTheTangentPlane) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

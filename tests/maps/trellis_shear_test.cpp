@@ -8,12 +8,12 @@
 #include "loosefit/maps/compute_maps.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// F in the plane of weft and warp, laid into space by a turn.
-DeformationGradient gradient(const Mat2& plane) {
-  DeformationGradient f = DeformationGradient::Zero();
+geometry::DeformationGradient gradient(const Mat2& plane) {
+  geometry::DeformationGradient f = geometry::DeformationGradient::Zero();
   f.topRows<2>() = plane;
   return Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix() * f;
 }
@@ -33,9 +33,9 @@ TEST(TrellisShear, IsFreeOfStretchAlongTheYarnsAndOfTheSideSeen) {
   const Mat2 mirrored = Vec2(-1, 1).asDiagonal() * sheared;
   EXPECT_NEAR(trellis_shear(gradient(mirrored)), 0.3, 1e-15) << "the cloth turned over";
   const Mat2 stretched = Vec2(1.3, 0.7).asDiagonal();
-  EXPECT_EQ(trellis_shear(DeformationGradient(gradient(Mat2::Identity()) * 0)), 0);
+  EXPECT_EQ(trellis_shear(geometry::DeformationGradient(gradient(Mat2::Identity()) * 0)), 0);
   EXPECT_NEAR(trellis_shear(gradient(stretched)), 0, 1e-15);
-  EXPECT_TRUE(std::isnan(trellis_shear(DeformationGradient::Constant(std::nan("")))));
+  EXPECT_TRUE(std::isnan(trellis_shear(geometry::DeformationGradient::Constant(std::nan("")))));
 }
 
 TEST(TrellisShear, StretchOnTheBiasShearsTheYarns) {
@@ -49,8 +49,8 @@ TEST(TrellisShear, StretchOnTheBiasShearsTheYarns) {
 TEST(TrellisShear, OfATwistedTubeIsThatOfItsScrewThread) {
   // Each ring is turned against the next: warp leans by γ = r θ per length.
   const double radius = 0.11, gamma = 0.2;
-  const Garment tube = testing::tube_garment(2 * kPi * radius, 0.2, 400, 8);
-  const Drape drape = testing::settled_drape(tube, [&](const Vec2& uv) {
+  const garment::Garment tube = testing::tube_garment(2 * kPi * radius, 0.2, 400, 8);
+  const drape::Drape drape = testing::settled_drape(tube, [&](const Vec2& uv) {
     const double a = (uv.x() + gamma * uv.y()) / radius;
     return Vec3(radius * std::cos(a), radius * std::sin(a), 0.4 + uv.y());
   });
@@ -61,4 +61,4 @@ TEST(TrellisShear, OfATwistedTubeIsThatOfItsScrewThread) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -8,7 +8,7 @@
 #include "loosefit/maps/strain.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 constexpr double kRadius = 0.12;  // [m]
@@ -20,11 +20,11 @@ const PerformanceMap& find(const std::vector<PerformanceMap>& maps, const std::s
 }
 
 TEST(TubeMaps, ConcentricTubeHasItsGapAndNoDeviation) {
-  const Body body = testing::cylinder_body(kRadius, 1.0, 400, 40);
+  const body::Body body = testing::cylinder_body(kRadius, 1.0, 400, 40);
   for (double bgm : {0.05, 0.2, 0.45}) {
     const double radius = kRadius * (1 + bgm);
-    const Garment g = testing::tube_garment(2 * kPi * radius, 0.4, 400, 20);
-    const Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
+    const garment::Garment g = testing::tube_garment(2 * kPi * radius, 0.4, 400, 20);
+    const drape::Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
       const double a = uv.x() / radius;
       return Vec3(radius * std::cos(a), radius * std::sin(a), 0.3 + uv.y());
     });
@@ -49,10 +49,10 @@ class EccentricTube : public ::testing::TestWithParam<Loose> {};
 
 TEST_P(EccentricTube, MeetsTheClosedForm) {
   const Loose expected = GetParam();
-  const Body body = testing::cylinder_body(kRadius, 1.0, 720, 4);
+  const body::Body body = testing::cylinder_body(kRadius, 1.0, 720, 4);
   const double radius = kRadius * (1 + expected.bgm), offset = radius - kRadius;
-  const Garment g = testing::tube_garment(2 * kPi * radius, 0.2, 720, 8);
-  const Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
+  const garment::Garment g = testing::tube_garment(2 * kPi * radius, 0.2, 720, 8);
+  const drape::Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
     const double a = uv.x() / radius;
     return Vec3(offset + radius * std::cos(a), radius * std::sin(a), 0.4 + uv.y());
   });
@@ -76,9 +76,9 @@ INSTANTIATE_TEST_SUITE_P(Table, EccentricTube,
                                            Loose{0.5, 19.47122, 12.31502, 65.03573, 120}));
 
 TEST(TubeMaps, ParticleDistanceIsNeverBelowTheExactOne) {
-  const Body body = testing::cylinder_body(kRadius, 1.0, 40, 20);  // coarse: 19 × 50 mm
-  const Garment g = testing::tube_garment(2 * kPi * 0.13, 0.4, 173, 31);
-  const Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
+  const body::Body body = testing::cylinder_body(kRadius, 1.0, 40, 20);  // coarse: 19 × 50 mm
+  const garment::Garment g = testing::tube_garment(2 * kPi * 0.13, 0.4, 173, 31);
+  const drape::Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
     const double a = uv.x() / 0.13;
     return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.3 + uv.y());
   });
@@ -96,9 +96,9 @@ TEST(TubeMaps, ParticleDistanceIsNeverBelowTheExactOne) {
 TEST(TubeMaps, TightTubeHasTheHoopStrainOfItsFit) {
   for (double bgm : {-0.05, -0.15}) {
     const double flat = 2 * kPi * kRadius * (1 + bgm);
-    const Body body = testing::cylinder_body(kRadius, 1.0, 200, 20);
-    const Garment g = testing::tube_garment(flat, 0.4, 2000, 10);
-    const Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
+    const body::Body body = testing::cylinder_body(kRadius, 1.0, 200, 20);
+    const garment::Garment g = testing::tube_garment(flat, 0.4, 2000, 10);
+    const drape::Drape d = testing::settled_drape(g, [&](const Vec2& uv) {
       const double a = 2 * kPi * uv.x() / flat;
       return Vec3(kRadius * std::cos(a), kRadius * std::sin(a), 0.3 + uv.y());
     });
@@ -116,9 +116,9 @@ TEST(TubeMaps, TightTubeHasTheHoopStrainOfItsFit) {
 
 class SealedDrape : public ::testing::Test {
  protected:
-  Body body_ = testing::cylinder_body(kRadius, 1.0, 24, 4);
-  Garment garment_ = testing::tube_garment(0.8, 0.2, 24, 4);
-  Drape drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
+  body::Body body_ = testing::cylinder_body(kRadius, 1.0, 24, 4);
+  garment::Garment garment_ = testing::tube_garment(0.8, 0.2, 24, 4);
+  drape::Drape drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
     const double a = 2 * kPi * uv.x() / 0.8;
     return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.4 + uv.y());
   });
@@ -127,7 +127,7 @@ class SealedDrape : public ::testing::Test {
 TEST_F(SealedDrape, IsRefusedUnlessAskedByName) {
   EXPECT_NO_THROW(compute_maps(garment_, drape_, body_));
   for (int fault = 0; fault < 3; ++fault) {
-    Drape bad = drape_;
+    drape::Drape bad = drape_;
     if (fault == 0) bad.certificate.residual = 2e-3;
     if (fault == 1) bad.certificate.intersections_body = 1;
     if (fault == 2) bad.certificate.intersections_self = -1;
@@ -160,4 +160,4 @@ TEST(Angle, IsExactNearZeroAndBeyondARightAngle) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

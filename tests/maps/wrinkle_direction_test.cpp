@@ -9,14 +9,14 @@
 #include "support/flat_garment.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 constexpr double kSide = 0.6, kEdge = 0.006;  // [m]
 
 /// Flat square sheet in the (x, z) plane, seen from behind: u = x to the right, v = z upwards.
-Garment square_sheet() {
-  Garment g;
+garment::Garment square_sheet() {
+  garment::Garment g;
   const int n = static_cast<int>(std::lround(kSide / kEdge));
   g.panel_names = {"sheet"};
   const auto uv = [&](int i, int j) { return Vec2(kEdge * i, kEdge * j); };
@@ -30,18 +30,19 @@ Garment square_sheet() {
 }
 
 /// What the wrinkle code reads of a worn garment: normals, axes, areas, regions.
-WornGarment worn_with(const Garment& g, std::vector<Vec3> normals) {
+WornGarment worn_with(const garment::Garment& g, std::vector<Vec3> normals) {
   WornGarment worn;
   worn.normals = std::move(normals);
   worn.segment_axes.assign(g.vertex_count, Vec3::UnitZ());
-  worn.regions.assign(g.vertex_count, Region::mid_back);
+  worn.regions.assign(g.vertex_count, body::Region::mid_back);
   worn.areas = vertex_areas(g);
   return worn;
 }
 
 /// Outward (here −y, to someone who sees x to the right and z up) normals of a sheet with waves of
 /// greatest slope `slope` whose lines stand at `angle` to the vertical, counter-clockwise.
-std::vector<Vec3> wavy_normals(const Garment& g, double angle, double length, double slope) {
+std::vector<Vec3> wavy_normals(const garment::Garment& g, double angle, double length,
+                               double slope) {
   std::vector<Vec3> normals;
   for (const Vec2& uv : g.vertex_uv) {
     const Vec2 across(std::cos(angle), std::sin(angle));  // square to the lines
@@ -58,7 +59,8 @@ double taken(double length, double width) {
 }
 
 /// The tensor of the inner part, where the edges of the sheet are far.
-WrinkleDirection inner(const Garment& g, const WornGarment& worn, double width = kWrinkleWidth) {
+WrinkleDirection inner(const garment::Garment& g, const WornGarment& worn,
+                       double width = kWrinkleWidth) {
   const std::vector<Vec2> slopes = wrinkle_slopes(g, worn, width);
   std::vector<Vec2> own;
   std::vector<double> areas;
@@ -71,7 +73,7 @@ WrinkleDirection inner(const Garment& g, const WornGarment& worn, double width =
 }
 
 TEST(WrinkleDirection, FoldsOfAnyDirectionAreFoundWithTheirSlope) {
-  const Garment g = square_sheet();
+  const garment::Garment g = square_sheet();
   const double length = 0.06, slope = radians(20);
   for (double angle : {0.0, 30.0, -50.0, 90.0}) {
     const WrinkleDirection found =
@@ -87,7 +89,7 @@ TEST(WrinkleDirection, FoldsOfAnyDirectionAreFoundWithTheirSlope) {
 }
 
 TEST(WrinkleDirection, WideWavesAreTheShapeAndNotWrinkles) {
-  const Garment g = square_sheet();
+  const garment::Garment g = square_sheet();
   const double slope = radians(10);
   for (double width : {0.01, 0.03, 0.06}) {
     const double length = 0.12;  // fits three times into the inner part
@@ -100,7 +102,7 @@ TEST(WrinkleDirection, WideWavesAreTheShapeAndNotWrinkles) {
 }
 
 TEST(WrinkleDirection, CrossedFoldsHaveNoDirectionAndUnequalOnesTheirShare) {
-  const Garment g = square_sheet();
+  const garment::Garment g = square_sheet();
   const std::vector<double> areas = vertex_areas(g);
   for (double second : {1.0, 0.5}) {
     std::vector<Vec2> slopes;
@@ -118,8 +120,8 @@ TEST(WrinkleDirection, CrossedFoldsHaveNoDirectionAndUnequalOnesTheirShare) {
 
 TEST(WrinkleDirection, ATubeIsSmoothAndItsFlutesAreVertical) {
   const double radius = 0.12;
-  const Body body = testing::cylinder_body(0.1, 1.0, 200, 4);
-  const Garment g = testing::tube_garment(2 * kPi * radius, 0.4, 240, 60);
+  const body::Body body = testing::cylinder_body(0.1, 1.0, 200, 4);
+  const garment::Garment g = testing::tube_garment(2 * kPi * radius, 0.4, 240, 60);
   const auto place = [&](double depth) {
     return testing::settled_drape(g, [&](const Vec2& uv) {
       const double a = uv.x() / radius, r = radius + depth * std::cos(12 * a);
@@ -139,26 +141,26 @@ TEST(WrinkleDirection, ATubeIsSmoothAndItsFlutesAreVertical) {
 }
 
 TEST(WrinkleDirection, RegionsAreKeptApartAndWhatHasNoAxisIsLeftOut) {
-  const Garment g = square_sheet();
+  const garment::Garment g = square_sheet();
   std::vector<Vec3> normals = wavy_normals(g, 0, 0.06, 0.3);
   const std::vector<Vec3> level = wavy_normals(g, kPi / 2, 0.06, 0.3);
   WornGarment worn = worn_with(g, normals);
   for (int v = 0; v < g.vertex_count; ++v) {
     if (g.vertex_uv[v].x() > kSide / 2) {
-      worn.regions[v] = Region::lower_back;
+      worn.regions[v] = body::Region::lower_back;
       worn.normals[v] = level[v];
     }
     if (g.vertex_uv[v].y() < 0.05) {
-      worn.regions[v] = Region::neck;
+      worn.regions[v] = body::Region::neck;
       worn.segment_axes[v] = Vec3::Zero();
     }
   }
   const auto found = regional_wrinkles(g, worn);
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(degrees(found.at(Region::mid_back).angle), 0, 2);
-  EXPECT_NEAR(std::abs(degrees(found.at(Region::lower_back).angle)), 90, 2);
+  EXPECT_NEAR(degrees(found.at(body::Region::mid_back).angle), 0, 2);
+  EXPECT_NEAR(std::abs(degrees(found.at(body::Region::lower_back).angle)), 90, 2);
   EXPECT_TRUE(std::isnan(wrinkle_direction({}, {}).angle));
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/check.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 namespace {
 
 BlockPattern triangle_of_four() {
@@ -54,4 +54,4 @@ TEST(BlockMatrixDeathTest, RefusesABlockOutsideItsPatternAndAPatternThatIsNotCom
 #endif
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::particles

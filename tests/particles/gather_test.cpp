@@ -6,7 +6,7 @@
 #include "loosefit/particles/block_gather.h"
 #include "loosefit/particles/particle_gather.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 namespace {
 
 constexpr int kParticles = 700;
@@ -87,4 +87,4 @@ TEST(Gather, GivesTheSameBitsWithOneThread) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::particles

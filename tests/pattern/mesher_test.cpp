@@ -10,7 +10,7 @@
 #include "loosefit/pattern/outline.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 using namespace testing_support;
@@ -23,7 +23,7 @@ double mesh_area(const PanelMesh& mesh) {
 }
 
 TEST(Mesher, TrianglesAreNearlyEquilateralAtEverySize) {
-  const Pattern shirt = draft_shirt({});
+  const Pattern shirt = kinds::draft_shirt({});
   for (const double h : {.008, .020, .035}) {
     const auto divisions = edge_divisions(shirt, h);
     for (std::size_t p = 0; p < shirt.panels.size(); ++p) {
@@ -40,7 +40,7 @@ TEST(Mesher, TrianglesAreNearlyEquilateralAtEverySize) {
 }
 
 TEST(Mesher, AddsNoPointOnTheOutline) {
-  const Panel front = draft_shirt({}).panels[0];
+  const Panel front = kinds::draft_shirt({}).panels[0];
   const std::vector<int> divisions(front.edges.size(), 9);
   const PanelMesh mesh = mesh_panel(front, divisions, .02);
   const std::vector<Vec2> outline = divided_outline(front, divisions);
@@ -55,7 +55,7 @@ TEST(Mesher, AddsNoPointOnTheOutline) {
 }
 
 TEST(Mesher, NeighboursInThePanelAreNeighboursInTheList) {
-  const Panel front = draft_shirt({}).panels[0];
+  const Panel front = kinds::draft_shirt({}).panels[0];
   const std::vector<int> divisions(front.edges.size(), 20);
   const PanelMesh mesh = mesh_panel(front, divisions, .012);
   ASSERT_GT(mesh.triangles.size(), 1000u);
@@ -131,7 +131,7 @@ TEST(Mesher, NoInnerEdgeJoinsTwoSeamsOfANarrowPiece) {
 }
 
 TEST(Mesher, SubdivisionPutsMidpointsOnTheCurve) {
-  const Pattern shirt = draft_shirt({});
+  const Pattern shirt = kinds::draft_shirt({});
   const Panel& front = shirt.panels[0];
   const auto divisions = edge_divisions(shirt, .03);
   std::vector<std::array<int, 2>> parents;
@@ -185,7 +185,7 @@ std::string error_of(const Pattern& pattern, double h) {
 }
 
 TEST(Mesher, RefusesWhatItCannotMesh) {
-  Pattern pattern = draft_shirt({});
+  Pattern pattern = kinds::draft_shirt({});
   EXPECT_NE(error_of(pattern, 0).find("edge_length: found 0 m, expected a positive"),
             std::string::npos);
   EXPECT_NE(error_of(pattern, std::nan("")).find("edge_length"), std::string::npos);
@@ -204,4 +204,4 @@ TEST(Mesher, RefusesWhatItCannotMesh) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::pattern

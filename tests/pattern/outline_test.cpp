@@ -8,7 +8,7 @@
 #include "loosefit/pattern/self_crossing.h"
 #include "support/simple_patterns.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 using namespace testing_support;
@@ -126,4 +126,4 @@ TEST(Polygon, InsideAndNearest) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -12,13 +12,13 @@
 #include "support/shirt_on_body.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kBody = 0.12, kTube = 0.135;
 
 TEST(PatternPoint, NamesTheNearestValidPlace) {
-  const Garment tube = testing::tube_garment(0.4, 0.3, 40, 30);
+  const garment::Garment tube = testing::tube_garment(0.4, 0.3, 40, 30);
   const GarmentPoint inner = pattern_point(tube, "tube", {0.123, 0.217});
   EXPECT_LT((pattern_place(tube, inner) - Vec2(0.123, 0.217)).norm(), 1e-12);
   const auto complaint = [&](const std::string& panel, const Vec2& at) {
@@ -41,14 +41,14 @@ TEST(PatternPoint, NamesTheNearestValidPlace) {
 }
 
 struct Worn {
-  Body body = testing::cylinder_body(kBody, 1.0, 200, 100);
-  Garment garment;
+  body::Body body = testing::cylinder_body(kBody, 1.0, 200, 100);
+  garment::Garment garment;
   std::vector<Vec3> positions;
-  WornGarment worn;
+  maps::WornGarment worn;
   explicit Worn(const std::function<Vec3(const Vec2&)>& place)
       : garment(testing::tube_garment(2 * kPi * kTube, 0.4, 100, 48)) {
     positions = testing::settled_drape(garment, place).positions;
-    worn = relate(garment, positions, body);
+    worn = maps::relate(garment, positions, body);
   }
   GarmentOverSkin over_skin() const { return {garment, positions, body, worn}; }
 };
@@ -64,7 +64,7 @@ TEST(GarmentOverSkin, UnderAndOverAreInverse) {
   for (double u = 0.01; u < 0.84; u += 0.11)
     for (double v = 0.02; v < 0.39; v += 0.09) {
       const GarmentPoint point = pattern_point(worn.garment, "tube", {u, v});
-      const BodyPartner partner = over_skin.under(point);
+      const body::BodyPartner partner = over_skin.under(point);
       const Vec3 p = at(worn.garment, point, worn.positions);
       EXPECT_NEAR(partner.exact.point.head<2>().norm(), kBody, 1e-4);
       EXPECT_NEAR(partner.exact.point.z(), p.z(), 1e-6);
@@ -85,7 +85,8 @@ TEST(GarmentOverSkin, OfAFoldTheInnermostLayerThatFacesOutCounts) {
     return Vec3((kTube + out) * std::cos(a), (kTube + out) * std::sin(a), 0.3 + z);
   };
   const Worn worn(pleat);
-  ClosestPoint skin = ClosestPointTree(worn.body.surface).query(Vec3(0, -kBody, 0.475));
+  geometry::ClosestPoint skin =
+      geometry::ClosestPointTree(worn.body.surface).query(Vec3(0, -kBody, 0.475));
   const auto over = worn.over_skin().over(skin);
   ASSERT_TRUE(over.covered);
   EXPECT_NEAR(pattern_place(worn.garment, over.point).y(), 0.175, 1e-3);
@@ -96,7 +97,8 @@ TEST(GarmentOverSkin, FarClothDoesNotCover) {
     const double a = uv.x() / kTube;
     return Vec3(2.4 * kTube * std::cos(a), 2.4 * kTube * std::sin(a), 0.3 + uv.y());
   });
-  const ClosestPoint skin = ClosestPointTree(worn.body.surface).query(Vec3(0, -kBody, 0.5));
+  const geometry::ClosestPoint skin =
+      geometry::ClosestPointTree(worn.body.surface).query(Vec3(0, -kBody, 0.5));
   const auto over = worn.over_skin().over(skin);  // 2.4 · 135 − 120 = 204 mm away
   EXPECT_LT(over.miss, 1e-3);
   EXPECT_FALSE(over.covered);
@@ -104,7 +106,7 @@ TEST(GarmentOverSkin, FarClothDoesNotCover) {
 
 TEST(AngleInPattern, IsThatOfTheImageOfTheAxis) {
   // The pattern turned by 25° on a plane, stretched by 1.3 along the weft and 0.9 along the warp.
-  const Garment cloth = testing::tube_garment(0.4, 0.3, 40, 30);
+  const garment::Garment cloth = testing::tube_garment(0.4, 0.3, 40, 30);
   const double turn = radians(25.0);
   std::vector<Vec3> flat;
   for (const Vec2& uv : cloth.vertex_uv) {
@@ -119,10 +121,11 @@ TEST(AngleInPattern, IsThatOfTheImageOfTheAxis) {
 }
 
 TEST(GarmentOverSkin, BothAddressesAgreeOnAShirtWithinOnePercent) {
-  const Body body = support::standing(support::adult_parameters(), 30);
-  const Garment shirt = assemble(support::shirt_for(body, 0.12), 0.02, Material{});
+  const body::Body body = support::standing(support::adult_parameters(), 30);
+  const garment::Garment shirt =
+      garment::assemble(support::shirt_for(body, 0.12), 0.02, fabric::Material{});
   const std::vector<Vec3> x = support::dress_shirt(shirt, body);  // not settled: a hard case
-  const WornGarment worn = relate(shirt, x, body);
+  const maps::WornGarment worn = maps::relate(shirt, x, body);
   const GarmentOverSkin over_skin(shirt, x, body, worn);
   const BodyAddresses addresses(body);
   int tested = 0, covered = 0, within = 0;
@@ -131,7 +134,7 @@ TEST(GarmentOverSkin, BothAddressesAgreeOnAShirtWithinOnePercent) {
     const auto address = addresses.address(over_skin.under({t, Vec3::Constant(1.0 / 3)}).exact);
     ASSERT_TRUE(address);
     // Anatomical address → skin → garment → skin → anatomical address.
-    const ClosestPoint skin = addresses.skin(*address);
+    const geometry::ClosestPoint skin = addresses.skin(*address);
     const auto over = over_skin.over(skin);
     ++tested;
     if (!over.covered) continue;
@@ -154,4 +157,4 @@ TEST(GarmentOverSkin, BothAddressesAgreeOnAShirtWithinOnePercent) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

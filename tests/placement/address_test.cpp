@@ -6,18 +6,18 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "support/stick_person.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 using Stick = support::StickPerson;
 
-ClosestPoint skin_at(const Body& body, const Vec3& p) {
-  return ClosestPointTree(body.surface).query(p);
+geometry::ClosestPoint skin_at(const body::Body& body, const Vec3& p) {
+  return geometry::ClosestPointTree(body.surface).query(p);
 }
 
 void expect_address(const BodyAddresses& addresses, const Vec3& place, BodySegment segment,
                     int side, const Vec3& percent, double tolerance = 1e-6) {
-  const ClosestPoint skin = skin_at(addresses.body(), place);
+  const geometry::ClosestPoint skin = skin_at(addresses.body(), place);
   ASSERT_LT(skin.distance, 1e-9) << "not on the skin: " << place.transpose();
   const auto found = addresses.address(skin);
   ASSERT_TRUE(found);
@@ -63,7 +63,7 @@ TEST(Address, EverySkinPointIsFoundBackFromItsRatios) {
   const BodyAddresses addresses(stick.body);
   int tested = 0;
   for (int t = 0; t < static_cast<int>(stick.body.surface.triangles.size()); t += 101) {
-    ClosestPoint skin;
+    geometry::ClosestPoint skin;
     skin.triangle = t;
     skin.barycentric = {0.5, 0.2, 0.3};
     for (int k = 0; k < 3; ++k)
@@ -99,7 +99,7 @@ TEST(Address, StaysWithAWearerWhoLeans) {
   lean.linear() = (Eigen::AngleAxisd(0.6, Vec3::UnitX()) * Eigen::AngleAxisd(0.3, Vec3::UnitZ()))
                       .toRotationMatrix();
   lean.translation() = Vec3(0.3, -0.2, 0.1);
-  const Body leaning = stick.moved(lean);
+  const body::Body leaning = stick.moved(lean);
   const BodyAddresses upright(stick.body), leant(leaning);
   for (const Vec3& p : {Vec3(0, -0.1, 1.3), Vec3(0.25, 0.04, 1.2), Vec3(-0.29, 0, 0.95)}) {
     const auto a = upright.address(skin_at(stick.body, p));
@@ -110,7 +110,7 @@ TEST(Address, StaysWithAWearerWhoLeans) {
 }
 
 TEST(Address, HingesOfBentAndStraightArms) {
-  Body body;
+  body::Body body;
   body.joints = {{"shoulder_L", {0.2, 0, 1.4}}, {"elbow_L", {0.2, 0, 1.1}}};
   const auto with_wrist = [&](const Vec3& wrist) {
     body.joints["wrist_L"] = wrist;
@@ -157,11 +157,11 @@ TEST(Address, BadRatiosNameTheNearestPlace) {
       << high;
   EXPECT_NE(high.find("nearest place on it is left thigh [0, 50, 75]"), std::string::npos) << high;
 
-  Body armless = stick.body;
+  body::Body armless = stick.body;
   armless.joints.erase("wrist_R");
   EXPECT_THROW(BodyAddresses(armless).skin({forearm, -1, {100, 50, 30}}), InvalidInput);
   EXPECT_FALSE(BodyAddresses(armless).address(skin_at(armless, {-0.29, 0, 0.95})));
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

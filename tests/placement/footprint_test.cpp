@@ -11,19 +11,19 @@
 #include "support/simple_patterns.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 /// A wide tube opened to a plane strip in x–z, far from its seam.
 struct Sheet {
-  Garment garment = testing::tube_garment(0.4, 0.3, 53, 41);
+  garment::Garment garment = testing::tube_garment(0.4, 0.3, 53, 41);
   std::vector<Vec3> positions;
   Sheet() {
     for (const Vec2& uv : garment.vertex_uv) positions.emplace_back(uv.x(), 0, uv.y());
   }
   std::pair<int, Vec3> at(const Vec3& p) const {
-    const TriangleMesh mesh{positions, garment.triangles};
-    const ClosestPoint hit = ClosestPointTree(mesh).query(p);
+    const geometry::TriangleMesh mesh{positions, garment.triangles};
+    const geometry::ClosestPoint hit = geometry::ClosestPointTree(mesh).query(p);
     return {hit.triangle, hit.barycentric};
   }
 };
@@ -157,7 +157,7 @@ TEST(Footprint, WhatWouldLieBeyondTheHemIsLeftOut) {
 
 /// The tube sewn and worn: its seam is at u = 0 and u = 0.4.
 struct Tube {
-  Garment garment = testing::tube_garment(0.4, 0.3, 53, 41);
+  garment::Garment garment = testing::tube_garment(0.4, 0.3, 53, 41);
   std::vector<Vec3> positions;
   Tube() {
     const double r = 0.4 / (2 * kPi);
@@ -193,13 +193,13 @@ TEST(Footprint, GoesOnBeyondASeam) {
 TEST(Footprint, APieceSewnRightToWrongIsTurnedOver) {
   // Two squares drawn alike, the right edges of both sewn start to start: the second lies turned
   // over on the other side of the seam.
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {testing_support::rectangle_panel("a", 0.1, 0.1),
                     testing_support::rectangle_panel("b", 0.1, 0.1)};
   pattern.stitches = {testing_support::stitch(0, 1, 1, 1, true)};
-  const Garment garment = assemble(pattern, 0.01, {});
+  const garment::Garment garment = garment::assemble(pattern, 0.01, {});
   const std::vector<Vec3> flat(garment.vertex_count, Vec3::Zero());
-  ClosestPoint start;
+  geometry::ClosestPoint start;
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
     if (garment.triangle_panel[t] != 0) continue;
     const Vec3 w = weights_in(garment.triangle_uv[t], {0.09, 0.05});
@@ -242,4 +242,4 @@ TEST(Footprint, GirthIsTheLevelLineOfItsOwnLoop) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

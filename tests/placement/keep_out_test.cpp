@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 KeepOut of(const std::string& text) {
@@ -35,7 +35,7 @@ TEST(KeepOut, DiscAndRegion) {
   EXPECT_EQ(zone.panel, "left sleeve");
   EXPECT_DOUBLE_EQ(zone.distance({0.1, 0.22}), 0);
   EXPECT_NEAR(zone.distance({0.14, 0.23}), 0.02, 1e-15);
-  EXPECT_EQ(of("scapula_L").regions.at(0), Region::scapula_left);
+  EXPECT_EQ(of("scapula_L").regions.at(0), body::Region::scapula_left);
   EXPECT_TRUE(KeepOut{}.empty());
   EXPECT_FALSE(of("abdomen").empty());
 }
@@ -50,4 +50,4 @@ TEST(KeepOut, RefusesTheRestWithAHint) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

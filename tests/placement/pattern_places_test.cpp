@@ -5,13 +5,13 @@
 #include "loosefit/base/error.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kWidth = 0.6, kHeight = 0.4;
 
 TEST(PatternLocator, FindsTheTriangleAndItsWeights) {
-  const Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
+  const garment::Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
   const PatternLocator locator(tube);
   for (const Vec2& at : {Vec2(0.123, 0.234), Vec2(0, 0), Vec2(kWidth, kHeight), Vec2(0.3, 0.2)}) {
     const auto place = locator.find(0, at);
@@ -29,7 +29,7 @@ TEST(PatternLocator, FindsTheTriangleAndItsWeights) {
 }
 
 TEST(PoissonPlaces, KeepTheirDistanceAndLeaveNoHole) {
-  const Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
+  const garment::Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
   const PatternLocator locator(tube);
   const double spacing = 0.02;
   const auto places = poisson_places(locator, spacing);
@@ -47,7 +47,7 @@ TEST(PoissonPlaces, KeepTheirDistanceAndLeaveNoHole) {
 }
 
 TEST(PoissonPlaces, AreFixedBySeed) {
-  const Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
+  const garment::Garment tube = testing::tube_garment(kWidth, kHeight, 30, 20);
   const PatternLocator locator(tube);
   const auto a = poisson_places(locator, 0.05, 1), b = poisson_places(locator, 0.05, 1);
   const auto c = poisson_places(locator, 0.05, 2);
@@ -68,7 +68,7 @@ TEST(PanelBorders, TellSeamsFromFreeEdges) {
 }
 
 TEST(PanelBorders, PanelWithoutSeamsHasNone) {
-  Garment sheet = testing::tube_garment(kWidth, kHeight, 30, 20);
+  garment::Garment sheet = testing::tube_garment(kWidth, kHeight, 30, 20);
   // Unwelded: the last column gets vertices of its own.
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
@@ -79,4 +79,4 @@ TEST(PanelBorders, PanelWithoutSeamsHasNone) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

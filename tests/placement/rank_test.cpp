@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/placement/resample.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 /// Scores by hand: contact_ratio is the score.
@@ -204,4 +204,4 @@ TEST(Resample, ShuffleIsAPermutation) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -7,7 +7,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/placement/derived_metrics.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 Criterion criterion(const std::string& metric, Ramp limit, const std::string& reason) {
@@ -164,4 +164,4 @@ TEST(FootprintShapes, AreaAndCircle) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

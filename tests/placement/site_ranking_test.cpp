@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kBody = 0.12, kRadius = 0.13;
@@ -22,7 +22,7 @@ class SiteRanking : public ::testing::Test {
         {"c7", {0, kBody, 0.75}}, {"back_waist", {0, kBody, 0.40}}, {"sternum", {0, -kBody, 0.62}}};
     body_.joints = {{"pelvis", {0, 0, 0.3}}, {"neck", {0, 0, 0.9}}};
     for (const Vec2& uv : tube_.vertex_uv) positions_.push_back(place(uv));
-    worn_ = relate(tube_, positions_, body_);
+    worn_ = maps::relate(tube_, positions_, body_);
     material_.thickness = 0.0004;
     meter_ = std::make_unique<SiteMeter>(tube_, material_,
                                          std::vector<WornState>{{0, 0, positions_, body_, worn_}});
@@ -40,11 +40,11 @@ class SiteRanking : public ::testing::Test {
     return find_sites(tube_, positions_, body_, worn_, {}, wished, false);
   }
 
-  Body body_ = testing::cylinder_body(kBody, 1.0, 120, 40);
-  Garment tube_ = testing::tube_garment(2 * kPi * kRadius, 0.4, 80, 40);
+  body::Body body_ = testing::cylinder_body(kBody, 1.0, 120, 40);
+  garment::Garment tube_ = testing::tube_garment(2 * kPi * kRadius, 0.4, 80, 40);
   std::vector<Vec3> positions_;
-  WornGarment worn_;
-  Material material_;
+  maps::WornGarment worn_;
+  fabric::Material material_;
   std::unique_ptr<SiteMeter> meter_;
   RankingWish wish_;
 };
@@ -92,12 +92,12 @@ TEST_F(SiteRanking, SearchLooksWhereTheScorecardOrTheWishSays) {
   wish_.best = 1;
   const auto found = [&] { return make_ranking(ground(), wish_); };
   const std::string narrow = found().places.at(0).region;
-  wish_.scorecard.regions = {Region::side_left};
+  wish_.scorecard.regions = {body::Region::side_left};
   const RankingTable by_card = found();
   EXPECT_NE(narrow, "side_L");
   EXPECT_EQ(by_card.places.at(0).region, "side_L");
   EXPECT_EQ(by_card.notes.at(0), "searched over side_L");
-  wish_.constraints.regions = {Region::chest};
+  wish_.constraints.regions = {body::Region::chest};
   EXPECT_EQ(found().places.at(0).region, "chest");
 }
 
@@ -143,7 +143,7 @@ TEST_F(SiteRanking, SensorIsThatOfTheScorecardUnlessTheSiteStatesOne) {
 // A tube 4 % too wide for its pattern all round: strain 0.04 around, none along.
 TEST_F(SiteRanking, LineAroundMeasuresTheHoopStrain) {
   for (Vec3& p : positions_) p.head<2>() *= 1.04;
-  worn_ = relate(tube_, positions_, body_);
+  worn_ = maps::relate(tube_, positions_, body_);
   meter_ = std::make_unique<SiteMeter>(tube_, material_,
                                        std::vector<WornState>{{0, 0, positions_, body_, worn_}});
   wish_.scorecard.criteria = {{"strain", {0.05, 0}, {}, "loose", "", "test"}};
@@ -169,11 +169,12 @@ TEST_F(SiteRanking, SearchWithAGirthIsRefused) {
 /// The same tube on the same body, shifted by another length.
 struct OtherWearer {
   std::vector<Vec3> positions;
-  WornGarment worn;
+  maps::WornGarment worn;
   SiteMeter meter;
-  OtherWearer(const Garment& tube, std::vector<Vec3> at, const Body& body, const Material& material)
+  OtherWearer(const garment::Garment& tube, std::vector<Vec3> at, const body::Body& body,
+              const fabric::Material& material)
       : positions(std::move(at)),
-        worn(relate(tube, positions, body)),
+        worn(maps::relate(tube, positions, body)),
         meter(tube, material, {{0, 0, positions, body, worn}}) {}
 };
 
@@ -201,7 +202,7 @@ TEST_F(SiteRanking, EveryWearerIsASampleOfTheSameSewnPlace) {
 }
 
 TEST_F(SiteRanking, AnotherMeshOfTheSameCutIsFoundByThePlaceInThePattern) {
-  const Garment fine = testing::tube_garment(2 * kPi * kRadius, 0.4, 120, 60);
+  const garment::Garment fine = testing::tube_garment(2 * kPi * kRadius, 0.4, 120, 60);
   std::vector<Vec3> at;
   for (const Vec2& uv : fine.vertex_uv) at.push_back(place(uv));
   const OtherWearer other(fine, at, body_, material_);
@@ -229,7 +230,7 @@ TEST_F(SiteRanking, WearersOfOtherCutsHaveTheirOwnSitesAndNoSearch) {
 }
 
 TEST_F(SiteRanking, APlaceThatAWearersGarmentLacksIsRefused) {
-  const Garment narrow = testing::tube_garment(0.5, 0.4, 80, 40);
+  const garment::Garment narrow = testing::tube_garment(0.5, 0.4, 80, 40);
   std::vector<Vec3> at;
   for (const Vec2& uv : narrow.vertex_uv) at.push_back(place(uv));
   const OtherWearer other(narrow, at, body_, material_);
@@ -291,7 +292,7 @@ TEST_F(SiteRanking, SegmentDirectionFollowsTheCut) {
   EXPECT_NEAR(straight.along(1234), 0, 1e-2);
   EXPECT_NEAR(straight.around(1234), kPi / 2, 1e-2);
   // The same tube cut with the grain around it: u up, v the other way round.
-  Garment turned = tube_;
+  garment::Garment turned = tube_;
   for (auto& uv : turned.triangle_uv)
     for (Vec2& p : uv) p = Vec2(p.y(), -p.x());
   const SegmentDirection across(turned, positions_, body_, worn_);
@@ -301,7 +302,7 @@ TEST_F(SiteRanking, SegmentDirectionFollowsTheCut) {
 TEST_F(SiteRanking, PlacesWithoutSkinUnderThemAreListedApart) {
   for (Vec3& p : positions_)
     if (p.x() > 0) p.x() += 0.2;  // one half of the tube stands off
-  worn_ = relate(tube_, positions_, body_);
+  worn_ = maps::relate(tube_, positions_, body_);
   meter_ = std::make_unique<SiteMeter>(tube_, material_,
                                        std::vector<WornState>{{0, 0, positions_, body_, worn_}});
   const double turn = 2 * kPi * kRadius;
@@ -317,4 +318,4 @@ TEST_F(SiteRanking, PlacesWithoutSkinUnderThemAreListedApart) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

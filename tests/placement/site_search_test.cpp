@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kRadius = 0.1, kWidth = 2 * kPi * kRadius, kHeight = 0.4;
@@ -20,7 +20,7 @@ class SiteSearch : public ::testing::Test {
     for (const Vec2& uv : tube_.vertex_uv) {
       const double a = uv.x() / kRadius;
       field_.positions.emplace_back(kRadius * std::cos(a), kRadius * std::sin(a), uv.y());
-      field_.regions.push_back(uv.y() > 0.3 ? Region::shoulder_left : Region::chest);
+      field_.regions.push_back(uv.y() > 0.3 ? body::Region::shoulder_left : body::Region::chest);
     }
     field_.metrics = [this](const PatternPlace& place) {
       return std::vector<MetricValues>{{{"gap_mm", 1e3 * (place.at - best_).norm()}}};
@@ -38,7 +38,7 @@ class SiteSearch : public ::testing::Test {
     return "accepted";
   }
 
-  Garment tube_ = testing::tube_garment(kWidth, kHeight, 60, 40);
+  garment::Garment tube_ = testing::tube_garment(kWidth, kHeight, 60, 40);
   Vec2 best_ = {0.3, 0.15};
   SearchField field_;
   Scorecard card_;
@@ -112,13 +112,13 @@ TEST_F(SiteSearch, ZonesAndRegionsAreKeptFree) {
   EXPECT_GE((search().sites.at(0).place.at - best_).norm(), 0.055);
 
   constraints_.keep_out.zones.clear();
-  constraints_.keep_out.regions = {Region::chest};
+  constraints_.keep_out.regions = {body::Region::chest};
   const SearchResult above = search();
   EXPECT_GT(above.kept_out, 0);
   EXPECT_GT(above.sites.at(0).place.at.y(), 0.29);
 
   constraints_.keep_out = {};
-  constraints_.regions = {Region::shoulder_left, Region::neck};
+  constraints_.regions = {body::Region::shoulder_left, body::Region::neck};
   const SearchResult only = search();
   EXPECT_GT(only.elsewhere, 0);
   EXPECT_GT(only.sites.at(0).place.at.y(), 0.29);
@@ -203,10 +203,10 @@ TEST_F(SiteSearch, RefusesWhatItCannotDo) {
   constraints_.spacing = -1;
   EXPECT_NE(refusal().find("spacing or clearance: found -1"), std::string::npos);
   constraints_.spacing = 0.05;
-  const std::vector<Region> regions = field_.regions;
+  const std::vector<body::Region> regions = field_.regions;
   field_.regions.clear();
   EXPECT_EQ(refusal(), "accepted");
-  constraints_.regions = {Region::chest};
+  constraints_.regions = {body::Region::chest};
   EXPECT_NE(refusal().find("and 0 regions, expected one per vertex"), std::string::npos);
   field_.regions = regions;
   field_.positions.pop_back();
@@ -214,4 +214,4 @@ TEST_F(SiteSearch, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

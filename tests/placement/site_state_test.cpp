@@ -11,13 +11,13 @@
 #include "support/body_fixture.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 using Metrics = std::map<std::string, double>;
 
-Material cloth() {
-  Material m;
+fabric::Material cloth() {
+  fabric::Material m;
   m.thickness = 0.001;
   return m;
 }
@@ -25,10 +25,10 @@ Material cloth() {
 /// A sleeve round an upper arm of 40 mm radius.
 struct Sleeve {
   static constexpr double kArm = 0.04, kCloth = 0.0405;
-  Body arm = testing::cylinder_body(kArm, 0.5, 360, 25);
-  Garment tube = testing::tube_garment(2 * kPi * kCloth, 0.2, 90, 70);
+  body::Body arm = testing::cylinder_body(kArm, 0.5, 360, 25);
+  garment::Garment tube = testing::tube_garment(2 * kPi * kCloth, 0.2, 90, 70);
   Sleeve() {
-    arm.segment.assign(arm.segment.size(), Segment::upper_arm);
+    arm.segment.assign(arm.segment.size(), body::Segment::upper_arm);
     arm.side.assign(arm.side.size(), 1);
     arm.joints["elbow_L"] = Vec3(0, 0, 0);
     arm.joints["shoulder_L"] = Vec3(0, 0, 0.5);
@@ -47,13 +47,14 @@ struct Sleeve {
 TEST(SiteMetrics, OfAPatchThatSlidesAlongAndRoundALimb) {
   const Sleeve s;
   const auto worn = s.moved(0, 0), slid = s.moved(0.009, 0.005);
-  const WornGarment worn_relation = relate(s.tube, worn, s.arm),
-                    slid_relation = relate(s.tube, slid, s.arm);
+  const maps::WornGarment worn_relation = maps::relate(s.tube, worn, s.arm),
+                          slid_relation = maps::relate(s.tube, slid, s.arm);
   const SiteMeter meter(s.tube, cloth(),
                         {{0, 0, worn, s.arm, worn_relation}, {1, 0, slid, s.arm, slid_relation}});
   SensorPatch sensor;
-  const TriangleMesh mesh{worn, s.tube.triangles};
-  const ClosestPoint at = ClosestPointTree(mesh).query(Vec3(0, Sleeve::kCloth, 0.25));
+  const geometry::TriangleMesh mesh{worn, s.tube.triangles};
+  const geometry::ClosestPoint at =
+      geometry::ClosestPointTree(mesh).query(Vec3(0, Sleeve::kCloth, 0.25));
   sensor.footprint = footprint(s.tube, worn, at.triangle, at.barycentric, 0.012);
   const auto states = meter.measure(sensor);
   EXPECT_NEAR(1000 * states[1].slip.along, 9, 0.01);
@@ -71,8 +72,8 @@ TEST(SiteMetrics, OfAPatchThatSlidesAlongAndRoundALimb) {
 TEST(SiteMetrics, OfAGirthAreItsStrainAndContactButNoOrientation) {
   const Sleeve s;
   const auto worn = s.moved(0, 0), wide = s.moved(0, 0, 1.03);
-  const WornGarment worn_relation = relate(s.tube, worn, s.arm),
-                    wide_relation = relate(s.tube, wide, s.arm);
+  const maps::WornGarment worn_relation = maps::relate(s.tube, worn, s.arm),
+                          wide_relation = maps::relate(s.tube, wide, s.arm);
   const SiteMeter meter(s.tube, cloth(),
                         {{0, 0, worn, s.arm, worn_relation}, {1, 0, wide, s.arm, wide_relation}});
   SensorPatch girth;
@@ -91,14 +92,15 @@ TEST(SiteMetrics, OfAGirthAreItsStrainAndContactButNoOrientation) {
 
 /// The back and breast of a wearer as a garment: cloth that sticks to the skin, `off` metres away.
 struct SecondSkin {
-  Garment garment;
+  garment::Garment garment;
   std::vector<int> vertex;  ///< of the body
 
-  explicit SecondSkin(const Body& body) {
+  explicit SecondSkin(const body::Body& body) {
     std::vector<int> own(body.segment.size(), -1);
     garment.panel_names = {"skin"};
     for (const Triangle& t : body.surface.triangles) {
-      if (std::any_of(t.begin(), t.end(), [&](int v) { return body.segment[v] != Segment::torso; }))
+      if (std::any_of(t.begin(), t.end(),
+                      [&](int v) { return body.segment[v] != body::Segment::torso; }))
         continue;
       Triangle corner{};
       std::array<Vec2, 3> uv;
@@ -118,7 +120,7 @@ struct SecondSkin {
     garment.triangle_panel.assign(garment.triangles.size(), 0);
     garment.vertex_panel.assign(garment.vertex_count, 0);
   }
-  std::vector<Vec3> on(const Body& body, double off) const {
+  std::vector<Vec3> on(const body::Body& body, double off) const {
     std::vector<Vec3> positions;
     for (int v : vertex) positions.push_back(body.surface.vertices[v] + off * body.normals[v]);
     return positions;
@@ -126,30 +128,30 @@ struct SecondSkin {
 };
 
 TEST(SiteState, ASensorThatSticksToTheSkinOfABendingWearerIsNeverWrong) {
-  const BodyParameters parameters;
-  const Body upright = body_model().build(parameters, {});
-  Posture posture;
+  const body::BodyParameters parameters;
+  const body::Body upright = body_model().build(parameters, {});
+  body::Posture posture;
   posture.forward_bend = radians(45);
-  const Body bent = body_model().build(parameters, posture);
+  const body::Body bent = body_model().build(parameters, posture);
   const SecondSkin skin(upright);
   const auto before = skin.on(upright, 0.01), after = skin.on(bent, 0.01);
-  const WornGarment worn_before = relate(skin.garment, before, upright),
-                    worn_after = relate(skin.garment, after, bent);
+  const maps::WornGarment worn_before = maps::relate(skin.garment, before, upright),
+                          worn_after = maps::relate(skin.garment, after, bent);
   const SiteMeter meter(skin.garment, cloth(),
                         {{0, 0, before, upright, worn_before}, {1, 0, after, bent, worn_after}});
-  const TriangleMesh mesh{before, skin.garment.triangles};
-  const ClosestPointTree tree(mesh);
+  const geometry::TriangleMesh mesh{before, skin.garment.triangles};
+  const geometry::ClosestPointTree tree(mesh);
   for (const char* name : {"upper_back", "mid_back", "lower_back", "scapula_L", "sternum"}) {
-    const ClosestPoint at = tree.query(upright.landmarks.at(name));
+    const geometry::ClosestPoint at = tree.query(upright.landmarks.at(name));
     SensorPatch sensor;
     sensor.footprint = footprint(skin.garment, before, at.triangle, at.barycentric, 0.012);
     const auto states = meter.measure(sensor);
-    const double error = calibrated_error(states[1].on_skin, states[0].on_skin);
+    const double error = maps::calibrated_error(states[1].on_skin, states[0].on_skin);
     EXPECT_LT(degrees(error), 0.2) << name;
     EXPECT_LT(1000 * states[1].slip.distance, 0.05) << name;
     // It has followed the trunk all the same; the back bends most at the waist.
     const double lean =
-        rotation_angle(states[1].garment_frame * states[0].garment_frame.transpose());
+        maps::rotation_angle(states[1].garment_frame * states[0].garment_frame.transpose());
     EXPECT_GT(degrees(lean), 10) << name;
     EXPECT_NEAR(degrees(states[1].orientation.twist), degrees(states[0].orientation.twist), 1)
         << name;
@@ -157,4 +159,4 @@ TEST(SiteState, ASensorThatSticksToTheSkinOfABendingWearerIsNeverWrong) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

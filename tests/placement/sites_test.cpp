@@ -8,7 +8,7 @@
 #include "loosefit/placement/site_points.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kRadius = 0.12, kTube = 0.13;
@@ -26,17 +26,17 @@ class Sites : public ::testing::Test {
       const double a = uv.x() / kTube;
       return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.35 + uv.y());
     });
-    worn_ = relate(garment_, drape_.positions, body_);
-    maps_ = compute_maps(garment_, drape_, worn_);
+    worn_ = maps::relate(garment_, drape_.positions, body_);
+    maps_ = maps::compute_maps(garment_, drape_, worn_);
   }
   std::vector<Site> find(const std::vector<SiteSpec>& wished, bool presets = false) {
     return find_sites(garment_, drape_.positions, body_, worn_, maps_, wished, presets);
   }
-  Body body_ = testing::cylinder_body(kRadius, 1.0, 200, 100);
-  Garment garment_;
-  Drape drape_;
-  WornGarment worn_;
-  std::vector<PerformanceMap> maps_;
+  body::Body body_ = testing::cylinder_body(kRadius, 1.0, 200, 100);
+  garment::Garment garment_;
+  drape::Drape drape_;
+  maps::WornGarment worn_;
+  std::vector<maps::PerformanceMap> maps_;
 };
 
 TEST_F(Sites, PatternPlaceIsFoundWhereItDrapes) {
@@ -134,11 +134,11 @@ TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {
   EXPECT_NEAR(sites[0].values.at("distance_mm").mean, 10, 0.1);
 
   // Another drape of the same garment: 8 mm lower and turned by a quarter. The thread goes along.
-  const Drape other = testing::settled_drape(garment_, [](const Vec2& uv) {
+  const drape::Drape other = testing::settled_drape(garment_, [](const Vec2& uv) {
     const double a = uv.x() / kTube + kPi / 2;
     return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.342 + uv.y());
   });
-  const WornGarment worn = relate(garment_, other.positions, body_);
+  const maps::WornGarment worn = maps::relate(garment_, other.positions, body_);
   const std::vector<Site> again = revisit_sites(sites, garment_, other.positions, body_, worn, {});
   EXPECT_EQ(again[0].at, sites[0].at);
   EXPECT_NEAR(again[0].position.z(), sites[0].position.z() - 0.008, 1e-9);
@@ -185,17 +185,18 @@ TEST(SiteBoards, TakeTheFootprintOfTheirSensor) {
   box.footprint.kind = FootprintShape::Kind::rectangle;
   box.footprint.size = {0.02, 0.04};
   box.angle = radians(30.0);
-  const std::vector<Attachment> boards = site_boards({disc, {"bare", "front", {0, 0}}, box});
+  const std::vector<garment::Attachment> boards =
+      site_boards({disc, {"bare", "front", {0, 0}}, box});
   ASSERT_EQ(boards.size(), 2u);
   EXPECT_EQ(boards[0].name, "disc");
   EXPECT_EQ(boards[1].panel, "front");
-  const Board& round = std::get<Board>(boards[0].part);
+  const garment::Board& round = std::get<garment::Board>(boards[0].part);
   EXPECT_EQ(round.radius, 0.015);
   EXPECT_EQ(round.mass, 0.008);
   EXPECT_EQ(round.bending, 2e-3);
   EXPECT_EQ(round.membrane_factor, 20);
   EXPECT_EQ(round.centre, Vec2(0.1, 0.2));
-  const Board& square = std::get<Board>(boards[1].part);
+  const garment::Board& square = std::get<garment::Board>(boards[1].part);
   EXPECT_EQ(square.radius, 0);
   EXPECT_EQ(square.size, Vec2(0.02, 0.04));
   EXPECT_EQ(square.angle, radians(30.0));
@@ -207,7 +208,7 @@ TEST(SiteBoards, TakeTheFootprintOfTheirSensor) {
 }
 
 TEST(Ray, LeavesACylinderAtItsWall) {
-  const Body body = testing::cylinder_body(kRadius, 1.0, 400, 10);
+  const body::Body body = testing::cylinder_body(kRadius, 1.0, 400, 10);
   const auto hit = ray_exit(body.surface, {0.02, 0, 0.5}, Vec3(1, 0, 0));
   ASSERT_TRUE(hit);
   EXPECT_NEAR((*hit - Vec3(kRadius, 0, 0.5)).norm(), 0, 1e-5);
@@ -215,7 +216,7 @@ TEST(Ray, LeavesACylinderAtItsWall) {
 }
 
 TEST(Ray, HitsTheTriangleItPassesAndNoOther) {
-  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const geometry::TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const auto hits = ray_crossings(one, {0.5, 0.25, -2}, Vec3(0, 0, 1));
   ASSERT_EQ(hits.size(), 1u);
   EXPECT_LT((hits[0].barycentric - Vec3(0.25, 0.5, 0.25)).norm(), 1e-12);
@@ -237,8 +238,8 @@ TEST_F(Sites, SkinBelowAHemThatStandsOffIsNotCovered) {
     return Vec3((kTube + out) * std::cos(a), (kTube + out) * std::sin(a),
                 0.41 + std::max(0.0, uv.y() - 0.06));
   });
-  worn_ = relate(garment_, drape_.positions, body_);
-  maps_ = compute_maps(garment_, drape_, worn_);
+  worn_ = maps::relate(garment_, drape_.positions, body_);
+  maps_ = maps::compute_maps(garment_, drape_, worn_);
   body_.landmarks["under"] = {0, -kRadius, 0.36};
   body_.landmarks["edge"] = {0, -kRadius, 0.40};
   std::vector<UncoveredSite> uncovered;
@@ -256,12 +257,12 @@ TEST_F(Sites, SkinBelowAHemThatStandsOffIsNotCovered) {
 TEST_F(Sites, ClothFarFromTheSkinCoversNone) {
   EXPECT_EQ(find({{"mine", "tube", {0.1, 0.2}}}).at(0).not_covering, "");
   for (Vec3& p : drape_.positions) p.x() += 0.3;
-  worn_ = relate(garment_, drape_.positions, body_);
-  maps_ = compute_maps(garment_, drape_, worn_);
+  worn_ = maps::relate(garment_, drape_.positions, body_);
+  maps_ = maps::compute_maps(garment_, drape_, worn_);
   EXPECT_NE(find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering.find("310 mm off the skin"),
             std::string::npos)
       << find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering;
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

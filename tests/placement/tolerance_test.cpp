@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 using End = Tolerance::End;
@@ -70,4 +70,4 @@ TEST(Tolerance, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 
 TEST(Clipped, SplitsTrianglesAtTheCut) {
-  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const geometry::TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const ClippedSurface cut = clipped(one, {0.25, -0.75, 0.25});
-  const TriangleMesh& part = cut.mesh;
+  const geometry::TriangleMesh& part = cut.mesh;
   double area = 0;
   for (const Triangle& t : part.triangles)
-    area += triangle_area(part.vertices[t[0]], part.vertices[t[1]], part.vertices[t[2]]);
+    area += geometry::triangle_area(part.vertices[t[0]], part.vertices[t[1]], part.vertices[t[2]]);
   EXPECT_NEAR(area, 0.5 - 0.5 * 0.75 * 0.75, 1e-12);
   ASSERT_EQ(cut.rim.size(), 1u);
   for (const int v : cut.rim[0]) EXPECT_NEAR(part.vertices[v].x(), 0.25, 1e-12);
@@ -21,4 +21,4 @@ TEST(Clipped, SplitsTrianglesAtTheCut) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::render

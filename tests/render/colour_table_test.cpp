@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 
 double luminance(const Rgb& c) {
@@ -45,7 +45,7 @@ TEST(ColourTable, DivergingIsBalancedAboutItsLightMiddle) {
 }
 
 TEST(ColourTable, ValuesOutsideTheRangeAreAtItsEnds) {
-  PerformanceMap map;
+  maps::PerformanceMap map;
   map.range_low = -1;
   map.range_high = 1;
   EXPECT_EQ(colour_share(map, -5), 0);
@@ -55,14 +55,14 @@ TEST(ColourTable, ValuesOutsideTheRangeAreAtItsEnds) {
 }
 
 TEST(ColourTable, MapsWithASignTakeTheDivergingColours) {
-  PerformanceMap map;
+  maps::PerformanceMap map;
   EXPECT_EQ(&colours_of(map), &sequential_colours());
   map.diverging = true;
   EXPECT_EQ(&colours_of(map), &diverging_colours());
 }
 
 TEST(ColourTable, BreaksLieAtEqualStepsOfTheBar) {
-  PerformanceMap map;
+  maps::PerformanceMap map;
   map.range_high = 4;
   map.breaks = {0, 0.3, 0.7, 2.7, 4};
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(colour_share(map, map.breaks[i]), 0.25 * i, 1e-12);
@@ -74,4 +74,4 @@ TEST(ColourTable, BreaksLieAtEqualStepsOfTheBar) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::render

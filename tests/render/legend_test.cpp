@@ -5,11 +5,11 @@
 #include "loosefit/render/garment_lines.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 
 TEST(Legend, BarRunsThroughAllColoursInOrder) {
-  PerformanceMap map{{"distance_mm", "Distance", "mm", 0, 40, "distance"}, {1, 2}};
+  maps::PerformanceMap map{{"distance_mm", "Distance", "mm", 0, 40, "distance"}, {1, 2}};
   Image image(900, 300);
   draw_legend(image, map, 120);
   const int row = 180 + 120 / 2;
@@ -29,7 +29,7 @@ TEST(Legend, BarRunsThroughAllColoursInOrder) {
 }
 
 TEST(Legend, TicksStandAtTheBreaksOfABrokenScale) {
-  PerformanceMap map{{"pressure_kPa", "Pressure", "kPa", 0, 4, "pressure"}, {1, 5}};
+  maps::PerformanceMap map{{"pressure_kPa", "Pressure", "kPa", 0, 4, "pressure"}, {1, 5}};
   map.breaks = {0, 0.3, 0.7, 2.7, 4, 8};
   Image image(900, 300);
   draw_legend(image, map, 120);
@@ -51,4 +51,4 @@ TEST(GarmentLines, TubeHasTwoRimsAndOneSeam) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::render

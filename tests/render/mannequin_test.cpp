@@ -12,7 +12,7 @@
 #include "support/body_fixture.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 
 /// An upright cylinder with the joints of a person and a tube from z = 0.8 to 1.3.
@@ -28,7 +28,7 @@ class Mannequin : public ::testing::Test {
                    return Vec3(0.13 * std::cos(a), 0.13 * std::sin(a), 0.8 + uv.y());
                  }).positions;
   }
-  static std::pair<double, double> extent(const TriangleMesh& mesh) {
+  static std::pair<double, double> extent(const geometry::TriangleMesh& mesh) {
     double low = 1e9, high = -1e9;
     for (const Triangle& t : mesh.triangles)
       for (int v : t) {
@@ -37,32 +37,33 @@ class Mannequin : public ::testing::Test {
       }
     return {low, high};
   }
-  Body body_ = testing::cylinder_body(0.12, 1.7, 60, 40);
-  Garment garment_;
+  body::Body body_ = testing::cylinder_body(0.12, 1.7, 60, 40);
+  garment::Garment garment_;
   std::vector<Vec3> positions_;
 };
 
 TEST_F(Mannequin, EndsInsideTheHemAndAtTheNeck) {
-  const TriangleMesh form = mannequin(body_, garment_, positions_);
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
   const auto [low, high] = extent(form);
   EXPECT_NEAR(low, 0.83, 1e-9);
   EXPECT_NEAR(high, 1.4 + 0.4 * 0.12, 1e-9);
 }
 
 TEST_F(Mannequin, TheNeckIsClosedByALid) {
-  const TriangleMesh form = mannequin(body_, garment_, positions_);
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
   double lid = 0;
   for (const Triangle& t : form.triangles) {
-    const Vec3 n = triangle_normal(form.vertices[t[0]], form.vertices[t[1]], form.vertices[t[2]]);
+    const Vec3 n =
+        geometry::triangle_normal(form.vertices[t[0]], form.vertices[t[1]], form.vertices[t[2]]);
     if (n.z() > 0.999)
-      lid += triangle_area(form.vertices[t[0]], form.vertices[t[1]], form.vertices[t[2]]);
+      lid += geometry::triangle_area(form.vertices[t[0]], form.vertices[t[1]], form.vertices[t[2]]);
   }
   EXPECT_NEAR(lid, kPi * 0.12 * 0.12, 0.003 * kPi * 0.12 * 0.12);
 }
 
 TEST_F(Mannequin, LegsAreNeverShown) {
   for (std::size_t v = 0; v < body_.surface.vertices.size(); ++v)
-    if (body_.surface.vertices[v].z() < 0.85) body_.segment[v] = Segment::thigh;
+    if (body_.surface.vertices[v].z() < 0.85) body_.segment[v] = body::Segment::thigh;
   EXPECT_GT(extent(mannequin(body_, garment_, positions_)).first, 0.8);
   // Sitting: the knees in front, thighs cut to stubs.
   body_.joints["knee_L"] = {0.06, -0.4, 0.9};
@@ -79,7 +80,7 @@ TEST_F(Mannequin, AScanWithoutJointsKeepsItsHead) {
 
 TEST_F(Mannequin, RaisedArmsBesideTheNeckStay) {
   // Two posts beside the neck that reach above it, one of them named.
-  const auto post = [&](double x, Segment segment) {
+  const auto post = [&](double x, body::Segment segment) {
     const int first = static_cast<int>(body_.surface.vertices.size());
     for (const double z : {1.2, 1.6})
       for (const auto& [dx, dy] : {std::pair{0.02, 0.0}, {-0.02, 0.01}, {-0.02, -0.01}}) {
@@ -93,9 +94,9 @@ TEST_F(Mannequin, RaisedArmsBesideTheNeckStay) {
       body_.surface.triangles.push_back({a, b + 3, a + 3});
     }
   };
-  post(0.18, Segment::upper_arm);
+  post(0.18, body::Segment::upper_arm);
   EXPECT_NEAR(extent(mannequin(body_, garment_, positions_)).second, 1.6, 1e-9);
-  post(-0.18, Segment::head);
+  post(-0.18, body::Segment::head);
   for (const Vec3& p : mannequin(body_, garment_, positions_).vertices)
     EXPECT_LT(p.z(), p.x() > 0.15 ? 1.61 : 1.45);
 }
@@ -109,7 +110,7 @@ TEST_F(Mannequin, TheStubOfALiftedThighIsClosedByALid) {
     for (const double y : {0.0, -0.4}) {
       body_.surface.vertices.push_back(
           {-0.06 + 0.05 * std::cos(kPi / 4 * k), y, 0.9 + 0.05 * std::sin(kPi / 4 * k)});
-      body_.segment.push_back(Segment::thigh);
+      body_.segment.push_back(body::Segment::thigh);
       body_.side.push_back(-1);
     }
   for (int k = 0; k < 8; ++k) {
@@ -117,19 +118,19 @@ TEST_F(Mannequin, TheStubOfALiftedThighIsClosedByALid) {
     body_.surface.triangles.push_back({a, b, b + 1});
     body_.surface.triangles.push_back({a, b + 1, a + 1});
   }
-  const TriangleMesh form = mannequin(body_, garment_, positions_);
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
   double lid = 0;
   for (const Triangle& t : form.triangles) {
     const Vec3 a = form.vertices[t[0]], b = form.vertices[t[1]], c = form.vertices[t[2]];
-    if (triangle_normal(a, b, c).y() > -0.999) continue;
-    lid += triangle_area(a, b, c);
+    if (geometry::triangle_normal(a, b, c).y() > -0.999) continue;
+    lid += geometry::triangle_area(a, b, c);
     EXPECT_NEAR(a.y(), -0.10, 1e-9);
   }
   EXPECT_NEAR(lid, 4 * std::sin(kPi / 4) * 0.05 * 0.05, 1e-9);
 }
 
 /// A tube round the trunk from 5 cm below the hips upwards.
-std::vector<Vec3> tube_round(const Garment& tube, const Vec3& hips, const Vec3& axis) {
+std::vector<Vec3> tube_round(const garment::Garment& tube, const Vec3& hips, const Vec3& axis) {
   const Vec3 across = axis.cross(Vec3::UnitX()).normalized(), right = across.cross(axis);
   return testing::settled_drape(tube,
                                 [&](const Vec2& uv) {
@@ -141,16 +142,16 @@ std::vector<Vec3> tube_round(const Garment& tube, const Vec3& hips, const Vec3& 
 }
 
 TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
-  const BodyFit fit = fit_body(body_model(), {});
-  const Garment tube = testing::tube_garment(0.8, 0.5, 60, 30);
+  const body::BodyFit fit = body::fit_body(body_model(), {});
+  const garment::Garment tube = testing::tube_garment(0.8, 0.5, 60, 30);
   for (const char* posture :
        {"standing", "forward-bend-45", "slouch", "arms-overhead", "sitting"}) {
-    const Body body = body_model().build(fit.parameters, named_posture(posture));
+    const body::Body body = body_model().build(fit.parameters, body::named_posture(posture));
     const Vec3 hips = 0.5 * (body.joints.at("hip_L") + body.joints.at("hip_R"));
     const Vec3 axis = (body.joints.at("neck") - hips).normalized();
     const std::vector<Vec3> positions = tube_round(tube, hips, axis);
-    TriangleMesh form = mannequin(body, tube, positions);
-    weld_seams(form, 1e-9);
+    geometry::TriangleMesh form = mannequin(body, tube, positions);
+    body::weld_seams(form, 1e-9);
     std::map<std::pair<int, int>, int> faces;
     for (const Triangle& t : form.triangles)
       for (int k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
@@ -164,11 +165,12 @@ TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
     }
     EXPECT_GT(open, 20) << posture;
     std::size_t hands = 0;
-    for (std::size_t v = 0; v < body.segment.size(); ++v) hands += body.segment[v] == Segment::hand;
+    for (std::size_t v = 0; v < body.segment.size(); ++v)
+      hands += body.segment[v] == body::Segment::hand;
     EXPECT_GT(form.vertices.size(), hands) << posture;
     std::set<std::array<double, 3>> head;
     for (std::size_t v = 0; v < body.segment.size(); ++v)
-      if (const Vec3& p = body.surface.vertices[v]; body.segment[v] == Segment::head)
+      if (const Vec3& p = body.surface.vertices[v]; body.segment[v] == body::Segment::head)
         head.insert({p.x(), p.y(), p.z()});
     int left = 0;
     for (const Vec3& p : mannequin(body, tube, positions).vertices)
@@ -178,4 +180,4 @@ TEST(MannequinOfAPerson, IsOpenAtTheHemAloneAndKeepsItsHandsButNoJaw) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::render

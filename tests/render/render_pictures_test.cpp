@@ -14,7 +14,7 @@
 #include "support/tube_garment.h"
 #include "support/virtual_display.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 
 constexpr double kTube = 0.17;
@@ -46,10 +46,10 @@ class Pictures : public ::testing::Test {
     return {std::istreambuf_iterator<char>(f), {}};
   }
   static testing::VirtualDisplay* display_;
-  Body body_ = testing::cylinder_body(0.15, 1.7, 64, 40);
-  Garment garment_;
+  body::Body body_ = testing::cylinder_body(0.15, 1.7, 64, 40);
+  garment::Garment garment_;
   std::vector<Vec3> positions_;
-  PerformanceMap map_;
+  maps::PerformanceMap map_;
   PictureOptions options_;
   std::filesystem::path dir_;
 };
@@ -57,7 +57,7 @@ testing::VirtualDisplay* Pictures::display_ = nullptr;
 
 TEST_F(Pictures, AreNamedByMapAndView) {
   options_.views = {View::front, View::back, View::left, View::right};
-  PerformanceMap hidden = map_;
+  maps::PerformanceMap hidden = map_;
   hidden.map = "hidden";
   hidden.pictured = false;
   double last = 0;
@@ -78,7 +78,7 @@ TEST_F(Pictures, EqualInputGivesEqualBytes) {
 }
 
 TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
-  const TriangleMesh form = mannequin(body_, garment_, positions_);
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
   Scene scene({form, positions_, garment_.triangles, {}, {}}, 300, 280, 1, false);
   const auto near = [](const Rgb& seen, const Rgb& wanted) {
     int worst = 0;
@@ -135,4 +135,4 @@ TEST_F(Pictures, MissingDisplayIsAClearError) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -6,7 +6,7 @@
 
 #include "loosefit/report/residual_chart.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 int count(const std::string& text, const std::string& part) {
@@ -65,4 +65,4 @@ TEST(ResidualChart, HasALineForTheResidualAndOneForTheTolerance) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::report

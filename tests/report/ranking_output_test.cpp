@@ -11,12 +11,12 @@
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/report/sewing_plan.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 /// Score = contact_ratio; two tied sites, a clear last one, and one that lacks a donning.
-RankingTable table() {
-  RankingTable t;
+placement::RankingTable table() {
+  placement::RankingTable t;
   t.scorecard.name = "plain";
   t.scorecard.title = "Plain sensor";
   t.scorecard.criteria = {{"contact_ratio", {1, 0}, {}, "lifts off", "", "test"}};
@@ -24,18 +24,19 @@ RankingTable table() {
              {"a", {{{"contact_ratio", 1.0}}, {{"contact_ratio", 0.6}}}},
              {"b", {{{"contact_ratio", 0.6}}, {{"contact_ratio", 1.0}}}},
              {"torn", {{{"contact_ratio", 0.6}}, {}}}};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   t.places.resize(4);
   t.places[0].region = "chest";
   t.places[0].panel = "front";
   t.places[0].at = {0.1, 0.2};
   t.places[0].position = {1, 2, 3};
   t.places[0].angle = kPi / 2;
-  t.places[0].anatomy = BodyAddress{BodySegment::forearm, 1, {50, 100.04, 70}};
+  t.places[0].anatomy =
+      placement::BodyAddress{placement::BodySegment::forearm, 1, {50, 100.04, 70}};
   t.places[0].to_seam = 0.03;
   t.sample_names = {"first", "second"};
-  t.places[1].tolerance =
-      Tolerance{{0, 1}, 0.012, 0.004, Tolerance::End::outline, Tolerance::End::score};
+  t.places[1].tolerance = placement::Tolerance{
+      {0, 1}, 0.012, 0.004, placement::Tolerance::End::outline, placement::Tolerance::End::score};
   return t;
 }
 
@@ -61,9 +62,9 @@ TEST(RankingText, ShowsTiesIntervalsReasonsAndNotes) {
 }
 
 TEST(RankingText, OneSampleHasNoColumnsOfSpread) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.sites = {{"a", {{{"contact_ratio", 0.4}}}}};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   t.sample_names = {"only"};
   const auto text = lines(ranking_text(t));
   EXPECT_EQ(text[0], "Plain sensor: 1 sample, passes from 0.5");
@@ -72,7 +73,7 @@ TEST(RankingText, OneSampleHasNoColumnsOfSpread) {
 }
 
 TEST(RankingText, OfAPartSaysThatScoresAreBounds) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.scorecard.left_out = {"slip_mm"};
   t.notes = {"mind the gap"};
   const std::string text = ranking_text(t);
@@ -124,10 +125,10 @@ TEST(RankingJson, HoldsEverySample) {
 TEST(RankingFiles, AreWrittenOrRefused) {
   const auto folder = std::filesystem::temp_directory_path() / "loosefit_ranking_output_test";
   std::filesystem::create_directories(folder);
-  const Pattern shirt = draft_shirt({});
+  const pattern::Pattern shirt = kinds::draft_shirt({});
   write_ranking(folder, table(), shirt);
   const auto read = [&](const char* file) {
-    return read_text_file((folder / file).string(), 1000000);
+    return io::read_text_file((folder / file).string(), 1000000);
   };
   EXPECT_EQ(read("ranking-plain.csv"), ranking_csv(table()));
   EXPECT_EQ(read("ranking-plain.json"), ranking_json(table()));
@@ -137,22 +138,22 @@ TEST(RankingFiles, AreWrittenOrRefused) {
 }
 
 TEST(RankingText, WhereNothingPassesOneSentenceSaysSo) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.scorecard.criteria[0].limit = {1, 0.9};
   t.sites = {{"a", {{{"contact_ratio", 0.2}}}}, {"b", {{{"contact_ratio", 0.4}}}}};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   t.sample_names = {"only"};
   const auto text = lines(ranking_text(t));
   EXPECT_EQ(text[1],
             "no site passes: all score 0 of 0.5; b: lifts off: 0.4, good from 1, fails at 0.9");
   t.scorecard.criteria[0].limit = {1, 0.3};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   EXPECT_EQ(
       lines(ranking_text(t))[1].rfind("no site passes: b, the nearest to it, scores 0.14 of", 0),
       0u)
       << ranking_text(t);
   t.scorecard.criteria[0].limit = {1, 0.9};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   EXPECT_EQ(text[3].substr(0, 9), "-     b  ") << "no rank, shared or not, for what fails";
   EXPECT_EQ(text[4].substr(0, 9), "-     a  ");
   EXPECT_EQ(nlohmann::json::parse(ranking_json(t))["verdict"], text[1]);
@@ -160,7 +161,7 @@ TEST(RankingText, WhereNothingPassesOneSentenceSaysSo) {
 }
 
 TEST(RankingText, UncoveredSitesAreListedApart) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.uncovered = {{"mine", false, "the garment ends 243 mm away from it"}, {"wrist_L", true, "x"}};
   const std::string text = ranking_text(t);
   EXPECT_NE(text.find("note: not covered by the garment, so not ranked: mine (the garment ends 243 "
@@ -173,7 +174,7 @@ TEST(RankingText, UncoveredSitesAreListedApart) {
 }
 
 TEST(RankingText, NamesFromFilesCannotMoveTheCursor) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.scorecard.title = "sensor\x1b[2J";
   t.notes = {"note\nof two lines"};
   t.uncovered = {{"site\x1b[31m", false, "far"}};
@@ -183,4 +184,4 @@ TEST(RankingText, NamesFromFilesCannotMoveTheCursor) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::report

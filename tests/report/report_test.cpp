@@ -11,7 +11,7 @@
 #include "loosefit/report/write_report.h"
 #include "support/tube_garment.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 class Report : public ::testing::Test {
@@ -22,12 +22,12 @@ class Report : public ::testing::Test {
         ("report_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     std::filesystem::remove_all(dir_);
     std::filesystem::create_directories(dir_);
-    result_.scenario = default_scenario();
-    Body body = testing::cylinder_body(0.12, 1.0, 100, 20);
+    result_.scenario = io::default_scenario();
+    body::Body body = testing::cylinder_body(0.12, 1.0, 100, 20);
     body.measured = {{"chest", 0.754}, {"waist", 0.70}};
     result_.body.body = body;
     result_.body.asked = {{"chest", 0.75, 0.754}};
-    const Garment tube = testing::tube_garment(2 * kPi * 0.13, 0.4, 100, 40);
+    const garment::Garment tube = testing::tube_garment(2 * kPi * 0.13, 0.4, 100, 40);
     result_.studied().hierarchy.levels = {tube};
     result_.studied().drape = testing::settled_drape(tube, [](const Vec2& uv) {
       const double a = uv.x() / 0.13;
@@ -39,17 +39,17 @@ class Report : public ::testing::Test {
     result_.studied().pattern.girths = {{"chest", 0.8168}};
     result_.seconds = {{"body", 0.25}, {"settle", 1.5}};
     result_.studied().maps.worn =
-        relate(tube, result_.studied().drape.positions, result_.body.body);
-    for (PerformanceMap& map :
-         compute_maps(tube, result_.studied().drape, result_.studied().maps.worn)) {
-      CaseMap entry;
-      entry.overall = statistics(map.values, result_.studied().maps.worn.areas);
-      entry.regional = regional_statistics(map.values, result_.studied().maps.worn.areas,
-                                           result_.studied().maps.worn.regions);
+        maps::relate(tube, result_.studied().drape.positions, result_.body.body);
+    for (maps::PerformanceMap& map :
+         maps::compute_maps(tube, result_.studied().drape, result_.studied().maps.worn)) {
+      study::CaseMap entry;
+      entry.overall = maps::statistics(map.values, result_.studied().maps.worn.areas);
+      entry.regional = maps::regional_statistics(map.values, result_.studied().maps.worn.areas,
+                                                 result_.studied().maps.worn.regions);
       entry.map = std::move(map);
       result_.studied().maps.maps.push_back(std::move(entry));
     }
-    Site site;
+    placement::Site site;
     site.name = "<left> scapula";
     site.panel = "tube";
     site.values["distance_mm"] = {10.25, 11.5};
@@ -61,14 +61,14 @@ class Report : public ::testing::Test {
       ++n;
     return n;
   }
-  CaseResult result_;
+  study::CaseResult result_;
   std::filesystem::path dir_;
 };
 
 TEST_F(Report, IsOneSelfContainedPage) {
   const auto picture = dir_ / "distance-front.png";
   std::ofstream(picture, std::ios::binary) << "not really a picture";
-  write_report(dir_, result_, {{"distance", View::front, picture}});
+  write_report(dir_, result_, {{"distance", render::View::front, picture}});
   std::ifstream f(dir_ / "report.html");
   const std::string html{std::istreambuf_iterator<char>(f), {}};
   EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0u);
@@ -94,13 +94,13 @@ TEST_F(Report, ShowsTheNumbersOfTheResult) {
 
 TEST_F(Report, ShowsThePressureByBothEstimates) {
   EXPECT_EQ(report_html(result_, {}).find("two estimates"), std::string::npos);  // none is known
-  PressureField& field = result_.studied().maps.pressure.field;
+  maps::PressureField& field = result_.studied().maps.pressure.field;
   field.contact = {500, 0};
   field.membrane = {450, 0};
   field.area = {0.01, 0.01};
   field.touching = {1, 0};
-  result_.studied().maps.pressure.overall = compare_pressures(field, {});
-  result_.studied().maps.pressure.regional[Region::upper_back] =
+  result_.studied().maps.pressure.overall = maps::compare_pressures(field, {});
+  result_.studied().maps.pressure.regional[body::Region::upper_back] =
       result_.studied().maps.pressure.overall;
   const std::string html = report_html(result_, {});
   EXPECT_NE(html.find("two estimates"), std::string::npos);
@@ -114,8 +114,8 @@ TEST_F(Report, ShowsThePressureByBothEstimates) {
 
 TEST_F(Report, ShowsWhereTheFoldsRun) {
   EXPECT_EQ(report_html(result_, {}).find("Wrinkles"), std::string::npos);
-  result_.studied().maps.wrinkles[Region::mid_back] = {radians(-3), 0.9, radians(12)};
-  result_.studied().maps.wrinkles[Region::lower_back] = {radians(40), 0.05, radians(8)};
+  result_.studied().maps.wrinkles[body::Region::mid_back] = {radians(-3), 0.9, radians(12)};
+  result_.studied().maps.wrinkles[body::Region::lower_back] = {radians(40), 0.05, radians(8)};
   const std::string html = report_html(result_, {});
   EXPECT_NE(html.find("mid back</th><td>12.0</td><td>\u22123</td><td>0.90</td>"),
             std::string::npos);
@@ -147,7 +147,7 @@ TEST_F(Report, SealedDrapeGetsTheBannerAndNoNumbers) {
 TEST_F(Report, UnsettledDrapeSaysWhy) {
   EXPECT_EQ(report_html(result_, {}).find("Why it did not settle"), std::string::npos);
   result_.studied().drape.certificate.residual = 0.2;
-  Unsettled u;
+  drape::Unsettled u;
   u.why = "6 triangles cut the body: front the torso (6)";
   u.hint = "more <room>";
   u.worst.push_back({.vertex = 4711, .panel = "sleeve", .near = "left forearm", .net = 0.25});
@@ -169,7 +169,8 @@ TEST_F(Report, UnsettledMapsCarryAWarning) {
 }
 
 TEST_F(Report, MissingPictureOrFolderIsAnError) {
-  EXPECT_THROW(report_html(result_, {{"distance", View::front, dir_ / "none.png"}}), IoError);
+  EXPECT_THROW(report_html(result_, {{"distance", render::View::front, dir_ / "none.png"}}),
+               IoError);
   EXPECT_THROW(write_report(dir_ / "none", result_, {}), IoError);
 }
 
@@ -196,4 +197,4 @@ TEST(Html, NumbersReadWell) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::report

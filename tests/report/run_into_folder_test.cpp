@@ -9,7 +9,7 @@
 #include "loosefit/report/rank_runs.h"
 #include "loosefit/report/write_output.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,14 +20,14 @@ class RunIntoFolder : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   bool has(const std::string& file) const { return fs::exists(folder_ / file); }
   std::string text(const char* file) const {
-    return read_text_file((folder_ / file).string(), 50000000);
+    return io::read_text_file((folder_ / file).string(), 50000000);
   }
   fs::path folder_ =
       fs::path(::testing::TempDir()) /
       (std::string("run-into-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
   Progress silent_;
   // A shirt as it is put on, without time to settle.
-  Scenario scenario_ = parse_scenario(
+  scenario::Scenario scenario_ = io::parse_scenario(
       "[[site]]\nname = \"spine\"\nlandmark = \"mid_back\"\n"
       "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
       "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n",
@@ -35,7 +35,7 @@ class RunIntoFolder : public ::testing::Test {
 };
 
 TEST_F(RunIntoFolder, DoesAllThatTheCommandsDoByFunctionCallsAlone) {
-  const RunOptions options{.allow_unsettled = true};
+  const study::RunOptions options{.allow_unsettled = true};
   const FolderOutput run = run_into_folder(scenario_, folder_, options, false, silent_);
   EXPECT_FALSE(run.result.certificate().holds());
   EXPECT_EQ(run.result.sites.size(), 1u);
@@ -58,10 +58,10 @@ TEST_F(RunIntoFolder, DoesAllThatTheCommandsDoByFunctionCallsAlone) {
 
   // A ranking beside it; its reader has it before the files are there.
   RankRuns asked{.inputs = {folder_.string()}, .wish = {}, .allow_unsettled = true, .output = {}};
-  asked.wish.scorecard = load_scorecard("imu-inclination");
+  asked.wish.scorecard = io::load_scorecard("imu-inclination");
   asked.wish.partial = true;
   int told = 0;
-  const RankedRuns ranked = rank_runs(asked, silent_, [&](const RankingTable& table) {
+  const RankedRuns ranked = rank_runs(asked, silent_, [&](const placement::RankingTable& table) {
     told += static_cast<int>(table.sites.size());
     EXPECT_FALSE(has("ranking-imu-inclination.csv"));
   });
@@ -74,7 +74,7 @@ TEST_F(RunIntoFolder, DoesAllThatTheCommandsDoByFunctionCallsAlone) {
 }
 
 TEST_F(RunIntoFolder, ADrapeAloneHasNoSitesAndNoReport) {
-  const RunOptions options{.only_drape = true};
+  const study::RunOptions options{.only_drape = true};
   const FolderOutput run = run_into_folder(scenario_, folder_, options, true, silent_);
   EXPECT_TRUE(run.result.sealed());
   EXPECT_FALSE(run.ranking);
@@ -84,4 +84,4 @@ TEST_F(RunIntoFolder, ADrapeAloneHasNoSitesAndNoReport) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::report

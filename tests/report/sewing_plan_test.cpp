@@ -9,25 +9,25 @@
 #include "loosefit/report/sewing_labels.h"
 #include "loosefit/report/sewing_marks.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 /// One piece of 400 x 600 mm, origin in its lower left corner; the right side is sewn to the left.
-Pattern rectangle() {
-  Pattern pattern;
+pattern::Pattern rectangle() {
+  pattern::Pattern pattern;
   pattern.name = "tube <&>";
-  Panel panel;
+  pattern::Panel panel;
   panel.name = "front";
   panel.vertices = {{0, 0}, {0.4, 0}, {0.4, 0.6}, {0, 0.6}};
   for (int i = 0; i < 4; ++i) {
-    PanelEdge edge;
+    pattern::PanelEdge edge;
     edge.start = i;
     edge.end = (i + 1) % 4;
     edge.name = std::vector<std::string>{"hem", "side_L", "neck", "side_R"}[i];
     panel.edges.push_back(edge);
   }
   pattern.panels = {panel};
-  Stitch stitch;
+  pattern::Stitch stitch;
   stitch.first = {0, 1};
   stitch.second = {0, 3};
   stitch.name = "side";
@@ -36,22 +36,22 @@ Pattern rectangle() {
 }
 
 /// Scores 1, 0.3 and 0, at u = 100, 200, 300 mm.
-RankingTable table() {
-  RankingTable t;
+placement::RankingTable table() {
+  placement::RankingTable t;
   t.scorecard.name = "plain";
   t.scorecard.title = "Plain <sensor>";
   t.scorecard.criteria = {{"contact_ratio", {1, 0}, {}, "lifts off", "", "test"}};
   t.sites = {{"good", {{{"contact_ratio", 1.0}}}},
              {"poor", {{{"contact_ratio", 0.3}}}},
              {"none", {{{"contact_ratio", 0.0}}}}};
-  t.ranking = rank_sites(t.sites, t.scorecard);
+  t.ranking = placement::rank_sites(t.sites, t.scorecard);
   t.places.resize(3);
   for (int i = 0; i < 3; ++i) {
     t.places[i].panel = "front";
     t.places[i].at = {0.1 * (i + 1), 0.2};
   }
   t.places[0].angle = kPi / 2;  // the axis points along -u
-  t.places[0].tolerance = Tolerance{Vec2(-1, 0), 0.020, 0.005, {}, {}};
+  t.places[0].tolerance = placement::Tolerance{Vec2(-1, 0), 0.020, 0.005, {}, {}};
   return t;
 }
 
@@ -108,10 +108,10 @@ TEST(SewingPlan, TellsScaleSignsSitesAndEscapesNames) {
   EXPECT_NE(svg.find(">100 mm to side_R<"), std::string::npos);
   EXPECT_NE(svg.find(">200 mm to hem<"), std::string::npos);
   EXPECT_EQ(svg.find("no place is recommended"), std::string::npos);
-  RankingTable none = table();
+  placement::RankingTable none = table();
   none.sites = {none.sites[2]};
   none.places = {none.places[2]};
-  none.ranking = rank_sites(none.sites, none.scorecard);
+  none.ranking = placement::rank_sites(none.sites, none.scorecard);
   none.scorecard.left_out = {"slip_mm"};
   const std::string empty = sewing_plan_svg(none, rectangle());
   EXPECT_NE(empty.find("no place is recommended"), std::string::npos);
@@ -119,10 +119,10 @@ TEST(SewingPlan, TellsScaleSignsSitesAndEscapesNames) {
 }
 
 TEST(SewingPlan, ShadesSeamsHemsAndZones) {
-  RankingTable t = table();
+  placement::RankingTable t = table();
   t.constraints.seam_clearance = 0.015;
   t.constraints.edge_clearance = 0.004;
-  KeepOutZone zone;
+  placement::KeepOutZone zone;
   zone.panel = "front";
   zone.lower = {0.1, 0.4};
   zone.upper = {0.2, 0.5};
@@ -141,14 +141,14 @@ TEST(SewingPlan, ShadesSeamsHemsAndZones) {
 }
 
 TEST(SewingPlan, LinesRoundTheBodyAreDottedOnEveryPieceTheyCross) {
-  RankingTable t = table();
-  t.places[0].shape.kind = FootprintShape::Kind::girth;
+  placement::RankingTable t = table();
+  t.places[0].shape.kind = placement::FootprintShape::Kind::girth;
   t.places[0].line = {{"front", {0.1, 0.1}}, {"front", {0.2, 0.1}}, {"back", {0, 0}}};
   EXPECT_EQ(found(sewing_plan_svg(t, rectangle()), "class=\"line\"").size(), 2u);
 }
 
 TEST(SewingPlan, DistancesGoToTwoEdgesThatDoNotRunAlike) {
-  const Panel panel = rectangle().panels[0];
+  const pattern::Panel panel = rectangle().panels[0];
   const auto two = edge_distances(panel, {0.05, 0.3});
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(panel.edges[two[0].edge].name, "side_R");
@@ -180,4 +180,4 @@ TEST(SewingPlan, WordsKeepOffWordsAndLines) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::report

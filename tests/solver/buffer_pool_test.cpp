@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 using Pool = BufferPool<float>;
@@ -41,4 +41,4 @@ TEST(BufferPool, LoansOutlastARelease) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

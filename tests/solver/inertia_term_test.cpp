@@ -4,13 +4,13 @@
 
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Two particles, the second one held.
 struct TwoParticles {
   ParticleSystem system;
-  VectorField x{{0.1, -0.2, 0.3}, {1, 2, 3}}, target{{0.12, -0.25, 0.29}, {1.1, 2, 3}};
+  particles::VectorField x{{0.1, -0.2, 0.3}, {1, 2, 3}}, target{{0.12, -0.25, 0.29}, {1.1, 2, 3}};
   TwoParticles() {
     system.mass = {0.3, 0.7};
     system.held = {0, 1};
@@ -22,12 +22,12 @@ TEST(InertiaTerm, HasTheGradientOfItsEnergyAndLeavesOutWhatIsHeld) {
   const InertiaTerm term(two.system, two.target, 0.05);
   EXPECT_NEAR(term.energy(two.x),
               0.5 * 0.3 / (0.05 * 0.05) * (two.x[0] - two.target[0]).squaredNorm(), 1e-12);
-  VectorField g(2, Vec3::Zero());
+  particles::VectorField g(2, Vec3::Zero());
   term.add_gradient(two.x, g);
   constexpr double kH = 1e-6;
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 3; ++k) {
-      VectorField more = two.x, less = two.x;
+      particles::VectorField more = two.x, less = two.x;
       more[i][k] += kH;
       less[i][k] -= kH;
       EXPECT_NEAR(g[i][k], (term.energy(more) - term.energy(less)) / (2 * kH), 1e-7);
@@ -45,4 +45,4 @@ TEST(InertiaTerm, IsNothingWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -9,23 +9,24 @@
 #include "loosefit/solver/quasi_static.h"
 #include "loosefit/solver/semi_implicit_euler.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Every particle on its own spring to the origin, stiffness k [N/m], pulled by a constant force.
-class Springs : public Energy {
+class Springs : public particles::Energy {
  public:
   explicit Springs(double k, const Vec3& pull = Vec3::Zero()) : k_(k), pull_(pull) {}
-  double value(const VectorField& x) const override {
+  double value(const particles::VectorField& x) const override {
     double e = 0;
     for (const Vec3& p : x) e += 0.5 * k_ * p.squaredNorm() - pull_.dot(p);
     return e;
   }
-  void add_gradient(const VectorField& x, VectorField& g) const override {
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override {
     for (std::size_t i = 0; i < x.size(); ++i) g[i] += k_ * x[i] - pull_;
   }
-  void add_pattern(const VectorField&, BlockPattern&) const override {}
-  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind) const override {
+  void add_pattern(const particles::VectorField&, particles::BlockPattern&) const override {}
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                   particles::HessianKind) const override {
     for (int i = 0; i < static_cast<int>(x.size()); ++i) h.add(i, i, k_ * Mat3::Identity());
   }
 
@@ -47,7 +48,7 @@ TEST(SemiImplicitEuler, OscillatesWithTheShiftedFrequencyAndConservesItsOwnEnerg
   const double k = 400, mass = 0.25, omega = std::sqrt(k / mass), dt = 0.3 / omega;
   Springs springs(k);
   const ParticleSystem system = system_of(springs, 1, mass);
-  VectorField x = {Vec3(0.01, 0, 0)}, v = {Vec3::Zero()};
+  particles::VectorField x = {Vec3(0.01, 0, 0)}, v = {Vec3::Zero()};
   const auto conserved = [&] {
     return 0.5 * v[0].squaredNorm() + 0.5 * omega * omega * x[0].squaredNorm() -
            0.5 * omega * omega * dt * x[0].dot(v[0]);
@@ -70,7 +71,7 @@ TEST(Residual, IsTheForceOverTheWeightOfFreeParticles) {
   Springs springs(10, Vec3(0, 0, 3));
   ParticleSystem system = system_of(springs, 4, 0.1);
   system.held = {1, 0, 0, 0};
-  const VectorField x(4, Vec3::Zero());
+  const particles::VectorField x(4, Vec3::Zero());
   const Residual r = residual_of(system, system.gradient(x));
   EXPECT_NEAR(r.norm, 3 / (0.1 * kGravity), 1e-12);
   EXPECT_NEAR(r.largest, 3 / (0.1 * kGravity), 1e-12);
@@ -86,7 +87,7 @@ TEST_P(EveryIntegrator, FindsTheEquilibriumAndLeavesHeldParticles) {
   Springs springs(10, Vec3(0, 0.2, -1));
   ParticleSystem system = system_of(springs, 3, 0.1);
   system.held = {0, 1, 0};
-  VectorField x = {Vec3(0.1, 0, 0), Vec3(0.3, 0.3, 0.3), Vec3(-0.2, 0.1, 0)};
+  particles::VectorField x = {Vec3(0.1, 0, 0), Vec3(0.3, 0.3, 0.3), Vec3(-0.2, 0.1, 0)};
   SettleOptions options;
   options.tolerance = 1e-6;
   options.max_iterations = 100000;
@@ -103,7 +104,7 @@ TEST_P(EveryIntegrator, StopsAtTheIterationLimitAndWhenAsked) {
   SettleOptions options;
   options.tolerance = 1e-300;
   options.max_iterations = 2;
-  VectorField x = {Vec3(0.1, 0, 0), Vec3(-0.2, 0.1, 0)};
+  particles::VectorField x = {Vec3(0.1, 0, 0), Vec3(-0.2, 0.1, 0)};
   auto outcome = GetParam()(system)->settle(x, options);
   EXPECT_NE(outcome.reason, SettleOutcome::Reason::converged);
   EXPECT_NE(outcome.reason, SettleOutcome::Reason::stopped);
@@ -124,13 +125,18 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryIntegrator,
                              +[](const ParticleSystem& s) { return make_semi_implicit_euler(s); }));
 
 /// A spring whose anchor is lagged and jumps to the other side: static iterates mirror x for ever.
-class MirroredSpring : public Energy, public LaggedState {
+class MirroredSpring : public particles::Energy, public particles::LaggedState {
  public:
-  void begin_step(const VectorField& x, double) override { anchor_ = -x[0]; }
-  double value(const VectorField& x) const override { return 0.5 * (x[0] - anchor_).squaredNorm(); }
-  void add_gradient(const VectorField& x, VectorField& g) const override { g[0] += x[0] - anchor_; }
-  void add_pattern(const VectorField&, BlockPattern&) const override {}
-  void add_hessian(const VectorField&, BlockMatrix& h, HessianKind) const override {
+  void begin_step(const particles::VectorField& x, double) override { anchor_ = -x[0]; }
+  double value(const particles::VectorField& x) const override {
+    return 0.5 * (x[0] - anchor_).squaredNorm();
+  }
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override {
+    g[0] += x[0] - anchor_;
+  }
+  void add_pattern(const particles::VectorField&, particles::BlockPattern&) const override {}
+  void add_hessian(const particles::VectorField&, particles::BlockMatrix& h,
+                   particles::HessianKind) const override {
     h.add(0, 0, Mat3::Identity());
   }
 
@@ -143,7 +149,7 @@ TEST(QuasiStatic, DampsWhatStaticStepsOnlySendToAndFro) {
   ParticleSystem system;
   system.energies = {&spring};
   system.mass = {1.0};
-  VectorField x = {Vec3(0.01, 0, 0)};
+  particles::VectorField x = {Vec3(0.01, 0, 0)};
   SettleOptions options;
   options.tolerance = 1e-6;
   options.first_dt = 1e4;
@@ -153,4 +159,4 @@ TEST(QuasiStatic, DampsWhatStaticStepsOnlySendToAndFro) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// φ given as a function, with a derivative by central differences.
@@ -104,4 +104,4 @@ TEST(LineSearch, GivesUpAfterItsBacktracksAlsoWithoutANumber) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

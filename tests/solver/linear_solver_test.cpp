@@ -9,7 +9,7 @@
 #include "support/block_matrices.h"
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 using namespace support;
@@ -23,7 +23,7 @@ TYPED_TEST(LinearSolvers, SolveLikeADenseFactorisationWithShiftsAndHeldParticles
   const int n = 40;
   TypeParam cholesky;
   for (unsigned seed : {1u, 2u, 3u}) {  // the order is reused, the values and holds change
-    const BlockMatrix m = random_matrix(n, 14, seed);
+    const particles::BlockMatrix m = random_matrix(n, 14, seed);
     std::vector<double> shift(n);
     std::vector<char> held(n, 0);
     for (int i = 0; i < n; ++i) shift[i] = 0.1 * i;
@@ -49,7 +49,7 @@ TYPED_TEST(LinearSolvers, SolveLikeADenseFactorisationWithShiftsAndHeldParticles
 TYPED_TEST(LinearSolvers, SayWhenTheMatrixIsIndefiniteAndRecover) {
   const int n = 20;
   TypeParam cholesky;
-  const BlockMatrix m = random_matrix(n, -5, 4);
+  const particles::BlockMatrix m = random_matrix(n, -5, 4);
   EXPECT_FALSE(cholesky.factorise(m, std::vector<double>(n, 0.0), {}));
   ASSERT_TRUE(cholesky.factorise(m, std::vector<double>(n, 100.0), {}));
   std::vector<Vec3> x;
@@ -65,7 +65,7 @@ TYPED_TEST(LinearSolvers, TakeTheOrderThatIsGivenAndFactoriseAgainAfterRelease) 
   std::vector<int> order(n);
   for (int i = 0; i < n; ++i) order[i] = (7 * i + 3) % n;
   cholesky.set_order(order);
-  const BlockMatrix m = random_matrix(n, 14, 5);
+  const particles::BlockMatrix m = random_matrix(n, 14, 5);
   const std::vector<Vec3> rhs = random_field(n);
   std::vector<Vec3> before, after;
   ASSERT_TRUE(cholesky.factorise(m, std::vector<double>(n, 0.1), {}));
@@ -82,7 +82,7 @@ TEST(MultifrontalFactor, SolvesAsCholmodDoesOnSheetsWhosePatternChanges) {
   SparseCholesky<float> rough;
   CholmodSolver oracle;
   for (const int n : {25, 40, 41}) {
-    const BlockMatrix m = sheet(n, 40, n);
+    const particles::BlockMatrix m = sheet(n, 40, n);
     const std::vector<double> shift(m.particles(), 0.5);
     std::vector<char> held(m.particles(), 0);
     held[n] = held[3 * n + 2] = 1;
@@ -101,4 +101,4 @@ TEST(MultifrontalFactor, SolvesAsCholmodDoesOnSheetsWhosePatternChanges) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

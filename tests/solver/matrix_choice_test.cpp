@@ -6,20 +6,22 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Says which matrices are definite: from so large a shift on, for each kind.
 class Matrices : public NewtonProblem {
  public:
-  std::map<HessianKind, double> definite_from;  ///< shift [1/s²]
+  std::map<particles::HessianKind, double> definite_from;  ///< shift [1/s²]
   std::string asked;  ///< e, h, p: assembled; a digit per factor: definite
 
-  double evaluate(const VectorField&, VectorField&) override { return 0; }
-  void restrict(VectorField&) const override {}
-  void assemble(const VectorField&, HessianKind kind) override {
+  double evaluate(const particles::VectorField&, particles::VectorField&) override { return 0; }
+  void restrict(particles::VectorField&) const override {}
+  void assemble(const particles::VectorField&, particles::HessianKind kind) override {
     kind_ = kind;
-    asked += kind == HessianKind::exact ? 'e' : kind == HessianKind::half_compression ? 'h' : 'p';
+    asked += kind == particles::HessianKind::exact              ? 'e'
+             : kind == particles::HessianKind::half_compression ? 'h'
+                                                                : 'p';
   }
   bool factorise(double shift) override {
     shifts.push_back(shift);
@@ -27,12 +29,14 @@ class Matrices : public NewtonProblem {
     asked += definite ? '1' : '0';
     return definite;
   }
-  void solve(const VectorField&, VectorField&) override {}
-  double max_step(const VectorField&, const VectorField&) override { return 1; }
+  void solve(const particles::VectorField&, particles::VectorField&) override {}
+  double max_step(const particles::VectorField&, const particles::VectorField&) override {
+    return 1;
+  }
   std::vector<double> shifts;
 
  private:
-  HessianKind kind_ = HessianKind::exact;
+  particles::HessianKind kind_ = particles::HessianKind::exact;
 };
 
 constexpr double kNever = 1e300;
@@ -57,7 +61,8 @@ TEST(MatrixChoice, StaysWithTheExactMatrixWhileItIsDefinite) {
 
 TEST(MatrixChoice, PausesTwiceAsLongAfterEachFailure) {
   Matrices m;
-  m.definite_from[HessianKind::exact] = m.definite_from[HessianKind::half_compression] = kNever;
+  m.definite_from[particles::HessianKind::exact] =
+      m.definite_from[particles::HessianKind::half_compression] = kNever;
   MatrixChoice choice{MatrixTuning{}};
   // With inertia there is no mass shift. Pauses of 1, 2 and 4 steps.
   EXPECT_EQ(ask(choice, m, 7, 1.0), "e0h0p1 p1 e0h0p1 p1 p1 e0h0p1 p1");
@@ -65,7 +70,7 @@ TEST(MatrixChoice, PausesTwiceAsLongAfterEachFailure) {
 
 TEST(MatrixChoice, ShiftsTheExactMatrixByALittleInertiaInStaticStepsOnly) {
   Matrices m;
-  m.definite_from[HessianKind::exact] = 20;
+  m.definite_from[particles::HessianKind::exact] = 20;
   MatrixTuning tuning;
   MatrixChoice choice{tuning};
   EXPECT_EQ(choice.factorise(m, {}, 0), MatrixKind::mass_shifted);
@@ -79,16 +84,17 @@ TEST(MatrixChoice, ShiftsTheExactMatrixByALittleInertiaInStaticStepsOnly) {
 
 TEST(MatrixChoice, RegularisesASingularProjectedMatrixOrGivesUp) {
   Matrices m;
-  m.definite_from[HessianKind::exact] = m.definite_from[HessianKind::half_compression] = kNever;
-  m.definite_from[HessianKind::projected] = 50;
+  m.definite_from[particles::HessianKind::exact] =
+      m.definite_from[particles::HessianKind::half_compression] = kNever;
+  m.definite_from[particles::HessianKind::projected] = 50;
   MatrixTuning tuning;
   MatrixChoice choice{tuning};
   EXPECT_EQ(choice.factorise(m, {}, 0.5), MatrixKind::regularised);
   EXPECT_EQ(m.shifts.back(), 100.5);
-  m.definite_from[HessianKind::projected] = kNever;
+  m.definite_from[particles::HessianKind::projected] = kNever;
   EXPECT_EQ(choice.factorise(m, {}, 0.5), std::nullopt);
   tuning.max_regularisations = 0;
-  m.definite_from[HessianKind::projected] = 50;
+  m.definite_from[particles::HessianKind::projected] = 50;
   MatrixChoice without{tuning};
   EXPECT_EQ(without.factorise(m, {}, 0.5), std::nullopt);
 }
@@ -102,4 +108,4 @@ TEST(MatrixChoice, LeavesOutTheKindsThatItsTuningLeavesOut) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

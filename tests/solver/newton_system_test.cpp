@@ -7,15 +7,15 @@
 
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// A chain of springs of stiffness `stiff`, the first particle tied to its place by `soft` [N/m].
-BlockMatrix chain(int n, double stiff, double soft) {
-  BlockPattern pattern(n);
+particles::BlockMatrix chain(int n, double stiff, double soft) {
+  particles::BlockPattern pattern(n);
   for (int i = 1; i < n; ++i) pattern.add(i, i - 1);
   pattern.compress();
-  BlockMatrix m(pattern);
+  particles::BlockMatrix m(pattern);
   m.add(0, 0, soft * Mat3::Identity());
   for (int i = 1; i < n; ++i) {
     m.add(i, i, stiff * Mat3::Identity());
@@ -31,7 +31,7 @@ std::vector<Vec3> wave(int n) {
   return g;
 }
 
-double relative_residual(const BlockMatrix& m, const std::vector<Vec3>& g,
+double relative_residual(const particles::BlockMatrix& m, const std::vector<Vec3>& g,
                          const std::vector<Vec3>& dx) {
   Eigen::VectorXd x(3 * dx.size()), b(3 * g.size());
   for (std::size_t i = 0; i < dx.size(); ++i) {
@@ -42,7 +42,7 @@ double relative_residual(const BlockMatrix& m, const std::vector<Vec3>& g,
 }
 
 /// Factorises without shift or held particles, and solves to the accuracy that is promised.
-void expect_solved(NewtonSystem& system, const BlockMatrix& m) {
+void expect_solved(NewtonSystem& system, const particles::BlockMatrix& m) {
   const std::vector<double> shift(m.particles(), 0.0);
   const std::vector<char> held;
   const auto g = wave(m.particles());
@@ -60,7 +60,7 @@ TEST(NewtonSystem, SolvesToItsAccuracyInSinglePrecision) {
 
 TEST(NewtonSystem, TakesDoublePrecisionWhereSingleBreaksDown) {
   // A soft tie nine orders below the springs is lost in single precision.
-  const BlockMatrix m = chain(60, 1e6, 1e-3);
+  const particles::BlockMatrix m = chain(60, 1e6, 1e-3);
   NewtonSystem system;
   for (int k = 0; k < 3; ++k) expect_solved(system, m);
   EXPECT_TRUE(system.in_double());
@@ -80,7 +80,7 @@ TEST(NewtonSystem, RefusesIndefiniteMatricesAndLeavesHeldParticlesAlone) {
   NewtonSystem system;
   EXPECT_FALSE(system.factorise(chain(20, 100, -300), shift, {}));
   EXPECT_FALSE(system.in_double()) << "no matter of precision";
-  const BlockMatrix m = chain(20, 100, 1);
+  const particles::BlockMatrix m = chain(20, 100, 1);
   ASSERT_TRUE(system.factorise(m, shift, held));
   std::vector<Vec3> dx;
   system.solve(wave(20), dx);
@@ -89,4 +89,4 @@ TEST(NewtonSystem, RefusesIndefiniteMatricesAndLeavesHeldParticlesAlone) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

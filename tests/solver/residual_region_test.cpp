@@ -5,15 +5,15 @@
 #include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// A chain of n particles with distinct blocks, positive definite.
-BlockMatrix chain(int n) {
-  BlockPattern pattern(n);
+particles::BlockMatrix chain(int n) {
+  particles::BlockPattern pattern(n);
   for (int i = 1; i < n; ++i) pattern.add(i, i - 1);
   pattern.compress();
-  BlockMatrix m(pattern);
+  particles::BlockMatrix m(pattern);
   for (int i = 0; i < n; ++i) {
     m.add(i, i, (10.0 + i) * Mat3::Identity());
     if (i > 0) m.add(i, i - 1, -Mat3::Constant(1 + 0.01 * i));
@@ -31,8 +31,8 @@ RegionTuning bounds(double force, double seeds, int rings, double extent) {
 }
 
 TEST(ResidualRegion, IsTheLargestForcesAndTheRingsRoundThem) {
-  const BlockMatrix m = chain(100);
-  VectorField force(100, Vec3(1e-4, 0, 0));
+  const particles::BlockMatrix m = chain(100);
+  particles::VectorField force(100, Vec3(1e-4, 0, 0));
   force[20] = Vec3(0, 3, 0);
   force[70] = Vec3(0, 0, -2);
   force[71] = Vec3(0.5, 0, 0);
@@ -45,24 +45,26 @@ TEST(ResidualRegion, IsTheLargestForcesAndTheRingsRoundThem) {
 }
 
 TEST(ResidualRegion, StopsGrowingAtItsExtent) {
-  const BlockMatrix m = chain(100);
-  VectorField force(100, Vec3::Zero());
+  const particles::BlockMatrix m = chain(100);
+  particles::VectorField force(100, Vec3::Zero());
   force[50] = Vec3(1, 0, 0);
   EXPECT_EQ(residual_region(m, force, bounds(0.9, 0.1, 20, 0.08)).particles.size(), 7u);
 }
 
 TEST(ResidualRegion, IsEmptyWhereTheForceIsSpreadOutOrNothing) {
-  const BlockMatrix m = chain(100);
-  EXPECT_TRUE(residual_region(m, VectorField(100, Vec3(1, 0, 0)), bounds(0.9, 0.1, 2, 1)).empty());
-  EXPECT_TRUE(residual_region(m, VectorField(100, Vec3::Zero()), bounds(0.9, 0.1, 2, 1)).empty());
+  const particles::BlockMatrix m = chain(100);
+  EXPECT_TRUE(residual_region(m, particles::VectorField(100, Vec3(1, 0, 0)), bounds(0.9, 0.1, 2, 1))
+                  .empty());
+  EXPECT_TRUE(residual_region(m, particles::VectorField(100, Vec3::Zero()), bounds(0.9, 0.1, 2, 1))
+                  .empty());
 }
 
 TEST(RestrictTo, TakesRowsAndColumnsOfTheRegionAndFollowsThePattern) {
   ResidualRegion region;
   region.particles = {2, 3, 7, 8, 9};
   RestrictedBlocks blocks;
-  BlockMatrix part;
-  const auto expect_part_of = [&](const BlockMatrix& m) {
+  particles::BlockMatrix part;
+  const auto expect_part_of = [&](const particles::BlockMatrix& m) {
     region.index.assign(m.particles(), -1);
     for (std::size_t k = 0; k < region.particles.size(); ++k)
       region.index[region.particles[k]] = static_cast<int>(k);
@@ -79,7 +81,7 @@ TEST(RestrictTo, TakesRowsAndColumnsOfTheRegionAndFollowsThePattern) {
 }
 
 /// Factorises and solves, and checks the solution.
-void expect_solved(SparseCholesky<double>& cholesky, const BlockMatrix& m) {
+void expect_solved(SparseCholesky<double>& cholesky, const particles::BlockMatrix& m) {
   const int n = m.particles();
   ASSERT_TRUE(cholesky.factorise(m, std::vector<double>(n, 0.0), {}));
   std::vector<Vec3> rhs(n, Vec3(1, -2, 3)), x;
@@ -103,13 +105,13 @@ TEST(SparseCholesky, TakesTheOrderThatIsGivenAndFindsItsOwnForOtherSizes) {
   expect_solved(given, chain(30));
   EXPECT_EQ(given.order(), order);
   expect_solved(given, chain(40));
-  BlockPattern pattern(40);
+  particles::BlockPattern pattern(40);
   for (int i = 2; i < 40; ++i) pattern.add(i, i - 2);
   pattern.compress();
-  BlockMatrix other(pattern);
+  particles::BlockMatrix other(pattern);
   for (int i = 0; i < 40; ++i) other.add(i, i, (2.0 + i) * Mat3::Identity());
   expect_solved(given, other);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

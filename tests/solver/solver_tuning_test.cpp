@@ -7,7 +7,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// What is said about a tuning that `change` has spoilt.
@@ -38,4 +38,4 @@ TEST(SolverTuning, IsValidAsItStandsAndNamesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

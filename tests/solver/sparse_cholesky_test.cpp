@@ -8,13 +8,13 @@
 #include "support/block_matrices.h"
 #include "support/law_checker.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 using namespace support;
 
 TEST(SparseCholesky, LargeFrontsSolveLikeADenseFactorisationAlsoAfterAFailure) {
-  const BlockMatrix m = cliques(60, 7);
+  const particles::BlockMatrix m = cliques(60, 7);
   const std::vector<double> none(m.particles(), 0.0);
   const std::vector<Vec3> rhs = random_field(m.particles());
   const Eigen::VectorXd expected = support::dense(m).ldlt().solve(flat(rhs));
@@ -28,7 +28,7 @@ TEST(SparseCholesky, LargeFrontsSolveLikeADenseFactorisationAlsoAfterAFailure) {
 }
 
 TEST(SparseCholesky, BitsDependNeitherOnThreadsNorOnWhatWasFactorisedBefore) {
-  const BlockMatrix m = cliques(60, 9);
+  const particles::BlockMatrix m = cliques(60, 9);
   const std::vector<double> none(m.particles(), 0.0);
   const std::vector<Vec3> rhs = random_field(m.particles());
   std::vector<std::vector<Vec3>> solutions;
@@ -49,14 +49,14 @@ TEST(SparseCholesky, BitsDependNeitherOnThreadsNorOnWhatWasFactorisedBefore) {
 TEST(SparseCholesky, SaysWhenTheMatrixIsIndefiniteAndRecovers) {
   const int n = 20;
   SparseCholesky<double> cholesky;
-  const BlockMatrix m = random_matrix(n, -5, 4);
+  const particles::BlockMatrix m = random_matrix(n, -5, 4);
   EXPECT_FALSE(cholesky.factorise(m, std::vector<double>(n, 0.0), {}));
   EXPECT_TRUE(cholesky.factorise(m, std::vector<double>(n, 100.0), {}));
 }
 
 TEST(SparseCholesky, FactorisesAgainToTheSameBitsAfterItsMemoryWasGivenBack) {
   const int n = 30;
-  const BlockMatrix m = random_matrix(n, 14, 5);
+  const particles::BlockMatrix m = random_matrix(n, 14, 5);
   const std::vector<Vec3> rhs = random_field(n);
   SparseCholesky<float> cholesky;
   std::vector<Vec3> before, after;
@@ -71,4 +71,4 @@ TEST(SparseCholesky, FactorisesAgainToTheSameBitsAfterItsMemoryWasGivenBack) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::solver

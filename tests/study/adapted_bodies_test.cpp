@@ -13,14 +13,14 @@
 #include "support/body_fixture.h"
 
 // The garments of a scenario at their defaults are drafted on every body.
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-GarmentSpec garment_of(const std::string& section) {
-  return parse_scenario("[garment]\n" + section, "case.toml").studied().spec;
+scenario::GarmentSpec garment_of(const std::string& section) {
+  return io::parse_scenario("[garment]\n" + section, "case.toml").studied().spec;
 }
 
-std::string refusal(const std::string& section, const Body& body) {
+std::string refusal(const std::string& section, const body::Body& body) {
   try {
     make_pattern(garment_of(section), body);
   } catch (const InvalidInput& error) {
@@ -35,14 +35,14 @@ TEST(AdaptedBodies, PeopleOfAllKindsGetTheUsualGarments) {
     return low + (high - low) * double(random() % 100001) / 1e5;
   };
   for (int i = 0; i < 24; ++i) {
-    BodyParameters p;
+    body::BodyParameters p;
     p.sex = uniform(0, 1);
     p.age = i % 2 ? uniform(3.5, 14) : uniform(14, 80);
     p.height = uniform(0.1, 0.9);
     p.weight = uniform(0.05, 0.95);
     p.muscle = uniform(0.05, 0.95);
     p.proportions = uniform(0.1, 0.9);
-    const Body body = body_model().build(p, {radians(40.0), 0, 0});
+    const body::Body body = body_model().build(p, {radians(40.0), 0, 0});
     SCOPED_TRACE(testing::Message() << i << ": " << body.measured.at("height") << " m, chest "
                                     << body.measured.at("chest") << " m");
     EXPECT_EQ(refusal("pattern = \"t-shirt\"", body), "");
@@ -52,9 +52,9 @@ TEST(AdaptedBodies, PeopleOfAllKindsGetTheUsualGarments) {
 }
 
 TEST(AdaptedBodies, BoyOf135WithALooseChest) {
-  ScenarioBody wished;
+  scenario::ScenarioBody wished;
   wished.sex = 1, wished.age = 9.5, wished.height = 1.35;
-  const Body body = make_body(wished).body;
+  const body::Body body = make_body(wished).body;
   const CasePattern shirt =
       make_pattern(garment_of("pattern = \"t-shirt\"\nfit = { chest = 0.30 }"), body);
   EXPECT_NEAR(shirt.fit.at("chest"), 0.30, 1e-6);
@@ -71,16 +71,16 @@ TEST(AdaptedBodies, BoyOf135WithALooseChest) {
 
 // What a run has written out is drafted as it was.
 TEST(AdaptedBodies, ResolvedScenarioAdaptsAlike) {
-  Scenario scenario =
-      parse_scenario("[garment]\npattern = \"t-shirt\"\nfit = { chest = 0.30 }\n", "case.toml");
-  const Scenario again = parse_scenario(scenario_toml(scenario), "case.toml");
+  scenario::Scenario scenario =
+      io::parse_scenario("[garment]\npattern = \"t-shirt\"\nfit = { chest = 0.30 }\n", "case.toml");
+  const scenario::Scenario again = io::parse_scenario(io::scenario_toml(scenario), "case.toml");
   EXPECT_EQ(again.studied().spec.adapt, scenario.studied().spec.adapt);
-  ScenarioBody wished;
+  scenario::ScenarioBody wished;
   wished.sex = 1, wished.age = 7, wished.height = 1.2;
-  const Body body = make_body(wished).body;
+  const body::Body body = make_body(wished).body;
   const CasePattern a = make_pattern(scenario.studied().spec, body),
                     b = make_pattern(again.studied().spec, body);
-  EXPECT_EQ(garmentcode_text(a.pattern), garmentcode_text(b.pattern));
+  EXPECT_EQ(io::garmentcode_text(a.pattern), io::garmentcode_text(b.pattern));
   EXPECT_EQ(a.warnings, b.warnings);
   EXPECT_FALSE(a.warnings.empty());
 }
@@ -89,9 +89,9 @@ TEST(AdaptedBodies, PublicScanGetsATShirt) {
   const std::string file =
       std::string(LOOSEFIT_SOURCE_DIR) + "/../shared/bodies/f_smpl_average_A40.obj";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-  ScenarioBody wished;
+  scenario::ScenarioBody wished;
   wished.file = file;
-  const Body body = make_body(wished).body;
+  const body::Body body = make_body(wished).body;
   EXPECT_EQ(refusal("pattern = \"t-shirt\"", body), "");
   EXPECT_EQ(refusal("", body), "");
 }
@@ -106,4 +106,4 @@ TEST(AdaptedBodies, AdaptNamesWhatMayGiveWay) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -2,24 +2,24 @@
 
 #include <gtest/gtest.h>
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// A box of a person's size that was scanned at `place` and turned half round, and a panel before
 /// its chest.
 struct Fitting {
-  Body body;
-  Pattern pattern;
+  body::Body body;
+  pattern::Pattern pattern;
 
   Fitting(const Vec3& place, bool turned) {
-    RigidMotion& motion = body.from_world;
+    body::RigidMotion& motion = body.from_world;
     if (turned) motion.linear() << -1, 0, 0, 0, -1, 0, 0, 0, 1;
     motion.translation() = -(motion.linear() * place);
     for (const double x : {-0.25, 0.25})
       for (const double y : {-0.12, 0.12})
         for (const double z : {0., 1.7}) body.surface.vertices.emplace_back(x, y, z);
     for (const double y : {-0.2, 0.2}) {
-      Panel panel;
+      pattern::Panel panel;
       panel.vertices = {{-0.3, 0}, {0.3, 0}, {0.3, 0.6}, {-0.3, 0.6}};
       panel.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
       panel.translation = Vec3(0, y, 0.9);
@@ -27,12 +27,12 @@ struct Fitting {
     }
   }
   Vec3 corner(std::size_t panel, std::size_t vertex) const {
-    const Panel& p = pattern.panels[panel];
+    const pattern::Panel& p = pattern.panels[panel];
     const Vec2& v = p.vertices[vertex];
     return p.rotation * Vec3(v.x(), v.y(), 0) + p.translation;
   }
-  void move_pattern(const RigidMotion& by) {
-    for (Panel& panel : pattern.panels) {
+  void move_pattern(const body::RigidMotion& by) {
+    for (pattern::Panel& panel : pattern.panels) {
       panel.translation = by * panel.translation;
       panel.rotation = by.linear() * panel.rotation;
     }
@@ -84,4 +84,4 @@ TEST(CarryWithScan, APatternForABodyOverTheOriginStays) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -6,17 +6,17 @@
 #include "loosefit/placement/site_points.h"
 #include "loosefit/study/garment_layers.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 // Without time to settle: the place is then that of the garment as it is put on.
-Scenario scenario_with(const std::string& sites) {
-  return parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites,
-                        "case.toml");
+scenario::Scenario scenario_with(const std::string& sites) {
+  return io::parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites,
+                            "case.toml");
 }
 
 TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
-  Scenario scenario = scenario_with(
+  scenario::Scenario scenario = scenario_with(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"arm\"\nsegment = \"upper_arm\"\nside = \"right\"\n"
       "ratios = [100, 50, 50]\nboard = { mass = 0.01 }\n"
@@ -25,7 +25,7 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   Progress silent;
   const CaseBody body = make_body(scenario.body);
   const std::vector<CasePattern> patterns = make_patterns(scenario, body.body);
-  const std::vector<SiteSpec> sites = place_boards(scenario, body, patterns, silent);
+  const std::vector<placement::SiteSpec> sites = place_boards(scenario, body, patterns, silent);
   EXPECT_EQ(sites[0].panel, "back");
   EXPECT_NEAR(sites[0].at.x(), 0, 0.005);
   // T3 is about 13 cm below the high point shoulder of this woman.
@@ -35,10 +35,11 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   EXPECT_EQ(sites[3].at, Vec2(0.1, -0.3));
 
   scenario.sites = sites;
-  const std::vector<Attachment> all = all_attachments(scenario);
+  const std::vector<garment::Attachment> all = all_attachments(scenario);
   ASSERT_EQ(all.size(), 3u);
-  const Garment garment = build_hierarchy(patterns[0].pattern, 0.03, {}, all).finest();
-  const Garment bare = build_hierarchy(patterns[0].pattern, 0.03, {}).finest();
+  const garment::Garment garment =
+      garment::build_hierarchy(patterns[0].pattern, 0.03, {}, all).finest();
+  const garment::Garment bare = garment::build_hierarchy(patterns[0].pattern, 0.03, {}).finest();
   EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
 }
 
@@ -48,8 +49,8 @@ TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
   result.body = make_body(result.scenario.body);
-  const Vec3 wanted = SitePoints(result.body.body).at("upper_back");
-  Site spine, flat;
+  const Vec3 wanted = placement::SitePoints(result.body.body).at("upper_back");
+  placement::Site spine, flat;
   spine.name = "spine";
   spine.body_point = wanted + Vec3(0, 0, 0.010);
   flat.name = "flat";
@@ -62,4 +63,4 @@ TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

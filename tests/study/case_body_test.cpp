@@ -7,16 +7,16 @@
 #include "loosefit/study/case_pattern.h"
 #include "loosefit/study/simulation_options.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-double arm_angle(const Body& body) {
+double arm_angle(const body::Body& body) {
   const Vec3 arm = body.joints.at("elbow_L") - body.joints.at("shoulder_L");
   return degrees(std::acos(-arm.normalized().z()));
 }
 
 TEST(MakeBody, MeetsTheWishesAndListsThem) {
-  ScenarioBody wished;
+  scenario::ScenarioBody wished;
   wished.measurements = {{"chest", 0.90}, {"waist", 0.74}};
   const CaseBody made = make_body(wished);
   EXPECT_NEAR(made.body->measured.at("height"), 1.68, 0.005);
@@ -27,7 +27,7 @@ TEST(MakeBody, MeetsTheWishesAndListsThem) {
 
 TEST(MakeBody, PathLeadsFromDressingToWantedPostureOnOneTopology) {
   const CaseBody made = make_body({});
-  const Body start = made.path(0), end = made.path(1);
+  const body::Body start = made.path(0), end = made.path(1);
   EXPECT_EQ(start.surface.triangles, end.surface.triangles);
   EXPECT_NEAR(arm_angle(start), 40, 2);
   EXPECT_NEAR(arm_angle(end), 25, 2);
@@ -35,21 +35,21 @@ TEST(MakeBody, PathLeadsFromDressingToWantedPostureOnOneTopology) {
 }
 
 TEST(MakeBody, MissingScanIsAnError) {
-  ScenarioBody wished;
+  scenario::ScenarioBody wished;
   wished.file = "/nowhere/scan.obj";
   EXPECT_THROW(make_body(wished), Error);
 }
 
 /// As a scenario that says nothing of postures.
-ScenarioBody usual() {
-  ScenarioBody wished;
-  wished.dress_posture = default_dress_posture(wished.posture);
+scenario::ScenarioBody usual() {
+  scenario::ScenarioBody wished;
+  wished.dress_posture = body::default_dress_posture(wished.posture);
   return wished;
 }
 
 TEST(MakeBody, OffersArmsWideApartUnlessADressingPostureWasChosen) {
   EXPECT_NEAR(arm_angle(make_body(usual()).wide_path(0)), 55, 2);
-  ScenarioBody chosen;
+  scenario::ScenarioBody chosen;
   chosen.dress_posture.arm_abduction = radians(30);
   EXPECT_FALSE(make_body(chosen).wide_path);
 }
@@ -58,7 +58,7 @@ TEST(MakeBody, OffersArmsWideApartUnlessADressingPostureWasChosen) {
 CaseBody pinched() {
   CaseBody body = make_body(usual());
   body.path = [body = body.body](double) {
-    Body tight = body;
+    body::Body tight = body;
     for (const char* side : {"_L", "_R"})
       tight.joints[std::string("elbow") + side] =
           tight.joints[std::string("shoulder") + side] - Vec3(0, 0, 0.28);
@@ -69,14 +69,15 @@ CaseBody pinched() {
 
 class PutOn : public ::testing::Test {
  protected:
-  Scenario scenario_ = parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n", "");
+  scenario::Scenario scenario_ =
+      io::parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n", "");
   CaseBody body_ = pinched();
-  GarmentHierarchy garment_ =
-      build_hierarchy(make_pattern(scenario_.studied().spec, body_.body).pattern,
-                      scenario_.simulation.edge_length, scenario_.studied().material.material, {});
-  DrapeOptions options_ = drape_options(scenario_.simulation);
+  garment::GarmentHierarchy garment_ = garment::build_hierarchy(
+      make_pattern(scenario_.studied().spec, body_.body).pattern, scenario_.simulation.edge_length,
+      scenario_.studied().material.material, {});
+  drape::DrapeOptions options_ = drape_options(scenario_.simulation);
   Progress silent_;
-  DrapeSession session_{garment_, scenario_.studied().material.material, options_, silent_};
+  drape::DrapeSession session_{garment_, scenario_.studied().material.material, options_, silent_};
 };
 
 TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
@@ -100,7 +101,7 @@ TEST_F(PutOn, DoesNotAdviseWiderArmsWhereTheyDidNotHelp) {
 
 TEST_F(PutOn, TriesNoOtherPostureForABodyThatLacksWhatAShirtHangsOn) {
   body_.path = [body = body_.body](double) {
-    Body bare = body;
+    body::Body bare = body;
     bare.landmarks.clear();
     return bare;
   };
@@ -124,4 +125,4 @@ TEST_F(PutOn, KeepsToThePostureThatWasAskedForAndSaysWhichOneMayDo) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -8,13 +8,13 @@
 #include "loosefit/study/simulation_options.h"
 #include "support/measured_woman.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using support::measured_woman;
 
 TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
-  GarmentSpec wished;
+  scenario::GarmentSpec wished;
   wished.fit["chest"] = 0.15;
   wished.fit["waist"] = 0.22;
   wished.fit["hip"] = 0.05;
@@ -31,19 +31,19 @@ TEST(MakePattern, DraftHasTheWishedMobilityAtEveryLevel) {
 
 // One garment on two bodies: its girths stay, its mobility follows the body.
 TEST(MakePattern, SizeIsTheSameGarmentForEveryBody) {
-  GarmentSpec wished;
+  scenario::GarmentSpec wished;
   wished.size = "child-142";
-  Body slim = measured_woman(), heavy = measured_woman();
+  body::Body slim = measured_woman(), heavy = measured_woman();
   slim.measured["chest"] = 0.63;
   heavy.measured["chest"] = 0.75;
   const CasePattern a = make_pattern(wished, slim), b = make_pattern(wished, heavy);
   EXPECT_EQ(a.girths.at("chest"), b.girths.at("chest"));
   EXPECT_NEAR((1 + a.fit.at("chest")) * 0.63, (1 + b.fit.at("chest")) * 0.75, 1e-9);
-  EXPECT_EQ(garmentcode_text(a.pattern), garmentcode_text(b.pattern));
+  EXPECT_EQ(io::garmentcode_text(a.pattern), io::garmentcode_text(b.pattern));
 }
 
 TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
-  GarmentSpec wished;
+  scenario::GarmentSpec wished;
   wished.kind = "t-shirt";
   wished.fit["sleeve_length"] = 0.36;
   wished.fit["wrist"] = 0.12;
@@ -54,14 +54,14 @@ TEST(MakePattern, ShortSleeveIsComparedWithTheArmWhereItEnds) {
   EXPECT_EQ(made.fit.count("wrist"), 0u);
   EXPECT_EQ(made.girths.count("wrist"), 0u);
 
-  GarmentSpec sized = wished;
+  scenario::GarmentSpec sized = wished;
   sized.size = "women-38";
   const CasePattern fixed = make_pattern(sized, measured_woman());
   EXPECT_NEAR(fixed.girths.at("cuff"), fixed.girths.at("sleeve"), 1e-6) << "no taper";
 }
 
 TEST(MakePattern, MissingMeasureIsNamed) {
-  Body body = measured_woman();
+  body::Body body = measured_woman();
   body.measured.erase("scye_depth");
   try {
     make_pattern({}, body);
@@ -73,11 +73,11 @@ TEST(MakePattern, MissingMeasureIsNamed) {
 }
 
 TEST(DrapeOptions, FollowTheScenario) {
-  ScenarioSimulation simulation;
+  scenario::ScenarioSimulation simulation;
   simulation.integrator = "implicit-euler";
   simulation.seed = 40;
   simulation.gravity = 9.8;
-  EXPECT_EQ(drape_options(simulation).integrator, IntegratorKind::implicit_euler);
+  EXPECT_EQ(drape_options(simulation).integrator, drape::IntegratorKind::implicit_euler);
   EXPECT_EQ(drape_options(simulation).gravity, 9.8);
   EXPECT_EQ(drape_options(simulation, 2).seed, 42u);
   simulation.integrator = "magic";
@@ -85,4 +85,4 @@ TEST(DrapeOptions, FollowTheScenario) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

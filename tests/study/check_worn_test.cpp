@@ -16,7 +16,7 @@
 #include "loosefit/study/run_case.h"
 #include "support/trunk_tubes.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ class CheckWorn : public ::testing::Test {
   CaseResult tube(double top, double bottom, double height, double above_floor,
                   const std::string& more = "", bool allow = false) const {
     const fs::path file = folder_ / "tube.json";
-    write_text_file(file.string(), support::tube_file(top, bottom, height, above_floor));
+    io::write_text_file(file.string(), support::tube_file(top, bottom, height, above_floor));
     const std::string text =
         "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n"
         "[garment]\npattern = \"" +
@@ -44,7 +44,7 @@ class CheckWorn : public ::testing::Test {
     Progress silent;
     RunOptions options;
     options.allow_unsettled = allow;
-    return run_case(parse_scenario(text, "case.toml"), silent, options);
+    return run_case(io::parse_scenario(text, "case.toml"), silent, options);
   }
   void store(const CaseResult& result) const {
     write_case_files(folder_, result);
@@ -57,7 +57,7 @@ class CheckWorn : public ::testing::Test {
 
 TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {
   const CaseResult result = tube(34, 56, 45, 60);
-  const Certificate& c = result.certificate();
+  const drape::Certificate& c = result.certificate();
   ASSERT_TRUE(c.settled()) << c.stop_reason;
   EXPECT_EQ(c.worn_reasons, std::vector<std::string>{});
   EXPECT_FALSE(result.sealed());
@@ -66,7 +66,7 @@ TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {
 
 TEST_F(CheckWorn, ATubeRoundTheThighsIsSealedNamedAndJudgedAgainWhenItIsRead) {
   const CaseResult result = tube(42, 42, 22, 50);
-  const Certificate& c = result.certificate();
+  const drape::Certificate& c = result.certificate();
   ASSERT_TRUE(c.settled()) << c.stop_reason;
   ASSERT_EQ(c.worn_reasons, std::vector<std::string>{"the waistband has slid to the thighs"});
   EXPECT_TRUE(result.sealed());
@@ -75,16 +75,17 @@ TEST_F(CheckWorn, ATubeRoundTheThighsIsSealedNamedAndJudgedAgainWhenItIsRead) {
   EXPECT_NE(result.warnings.back().find("slid to the thighs"), std::string::npos);
   store(result);
   const auto summary =
-      nlohmann::json::parse(read_text_file((folder_ / "summary.json").string(), 50000000));
+      nlohmann::json::parse(io::read_text_file((folder_ / "summary.json").string(), 50000000));
   EXPECT_EQ(summary["settled"], true);
   EXPECT_EQ(summary["worn"], false);
   EXPECT_EQ(summary["worn_reasons"][0], c.worn_reasons[0]);
-  EXPECT_EQ(read_drape_vtp(folder_ / "drape.vtp").drape.certificate.worn_reasons, c.worn_reasons);
+  EXPECT_EQ(io::read_drape_vtp(folder_ / "drape.vtp").drape.certificate.worn_reasons,
+            c.worn_reasons);
 
   // As an earlier version stored it: nothing said of being worn.
-  Drape old = result.studied().drape;
+  drape::Drape old = result.studied().drape;
   old.certificate.worn_reasons.clear();
-  write_drape_vtp(folder_ / "drape.vtp", result.studied().mesh(), old);
+  io::write_drape_vtp(folder_ / "drape.vtp", result.studied().mesh(), old);
   Progress silent;
   CaseResult again = load_case(folder_, silent);
   EXPECT_EQ(again.certificate().worn_reasons, c.worn_reasons);
@@ -111,4 +112,4 @@ TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

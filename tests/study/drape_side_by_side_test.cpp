@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// How many `count` drapes are told to share the threads.
@@ -30,4 +30,4 @@ TEST(DrapeSideBySide, EachIsToldHowManyShareTheThreads) {
 TEST(DrapeSideBySide, AtLeastOneFitsIntoTheMemory) { EXPECT_GE(drapes_at_once(), 1); }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

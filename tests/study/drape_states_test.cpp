@@ -6,7 +6,7 @@
 #include "loosefit/study/run_case.h"
 #include "loosefit/study/wear_states.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// Two postures besides the first, put on twice, on a mesh that settles in seconds.
@@ -17,7 +17,7 @@ CaseResult worn_on(int threads, const std::string& postures) {
   Progress silent;
   RunOptions options;
   options.only_drape = true;
-  return run_case(parse_scenario(text, "case.toml"), silent, options);
+  return run_case(io::parse_scenario(text, "case.toml"), silent, options);
 }
 
 TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
@@ -50,4 +50,4 @@ TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

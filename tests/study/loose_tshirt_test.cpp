@@ -5,12 +5,12 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/study/run_case.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// Highest point of the drape above the side of the neck [m].
 double above_neck(const std::string& garment) {
-  const Scenario scenario = parse_scenario(
+  const scenario::Scenario scenario = io::parse_scenario(
       "[body]\nsex = 0.4\nage = 9\nheight = 1.35\n"
       "measurements = { chest = 0.64, waist = 0.57, hip = 0.68 }\n[garment]\n" +
           garment + "\n[material]\nname = \"cotton-jersey\"\n[simulation]\nedge_length = 0.03\n",
@@ -38,4 +38,4 @@ TEST(LooseTShirt, OfAStretchyKnitHangsFromTheShouldersOfASlimChild) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -11,12 +11,12 @@
 #include "loosefit/study/prepare_case.h"
 #include "loosefit/study/simulation_options.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 TEST(SamePieces, CountByNameAndShapeAndNotByHowCurvesAreDivided) {
-  const Pattern shirt = draft_shirt({});
-  Pattern other = shirt;
+  const pattern::Pattern shirt = kinds::draft_shirt({});
+  pattern::Pattern other = shirt;
   EXPECT_TRUE(same_pieces(shirt, other));
   other.panels[0].vertices[0].x() += 1e-4;
   EXPECT_TRUE(same_pieces(shirt, other)) << "a tenth of a millimetre";
@@ -33,21 +33,21 @@ TEST(RankCases, WithoutRunsIsRefused) { EXPECT_THROW(rank_cases({}, {}, true), I
 
 /// A shirt as it is put on, without time to settle, with its maps all the same.
 CaseResult worn_shirt() {
-  const Scenario scenario = parse_scenario(
+  const scenario::Scenario scenario = io::parse_scenario(
       "[[site]]\nname = \"spine\"\nlandmark = \"mid_back\"\n[output]\npreset_sites = false\n"
       "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n",
       "case.toml");
   Progress silent;
   CaseResult result = prepare_case(scenario, silent);
   CaseGarment& shirt = result.studied();
-  shirt.drape = drape_garment(shirt.hierarchy, scenario.studied().material.material,
-                              result.body.path, drape_options(scenario.simulation), silent);
+  shirt.drape = drape::drape_garment(shirt.hierarchy, scenario.studied().material.material,
+                                     result.body.path, drape_options(scenario.simulation), silent);
   shirt.maps = make_studied_maps(result, true);
   return result;
 }
 
 TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
-  RankingWish wish;
+  placement::RankingWish wish;
   wish.scorecard.name = "gap";
   wish.scorecard.criteria = {{"gap_mm", {0, 100}, {}, "hangs off", "", "test"}};
   const CaseResult one = worn_shirt();
@@ -55,7 +55,7 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
   const std::vector<RankedRun> runs = {{"one", &one}, {"away", &away}};
   for (Vec3& p : away.studied().drape.positions) p.y() += 0.010;  // the back 10 mm farther off
   away.studied().maps = make_studied_maps(away, true);
-  const RankingTable same = rank_cases(runs, wish, true);
+  const placement::RankingTable same = rank_cases(runs, wish, true);
   EXPECT_EQ(same.sample_names, (std::vector<std::string>{"one", "away"}));
   EXPECT_EQ(same.notes.at(0),
             "samples are the runs one, away: sensors stay where they are sewn in the first");
@@ -66,7 +66,7 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
 
   away.scenario.body.posture.forward_bend = 0.5;
   away.studied().pattern.pattern.panels[0].vertices[0].x() += 0.01;
-  const RankingTable cut = rank_cases(runs, wish, true);
+  const placement::RankingTable cut = rank_cases(runs, wish, true);
   EXPECT_NE(cut.notes.at(0).find("cut differently"), std::string::npos) << cut.notes[0];
   EXPECT_NE(cut.notes.at(1).find("different postures"), std::string::npos) << cut.notes[1];
   EXPECT_FALSE(cut.places[0].tolerance);
@@ -78,4 +78,4 @@ TEST(RankCases, RunsOfOneCutKeepTheSewnPlaceAndOthersFindTheirOwn) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

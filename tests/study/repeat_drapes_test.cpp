@@ -12,7 +12,7 @@
 #include "loosefit/study/load_case.h"
 #include "loosefit/study/run_case.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// Three drapes of a shirt on a mesh that settles in seconds.
@@ -23,7 +23,7 @@ CaseResult repeated(const std::string& simulation, const std::string& more = "")
                            "[simulation]\nedge_length = 0.04\nrepeats = 3\n" +
                            simulation;
   Progress silent;
-  return run_case(parse_scenario(text, "case.toml"), silent);
+  return run_case(io::parse_scenario(text, "case.toml"), silent);
 }
 
 class RepeatDrapes : public ::testing::Test {
@@ -43,10 +43,10 @@ class RepeatDrapes : public ::testing::Test {
     return remap_case(load_case(folder_, silent), false, silent);
   }
   void replace_in(const char* file, const std::string& from, const std::string& to) const {
-    std::string text = read_text_file((folder_ / file).string(), 50000000);
+    std::string text = io::read_text_file((folder_ / file).string(), 50000000);
     ASSERT_NE(text.find(from), std::string::npos) << text;
     text.replace(text.find(from), from.size(), to);
-    write_text_file((folder_ / file).string(), text);
+    io::write_text_file((folder_ / file).string(), text);
   }
   std::filesystem::path folder_ =
       std::filesystem::path(::testing::TempDir()) /
@@ -77,7 +77,7 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
   // Damage is refused before anything is overwritten.
   replace_in("summary.json", "\"repeats\": {", "\"repeats\": {\"maps.odd\": null, ");
   EXPECT_THROW(read_again(), InvalidInput);
-  write_text_file((folder_ / "summary.json").string(), "{");
+  io::write_text_file((folder_ / "summary.json").string(), "{");
   EXPECT_THROW(read_again(), InvalidInput);
 }
 
@@ -112,4 +112,4 @@ TEST_F(RepeatDrapes, DrapesThatDidNotSettleAreNamedAlsoWhenTheRunIsReadAgain) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -8,15 +8,15 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/study/run_case.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 TEST(ScanCase, AScanIsDressedAndSettles) {
   // A person with arms at 30° as a scanner might store her: OBJ in millimetres, y up.
-  const BodyModel model = BodyModel::load();
-  BodySpec spec;
+  const body::BodyModel model = body::BodyModel::load();
+  body::BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
-  const Body known = model.build(fit_body(model, spec).parameters, {radians(30), 0, 0});
+  const body::Body known = model.build(body::fit_body(model, spec).parameters, {radians(30), 0, 0});
   const auto file = std::filesystem::path(::testing::TempDir()) / "person.obj";
   {
     std::ofstream out(file);
@@ -25,17 +25,18 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
     for (const Triangle& t : known.surface.triangles)
       out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
   }
-  const Scenario scenario =
-      parse_scenario("[body]\nfile = \"" + file.string() + "\"\nunits = \"mm\"\nup = \"y\"\n" +
-                         "[output]\nmaps = [\"distance\"]\n[simulation]\nedge_length = 0.04\n",
-                     "case.toml");
+  const scenario::Scenario scenario =
+      io::parse_scenario("[body]\nfile = \"" + file.string() + "\"\nunits = \"mm\"\nup = \"y\"\n" +
+                             "[output]\nmaps = [\"distance\"]\n[simulation]\nedge_length = 0.04\n",
+                         "case.toml");
   Progress silent;
   const CaseResult result = run_case(scenario, silent);
   EXPECT_TRUE(result.certificate().settled()) << result.certificate().stop_reason;
   EXPECT_FALSE(result.sites.empty());
-  EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.at("chest"), 1e-3);
+  EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.at("chest"),
+              1e-3);
   std::filesystem::remove(file);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -10,21 +10,21 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/study/sites_csv.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// A result with one triangle of cloth and numbers that are easy to recognise.
 CaseResult small_result() {
   CaseResult result;
-  result.scenario = default_scenario();
-  Garment mesh;
+  result.scenario = io::default_scenario();
+  garment::Garment mesh;
   mesh.vertex_count = 3;
   mesh.triangles = {{0, 1, 2}};
   mesh.area = 0.25;
   mesh.mass = 0.03;
   result.studied().hierarchy.levels = {mesh};
   result.studied().drape.certificate = {5e-4, 2e-3, 0, 0, "converged"};
-  Body body;
+  body::Body body;
   body.measured = {{"chest", 0.88}, {"height", 1.68}};
   result.body.body = body;
   result.body.asked = {{"chest", 0.90, 0.88}};
@@ -33,10 +33,10 @@ CaseResult small_result() {
   CaseMap map;
   map.map.array = "distance_mm";
   map.overall = {1, 2, 3, 4, 5, 2.5, 0.25, 7};
-  map.regional[Region::mid_back] = {0, 0, 0.5, 0, 0, 0, 0, 0};
+  map.regional[body::Region::mid_back] = {0, 0, 0.5, 0, 0, 0, 0, 0};
   map.overall.max = std::numeric_limits<double>::quiet_NaN();
   result.studied().maps.maps = {map};
-  Site site;
+  placement::Site site;
   site.name = "a, \"b\"";
   site.panel = "back";
   site.at = {0.1, -0.2};
@@ -72,13 +72,14 @@ TEST(Summary, HasTheStableKeys) {
 TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
   CaseResult result = small_result();
   EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("pressure"));
-  PressureField& field = result.studied().maps.pressure.field;
+  maps::PressureField& field = result.studied().maps.pressure.field;
   field.contact = {500, 500, 0};
   field.membrane = {450, 550, 0};
   field.area = {0.01, 0.01, 0.02};
   field.touching = {1, 1, 0};
-  result.studied().maps.pressure.overall = compare_pressures(field, {});
-  result.studied().maps.pressure.regional[Region::chest] = result.studied().maps.pressure.overall;
+  result.studied().maps.pressure.overall = maps::compare_pressures(field, {});
+  result.studied().maps.pressure.regional[body::Region::chest] =
+      result.studied().maps.pressure.overall;
   const auto json = nlohmann::json::parse(summary_json(result))["pressure"];
   EXPECT_DOUBLE_EQ(json["contact_area_m2"], 0.02);
   EXPECT_DOUBLE_EQ(json["mean_kPa"], 0.5);
@@ -95,7 +96,7 @@ TEST(Summary, PressureIsThereByBothEstimatesWhenTheForcesAreKnown) {
 TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
   CaseResult result = small_result();
   EXPECT_FALSE(nlohmann::json::parse(summary_json(result)).contains("wrinkles"));
-  result.studied().maps.wrinkles[Region::mid_back] = {radians(-30), 0.75, radians(12)};
+  result.studied().maps.wrinkles[body::Region::mid_back] = {radians(-30), 0.75, radians(12)};
   result.wear.postures = {"reference"};
   result.wear.donnings.resize(2);
   CaseState& again = result.wear.states.emplace_back();
@@ -105,7 +106,7 @@ TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
   again.drapes[0].certificate = result.certificate();
   again.maps.maps = result.studied().maps.maps;
   again.maps.maps[0].overall.area_mean = 4.5;
-  again.maps.wrinkles[Region::lower_back] = {radians(88), 0.5, radians(6)};
+  again.maps.wrinkles[body::Region::lower_back] = {radians(88), 0.5, radians(6)};
   again.sites = result.sites;
   again.sites[0].values["distance_mm"] = {7.5, 9};
   const auto json = nlohmann::json::parse(summary_json(result));
@@ -143,7 +144,7 @@ TEST(Summary, UnsettledWithoutMapsIsSealed) {
 
 TEST(Summary, SaysWhyItIsUnsettled) {
   CaseResult result = small_result();
-  Unsettled u;
+  drape::Unsettled u;
   u.why = "for a reason";
   u.worst.push_back({.vertex = 7, .panel = "front", .at = {0.1, 0.2}, .near = "torso", .net = 2});
   u.worst[0].force[3] = 3.5;
@@ -179,7 +180,8 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   result.sites.push_back({});
   result.sites[1].name = "plain";
   result.sites[0].angle = kPi / 2;
-  result.sites[0].anatomy = BodyAddress{BodySegment::forearm, -1, {100, 50.04, 30.26}};
+  result.sites[0].anatomy =
+      placement::BodyAddress{placement::BodySegment::forearm, -1, {100, 50.04, 30.26}};
   const std::string csv = sites_csv(result.sites);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "name,region,panel,u_m,v_m,x_m,y_m,z_m,angle_deg,body_segment,body_side,body_x_percent,"
@@ -194,14 +196,14 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
 
 TEST(Summary, ClothIsNamedAfterItsConstants) {
   CaseResult result = small_result();
-  result.scenario = parse_scenario("[material]\nthickness = 0.0004\n", "");
+  result.scenario = io::parse_scenario("[material]\nthickness = 0.0004\n", "");
   const auto json = nlohmann::json::parse(summary_json(result))["material"];
   EXPECT_EQ(json["name"], "paper-cotton, changed: thickness");
   EXPECT_EQ(json["constants"]["thickness"]["value"], 0.0004);
   EXPECT_EQ(json["constants"]["thickness"]["unit"], "m");
   EXPECT_EQ(json["constants"]["thickness"]["from"], "scenario");
   EXPECT_EQ(json["constants"]["poisson"]["from"], "inherited from card paper-cotton");
-  EXPECT_EQ(json["constants"].size(), material_keys().size());
+  EXPECT_EQ(json["constants"].size(), io::material_keys().size());
 }
 
 TEST(Summary, UncoveredSitesAreTold) {
@@ -221,4 +223,4 @@ TEST(Summary, UncoveredSitesAreTold) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

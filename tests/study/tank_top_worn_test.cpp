@@ -5,17 +5,17 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/study/run_case.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
   for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
                            "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
     SCOPED_TRACE(body);
-    const Scenario scenario =
-        parse_scenario("[body]\n" + std::string(body) +
-                           "[garment]\npattern = \"tank-top\"\n[simulation]\nedge_length = 0.02\n",
-                       "case.toml");
+    const scenario::Scenario scenario = io::parse_scenario(
+        "[body]\n" + std::string(body) +
+            "[garment]\npattern = \"tank-top\"\n[simulation]\nedge_length = 0.02\n",
+        "case.toml");
     Progress silent;
     RunOptions options;
     options.only_drape = true;
@@ -23,7 +23,8 @@ TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
     EXPECT_TRUE(result.certificate().holds()) << result.certificate().stop_reason;
     EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
     // The straps lie on the shoulders, beside the neck.
-    const Garment::EdgeChain* strap = result.studied().mesh().find_part("front", "shoulder_L");
+    const garment::Garment::EdgeChain* strap =
+        result.studied().mesh().find_part("front", "shoulder_L");
     ASSERT_TRUE(strap);
     const auto& marks = result.body.body->landmarks;
     for (const int v : strap->vertices) {
@@ -36,4 +37,4 @@ TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

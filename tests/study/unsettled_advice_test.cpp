@@ -4,22 +4,23 @@
 
 #include "loosefit/io/scenario.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-Drape cut_by(Segment part) {
-  Drape drape;
-  drape.certificate.reason = StopReason::converged;
+drape::Drape cut_by(body::Segment part) {
+  drape::Drape drape;
+  drape.certificate.reason = drape::StopReason::converged;
   drape.certificate.intersections_body = 3;
   drape.unsettled.emplace();
-  CutTriangle cut;
+  drape::CutTriangle cut;
   cut.segment = part;
   cut.body = true;
   drape.unsettled->cuts = {cut};
   return drape;
 }
 
-std::string advice(const Scenario& scenario, Segment part = Segment::upper_arm) {
+std::string advice(const scenario::Scenario& scenario,
+                   body::Segment part = body::Segment::upper_arm) {
   return unsettled_advice(scenario, cut_by(part));
 }
 
@@ -28,10 +29,10 @@ bool has(const std::string& text, const std::string& word) {
 }
 
 TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
-  Scenario scenario = default_scenario();
+  scenario::Scenario scenario = io::default_scenario();
   EXPECT_TRUE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "body.posture"));
-  EXPECT_FALSE(has(advice(scenario, Segment::shank), "arms"));
+  EXPECT_FALSE(has(advice(scenario, body::Segment::shank), "arms"));
   scenario.studied().spec.size = "women-38";
   EXPECT_FALSE(has(advice(scenario), "garment.fit"));
   EXPECT_TRUE(has(advice(scenario), "garment.size"));
@@ -45,9 +46,9 @@ TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
 }
 
 TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
-  Drape drape = cut_by(Segment::torso);
+  drape::Drape drape = cut_by(body::Segment::torso);
   drape.certificate.intersections_body = 0;
-  Scenario scenario = default_scenario();
+  scenario::Scenario scenario = io::default_scenario();
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "start_perturbation = 0.001"));
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "body.dress_posture"));
   scenario.body.file = "/tmp/scan.obj";
@@ -57,16 +58,16 @@ TEST(UnsettledAdvice, AnotherStartByWhatTheCaseHas) {
 }
 
 TEST(UnsettledAdvice, MoreTimeDoesNotHelpWhatFalls) {
-  Drape drape = cut_by(Segment::torso);
-  Scenario scenario = default_scenario();
+  drape::Drape drape = cut_by(body::Segment::torso);
+  scenario::Scenario scenario = io::default_scenario();
   scenario.studied().spec.file = "/tmp/trousers.json";
-  drape.certificate.reason = StopReason::cloth_falls;
+  drape.certificate.reason = drape::StopReason::cloth_falls;
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "place the panels"));
-  drape.certificate.reason = StopReason::pieces_fall;
+  drape.certificate.reason = drape::StopReason::pieces_fall;
   EXPECT_TRUE(has(unsettled_advice(scenario, drape), "stitch"));
-  drape.certificate.reason = StopReason::time_budget;
+  drape.certificate.reason = drape::StopReason::time_budget;
   EXPECT_EQ(unsettled_advice(scenario, drape), "raise simulation.time_budget");
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

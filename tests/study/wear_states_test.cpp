@@ -19,7 +19,7 @@
 #include "loosefit/study/rank_case.h"
 #include "loosefit/study/simulation_options.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 const char* const kText =
@@ -34,13 +34,13 @@ const char* const kText =
 /// A shirt as it is put on, called settled, stuck to the skin in every other posture but for a
 /// shift of 5 mm down the back in the second donning: no time is spent on settling.
 CaseResult make_worn_case() {
-  const Scenario scenario = parse_scenario(kText, "case.toml");
+  const scenario::Scenario scenario = io::parse_scenario(kText, "case.toml");
   Progress silent;
   CaseResult result = prepare_case(scenario, silent);
   CaseGarment& shirt = result.studied();
-  shirt.drape = drape_garment(shirt.hierarchy, scenario.studied().material.material,
-                              result.body.path, drape_options(scenario.simulation), silent);
-  Certificate& certificate = shirt.drape.certificate = Certificate{};
+  shirt.drape = drape::drape_garment(shirt.hierarchy, scenario.studied().material.material,
+                                     result.body.path, drape_options(scenario.simulation), silent);
+  drape::Certificate& certificate = shirt.drape.certificate = drape::Certificate{};
   certificate.residual = 1e-4;
   certificate.intersections_body = certificate.intersections_self = 0;
   certificate.stop_reason = "converged";
@@ -56,7 +56,8 @@ CaseResult make_worn_case() {
     if (!id.in_first_donning())
       for (Vec3& point : x) point.z() -= 0.005;
     if (!id.in_reference_posture()) {
-      const auto way = displacements(skin_motion(result.body.body, result.body_in(id.posture), x), x);
+      const auto way = drape::displacements(
+          drape::skin_motion(result.body.body, result.body_in(id.posture), x), x);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += 1.05 * way[i];
     }
     result.wear.states.push_back(std::move(state));
@@ -70,12 +71,12 @@ const CaseResult& worn_case() {
   return result;
 }
 
-RankingTable ranked(const CaseResult& result) {
+placement::RankingTable ranked(const CaseResult& result) {
   return rank_cases({{"run", &result}}, ranking_wish(result.scenario.ranking, 1), true);
 }
 
 TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
-  const Scenario scenario = parse_scenario("[donning]\nrepeats = 50\n", "case.toml");
+  const scenario::Scenario scenario = io::parse_scenario("[donning]\nrepeats = 50\n", "case.toml");
   const CaseWear wear = plan_wear(scenario);
   ASSERT_EQ(wear.donnings.size(), 50u);
   EXPECT_TRUE(wear.donnings[0].shift.isZero());
@@ -93,7 +94,7 @@ TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
   EXPECT_GT(most_twist, radians(9));
   EXPECT_NEAR(std::sqrt(sum / 49), 0.18, 0.04) << "0.2, cut at two deviations";
   EXPECT_EQ(plan_wear(scenario).donnings[7].twist, wear.donnings[7].twist);
-  EXPECT_TRUE(plan_wear(parse_scenario("", "case.toml")).postures.empty());
+  EXPECT_TRUE(plan_wear(io::parse_scenario("", "case.toml")).postures.empty());
 }
 
 TEST(WearStates, PosingIsShownAndEndsOnTheWayWhenAsked) {
@@ -122,10 +123,10 @@ TEST(WearStates, StatesOfAllDonningsShareOneBodyPerPosture) {
   EXPECT_EQ(result.wear.states[1].id, (StateId{0, 1}));
   EXPECT_EQ(state_folder(result.wear.states[0]), "postures/forward-bend-15");
   EXPECT_EQ(state_folder(result.wear.states[2]), "donnings/2/forward-bend-15");
-  const std::vector<WornState> states = worn_states(result);
+  const std::vector<placement::WornState> states = worn_states(result);
   ASSERT_EQ(states.size(), 4u);
-  EXPECT_EQ(&states[0].body, &states[2].body) << "reference of both donnings";
-  EXPECT_EQ(&states[1].body, &states[3].body);
+  EXPECT_EQ(&states[0].body.body(), &states[2].body.body()) << "reference of both donnings";
+  EXPECT_EQ(&states[1].body.body(), &states[3].body.body());
 }
 
 TEST(WearStates, MapsOfSlipAndOrientationErrorComeWithSeveralPostures) {
@@ -140,10 +141,10 @@ TEST(WearStates, MapsOfSlipAndOrientationErrorComeWithSeveralPostures) {
 }
 
 TEST(WearStates, RankingTellsTheErrorOverPosturesPerDonning) {
-  const RankingTable table = ranked(worn_case());
+  const placement::RankingTable table = ranked(worn_case());
   ASSERT_EQ(table.sites.size(), 2u);
   EXPECT_EQ(table.sample_names, (std::vector<std::string>{"run donning 1", "run donning 2"}));
-  for (const RankedSite& site : table.ranking.sites) {
+  for (const placement::RankedSite& site : table.ranking.sites) {
     EXPECT_TRUE(site.score.rated()) << site.score.reason;
     EXPECT_FALSE(site.score.reason.empty());
   }
@@ -161,16 +162,16 @@ TEST(WearStates, AStoredRunRanksAlike) {
   ASSERT_EQ(loaded.wear.states.size(), result.wear.states.size());
   EXPECT_EQ(loaded.wear.states[1].seconds, result.wear.states[1].seconds);
   loaded.take_maps(map_case(loaded, false));
-  const RankingTable a = ranked(result), b = ranked(loaded);
+  const placement::RankingTable a = ranked(result), b = ranked(loaded);
   for (std::size_t i = 0; i < a.sites.size(); ++i)
     for (std::size_t k = 0; k < a.sites[i].samples.size(); ++k)
       EXPECT_DOUBLE_EQ(a.sites[i].samples[k].at("coe_rms_deg"),
                        b.sites[i].samples[k].at("coe_rms_deg"));
   // Drapes on a body that this version would not make.
-  Body other = result.wear.bodies[1];
+  body::Body other = result.wear.bodies[1];
   for (Vec3& p : other.surface.vertices) p.x() += 0.0002;
   const auto stored = folder / state_folder(result.wear.states[0]) / "body.vtp";
-  write_body_vtp(stored, other);
+  io::write_body_vtp(stored, other);
   try {
     load_case(folder, silent);
     ADD_FAILURE() << "judged on another body";
@@ -200,7 +201,7 @@ TEST(WearStates, WhatDidNotSettleIsNamedAndCountsNowhere) {
 TEST(WearStates, AnArmBesideItsSleeveDoesNotCount) {
   CaseResult result = worn_case();
   CaseState& state = result.wear.states[0];
-  const Body& body = result.body_in(state.id.posture);
+  const body::Body& body = result.body_in(state.id.posture);
   state = check_worn(state, body, result);
   EXPECT_TRUE(state.counts());
   for (Vec3& p : state.drapes[0].positions) p.z() -= 0.5;
@@ -210,4 +211,4 @@ TEST(WearStates, AnArmBesideItsSleeveDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

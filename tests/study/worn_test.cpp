@@ -13,25 +13,25 @@
 #include "support/trunk_tubes.h"
 #include "support/worn_shirt.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Reasons = std::vector<std::string>;
 
-const PosedBody& woman() {
-  static const PosedBody body = support::standing(support::adult_parameters(), 40);
+const body::PosedBody& woman() {
+  static const body::PosedBody body = support::standing(support::adult_parameters(), 40);
   return body;
 }
 
 /// A garment with its cut.
 struct Sewn {
-  Pattern pattern;
-  GarmentHierarchy levels;
-  explicit Sewn(Pattern cut)
-      : pattern(std::move(cut)), levels(build_hierarchy(pattern, 0.03, support::knit())) {}
-  const Garment& mesh() const { return levels.finest(); }
-  Reasons on(const std::vector<Vec3>& x, const PosedBody& body = woman()) const {
-    return why_not_worn(mesh(), pattern, x, body);
+  pattern::Pattern pattern;
+  garment::GarmentHierarchy levels;
+  explicit Sewn(pattern::Pattern cut)
+      : pattern(std::move(cut)), levels(garment::build_hierarchy(pattern, 0.03, support::knit())) {}
+  const garment::Garment& mesh() const { return levels.finest(); }
+  Reasons on(const std::vector<Vec3>& x, const body::PosedBody& body = woman()) const {
+    return drape::why_not_worn(mesh(), pattern, x, body);
   }
 };
 
@@ -41,7 +41,7 @@ const Sewn& shirt() {
 }
 const Sewn& trousers() {
   static const Sewn made(
-      parse_garmentcode(support::trousers_file(52, 24, 66, 26, 10), "t").pattern);
+      io::parse_garmentcode(support::trousers_file(52, 24, 66, 26, 10), "t").pattern);
   return made;
 }
 
@@ -50,9 +50,10 @@ std::vector<Vec3> moved(std::vector<Vec3> x, const Vec3& way) {
   return x;
 }
 
-std::vector<OpeningUse> uses(const Sewn& garment) {
-  std::vector<OpeningUse> all;
-  for (const Opening& o : garment_openings(garment.mesh(), garment.pattern)) all.push_back(o.use);
+std::vector<kinds::OpeningUse> uses(const Sewn& garment) {
+  std::vector<kinds::OpeningUse> all;
+  for (const drape::Opening& o : drape::garment_openings(garment.mesh(), garment.pattern))
+    all.push_back(o.use);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -60,23 +61,26 @@ std::vector<OpeningUse> uses(const Sewn& garment) {
 /// Where the pattern places the pieces, nearer to the body, before and behind the body, the seams
 /// drawn up to the middle, and so much lower.
 std::vector<Vec3> round_the_body(const Sewn& garment, double down) {
-  std::vector<Vec3> x = placed_by_pattern(garment.mesh(), garment.pattern);
+  std::vector<Vec3> x = drape::placed_by_pattern(garment.mesh(), garment.pattern);
   for (Vec3& p : x) p = Vec3(p.x(), 0.5 * p.y(), p.z() - down);
   return x;
 }
 
 TEST(Openings, AreToldByHowTheyLieToEachOther) {
-  EXPECT_EQ(uses(shirt()), (std::vector<OpeningUse>{OpeningUse::neck, OpeningUse::left_arm,
-                                                    OpeningUse::right_arm, OpeningUse::hem}));
-  EXPECT_EQ(uses(trousers()), (std::vector<OpeningUse>{OpeningUse::left_leg, OpeningUse::right_leg,
-                                                       OpeningUse::waist}));
-  const Sewn skirt(parse_garmentcode(support::tube_file(36, 50, 45, 60), "s").pattern);
-  EXPECT_EQ(uses(skirt), (std::vector<OpeningUse>{OpeningUse::upper, OpeningUse::hem}));
+  EXPECT_EQ(uses(shirt()),
+            (std::vector<kinds::OpeningUse>{kinds::OpeningUse::neck, kinds::OpeningUse::left_arm,
+                                            kinds::OpeningUse::right_arm, kinds::OpeningUse::hem}));
+  EXPECT_EQ(uses(trousers()), (std::vector<kinds::OpeningUse>{kinds::OpeningUse::left_leg,
+                                                              kinds::OpeningUse::right_leg,
+                                                              kinds::OpeningUse::waist}));
+  const Sewn skirt(io::parse_garmentcode(support::tube_file(36, 50, 45, 60), "s").pattern);
+  EXPECT_EQ(uses(skirt),
+            (std::vector<kinds::OpeningUse>{kinds::OpeningUse::upper, kinds::OpeningUse::hem}));
 }
 
 TEST(Openings, KeepTheirUseWhereverThePatternIsPlaced) {
-  Pattern high = shirt().pattern;
-  for (Panel& panel : high.panels) panel.translation += Vec3(0.4, 0.1, 3);
+  pattern::Pattern high = shirt().pattern;
+  for (pattern::Panel& panel : high.panels) panel.translation += Vec3(0.4, 0.1, 3);
   EXPECT_EQ(uses(Sewn(high)), uses(shirt()));
 }
 
@@ -143,7 +147,7 @@ TEST(Worn, TheBoundIsHalfTheWayFromWaistToCrotch) {
     const double down = 0.5 * (held + gone);
     (trousers().on(round_the_body(trousers(), down)).empty() ? held : gone) = down;
   }
-  const Body& body = woman();
+  const body::Body& body = woman();
   const double waist =
       0.5 * (body.landmarks.at("back_waist").z() + body.landmarks.at("front_waist").z());
   const double top = 1.02;  // of the trousers [m]
@@ -151,11 +155,11 @@ TEST(Worn, TheBoundIsHalfTheWayFromWaistToCrotch) {
 }
 
 TEST(Worn, LevelsGoAlongWithAPosture) {
-  const Body sitting = body_model().build(support::adult_parameters(), {radians(40), 0, 1});
+  const body::Body sitting = body_model().build(support::adult_parameters(), {radians(40), 0, 1});
   const double waist =
       0.5 * (sitting.landmarks.at("back_waist").z() + sitting.landmarks.at("front_waist").z());
-  const Sewn skirt(parse_garmentcode(support::tube_file(40, 46, 12, 92), "s").pattern);
-  std::vector<Vec3> x = placed_by_pattern(skirt.mesh(), skirt.pattern);
+  const Sewn skirt(io::parse_garmentcode(support::tube_file(40, 46, 12, 92), "s").pattern);
+  std::vector<Vec3> x = drape::placed_by_pattern(skirt.mesh(), skirt.pattern);
   const Vec3 back = sitting.landmarks.at("back_waist"), front = sitting.landmarks.at("front_waist");
   const double y = 0.5 * (back.y() + front.y());
   for (Vec3& p : x) p = Vec3(p.x(), y + 0.5 * p.y(), p.z() + waist - 1.04);
@@ -163,7 +167,7 @@ TEST(Worn, LevelsGoAlongWithAPosture) {
 }
 
 TEST(Worn, NothingIsAskedOfABodyWithoutJointsButTheTouch) {
-  Body statue = woman();
+  body::Body statue = woman();
   statue.joints.clear();
   EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5), statue), Reasons{});
   EXPECT_EQ(trousers().on(round_the_body(trousers(), -3), statue),
@@ -172,9 +176,9 @@ TEST(Worn, NothingIsAskedOfABodyWithoutJointsButTheTouch) {
 
 /// Two equal pieces before and behind the body, sewn at both sides: `neck` and `hem` flat widths
 /// [m].
-Pattern two_panels(double neck, double hem, double length, double x, double top) {
+pattern::Pattern two_panels(double neck, double hem, double length, double x, double top) {
   using namespace testing_support;
-  Pattern pattern;
+  pattern::Pattern pattern;
   for (const bool back : {false, true})
     pattern.panels.push_back(placed(
         polygon_panel(
@@ -185,7 +189,7 @@ Pattern two_panels(double neck, double hem, double length, double x, double top)
   return pattern;
 }
 
-double neck_height(const Body& body) { return body.landmarks.at("hps_L").z(); }
+double neck_height(const body::Body& body) { return body.landmarks.at("hps_L").z(); }
 
 TEST(Worn, APonchoOnTheShouldersButNotBelowThem) {
   const Sewn poncho(two_panels(0.30, 1.10, 0.55, 0, neck_height(woman()) + 0.02));
@@ -197,7 +201,7 @@ TEST(Worn, APonchoOnTheShouldersButNotBelowThem) {
 }
 
 TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
-  const Body& body = woman();
+  const body::Body& body = woman();
   const Vec3 knee = body.joints.at("knee_L"), hip = body.joints.at("hip_L");
   const double top = 0.3 * knee.z() + 0.7 * hip.z();
   const Sewn stocking(two_panels(0.18, 0.14, 0.4, 0.5 * (knee.x() + hip.x()), top));
@@ -210,7 +214,7 @@ TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
 }
 
 TEST(Worn, ATubeThatIsPlacedRoundNothingGoesRoundWhateverIsInBothEnds) {
-  const Body& body = woman();
+  const body::Body& body = woman();
   const Vec3 knee = body.joints.at("knee_L");
   const Sewn far(two_panels(0.20, 0.18, 0.3, 3, knee.z() + 0.1));
   const std::vector<Vec3> x = round_the_body(far, 0);
@@ -222,7 +226,7 @@ TEST(Worn, ATubeThatIsPlacedRoundNothingGoesRoundWhateverIsInBothEnds) {
 TEST(Worn, ATankTopOnTheShoulders) {
   using namespace testing_support;
   for (const double length : {0.45, 0.65}) {
-    const Sewn top(dress(levels_of(woman()), 1.15, length));
+    const Sewn top(testing_support::dress(levels_of(woman()), 1.15, length));
     const std::vector<Vec3> x = round_the_body(top, 0.01);
     EXPECT_EQ(top.on(x), Reasons{}) << length;
     const Reasons low = top.on(moved(x, {0, 0, -0.4}));
@@ -242,20 +246,20 @@ TEST(Worn, AStraplessDressAtTheChestAndNotAtTheHips) {
 }
 
 TEST(Worn, AShirtWithTheArmsRaisedAside) {
-  const Body raised = support::standing(support::adult_parameters(), 80);
+  const body::Body raised = support::standing(support::adult_parameters(), 80);
   const Sewn made(support::shirt_for(raised, 0.2));
   EXPECT_EQ(made.on(support::dress_shirt(made.mesh(), raised), raised), Reasons{});
 }
 
 /// The shirt cut open along the middle of its front, without labels on its edges.
 struct Jacket {
-  Pattern pattern = shirt().pattern;
-  Garment mesh = shirt().mesh();
+  pattern::Pattern pattern = shirt().pattern;
+  garment::Garment mesh = shirt().mesh();
   Jacket() {
-    for (Panel& panel : pattern.panels)
-      for (PanelEdge& edge : panel.edges) edge.label.clear();
-    const std::vector<Vec3> flat = placed_by_pattern(mesh, pattern);
-    const Garment whole = mesh;
+    for (pattern::Panel& panel : pattern.panels)
+      for (pattern::PanelEdge& edge : panel.edges) edge.label.clear();
+    const std::vector<Vec3> flat = drape::placed_by_pattern(mesh, pattern);
+    const garment::Garment whole = mesh;
     mesh.triangles.clear(), mesh.triangle_uv.clear(), mesh.triangle_panel.clear();
     for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
       const Triangle& c = whole.triangles[t];
@@ -266,7 +270,9 @@ struct Jacket {
       mesh.triangle_panel.push_back(whole.triangle_panel[t]);
     }
   }
-  Reasons on(const std::vector<Vec3>& x) const { return why_not_worn(mesh, pattern, x, woman()); }
+  Reasons on(const std::vector<Vec3>& x) const {
+    return drape::why_not_worn(mesh, pattern, x, woman());
+  }
 };
 
 TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
@@ -288,8 +294,8 @@ TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
 TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
   const Jacket jacket;
   const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
-  const auto alike = [&](const Garment& mesh, const Vec3& way) {
-    return worn_alike(mesh, jacket.pattern, moved(x, way), woman(), x, woman());
+  const auto alike = [&](const garment::Garment& mesh, const Vec3& way) {
+    return drape::worn_alike(mesh, jacket.pattern, moved(x, way), woman(), x, woman());
   };
   EXPECT_TRUE(alike(jacket.mesh, {0, 0, -0.03}));
   EXPECT_FALSE(alike(jacket.mesh, {0, 0, 3}));
@@ -298,13 +304,13 @@ TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
 
 TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
   using namespace testing_support;
-  const Body child = support::standing(support::slim_child_parameters(), 40);
+  const body::Body child = support::standing(support::slim_child_parameters(), 40);
   const double share = child.measured.at("height") / woman()->measured.at("height");
-  Pattern shawl;  // a front piece that hangs from the neck to the waist
+  pattern::Pattern shawl;  // a front piece that hangs from the neck to the waist
   shawl.panels = {
       placed(rectangle_panel("front", 0.3, 0.35), false, -0.15, neck_height(woman()) - 0.35)};
   const Sewn made(shawl);
-  std::vector<Vec3> on_woman = placed_by_pattern(made.mesh(), made.pattern);
+  std::vector<Vec3> on_woman = drape::placed_by_pattern(made.mesh(), made.pattern);
   double skin = 0;
   for (const Vec3& p : woman()->surface.vertices) skin = std::min(skin, p.y());
   for (Vec3& p : on_woman) p.y() = skin;
@@ -319,10 +325,10 @@ TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
   EXPECT_FALSE(sunk(made.on(on_child, child)));
   EXPECT_TRUE(sunk(made.on(moved(on_child, {0, 0, -0.5}), child)));
   EXPECT_TRUE(sunk(made.on(moved(on_woman, {0, 0, -0.5}))));
-  Pattern high = shawl;
+  pattern::Pattern high = shawl;
   high.panels[0].translation.z() += 3;
   EXPECT_FALSE(sunk(Sewn(high).on(on_woman))) << "wherever the pattern is placed";
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::study

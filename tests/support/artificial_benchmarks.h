@@ -6,8 +6,9 @@
 
 namespace loosefit::support {
 
-inline Finding finding(double expected, double obtained, Finding::Gate gate, double limit) {
-  Finding f;
+inline validate::Finding finding(double expected, double obtained, validate::Finding::Gate gate,
+                                 double limit) {
+  validate::Finding f;
   f.what = "length <of> & thread";
   f.unit = "mm";
   f.expected = expected;
@@ -18,10 +19,11 @@ inline Finding finding(double expected, double obtained, Finding::Gate gate, dou
   return f;
 }
 
-inline Benchmark with_findings(const std::string& id, std::vector<Finding> findings) {
-  return {id, "Artificial", "made up", true, [findings](Effort, Progress& progress) {
+inline validate::Benchmark with_findings(const std::string& id,
+                                         std::vector<validate::Finding> findings) {
+  return {id, "Artificial", "made up", true, [findings](validate::Effort, Progress& progress) {
             progress.update(0.5, "half");
-            BenchmarkResult result;
+            validate::BenchmarkResult result;
             result.findings = findings;
             return result;
           }};
@@ -29,14 +31,14 @@ inline Benchmark with_findings(const std::string& id, std::vector<Finding> findi
 
 /// A1 passes, A2 misses one of two gates, A3 only reports, A4 throws, A5 finds nothing and has no
 /// quick form.
-inline std::vector<Benchmark> artificial_benchmarks() {
-  const Finding good = finding(1, 1.001, Finding::Gate::relative, 0.01);
-  const Finding bad = finding(1, 1.1, Finding::Gate::relative, 0.01);
-  const Finding told = finding(1, 7, Finding::Gate::reported, 0);
-  std::vector<Benchmark> all = {with_findings("A1", {good}), with_findings("A2", {good, bad}),
-                                with_findings("A3", {told}), with_findings("A4", {}),
-                                with_findings("A5", {})};
-  all[3].run = [](Effort, Progress&) -> BenchmarkResult {
+inline std::vector<validate::Benchmark> artificial_benchmarks() {
+  const validate::Finding good = finding(1, 1.001, validate::Finding::Gate::relative, 0.01);
+  const validate::Finding bad = finding(1, 1.1, validate::Finding::Gate::relative, 0.01);
+  const validate::Finding told = finding(1, 7, validate::Finding::Gate::reported, 0);
+  std::vector<validate::Benchmark> all = {
+      with_findings("A1", {good}), with_findings("A2", {good, bad}), with_findings("A3", {told}),
+      with_findings("A4", {}), with_findings("A5", {})};
+  all[3].run = [](validate::Effort, Progress&) -> validate::BenchmarkResult {
     throw std::runtime_error("the loom broke");
   };
   all[4].in_quick = false;

@@ -8,11 +8,12 @@
 namespace loosefit::support {
 
 /// Random symmetric blocks, the diagonal ones larger by `diagonal`.
-inline BlockMatrix filled(BlockPattern pattern, double diagonal, unsigned seed) {
+inline particles::BlockMatrix filled(particles::BlockPattern pattern, double diagonal,
+                                     unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> u(-1, 1);
   pattern.compress();
-  BlockMatrix m(pattern);
+  particles::BlockMatrix m(pattern);
   for (int j = 0; j < m.particles(); ++j)
     for (int i : pattern.rows_of_column()[j]) {
       Mat3 block;
@@ -24,8 +25,8 @@ inline BlockMatrix filled(BlockPattern pattern, double diagonal, unsigned seed) 
 }
 
 /// A chain with some far couplings.
-inline BlockMatrix random_matrix(int n, double diagonal, unsigned seed) {
-  BlockPattern pattern(n);
+inline particles::BlockMatrix random_matrix(int n, double diagonal, unsigned seed) {
+  particles::BlockPattern pattern(n);
   for (int i = 1; i < n; ++i) pattern.add(i, i - 1);
   for (int i = 0; i < n; i += 3) pattern.add(i, (7 * i + 5) % n);
   return filled(std::move(pattern), diagonal, seed);
@@ -47,9 +48,9 @@ inline Eigen::VectorXd flat(const std::vector<Vec3>& f) {
 
 /// Two cliques and a third that both of them touch: fronts that are shared out in blocks, and pass
 /// their borders on.
-inline BlockMatrix cliques(double diagonal, unsigned seed) {
+inline particles::BlockMatrix cliques(double diagonal, unsigned seed) {
   constexpr int kClique = 110, kShared = 50;
-  BlockPattern pattern(2 * kClique + kShared);
+  particles::BlockPattern pattern(2 * kClique + kShared);
   for (int first : {0, kClique}) {
     std::vector<int> clique;
     for (int i = 0; i < kClique; ++i) clique.push_back(first + i);
@@ -63,8 +64,8 @@ inline BlockMatrix cliques(double diagonal, unsigned seed) {
 
 /// A sheet of n x n particles, each coupled to its eight neighbours and the next but one, as the
 /// Hessian of a cloth is.
-inline BlockMatrix sheet(int n, double diagonal, unsigned seed) {
-  BlockPattern pattern(n * n);
+inline particles::BlockMatrix sheet(int n, double diagonal, unsigned seed) {
+  particles::BlockPattern pattern(n * n);
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x)
       for (int dy = 0; dy <= 2; ++dy)

@@ -5,8 +5,8 @@ namespace loosefit {
 
 /// The parametric body, loaded once per test binary. Throws (the test fails) when it is not baked:
 /// `make test` fetches and bakes it first.
-inline const BodyModel& body_model() {
-  static const BodyModel model = BodyModel::load();
+inline const body::BodyModel& body_model() {
+  static const body::BodyModel model = body::BodyModel::load();
   return model;
 }
 

@@ -18,15 +18,15 @@ struct ClothScene {
   std::vector<Triangle> triangles;
   std::vector<std::array<Vec2, 3>> uv;
   std::vector<double> area;
-  VectorField x;
-  TriangleMesh skin;
-  std::unique_ptr<ClosestPointTree> tree;
-  std::shared_ptr<const DistanceField> field;
-  std::unique_ptr<MembraneEnergy> membrane;
-  std::unique_ptr<BendingEnergy> bending;
-  std::unique_ptr<GravityEnergy> gravity;
-  std::unique_ptr<BodyContact> contact;
-  ParticleSystem system;
+  particles::VectorField x;
+  geometry::TriangleMesh skin;
+  std::unique_ptr<geometry::ClosestPointTree> tree;
+  std::shared_ptr<const contact::DistanceField> field;
+  std::unique_ptr<fabric::MembraneEnergy> membrane;
+  std::unique_ptr<fabric::BendingEnergy> bending;
+  std::unique_ptr<particles::GravityEnergy> gravity;
+  std::unique_ptr<contact::BodyContact> contact;
+  solver::ParticleSystem system;
 
   struct Contact {
     double stiffness = 1e6;     ///< [Pa/m]
@@ -38,31 +38,34 @@ struct ClothScene {
 
   /// `start` are the first positions of the particles of the sheet `mesh`, whose own positions are
   /// the pattern (u = x, v = y); `same` maps particles that are sewn to others.
-  ClothScene(const TriangleMesh& mesh, const std::map<int, int>& same, const VectorField& start,
-             TriangleMesh body, const Material& m, const Contact& c, double g = kGravity,
-             bool viscous = false)
+  ClothScene(const geometry::TriangleMesh& mesh, const std::map<int, int>& same,
+             const particles::VectorField& start, geometry::TriangleMesh body,
+             const fabric::Material& m, const Contact& c, double g = kGravity, bool viscous = false)
       : triangles(mesh.triangles), uv(flat_uv(mesh)), x(start), skin(std::move(body)) {
     for (Triangle& t : triangles)
       for (int& v : t)
         if (same.count(v)) v = same.at(v);
     const int n = static_cast<int>(x.size());
     system.mass.assign(n, 0.0);
-    Box3 box;
+    geometry::Box3 box;
     for (const Vec3& p : x) box.extend(p);
     const Vec3 margin = Vec3::Constant(0.03);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const auto& [p, q, r] = mesh.triangles[t];
-      area.push_back(triangle_area(mesh.vertices[p], mesh.vertices[q], mesh.vertices[r]));
+      area.push_back(geometry::triangle_area(mesh.vertices[p], mesh.vertices[q], mesh.vertices[r]));
       for (int v : triangles[t]) system.mass[v] += m.areal_density * area.back() / 3;
     }
-    tree = std::make_unique<ClosestPointTree>(skin);
-    field = std::make_shared<DistanceField>(*tree, Box3(box.min() - margin, box.max() + margin),
-                                            c.spacing);
-    membrane = std::make_unique<MembraneEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
-    bending = std::make_unique<BendingEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
-    gravity = std::make_unique<GravityEnergy>(system.mass, g);
-    contact = std::make_unique<BodyContact>(contact_points(triangles, area, n, c.offset),
-                                            c.stiffness, c.friction, c.stick_reach);
+    tree = std::make_unique<geometry::ClosestPointTree>(skin);
+    field = std::make_shared<contact::DistanceField>(
+        *tree, geometry::Box3(box.min() - margin, box.max() + margin), c.spacing);
+    membrane =
+        std::make_unique<fabric::MembraneEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
+    bending =
+        std::make_unique<fabric::BendingEnergy>(triangles, uv, std::vector<double>{}, m, viscous);
+    gravity = std::make_unique<particles::GravityEnergy>(system.mass, g);
+    contact = std::make_unique<contact::BodyContact>(
+        contact::contact_points(triangles, area, n, c.offset), c.stiffness, c.friction,
+        c.stick_reach);
     contact->set_field(field);
     system.energies = {membrane.get(), bending.get(), gravity.get(), contact.get()};
     system.held.assign(n, 0);
@@ -73,9 +76,9 @@ struct ClothScene {
 /// A sheet whose sides x = 0 and x = width are sewn: which vertices become one, and the others
 /// renumbered without holes.
 struct RolledSheet {
-  TriangleMesh mesh;        ///< flat; positions are the pattern
-  std::map<int, int> same;  ///< mesh vertex → particle
-  std::vector<Vec2> place;  ///< pattern position of each particle
+  geometry::TriangleMesh mesh;  ///< flat; positions are the pattern
+  std::map<int, int> same;      ///< mesh vertex → particle
+  std::vector<Vec2> place;      ///< pattern position of each particle
 };
 inline RolledSheet rolled_sheet(double width, double height, double edge, double jitter) {
   RolledSheet r;
@@ -98,14 +101,14 @@ inline RolledSheet rolled_sheet(double width, double height, double edge, double
 }
 
 /// Positions turned by 90° about the x axis: (x, y, z) → (x, −z, y); what stood lies.
-inline TriangleMesh laid_down(TriangleMesh mesh) {
+inline geometry::TriangleMesh laid_down(geometry::TriangleMesh mesh) {
   for (Vec3& p : mesh.vertices) p = Vec3(p[0], -p[2], p[1]);
   return mesh;
 }
 
 /// Closed, outward oriented box centred at the origin.
-inline TriangleMesh box_mesh(const Vec3& half) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh box_mesh(const Vec3& half) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back((i & 1 ? 1 : -1) * half[0], (i & 2 ? 1 : -1) * half[1],
                                (i & 4 ? 1 : -1) * half[2]);

@@ -4,8 +4,8 @@
 namespace loosefit::support {
 
 /// The measures of the adult woman of the pattern reference (docs/theory/patterns.md 1).
-inline Body measured_woman() {
-  Body body;
+inline body::Body measured_woman() {
+  body::Body body;
   body.measured = {{"chest", .880},
                    {"waist", .720},
                    {"hip", .960},

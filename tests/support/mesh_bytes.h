@@ -12,7 +12,7 @@ void append(std::string& bytes, T value) {
 }
 
 /// A binary little-endian PLY with double coordinates.
-inline std::string ply_bytes(const TriangleMesh& mesh) {
+inline std::string ply_bytes(const geometry::TriangleMesh& mesh) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(mesh.vertices.size()) +
                       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
@@ -28,12 +28,12 @@ inline std::string ply_bytes(const TriangleMesh& mesh) {
 }
 
 /// A binary STL.
-inline std::string stl_bytes(const TriangleMesh& mesh) {
+inline std::string stl_bytes(const geometry::TriangleMesh& mesh) {
   std::string bytes(80, ' ');
   append(bytes, std::uint32_t(mesh.triangles.size()));
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    for (const Vec3& p : {triangle_normal(a, b, c), a, b, c})
+    for (const Vec3& p : {geometry::triangle_normal(a, b, c), a, b, c})
       for (int axis = 0; axis < 3; ++axis) append(bytes, float(p[axis]));
     append(bytes, std::uint16_t(0));
   }

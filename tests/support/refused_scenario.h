@@ -12,7 +12,7 @@ namespace loosefit::support {
 /// What the user reads when a scenario is refused: message and hint in one line; else "accepted".
 inline std::string refusal(const std::string& text) {
   try {
-    parse_scenario(text, "case.toml");
+    io::parse_scenario(text, "case.toml");
   } catch (const Error& error) {
     return std::string(error.what()) + " | " + error.hint();
   }

@@ -13,7 +13,7 @@ struct Levels {
   double shoulder_breadth, neck_width;
 };
 
-inline Levels levels_of(const Body& body) {
+inline Levels levels_of(const body::Body& body) {
   const auto at = [&](const char* name) { return body.measured.at(name); };
   return {at("waist"),
           at("hip"),
@@ -28,7 +28,7 @@ inline Levels levels_of(const Body& body) {
 }
 
 /// Stands upright at x, facing the front or the back; panel origin at the given height.
-inline Panel placed(Panel panel, bool back, double x, double height) {
+inline pattern::Panel placed(pattern::Panel panel, bool back, double x, double height) {
   const double side = back ? -1 : 1;
   panel.rotation.col(0) = side * Vec3::UnitX();
   panel.rotation.col(1) = Vec3::UnitZ();
@@ -38,14 +38,14 @@ inline Panel placed(Panel panel, bool back, double x, double height) {
 }
 
 /// A skirt of `count` panels in a ring, straight from the waist to the hem, without a waistband.
-inline Pattern skirt(const Levels& of, double ring, double hem, double length, int count) {
-  Pattern pattern;
+inline pattern::Pattern skirt(const Levels& of, double ring, double hem, double length, int count) {
+  pattern::Pattern pattern;
   pattern.name = "skirt";
   const double top = ring * of.waist / count, bottom = hem * of.hip / count;
   const double radius = 0.06 + of.waist / (2 * kPi) * 1.2;
   for (int i = 0; i < count; ++i) {
     const double turn = 2 * kPi * (i + 0.5) / count;
-    Panel panel =
+    pattern::Panel panel =
         polygon_panel("gore_" + std::to_string(i),
                       {{-bottom / 2, -length}, {bottom / 2, -length}, {top / 2, 0}, {-top / 2, 0}});
     panel.rotation.col(0) = Vec3(std::cos(turn), std::sin(turn), 0);
@@ -59,8 +59,8 @@ inline Pattern skirt(const Levels& of, double ring, double hem, double length, i
 }
 
 /// Trousers without a waistband: two legs, sewn outside, inside and from waist to crotch.
-inline Pattern trousers(const Levels& of, double ring, double ease) {
-  Pattern pattern;
+inline pattern::Pattern trousers(const Levels& of, double ring, double ease) {
+  pattern::Pattern pattern;
   pattern.name = "trousers";
   const double rise = of.waist_height - of.crotch_height + 0.02,
                length = rise + of.crotch_height - 0.10;
@@ -105,8 +105,8 @@ inline Pattern trousers(const Levels& of, double ring, double ease) {
 }
 
 /// A sleeveless dress, or a top where the length ends above the hip.
-inline Pattern dress(const Levels& of, double ease, double length) {
-  Pattern pattern;
+inline pattern::Pattern dress(const Levels& of, double ease, double length) {
+  pattern::Pattern pattern;
   pattern.name = "dress";
   const double s = 0.45 * of.shoulder_breadth, n = 0.75 * of.neck_width;
   const double chest = ease * of.chest / 4, waist = 1.05 * ease * of.waist / 4;

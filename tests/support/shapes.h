@@ -7,8 +7,8 @@
 namespace loosefit::support {
 
 /// Closed, outward oriented latitude-longitude sphere about the origin.
-inline TriangleMesh sphere(double radius, int rings, int sectors) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh sphere(double radius, int rings, int sectors) {
+  geometry::TriangleMesh mesh;
   mesh.vertices.emplace_back(0, 0, radius);
   for (int i = 1; i < rings; ++i)
     for (int j = 0; j < sectors; ++j) {
@@ -32,8 +32,8 @@ inline TriangleMesh sphere(double radius, int rings, int sectors) {
 }
 
 /// Closed, outward oriented circular cylinder along z, from z0 to z1.
-inline TriangleMesh cylinder(double radius, double z0, double z1, int rows, int sectors) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh cylinder(double radius, double z0, double z1, int rows, int sectors) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j < sectors; ++j) {
       const double phi = 2 * kPi * j / sectors;
@@ -57,9 +57,9 @@ inline TriangleMesh cylinder(double radius, double z0, double z1, int rows, int 
 
 /// Flat sheet [0, width] x [0, height] in the (x, y) plane with near-equilateral, optionally
 /// jittered triangles: rows of points shifted by half an edge.
-inline TriangleMesh sheet(double width, double height, double edge, double jitter = 0,
-                          unsigned seed = 1) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh sheet(double width, double height, double edge, double jitter = 0,
+                                    unsigned seed = 1) {
+  geometry::TriangleMesh mesh;
   const int columns = std::max(1, static_cast<int>(std::round(width / edge)));
   const int rows = std::max(1, static_cast<int>(std::round(height / (edge * std::sqrt(0.75)))));
   std::mt19937 rng(seed);

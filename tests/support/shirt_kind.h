@@ -12,26 +12,28 @@
 namespace loosefit::support {
 
 /// A shirt with sleeves as it is laid round a body when it is worn alone.
-inline std::vector<Vec3> dress_shirt(const Garment& shirt, const Body& body) {
-  return lay_round(shirt, body, lay_shirt);
+inline std::vector<Vec3> dress_shirt(const garment::Garment& shirt, const body::Body& body) {
+  return dress::lay_round(shirt, body, kinds::lay_shirt);
 }
 
 /// The fit that a kind of shirt has where nothing else is asked for.
-inline ShirtFit usual_fit(const std::string& kind) {
-  NamedValues values;
-  for (const KindKey& key : garment_kind(kind).keys)
+inline kinds::ShirtFit usual_fit(const std::string& kind) {
+  kinds::NamedValues values;
+  for (const kinds::KindKey& key : kinds::garment_kind(kind).keys)
     if (key.usual) values[key.name] = *key.usual;
-  return shirt_fit_of(values);
+  return kinds::shirt_fit_of(values);
 }
 
 struct ShirtSize {
-  ShirtMeasures body;
-  ShirtFit fit;
+  kinds::ShirtMeasures body;
+  kinds::ShirtFit fit;
 };
 inline ShirtSize shirt_size(const std::string& name) {
-  const KindSize& size = find_size(shirt_sizes(), name);
-  return {shirt_measures_of(size.measures), shirt_fit_of(size.fit)};
+  const kinds::KindSize& size = kinds::find_size(kinds::shirt_sizes(), name);
+  return {kinds::shirt_measures_of(size.measures), kinds::shirt_fit_of(size.fit)};
 }
-inline std::vector<std::string> shirt_size_names() { return size_names(shirt_sizes()); }
+inline std::vector<std::string> shirt_size_names() {
+  return kinds::size_names(kinds::shirt_sizes());
+}
 
 }  // namespace loosefit::support

@@ -13,17 +13,21 @@ struct StickPerson {
   static constexpr double kAcromion = 1.40, kShoulder = 1.35, kElbow = 1.10, kWrist = 0.85;
   static constexpr double kHip = 0.85, kKnee = 0.45, kAnkle = 0.05;
   static constexpr double kC7 = 1.35, kSternum = 1.20, kWaist = 0.95;
-  Body body;
+  body::Body body;
 
   StickPerson() {
     add(cylinder(1, 0.8, 1.4, 24, 96), 0, 0, Vec2(kTrunkX, kTrunkY),
-        [](double) { return Segment::torso; });
+        [](double) { return body::Segment::torso; });
     for (const int side : {1, -1}) {
       add(cylinder(1, 0.70, 1.40, 28, 32), side, side * kArmX, Vec2(kArm, kArm), [](double z) {
-        return z > kElbow ? Segment::upper_arm : z > kWrist ? Segment::forearm : Segment::hand;
+        return z > kElbow   ? body::Segment::upper_arm
+               : z > kWrist ? body::Segment::forearm
+                            : body::Segment::hand;
       });
       add(cylinder(1, 0, 0.75, 30, 32), side, side * kLegX, Vec2(kLeg, kLeg), [](double z) {
-        return z > kKnee ? Segment::thigh : z > kAnkle ? Segment::shank : Segment::foot;
+        return z > kKnee    ? body::Segment::thigh
+               : z > kAnkle ? body::Segment::shank
+                            : body::Segment::foot;
       });
       const std::string s = side > 0 ? "_L" : "_R";
       body.landmarks["acromion" + s] = Vec3(side * kArmX, 0, kAcromion);
@@ -38,12 +42,12 @@ struct StickPerson {
     body.landmarks["back_waist"] = Vec3(0, kTrunkY, kWaist);
     body.landmarks["front_waist"] = Vec3(0, -kTrunkY, kWaist);
     body.landmarks["sternum"] = Vec3(0, -kTrunkY, kSternum);
-    body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+    body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   }
 
   /// The same person turned and moved as a rigid whole.
-  Body moved(const Eigen::Isometry3d& motion) const {
-    Body other = body;
+  body::Body moved(const Eigen::Isometry3d& motion) const {
+    body::Body other = body;
     for (Vec3& p : other.surface.vertices) p = motion * p;
     for (Vec3& n : other.normals) n = motion.linear() * n;
     for (auto* points : {&other.landmarks, &other.joints})
@@ -53,7 +57,7 @@ struct StickPerson {
 
  private:
   template <class Label>
-  void add(TriangleMesh part, int side, double x, const Vec2& half, const Label& label) {
+  void add(geometry::TriangleMesh part, int side, double x, const Vec2& half, const Label& label) {
     const int first = static_cast<int>(body.surface.vertices.size());
     for (const Vec3& p : part.vertices) {
       body.surface.vertices.emplace_back(x + half.x() * p.x(), half.y() * p.y(), p.z());

@@ -10,7 +10,7 @@ namespace loosefit::testing {
 
 /// Fills the one panel of `g` with squares cut in two; id(i, j) and uv(i, j) of their corners.
 template <class Id, class Uv>
-void add_grid(Garment& g, int columns, int rows, const Id& id, const Uv& uv) {
+void add_grid(garment::Garment& g, int columns, int rows, const Id& id, const Uv& uv) {
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
       g.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
@@ -23,8 +23,8 @@ void add_grid(Garment& g, int columns, int rows, const Id& id, const Uv& uv) {
 
 /// Flat strip of `width` × `height` [m] closed to a tube along one seam: one panel "tube", u around
 /// (counter-clockwise seen from above), v up. `place(u, v)` gives the 3-D position.
-inline Garment tube_garment(double width, double height, int around, int along) {
-  Garment g;
+inline garment::Garment tube_garment(double width, double height, int around, int along) {
+  garment::Garment g;
   g.panel_names = {"tube"};
   g.vertex_count = around * (along + 1);
   for (int j = 0; j <= along; ++j)
@@ -38,8 +38,9 @@ inline Garment tube_garment(double width, double height, int around, int along) 
   return g;
 }
 
-inline Drape settled_drape(const Garment& garment, const std::function<Vec3(const Vec2&)>& place) {
-  Drape drape;
+inline drape::Drape settled_drape(const garment::Garment& garment,
+                                  const std::function<Vec3(const Vec2&)>& place) {
+  drape::Drape drape;
   for (const Vec2& uv : garment.vertex_uv) drape.positions.push_back(place(uv));
   drape.certificate = {1e-4, 1e-3, 0, 0, "converged"};
   return drape;
@@ -47,8 +48,8 @@ inline Drape settled_drape(const Garment& garment, const std::function<Vec3(cons
 
 /// Closed upright cylinder on the axis x = y = 0 from z = 0 to `height`, one torso segment, with
 /// exact smooth normals on the wall.
-inline Body cylinder_body(double radius, double height, int around, int along) {
-  Body body;
+inline body::Body cylinder_body(double radius, double height, int around, int along) {
+  body::Body body;
   auto& v = body.surface.vertices;
   auto& t = body.surface.triangles;
   for (int j = 0; j <= along; ++j)
@@ -72,7 +73,7 @@ inline Body cylinder_body(double radius, double height, int around, int along) {
     t.push_back({bottom, id(i + 1, 0), id(i, 0)});
     t.push_back({top, id(i, along), id(i + 1, along)});
   }
-  body.segment.assign(v.size(), Segment::torso);
+  body.segment.assign(v.size(), body::Segment::torso);
   body.side.assign(v.size(), 0);
   return body;
 }

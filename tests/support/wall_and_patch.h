@@ -10,8 +10,8 @@ namespace loosefit::testing {
 
 /// A wall for a back: the line through `profile` (x, y), x falling, extruded over z = −0.5 … 0.5,
 /// all normals +y. One torso with its axis upright. The frame on it is [−x, z, y].
-inline Body wall_body(const std::vector<Vec2>& profile = {{0.5, 0}, {-0.5, 0}}) {
-  Body body;
+inline body::Body wall_body(const std::vector<Vec2>& profile = {{0.5, 0}, {-0.5, 0}}) {
+  body::Body body;
   for (const double z : {-0.5, 0.5})
     for (const Vec2& p : profile) body.surface.vertices.emplace_back(p.x(), p.y(), z);
   const int n = static_cast<int>(profile.size());
@@ -20,7 +20,7 @@ inline Body wall_body(const std::vector<Vec2>& profile = {{0.5, 0}, {-0.5, 0}}) 
     body.surface.triangles.push_back({i, n + i + 1, n + i});
   }
   body.normals.assign(2 * n, Vec3::UnitY());
-  body.segment.assign(2 * n, Segment::torso);
+  body.segment.assign(2 * n, body::Segment::torso);
   body.side.assign(2 * n, 0);
   body.joints["pelvis"] = Vec3(0, -0.1, -0.4);
   body.joints["neck"] = Vec3(0, -0.1, 0.4);
@@ -35,10 +35,10 @@ inline Mat3 wall_frame() {
 }
 
 /// A square of cloth, u and v from −size/2 to size/2, one panel "patch".
-inline Garment patch_garment(double size, double edge) {
-  TriangleMesh flat = support::sheet(size, size, edge);
+inline garment::Garment patch_garment(double size, double edge) {
+  geometry::TriangleMesh flat = support::sheet(size, size, edge);
   for (Vec3& p : flat.vertices) p -= Vec3(size / 2, size / 2, 0);
-  Garment g;
+  garment::Garment g;
   g.panel_names = {"patch"};
   g.vertex_count = static_cast<int>(flat.vertices.size());
   g.triangles = flat.triangles;
@@ -52,7 +52,7 @@ inline Garment patch_garment(double size, double edge) {
 
 /// The patch `gap` before the wall with its grain upright, its middle at (0, gap, 0), then turned
 /// about its middle and moved.
-inline std::vector<Vec3> before_wall(const Garment& patch, double gap,
+inline std::vector<Vec3> before_wall(const garment::Garment& patch, double gap,
                                      const Mat3& turn = Mat3::Identity(),
                                      const Vec3& move = Vec3::Zero()) {
   std::vector<Vec3> positions;
@@ -66,7 +66,7 @@ inline Mat3 turn_about(const Vec3& axis, double angle) {
 }
 
 /// The body moved as a whole, skin, normals, joints and skinning.
-inline Body moved(Body body, const Mat3& turn, const Vec3& move) {
+inline body::Body moved(body::Body body, const Mat3& turn, const Vec3& move) {
   for (Vec3& p : body.surface.vertices) p = turn * p + move;
   for (Vec3& n : body.normals) n = turn * n;
   for (auto& joint : body.joints) joint.second = turn * joint.second + move;

@@ -6,8 +6,8 @@
 namespace loosefit::support {
 
 /// A soft knit with everything that drapes ask of a fabric.
-inline Material knit() {
-  Material m;
+inline fabric::Material knit() {
+  fabric::Material m;
   m.name = "test knit";
   m.areal_density = 0.16;
   m.thickness = 7e-4;
@@ -20,7 +20,7 @@ inline Material knit() {
 }
 
 /// Standing, the arms from one angle to another [degrees].
-inline BodyPath arms_path(const BodyParameters& parameters, double from, double to) {
+inline body::BodyPath arms_path(const body::BodyParameters& parameters, double from, double to) {
   return [parameters, from, to](double share) {
     return standing(parameters, from + share * (to - from));
   };

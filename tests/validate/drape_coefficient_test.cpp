@@ -7,16 +7,16 @@
 #include "loosefit/base/error.h"
 #include "loosefit/validate/drape_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 const DrapeTester kTester;
 
 /// Shadow areas of the flat specimen and of its part on the disc, and of a deformed one.
 struct Shadows {
-  Specimen specimen = cut_drape_specimen(kTester, 0.008, Material{});
+  Specimen specimen = cut_drape_specimen(kTester, 0.008, fabric::Material{});
   double coefficient(const std::function<Vec3(const Vec2&)>& place) const {
-    VectorField flat, x;
+    particles::VectorField flat, x;
     for (const Vec2& p : specimen.vertex_uv)
       flat.emplace_back(p[0], p[1], 0), x.push_back(place(p));
     std::vector<Triangle> carried;
@@ -72,7 +72,7 @@ TEST(DrapeCoefficient, refusesADiscLargerThanTheCloth) {
 }
 
 TEST(ShadowArea, isExactForATurnedSquareAndForOverlaps) {
-  VectorField x;
+  particles::VectorField x;
   const auto square = [&](double angle, double size, double z) {
     const double c = std::cos(angle) * size / 2, s = std::sin(angle) * size / 2;
     const int first = static_cast<int>(x.size());
@@ -88,7 +88,7 @@ TEST(ShadowArea, isExactForATurnedSquareAndForOverlaps) {
 }
 
 TEST(ShadowArea, convergesToTheCircle) {
-  VectorField x{Vec3::Zero()};
+  particles::VectorField x{Vec3::Zero()};
   std::vector<Triangle> fan;
   constexpr int kSides = 720;
   for (int i = 0; i < kSides; ++i) {
@@ -117,7 +117,7 @@ TEST(CountFolds, findsTheHarmonicAndItsAmplitude) {
 }
 
 TEST(DrapeSpecimen, hasTheDiscsRimAmongItsVertices) {
-  const Specimen s = cut_drape_specimen(kTester, 0.008, Material{});
+  const Specimen s = cut_drape_specimen(kTester, 0.008, fabric::Material{});
   int on_rim = 0;
   for (const Vec2& p : s.vertex_uv) on_rim += std::abs(p.norm() - kTester.disc_radius) < 1e-9;
   EXPECT_GE(on_rim, 2 * kPi * kTester.disc_radius / 0.008 - 1);
@@ -126,4 +126,4 @@ TEST(DrapeSpecimen, hasTheDiscsRimAmongItsVertices) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

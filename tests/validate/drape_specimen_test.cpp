@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 const DrapeTester kTester;
 
 /// Isotropic sheet of bending length c [m].
-Material sheet(double c) {
-  Material m;
+fabric::Material sheet(double c) {
+  fabric::Material m;
   m.areal_density = 0.12;
   m.stiffness_warp = m.stiffness_weft = 300;
   m.poisson = 0;
@@ -21,7 +21,7 @@ Material sheet(double c) {
 }
 
 /// Settled from a start with so many folds, its weight let on in `steps` equal steps.
-DrapeReading draped(const Material& m, int folds, double lean, double swing, int steps = 1,
+DrapeReading draped(const fabric::Material& m, int folds, double lean, double swing, int steps = 1,
                     double edge = 0.015) {
   Bench bench(cut_drape_specimen(kTester, edge, m), m, folded_start(kTester, folds, lean, swing));
   bench.hold(on_disc(bench.specimen(), kTester));
@@ -45,7 +45,7 @@ TEST(DrapeSpecimen, isFlatAsABoardAndHangsWhenLimp) {
 
 TEST(DrapeSpecimen, stiffRingSagsLikeAClampedPlate) {
   // Rim deflection of an annulus clamped inside, a/b = 0.6, ν = 0 (docs/theory/validation.md 4.9).
-  Material m = sheet(0.3);
+  fabric::Material m = sheet(0.3);
   m.bending_poisson = 0;
   Bench bench(cut_drape_specimen(kTester, 0.006, m), m,
               [](const Vec2& p) { return Vec3(p[0], p[1], 0); });
@@ -73,11 +73,11 @@ TEST(DrapeSpecimen, keepsTheFoldsOfItsStart) {
 }
 
 TEST(DrapeSpecimen, bendingFrictionHoldsTheClothUp) {
-  Material m = sheet(0.02);
+  fabric::Material m = sheet(0.02);
   const double elastic = draped(m, 6, 0, 0.01, 5).coefficient;
   m.bending_hysteresis_warp = m.bending_hysteresis_weft = 50 * m.bending_warp;  // κ_res = 50/m
   EXPECT_GT(draped(m, 6, 0, 0.01, 5).coefficient, elastic + 0.05);
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 TEST(Roughen, KeepsTheOutlineAndTheArea) {
-  Specimen s = cut_rectangle(0.1, 0.12, 0.01, Material{});
+  Specimen s = cut_rectangle(0.1, 0.12, 0.01, fabric::Material{});
   const std::vector<Vec2> before = s.vertex_uv;
   roughen(s, 0.01);
   double area = 0, moved = 0;
@@ -28,4 +28,4 @@ TEST(Roughen, KeepsTheOutlineAndTheArea) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

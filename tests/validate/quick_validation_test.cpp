@@ -4,7 +4,7 @@
 #include "loosefit/validate/validation_table.h"
 
 // The quick form of every benchmark, one test each, so that they run side by side.
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 class QuickValidation : public ::testing::TestWithParam<std::string> {};
@@ -26,4 +26,4 @@ INSTANTIATE_TEST_SUITE_P(All, QuickValidation, ::testing::ValuesIn(quick_ids()),
                          [](const auto& tested) { return tested.param; });
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -9,7 +9,7 @@
 #include "loosefit/validate/validation_table.h"
 #include "support/artificial_benchmarks.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 using support::finding;
@@ -114,4 +114,4 @@ TEST(Catalogue, IdsAreUniqueAndEveryEntrySaysWhereItsFiguresComeFrom) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

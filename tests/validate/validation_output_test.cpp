@@ -8,7 +8,7 @@
 #include "loosefit/validate/validation_table.h"
 #include "support/artificial_benchmarks.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 Validation artificial_validation() {
@@ -17,7 +17,7 @@ Validation artificial_validation() {
     BenchmarkResult result;
     result.findings = {support::finding(2, 2.001, Finding::Gate::relative, 0.01),
                        support::finding(2, std::nan(""), Finding::Gate::absolute, 0.01)};
-    Plot plot{"Elastica & points", "Γ", "H/W", true, true, {}};
+    report::Plot plot{"Elastica & points", "Γ", "H/W", true, true, {}};
     plot.series = {{"elastica", {0.01, 1, 100}, {1e-3, 0.1, 5}, true},
                    {"obtained", {0.01, 1, -1, 100}, {1e-3, 0.1, 1, 5}, false}};
     result.plots = {plot};
@@ -89,4 +89,4 @@ TEST(ValidationPage, IsSelfContainedAndShowsPlotsTablesAndSettings) {
 }
 
 }  // namespace
-}  // namespace loosefit
+}  // namespace loosefit::validate

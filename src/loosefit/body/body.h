@@ -7,7 +7,7 @@
 #include "loosefit/body/rigid_motion.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Coarse body parts; one per surface vertex (docs/theory/body_model.md 1).
 enum class Segment { head, neck, torso, upper_arm, forearm, hand, thigh, shank, foot };
@@ -25,10 +25,10 @@ struct Posture {
 
 /// A closed body surface in one posture, z up, facing -y, +x the wearer's left, floor at z = 0.
 struct Body {
-  TriangleMesh surface;          ///< closed, outward oriented [m]
-  std::vector<Vec3> normals;     ///< smooth unit normal per surface vertex
-  std::vector<Segment> segment;  ///< per surface vertex
-  std::vector<int> side;         ///< per vertex: +1 wearer's left, -1 right, 0 trunk/head
+  geometry::TriangleMesh surface;  ///< closed, outward oriented [m]
+  std::vector<Vec3> normals;       ///< smooth unit normal per surface vertex
+  std::vector<Segment> segment;    ///< per surface vertex
+  std::vector<int> side;           ///< per vertex: +1 wearer's left, -1 right, 0 trunk/head
   std::map<std::string, Vec3>
       joints;  ///< "shoulder_L", "elbow_L", "wrist_L", "neck", "hip_L", … [m]
   std::map<std::string, Vec3> landmarks;  ///< "c7", "acromion_L", "back_waist", "scapula_L", … [m]
@@ -68,4 +68,4 @@ inline Posture default_dress_posture(const Posture& wanted) {
   return open && upright ? wanted : kArmsApart;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

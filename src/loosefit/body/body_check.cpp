@@ -10,7 +10,7 @@
 #include "loosefit/body/surface_topology.h"
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kWeldDistance = 1e-6;  // share of the longest extent
@@ -18,7 +18,7 @@ constexpr double kSmallPiece = 0.05;    // share of the area that may be dropped
 constexpr double kMostFilled = 0.01;    // share of the area that may be a guess
 constexpr std::size_t kMostHoles = 20;
 
-double longest_extent(const TriangleMesh& mesh) {
+double longest_extent(const geometry::TriangleMesh& mesh) {
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   for (const auto& p : mesh.vertices) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
   return (upper - lower).maxCoeff();
@@ -26,7 +26,7 @@ double longest_extent(const TriangleMesh& mesh) {
 
 /// Along the up axis, which is the longer of y and z where nobody says it; arms held level may be
 /// wider.
-double stature(const TriangleMesh& mesh, const ScanOptions& options) {
+double stature(const geometry::TriangleMesh& mesh, const ScanOptions& options) {
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
   for (const auto& p : mesh.vertices) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
   const Vec3 extent = upper - lower;
@@ -37,8 +37,9 @@ double stature(const TriangleMesh& mesh, const ScanOptions& options) {
 double area_of(const std::vector<Vec3>& vertices, auto first, auto last) {
   double area = 0;
   for (; first != last; ++first)
-    area += triangle_area(vertices[std::size_t((*first)[0])], vertices[std::size_t((*first)[1])],
-                          vertices[std::size_t((*first)[2])]);
+    area += geometry::triangle_area(vertices[std::size_t((*first)[0])],
+                                    vertices[std::size_t((*first)[1])],
+                                    vertices[std::size_t((*first)[2])]);
   return area;
 }
 
@@ -51,7 +52,7 @@ std::string in_file(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z());
 }
 
-void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options,
+void keep_largest_piece(geometry::TriangleMesh& mesh, const ScanOptions& options,
                         std::vector<std::string>& warnings) {
   const auto pieces = connected_pieces(mesh);
   if (pieces.size() <= 1) return;
@@ -74,7 +75,7 @@ void keep_largest_piece(TriangleMesh& mesh, const ScanOptions& options,
                      " dropped");
 }
 
-void require_two_faces_at_edges(const TriangleMesh& mesh, const ScanOptions& options) {
+void require_two_faces_at_edges(const geometry::TriangleMesh& mesh, const ScanOptions& options) {
   const EdgeReport edges = inspect_edges(mesh);
   if (edges.crowded == 0) return;
   throw GeometryError(
@@ -84,7 +85,8 @@ void require_two_faces_at_edges(const TriangleMesh& mesh, const ScanOptions& opt
       "two faces at every edge", "remove inner walls and doubled faces there");
 }
 
-void orient(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
+void orient(geometry::TriangleMesh& mesh, const ScanOptions& options,
+            std::vector<std::string>& warnings) {
   switch (orient_consistently(mesh)) {
     case Orientation::impossible:
       throw GeometryError({options.file, 0, ""},
@@ -100,7 +102,7 @@ void orient(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::str
   }
 }
 
-void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
+void fill_small_holes(geometry::TriangleMesh& mesh, const ScanOptions& options,
                       std::vector<std::string>& warnings) {
   const std::vector<Hole> holes = find_holes(mesh);
   if (holes.empty()) return;
@@ -148,8 +150,8 @@ void fill_small_holes(TriangleMesh& mesh, const ScanOptions& options,
 }
 
 void warn_of_crossings(CheckedSurface& checked) {
-  const TriangleMesh& mesh = checked.mesh;
-  const auto crossings = self_intersections(mesh.vertices, mesh.triangles);
+  const geometry::TriangleMesh& mesh = checked.mesh;
+  const auto crossings = geometry::self_intersections(mesh.vertices, mesh.triangles);
   if (crossings.empty()) return;
   const Vec3& p = mesh.vertices[std::size_t(mesh.triangles[std::size_t(crossings[0].first)][0])];
   checked.warnings.push_back(
@@ -160,7 +162,7 @@ void warn_of_crossings(CheckedSurface& checked) {
 
 }  // namespace
 
-CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options) {
+CheckedSurface check_surface(geometry::TriangleMesh mesh, const ScanOptions& options) {
   CheckedSurface checked;
   auto& warnings = checked.warnings;
   drop_unused_vertices(mesh);
@@ -175,7 +177,7 @@ CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options) {
   orient(mesh, options, warnings);
   fill_small_holes(mesh, options, warnings);
   require_two_faces_at_edges(mesh, options);
-  if (enclosed_volume(mesh) < 0) {
+  if (geometry::enclosed_volume(mesh) < 0) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     warnings.push_back("the faces looked inwards: turned outwards");
   }
@@ -185,4 +187,4 @@ CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options) {
   return checked;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,12 +5,12 @@
 #include "loosefit/body/scan_frame.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A surface fit to be a body: metres, z up, facing -y, closed, outward, one piece, floor at z = 0,
 /// trunk over the origin.
 struct CheckedSurface {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   /// The file's world, in metres and with z up, → this frame (scan_frame.h).
   RigidMotion from_world = RigidMotion::Identity();
   std::vector<std::string> warnings;
@@ -26,6 +26,6 @@ inline constexpr double kWidestHole = 0.03;
 /// \throws GeometryError when it has a wide hole, is not orientable or not manifold, or is more
 /// than one piece (says where, in metres of the file's world); InvalidInput when no unit makes it a
 /// person.
-CheckedSurface check_surface(TriangleMesh mesh, const ScanOptions& options);
+CheckedSurface check_surface(geometry::TriangleMesh mesh, const ScanOptions& options);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -12,7 +12,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the baked file is little-endian");
@@ -272,4 +272,4 @@ BodyData read_body_data(const std::string& path) {
   return data_of(Reader(std::move(payload), path));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

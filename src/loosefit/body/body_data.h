@@ -8,7 +8,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// One morph target: displacements of the rows it touches, in units of 0.1 mm (times its weight).
 struct BodyField {
@@ -53,4 +53,4 @@ BodyData read_body_data(const std::string& path);
 /// Writes a baked file (zlib-compressed, little-endian). \throws IoError.
 void write_body_data(const std::string& path, const BodyData& data);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -11,7 +11,7 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/bounded_least_squares.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kHeightTolerance = 0.002;  // what counts as one unit of misfit [m]
@@ -284,4 +284,4 @@ BodyFit fit_body(const BodyModel& model, const BodySpec& spec, BodyDetail detail
   return fit;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,7 +5,7 @@
 
 #include "loosefit/body/body_model.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// The wearer as asked for, in metres. `measurements` takes any of measure_names() but "height".
 struct BodySpec {
@@ -40,4 +40,4 @@ struct BodyFit {
 BodyFit fit_body(const BodyModel& model, const BodySpec& spec,
                  BodyDetail detail = BodyDetail::subdivided);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

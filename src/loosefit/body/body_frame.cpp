@@ -7,7 +7,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 std::optional<Vec3> joint(const Body& body, const std::string& name) {
@@ -74,8 +74,8 @@ SurfaceFrame surface_frame(const Vec3& normal, const Vec3& direction) {
   return frame;
 }
 
-Vec3 at_point(const TriangleMesh& surface, const std::vector<Vec3>& per_vertex, int triangle,
-              const Vec3& barycentric) {
+Vec3 at_point(const geometry::TriangleMesh& surface, const std::vector<Vec3>& per_vertex,
+              int triangle, const Vec3& barycentric) {
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < 3; ++k) sum += barycentric[k] * per_vertex[surface.triangles[triangle][k]];
   return sum;
@@ -96,8 +96,8 @@ Vec3 normal_at(const Body& body, int triangle, const Vec3& barycentric) {
 }
 }  // namespace
 
-SkinPoint skin_point(const Body& reference, const std::vector<Vec3>& axes, const ClosestPoint& at,
-                     const Vec3& otherwise) {
+SkinPoint skin_point(const Body& reference, const std::vector<Vec3>& axes,
+                     const geometry::ClosestPoint& at, const Vec3& otherwise) {
   const Vec3 normal = normal_at(reference, at.triangle, at.barycentric);
   const SurfaceFrame frame =
       surface_frame(normal, at_point(reference.surface, axes, at.triangle, at.barycentric));
@@ -120,7 +120,7 @@ SurfaceFrame frame_of(const SkinPoint& point, const Body& now) {
 
 void require_same_wearer(const Body& reference, const Body& now) {
   if (&reference == &now) return;  // asked for every sensor: comparing meshes costs more than it
-  const TriangleMesh &a = reference.surface, &b = now.surface;
+  const geometry::TriangleMesh &a = reference.surface, &b = now.surface;
   if (a.vertices.size() == b.vertices.size() && a.triangles == b.triangles) return;
   throw InvalidInput(
       "two postures of one wearer: found bodies of " + std::to_string(a.vertices.size()) + " and " +
@@ -128,4 +128,4 @@ void require_same_wearer(const Body& reference, const Body& now) {
       "a partner on the skin can only be followed on a body that keeps its mesh");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -4,7 +4,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/geometry/closest_point.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Long axis of the body segment at every surface vertex, unit, from the far end of the segment to
 /// the near one (docs/theory/sensor_metrics.md 3.1): wrist → elbow, elbow → shoulder, ankle → knee,
@@ -31,8 +31,8 @@ inline constexpr double kLeastInclination = 0.2617993877991494;  // 15°
 SurfaceFrame surface_frame(const Vec3& normal, const Vec3& direction);
 
 /// A body field given per surface vertex at a point of the surface, linear over the triangle.
-Vec3 at_point(const TriangleMesh& surface, const std::vector<Vec3>& per_vertex, int triangle,
-              const Vec3& barycentric);
+Vec3 at_point(const geometry::TriangleMesh& surface, const std::vector<Vec3>& per_vertex,
+              int triangle, const Vec3& barycentric);
 
 /// A point of the skin that keeps its place in the skin when the body moves: the material partner
 /// of docs/theory/sensor_metrics.md 1, with a direction that moves along.
@@ -45,8 +45,8 @@ struct SkinPoint {
 
 /// The skin under `at` on the reference body; `axes` are segment_axes(reference). Where they give
 /// no direction, the projection of `otherwise` is carried (zero: any tangent).
-SkinPoint skin_point(const Body& reference, const std::vector<Vec3>& axes, const ClosestPoint& at,
-                     const Vec3& otherwise = Vec3::Zero());
+SkinPoint skin_point(const Body& reference, const std::vector<Vec3>& axes,
+                     const geometry::ClosestPoint& at, const Vec3& otherwise = Vec3::Zero());
 
 /// Where the skin point is on another posture of the same body [m].
 Vec3 position_of(const SkinPoint& point, const Body& now);
@@ -58,4 +58,4 @@ SurfaceFrame frame_of(const SkinPoint& point, const Body& now);
 /// surfaces have the same triangles.
 void require_same_wearer(const Body& reference, const Body& now);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -11,7 +11,7 @@
 #include "loosefit/body/skeleton_pose.h"
 #include "loosefit/body/tape_paths.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kHangingArm = radians(25);  // as people stand
@@ -113,8 +113,8 @@ double BodyModel::scye_depth(const RestBody& rest) const {
   const Posture hanging{kHangingArm, 0, 0};
   const auto bones =
       pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, hanging));
-  const TriangleMesh surface{carried(blend_bones(bones, fine_skin_), rest.surface.vertices),
-                             rest.surface.triangles};
+  const geometry::TriangleMesh surface{
+      carried(blend_bones(bones, fine_skin_), rest.surface.vertices), rest.surface.triangles};
   const auto arm = std::size_t(data_->bone("upperarm01.L"));
   const Vec3 joint = bones[arm] * rest.joints[std::size_t(data_->bones[arm].head)];
   const auto marks = landmark_vertices(*data_, rest);
@@ -149,7 +149,7 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   for (auto& map : body.pose_from_rest) map.col(3) += map.leftCols<3>() * rest_drop - drop;
 
   // Landmarks are vertices of the skin.
-  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   body.landmark_vertex = landmark_vertices(*data_, rest);
   for (const auto& [name, v] : body.landmark_vertex) {
     body.landmarks[name] = body.surface.vertices[std::size_t(v)];
@@ -165,4 +165,4 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   return body;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -10,7 +10,7 @@
 #include "loosefit/body/morph.h"
 #include "loosefit/body/rest_body.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Smoothed or as the data are: 53 514 or 13 380 vertices.
 enum class BodyDetail { subdivided, coarse };
@@ -46,4 +46,4 @@ class BodyModel {
   std::vector<int> side_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::body

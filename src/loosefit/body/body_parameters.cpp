@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Knots at 1, 10, 25 and 90 years.
@@ -157,4 +157,4 @@ void check_parameters(const BodyParameters& p) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

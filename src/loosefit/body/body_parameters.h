@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// The knobs of the parametric body. All but age lie in [0,1] with 0.5 as the average; `height` is
 /// a level, not metres: BodyModel::fit finds it for a stature. `weight` may go up to 1.6.
@@ -45,4 +45,4 @@ const std::vector<DetailTarget>& detail_targets();
 /// \throws InvalidInput naming the parameter, its value and its range.
 void check_parameters(const BodyParameters& parameters);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -4,10 +4,10 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
-TriangleMesh point_mesh(const std::vector<Vec3>& vertices) {
-  TriangleMesh mesh;
+geometry::TriangleMesh point_mesh(const std::vector<Vec3>& vertices) {
+  geometry::TriangleMesh mesh;
   mesh.vertices = vertices;
   for (int v = 0; v < static_cast<int>(vertices.size()); ++v) mesh.triangles.push_back({v, v, v});
   return mesh;
@@ -32,7 +32,7 @@ BodyPart part_of_vertex(const Body& body, int vertex) {
 PartnerFinder::Particles::Particles(const std::vector<Vec3>& vertices)
     : mesh(point_mesh(vertices)), tree(mesh) {}
 
-PartnerFinder::PartnerFinder(const Body& body, const ClosestPointTree& surface)
+PartnerFinder::PartnerFinder(const Body& body, const geometry::ClosestPointTree& surface)
     : body_(body), tree_(surface), faces_of_vertex_(body.surface.vertices.size()) {
   if (body.segment.size() != body.surface.vertices.size() ||
       body.side.size() != body.segment.size() || body.normals.size() != body.segment.size())
@@ -40,13 +40,13 @@ PartnerFinder::PartnerFinder(const Body& body, const ClosestPointTree& surface)
   const auto& triangles = body.surface.triangles;
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
     const Triangle& c = triangles[t];
-    face_normals_.push_back(triangle_normal(
+    face_normals_.push_back(geometry::triangle_normal(
         body.surface.vertices[c[0]], body.surface.vertices[c[1]], body.surface.vertices[c[2]]));
     for (int v : c) faces_of_vertex_[v].push_back(t);
   }
 }
 
-const ClosestPointTree& PartnerFinder::particle_tree() const {
+const geometry::ClosestPointTree& PartnerFinder::particle_tree() const {
   return particles_.get([&] { return Particles(body_.surface.vertices); }).tree;
 }
 
@@ -81,7 +81,7 @@ BodyPartner PartnerFinder::find_on_surface(const Vec3& point, const Vec3& garmen
                                            BodyPart part) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   BodyPartner partner;
-  const ClosestPoint nearest =
+  const geometry::ClosestPoint nearest =
       tree_.query(point, kFar, [&](int t) { return belongs(body_.surface.triangles[t][0], part); });
   const bool any = nearest.triangle >= 0;  // a scan may lack the part altogether
   partner.exact = any ? tree_.query(point, nearest.distance + kFoldReach,
@@ -125,4 +125,4 @@ std::vector<BodyPartner> find_partners(const PartnerFinder& finder,
   return partners;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

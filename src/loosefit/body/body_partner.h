@@ -5,11 +5,11 @@
 #include "loosefit/body/body.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Where a point of the garment meets the body.
 struct BodyPartner {
-  ClosestPoint exact;            ///< closest surface point [m]
+  geometry::ClosestPoint exact;  ///< closest surface point [m]
   Vec3 normal = Vec3::Zero();    ///< smooth body normal there, interpolated over the triangle
   double particle_distance = 0;  ///< to the nearest body vertex of the same faces [m]
 };
@@ -28,7 +28,7 @@ class PartnerFinder {
 
   /// Keeps references to both; `surface`: of the body's surface. \throws InvalidInput for a body
   /// without a segment, side or normal for every vertex.
-  PartnerFinder(const Body& body, const ClosestPointTree& surface);
+  PartnerFinder(const Body& body, const geometry::ClosestPointTree& surface);
   /// Part that most of `points` lie nearest to: the part of a panel.
   BodyPart part_of(const std::vector<Vec3>& points) const;
   BodyPartner find(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;
@@ -40,14 +40,14 @@ class PartnerFinder {
   /// The body's vertices alone.
   struct Particles {
     explicit Particles(const std::vector<Vec3>& vertices);
-    TriangleMesh mesh;  ///< one degenerate triangle per vertex
-    ClosestPointTree tree;
+    geometry::TriangleMesh mesh;  ///< one degenerate triangle per vertex
+    geometry::ClosestPointTree tree;
   };
   bool faces_alike(int triangle, const Vec3& garment_normal, BodyPart part) const;
   bool belongs(int vertex, BodyPart part) const;
-  const ClosestPointTree& particle_tree() const;
+  const geometry::ClosestPointTree& particle_tree() const;
   const Body& body_;
-  const ClosestPointTree& tree_;
+  const geometry::ClosestPointTree& tree_;
   std::vector<Vec3> face_normals_;
   std::vector<std::vector<int>> faces_of_vertex_;
   Lazy<Particles> particles_;
@@ -59,4 +59,4 @@ std::vector<BodyPartner> find_partners(const PartnerFinder& finder,
                                        const std::vector<Vec3>& normals,
                                        const std::vector<BodyPart>& part);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -12,7 +12,7 @@
 #include "loosefit/body/section.h"
 #include "loosefit/body/tape_paths.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr int kC7 = 1491, kBackWaist = 4181, kCrotch = 4372;
@@ -167,9 +167,9 @@ std::map<std::string, double> BodyTape::all() const {
   found["armscye"] = armscye_round(rest_.surface, joint("upperarm01.L")).girth;
   found["hps_to_waist"] = back_tape(rest_.surface, hps, waist);
   found["hps_to_hip"] = back_tape(rest_.surface, hps, hip);
-  found["volume"] = enclosed_volume(rest_.surface);
+  found["volume"] = geometry::enclosed_volume(rest_.surface);
   found["mass"] = kDensity * found["volume"];
   return found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,7 +5,7 @@
 
 #include "loosefit/body/rest_body.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Takes measures [m] of a body in the rest posture. Girths are tape girths: perimeters of convex
 /// hulls of plane sections, at levels that follow the anatomy (docs/theory/body_model.md 3.2, 3.3).
@@ -45,4 +45,4 @@ class BodyTape {
 /// "crotch_height".
 const std::vector<std::string>& measure_names();
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 using Eigen::MatrixXd;
@@ -97,4 +97,4 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
   return found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A smooth vector of residuals over a box.
 struct BoundedProblem {
@@ -21,4 +21,4 @@ struct BoundedSolution {
 /// by less than 1e-4 of it. Differences never step across zero, where our residuals have a kink.
 BoundedSolution bounded_gauss_newton(const BoundedProblem& problem);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,7 +5,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 struct Edge {
@@ -131,4 +131,4 @@ std::vector<Triangle> triangulate(const std::vector<std::array<int, 4>>& quads) 
   return triangles;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

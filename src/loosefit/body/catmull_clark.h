@@ -5,7 +5,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// One Catmull-Clark step of a closed quad mesh as a fixed linear map (Catmull and Clark 1978).
 /// Fine vertices: vertex points first (old vertices keep their index), then edge points, then face
@@ -32,4 +32,4 @@ class CatmullClark {
 /// The coarse quads as triangles 0-1-2 and 0-2-3.
 std::vector<Triangle> triangulate(const std::vector<std::array<int, 4>>& quads);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

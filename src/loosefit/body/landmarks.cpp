@@ -5,7 +5,7 @@
 
 #include "loosefit/body/rulers.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 const std::map<std::string, int> kMiddle = {
@@ -76,4 +76,4 @@ const std::vector<int>& back_line() {
   return kLine;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

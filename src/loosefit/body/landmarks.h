@@ -5,7 +5,7 @@
 
 #include "loosefit/body/rest_body.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Vertex indices of the landmarks of the parametric body (docs/theory/body_model.md 3.4); pairs
 /// end in _L, _R. The suggested sensor places are geometric choices, not clinical landmarks.
@@ -18,4 +18,4 @@ std::map<std::string, int> joint_indices(const BodyData& data);
 /// Mid-sagittal back line from the hair line over C7 to the sacrum, vertex indices downwards.
 const std::vector<int>& back_line();
 
-}  // namespace loosefit
+}  // namespace loosefit::body

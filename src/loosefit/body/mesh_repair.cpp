@@ -11,7 +11,7 @@
 
 #include "loosefit/base/union_find.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 using Edge = std::array<int, 2>;  // low, high
@@ -29,7 +29,7 @@ std::map<Edge, int> uses_of_edges(const std::vector<Triangle>& triangles) {
 bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Vertices of open edges grouped by place: an equal number for those within `distance`.
-std::map<int, int> places_of(const TriangleMesh& mesh, const std::vector<Edge>& open,
+std::map<int, int> places_of(const geometry::TriangleMesh& mesh, const std::vector<Edge>& open,
                              double distance) {
   std::vector<int> vertices;
   for (const auto& e : open) vertices.insert(vertices.end(), e.begin(), e.end());
@@ -65,7 +65,8 @@ std::map<int, int> places_of(const TriangleMesh& mesh, const std::vector<Edge>& 
 
 /// Least-area triangulation of a ring by dynamic programming; empty when every one needs an edge
 /// that the surface has already.
-std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vector<int>& rim,
+std::vector<Triangle> least_area_span(const geometry::TriangleMesh& mesh,
+                                      const std::vector<int>& rim,
                                       const std::map<Edge, int>& uses) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const std::size_t n = rim.size();
@@ -81,7 +82,7 @@ std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vecto
       const bool chord = gap < n - 1;
       if (chord && uses.count(edge_of(rim[i], rim[k]))) continue;
       for (std::size_t m = i + 1; m < k; ++m) {
-        const double area = cost[i][m] + cost[m][k] + triangle_area(at(i), at(m), at(k));
+        const double area = cost[i][m] + cost[m][k] + geometry::triangle_area(at(i), at(m), at(k));
         if (area < cost[i][k]) cost[i][k] = area, apex[i][k] = m;
       }
     }
@@ -102,7 +103,7 @@ std::vector<Triangle> least_area_span(const TriangleMesh& mesh, const std::vecto
 
 }  // namespace
 
-int drop_unused_vertices(TriangleMesh& mesh) {
+int drop_unused_vertices(geometry::TriangleMesh& mesh) {
   std::vector<int> number(mesh.vertices.size(), -1);
   for (const auto& t : mesh.triangles) {
     for (const int corner : t) number[std::size_t(corner)] = 0;
@@ -121,7 +122,7 @@ int drop_unused_vertices(TriangleMesh& mesh) {
   return dropped;
 }
 
-int drop_repeated_triangles(TriangleMesh& mesh) {
+int drop_repeated_triangles(geometry::TriangleMesh& mesh) {
   std::set<Triangle> seen;
   return int(std::erase_if(mesh.triangles, [&](Triangle t) {
     std::sort(t.begin(), t.end());
@@ -129,7 +130,7 @@ int drop_repeated_triangles(TriangleMesh& mesh) {
   }));
 }
 
-void weld_seams(TriangleMesh& mesh, double distance) {
+void weld_seams(geometry::TriangleMesh& mesh, double distance) {
   const std::map<Edge, int> before = uses_of_edges(mesh.triangles);
   // Open edges, grouped by the places of their ends.
   std::vector<Edge> open;
@@ -189,7 +190,7 @@ void weld_seams(TriangleMesh& mesh, double distance) {
   drop_unused_vertices(mesh);
 }
 
-std::vector<Hole> find_holes(const TriangleMesh& mesh) {
+std::vector<Hole> find_holes(const geometry::TriangleMesh& mesh) {
   const std::map<Edge, int> uses = uses_of_edges(mesh.triangles);
   std::map<int, std::vector<int>> next;  // along the rim, against the triangle's own direction
   for (const auto& t : mesh.triangles) {
@@ -235,7 +236,7 @@ std::vector<Hole> find_holes(const TriangleMesh& mesh) {
   return holes;
 }
 
-void fill_hole(TriangleMesh& mesh, const Hole& hole) {
+void fill_hole(geometry::TriangleMesh& mesh, const Hole& hole) {
   constexpr std::size_t kLongRim = 120;
   if (hole.rim.size() <= kLongRim) {
     const auto span = least_area_span(mesh, hole.rim, uses_of_edges(mesh.triangles));
@@ -250,4 +251,4 @@ void fill_hole(TriangleMesh& mesh, const Hole& hole) {
     mesh.triangles.push_back({hole.rim[i], hole.rim[(i + 1) % hole.rim.size()], middle});
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

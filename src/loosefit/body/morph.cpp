@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kShiftUnit = 1e-4;  // metres per unit of a field
@@ -88,4 +88,4 @@ std::vector<Vec3> Morph::rows(const BodyParameters& parameters) const {
   return position;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -6,7 +6,7 @@
 #include "loosefit/body/body_data.h"
 #include "loosefit/body/body_parameters.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Turns parameters into row positions: base + Σ weight · field (MakeHuman's linear morph targets).
 class Morph {
@@ -36,4 +36,4 @@ class Morph {
   std::vector<Detail> details_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::body

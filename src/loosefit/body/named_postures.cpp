@@ -3,7 +3,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 Posture arms(double aside, double forward) {
@@ -59,4 +59,4 @@ Posture named_posture(const std::string& name) {
                      did_you_mean(name, posture_names()));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

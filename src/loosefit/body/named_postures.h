@@ -5,7 +5,7 @@
 
 #include "loosefit/body/body.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Postures by name, in the order in which they are offered:
 ///
@@ -32,4 +32,4 @@ std::vector<std::string> posture_names();
 /// \throws InvalidInput for an unknown name, with a did-you-mean.
 Posture named_posture(const std::string& name);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -7,7 +7,7 @@
 #include "loosefit/body/regions.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A body in one posture with the index of its surface: what drape, maps and placement ask of it.
 /// Each part of the index is made when it is first asked for and kept. A handle: copies are cheap
@@ -19,13 +19,14 @@ class PosedBody {
   /// Implicit, so that a body may stand wherever a posed body is asked for; its index is then made
   /// for that one use.
   PosedBody(Body body = {});  // NOLINT(google-explicit-constructor)
+  explicit PosedBody(std::shared_ptr<const Body> body);
 
   const Body& body() const;
   const Body* operator->() const { return &body(); }
   operator const Body&() const { return body(); }  // NOLINT(google-explicit-constructor)
 
   /// Closest points, signed distances and overlaps of the skin.
-  const ClosestPointTree& tree() const;
+  const geometry::ClosestPointTree& tree() const;
   /// \throws InvalidInput for a body without a segment, side or normal for every vertex.
   const PartnerFinder& partners() const;
   /// segment_axes of the body.
@@ -34,8 +35,22 @@ class PosedBody {
   const std::vector<Region>& regions() const;
 
  private:
+  friend class RememberedBody;
   struct Index;
   std::shared_ptr<const Index> index_;
 };
 
-}  // namespace loosefit
+/// A posed body to come back to: keeps the body itself, and its index as long as somebody else
+/// holds it. An index weighs more than its body.
+class RememberedBody {
+ public:
+  explicit RememberedBody(const PosedBody& posed);
+  /// With the index that is in use, if there is one. One caller at a time.
+  PosedBody posed();
+
+ private:
+  std::shared_ptr<const Body> body_;
+  std::weak_ptr<const PosedBody::Index> index_;
+};
+
+}  // namespace loosefit::body

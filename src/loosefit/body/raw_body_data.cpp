@@ -13,7 +13,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 using nlohmann::json;
@@ -320,4 +320,4 @@ BodyData bake_body_data(const std::string& folder) {
   return data;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -6,7 +6,7 @@
 
 #include "loosefit/body/body_data.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// The four source files as they are: decimetres, y up, z forward, helpers included.
 struct RawBodyData {
@@ -35,4 +35,4 @@ void repair_target(const RawBodyData& raw, const std::string& name, TargetBlock&
 /// Repairs, reduces to what garments need, turns into our frame: the body of read_body_data.
 BodyData bake_body_data(const std::string& folder);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

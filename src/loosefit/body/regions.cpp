@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 struct Named {
@@ -142,7 +142,7 @@ std::vector<Region> body_regions(const Body& body) {
   if (posed.empty()) return {};
   // Regions belong to the skin, so heights are taken in rest posture.
   const std::vector<Vec3> rest = in_rest(body, posed);
-  const std::vector<Vec3> normals = vertex_normals(rest, body.surface.triangles);
+  const std::vector<Vec3> normals = geometry::vertex_normals(rest, body.surface.triangles);
   const Anchors anchors = find_anchors(body, rest);
   std::vector<Region> regions(posed.size());
   for (std::size_t v = 0; v < posed.size(); ++v) {
@@ -179,11 +179,11 @@ std::vector<Region> body_regions(const Body& body) {
   return regions;
 }
 
-Region region_of(const std::vector<Region>& body_regions, const TriangleMesh& surface,
-                 const ClosestPoint& partner) {
+Region region_of(const std::vector<Region>& body_regions, const geometry::TriangleMesh& surface,
+                 const geometry::ClosestPoint& partner) {
   int corner = 0;
   partner.barycentric.maxCoeff(&corner);
   return body_regions[surface.triangles[partner.triangle][corner]];
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

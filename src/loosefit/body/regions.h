@@ -6,7 +6,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/geometry/closest_point.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Part of the body that maps, sites and keep-out zones are told by.
 enum class Region {
@@ -52,7 +52,7 @@ std::optional<Region> find_region(const std::string& name);
 std::vector<Region> body_regions(const Body& body);
 
 /// Region of a partner point: that of the nearest corner of its triangle.
-Region region_of(const std::vector<Region>& body_regions, const TriangleMesh& surface,
-                 const ClosestPoint& partner);
+Region region_of(const std::vector<Region>& body_regions, const geometry::TriangleMesh& surface,
+                 const geometry::ClosestPoint& partner);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

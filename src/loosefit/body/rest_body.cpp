@@ -1,6 +1,6 @@
 #include "loosefit/body/rest_body.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 std::vector<Vec3> joint_positions(const BodyData& data, const std::vector<Vec3>& rows) {
   std::vector<Vec3> joints;
@@ -13,4 +13,4 @@ std::vector<Vec3> joint_positions(const BodyData& data, const std::vector<Vec3>&
   return joints;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

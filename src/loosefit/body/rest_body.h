@@ -4,16 +4,16 @@
 #include "loosefit/body/body_data.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A person in the model's own A-pose. The first 13 380 vertices are the body vertices of the data,
 /// whether subdivided or not, so rulers and landmarks hold for both.
 struct RestBody {
-  TriangleMesh surface;
+  geometry::TriangleMesh surface;
   std::vector<Vec3> joints;  ///< per joint of BodyData
 };
 
 /// Joint positions of morphed rows.
 std::vector<Vec3> joint_positions(const BodyData& data, const std::vector<Vec3>& rows);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -2,7 +2,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Vertex chains of MakeHuman's measuring tool; "closed" chains repeat their first vertex.
@@ -84,4 +84,4 @@ Vec3 ruler_centre(const std::vector<Vec3>& vertices, const std::string& name) {
   return sum / double(chain.size());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

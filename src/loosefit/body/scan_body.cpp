@@ -13,13 +13,13 @@
 #include "loosefit/body/section.h"
 #include "loosefit/body/tape_paths.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kDensity = 985;  // kg/m³, whole body
 
 // y of the frontmost (sign -1) or backmost (+1) trunk point in the mid-sagittal plane at height z.
-Vec3 midline_point(const TriangleMesh& mesh, double z, double sign) {
+Vec3 midline_point(const geometry::TriangleMesh& mesh, double z, double sign) {
   Vec3 best(0, -sign * 10, z);
   for (const auto& loop : plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ())) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
@@ -36,7 +36,7 @@ Vec3 midline_point(const TriangleMesh& mesh, double z, double sign) {
 Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
 
 // The ridge from acromion to neck: the neck begins where it gets steeper than 45°.
-Vec3 neck_shoulder_point(const TriangleMesh& mesh, const ScanSections& s, double sign,
+Vec3 neck_shoulder_point(const geometry::TriangleMesh& mesh, const ScanSections& s, double sign,
                          double acromion_x) {
   const double step = 0.004 * s.height;
   Vec3 here = top_at(mesh, sign * acromion_x, s.neck);
@@ -48,7 +48,7 @@ Vec3 neck_shoulder_point(const TriangleMesh& mesh, const ScanSections& s, double
   return here;
 }
 
-int nearest_vertex(const TriangleMesh& mesh, const Vec3& p) {
+int nearest_vertex(const geometry::TriangleMesh& mesh, const Vec3& p) {
   int best = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -71,7 +71,7 @@ double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) 
 
 // Where the arm is usually fullest or, where trunk and arm are one there, below. The rings of the
 // arm go round the arm alone, if a little aslant.
-double upper_arm_girth(const TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
+double upper_arm_girth(const geometry::TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
                        const LimbChain& arm, double stature) {
   constexpr double kAboveElbow = 0.8, kAslant = 1.3;
   double widest = 0;
@@ -143,7 +143,7 @@ void warn_of_touching_limbs(const ScanSections& s, const ScanLimbs& limbs,
 
 }  // namespace
 
-ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
+ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options) try {
   // A closed surface in our frame and in metres.
   CheckedSurface checked = check_surface(std::move(mesh), options);
   ScanBody made;
@@ -151,9 +151,9 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   Body& body = made.body;
   body.surface = std::move(checked.mesh);
   body.from_world = checked.from_world;
-  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   // Limbs from sections in many heights, then the lines of the arms with wrist and elbow.
-  const TriangleMesh& surface = body.surface;
+  const geometry::TriangleMesh& surface = body.surface;
   double height = 0;
   for (const auto& p : surface.vertices) height = std::max(height, p.z());
   const ScanLimbs limbs = find_limbs(surface, height);
@@ -245,7 +245,7 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
   m["waist_level"] = waist.level;
   m["hip_level"] = hip.level;
   m["armpit_level"] = s.armpit;
-  m["volume"] = enclosed_volume(surface);
+  m["volume"] = geometry::enclosed_volume(surface);
   m["mass"] = kDensity * m["volume"];
   return made;
 } catch (const GeometryError& error) {  // of a tape or section, which does not know the file
@@ -259,4 +259,4 @@ ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options) try {
                       "shoulders, or make a body from measures instead");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,7 +5,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/body_check.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A body made from a scanned or foreign surface, and what had to be assumed.
 struct ScanBody {
@@ -20,6 +20,6 @@ struct ScanBody {
 /// few centimetres, enough to draft and dress a shirt. A scan keeps its posture (pose_from_rest
 /// stays empty) and has no nipple or scapula landmarks better than that.
 /// \throws what check_surface throws; GeometryError when an arm is not free of the trunk.
-ScanBody body_from_scan(TriangleMesh mesh, const ScanOptions& options);
+ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -10,7 +10,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/body/section.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 struct Unit {
@@ -81,7 +81,7 @@ double metres_per_unit(double stature, const ScanOptions& options,
   return likely[0].metres;
 }
 
-void turn(TriangleMesh& mesh, Mat3& turned, const Mat3& by) {
+void turn(geometry::TriangleMesh& mesh, Mat3& turned, const Mat3& by) {
   for (auto& p : mesh.vertices) p = by * p;
   turned = by * turned;
 }
@@ -93,7 +93,8 @@ Mat3 about_z(double cosine, double sine) {
 }
 
 /// File axes to z up.
-void stand_up(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::string>& warnings) {
+void stand_up(geometry::TriangleMesh& mesh, const ScanOptions& options,
+              std::vector<std::string>& warnings) {
   const Box box = box_of(mesh.vertices);
   const Vec3 extent = box.upper - box.lower;
   std::string up = options.up;
@@ -110,7 +111,7 @@ void stand_up(TriangleMesh& mesh, const ScanOptions& options, std::vector<std::s
 
 /// Angle from x to the horizontal direction in which the surface spreads most [rad], −π/2 to π/2:
 /// principal axis of its triangles. 0 where no direction stands out.
-double spread_direction(const TriangleMesh& mesh) {
+double spread_direction(const geometry::TriangleMesh& mesh) {
   constexpr double kOutstanding = 1.3;  // ratio of the variances along and across
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
@@ -118,7 +119,7 @@ double spread_direction(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[std::size_t(t[0])], &b = mesh.vertices[std::size_t(t[1])],
                &c = mesh.vertices[std::size_t(t[2])];
-    const double share = triangle_area(a, b, c);
+    const double share = geometry::triangle_area(a, b, c);
     const Eigen::Vector2d middle = ((a + b + c) / 3).head<2>();
     mean += share * middle, moment += share * middle * middle.transpose(), area += share;
   }
@@ -132,7 +133,7 @@ double spread_direction(const TriangleMesh& mesh) {
 }
 
 /// Shoulders and arms are wider than the chest is deep: what spreads most comes to lie along x.
-void turn_across(TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
+void turn_across(geometry::TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
   constexpr double kStraight = 5;  // that a person may stand askew [degrees]
   const double angle = degrees(spread_direction(mesh));
   if (std::abs(angle) < kStraight) return;
@@ -147,7 +148,7 @@ void turn_across(TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& war
 }
 
 // Toes stick out in front of the ankles.
-void face_forward(TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
+void face_forward(geometry::TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
   const Box box = box_of(mesh.vertices);
   const double height = box.upper.z() - box.lower.z();
   double ankle = 0;
@@ -166,7 +167,7 @@ void face_forward(TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& wa
 }
 
 // Sideways by the head, which has no arms beside it; in depth by the trunk's waist.
-Vec3 shift_to_origin(const TriangleMesh& mesh) {
+Vec3 shift_to_origin(const geometry::TriangleMesh& mesh) {
   const Box box = box_of(mesh.vertices);
   const double height = box.upper.z() - box.lower.z();
   double x = 0, area = 0;
@@ -176,7 +177,7 @@ Vec3 shift_to_origin(const TriangleMesh& mesh) {
     const Vec3 middle = (a + b + c) / 3;
     const double level = (middle.z() - box.lower.z()) / height;
     if (level < 0.85 || level > 0.98) continue;
-    const double share = triangle_area(a, b, c);
+    const double share = geometry::triangle_area(a, b, c);
     x += share * middle.x(), area += share;
   }
   if (area > 0) x /= area;
@@ -191,7 +192,7 @@ Vec3 shift_to_origin(const TriangleMesh& mesh) {
 
 }  // namespace
 
-RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
+RigidMotion stand_in_our_frame(geometry::TriangleMesh& mesh, const ScanOptions& options,
                                std::vector<std::string>& warnings) {
   stand_up(mesh, options, warnings);
   const Box box = box_of(mesh.vertices);
@@ -208,4 +209,4 @@ RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
   return motion;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

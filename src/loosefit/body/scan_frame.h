@@ -5,7 +5,7 @@
 #include "loosefit/body/rigid_motion.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// What the user knows of a scanned surface; empty texts are inferred with a warning.
 struct ScanOptions {
@@ -20,7 +20,7 @@ struct ScanOptions {
 /// \return the rigid motion from the file's world (in metres; a file with y up turned by
 /// (x, y, z) → (x, −z, y)) to our frame: turns about z and a shift.
 /// \throws InvalidInput when no or more than one unit makes it a person, or for unknown options.
-RigidMotion stand_in_our_frame(TriangleMesh& mesh, const ScanOptions& options,
+RigidMotion stand_in_our_frame(geometry::TriangleMesh& mesh, const ScanOptions& options,
                                std::vector<std::string>& warnings);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -11,7 +11,7 @@
 #include "loosefit/body/scan_segments.h"
 #include "loosefit/body/section.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 /// What a tape meets at one level.
@@ -159,4 +159,4 @@ TrunkTapes tape_trunk(const ScanSections& s, const Body& labelled,
   return tapes;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

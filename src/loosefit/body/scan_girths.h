@@ -5,7 +5,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/scan_sections.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A level tape round the trunk.
 struct TrunkTape {
@@ -29,4 +29,4 @@ struct TrunkTapes {
 TrunkTapes tape_trunk(const ScanSections& sections, const Body& labelled,
                       std::vector<std::string>& warnings);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -11,7 +11,7 @@
 #include "loosefit/body/section.h"
 #include "loosefit/body/surface_distance.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 constexpr double kStep = 0.006;       // between levels, share of the stature
@@ -40,7 +40,7 @@ struct LoopTree {
   std::vector<Node> nodes;   ///< parents before children; the crown is the first
   std::vector<int> node_of;  ///< per vertex
 
-  LoopTree(const TriangleMesh& mesh, double step) {
+  LoopTree(const geometry::TriangleMesh& mesh, double step) {
     int crown = 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
       if (mesh.vertices[v].z() > mesh.vertices[std::size_t(crown)].z()) crown = int(v);
@@ -82,7 +82,7 @@ struct LoopTree {
   }
 
  private:
-  void add_level(const TriangleMesh& mesh, int level, double step,
+  void add_level(const geometry::TriangleMesh& mesh, int level, double step,
                  const std::unordered_map<std::uint64_t, int>& before,
                  std::unordered_map<std::uint64_t, int>& loop_at) {
     for (const auto& loop : level_section(mesh, way, level * step)) {
@@ -168,7 +168,7 @@ int common_node(const LoopTree& tree, int a, int b) {
   return a;
 }
 
-LimbChain chain_of(const LoopTree& tree, int top, int other, const TriangleMesh& mesh,
+LimbChain chain_of(const LoopTree& tree, int top, int other, const geometry::TriangleMesh& mesh,
                    double step) {
   LimbChain chain;
   const Node& start = tree.nodes[std::size_t(top)];
@@ -194,7 +194,7 @@ LimbChain chain_of(const LoopTree& tree, int top, int other, const TriangleMesh&
 constexpr double kLowFold = 0.725, kUsualFold = 0.745;  // shares of the stature
 
 /// Whether a level cut just below where armpits usually are shows the arm beside the trunk.
-bool apart_at_armpit(const TriangleMesh& mesh, double sign, double height) {
+bool apart_at_armpit(const geometry::TriangleMesh& mesh, double sign, double height) {
   const auto loops = plane_section(mesh, Vec3(0, 0, (kUsualFold - 0.01) * height), Vec3::UnitZ());
   const SectionLoop* trunk = trunk_loop(loops);
   return std::any_of(loops.begin(), loops.end(), [&](const SectionLoop& loop) {
@@ -203,7 +203,7 @@ bool apart_at_armpit(const TriangleMesh& mesh, double sign, double height) {
   });
 }
 
-void raise_fold(const TriangleMesh& mesh, LimbChain& arm, double sign, double height) {
+void raise_fold(const geometry::TriangleMesh& mesh, LimbChain& arm, double sign, double height) {
   arm.parted = arm.fold;
   if (!arm.found() || arm.fold.z() > kLowFold * height || raised_deg(arm) > 45 ||
       apart_at_armpit(mesh, sign, height))
@@ -223,7 +223,7 @@ double raised_deg(const LimbChain& arm) {
   return degrees(std::atan2(std::hypot(axis.x(), axis.y()), -axis.z()));
 }
 
-ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
+ScanLimbs find_limbs(const geometry::TriangleMesh& mesh, double height) {
   const double step = kStep * height;
   const LoopTree tree(mesh, step);
   ScanLimbs found;
@@ -289,4 +289,4 @@ ScanLimbs find_limbs(const TriangleMesh& mesh, double height) {
   return found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

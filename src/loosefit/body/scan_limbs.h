@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// What of a standing body a vertex hangs on.
 enum class ScanLimb : signed char { core, left_arm, right_arm, left_leg, right_leg };
@@ -41,6 +41,6 @@ double raised_deg(const LimbChain& arm);
 /// `mesh` closed, z up, facing -y, floor at z = 0. What is not found has an empty chain.
 /// Hanging arms that part from the trunk lower than any armpit lies have grown together with it:
 /// their fold is put where armpits usually are, 0.745 of the stature, along the inside of the arm.
-ScanLimbs find_limbs(const TriangleMesh& mesh, double height);
+ScanLimbs find_limbs(const geometry::TriangleMesh& mesh, double height);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

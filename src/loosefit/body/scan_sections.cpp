@@ -9,7 +9,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/body/section.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Shares of the stature between which folds of standing people lie.
@@ -39,8 +39,8 @@ ScanLimb limb_of(const SectionLoop& loop, const std::vector<ScanLimb>& limbs) {
 
 /// Arms may be several loops each, fingers; legs are one, below them toes are left out. At the top
 /// of the thighs most vertices still count as trunk, so legs there go by the crotch.
-BodySlice slice_at(const TriangleMesh& mesh, double z, const ScanLimbs& limbs, const Vec3& crotch,
-                   bool near_armpit) {
+BodySlice slice_at(const geometry::TriangleMesh& mesh, double z, const ScanLimbs& limbs,
+                   const Vec3& crotch, bool near_armpit) {
   BodySlice slice;
   slice.z = z;
   // Sums over the loops of each arm, weighted by length.
@@ -146,7 +146,7 @@ double narrowest_level(const std::vector<BodySlice>& slices, double low, double 
 
 }  // namespace
 
-ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
+ScanSections slice_scan(const geometry::TriangleMesh& mesh, const ScanLimbs& limbs) {
   ScanSections found;
   for (const auto& p : mesh.vertices) found.height = std::max(found.height, p.z());
   const double h = found.height;
@@ -182,4 +182,4 @@ ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs) {
   return found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

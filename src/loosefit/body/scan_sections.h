@@ -6,7 +6,7 @@
 #include "loosefit/body/scan_limbs.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// What one horizontal cut of a standing body shows. Sides: index 0 left (+x), 1 right.
 struct BodySlice {
@@ -31,6 +31,6 @@ inline constexpr int kSliceCount = 300;
 
 /// Tells the loops of a level apart by the limb that their vertices belong to.
 /// \throws GeometryError when an arm was not found, or clings to the trunk below the ribs.
-ScanSections slice_scan(const TriangleMesh& mesh, const ScanLimbs& limbs);
+ScanSections slice_scan(const geometry::TriangleMesh& mesh, const ScanLimbs& limbs);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

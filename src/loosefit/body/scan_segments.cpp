@@ -8,7 +8,7 @@
 #include "loosefit/body/surface_topology.h"
 #include "loosefit/body/tape_paths.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // The nearest slice at or below (above) this one that has what is wanted.
@@ -66,7 +66,7 @@ bool on_grown_hand(const ScanSections& s, const LimbChain& chain, const ArmLine&
 
 /// Per vertex +1 for the left arm, −1 for the right one, 0 for the rest of the body.
 std::vector<int> arm_sides(const ScanSections& s, const ScanLimbs& limbs,
-                           const std::array<ArmLine, 2>& arms, const TriangleMesh& mesh) {
+                           const std::array<ArmLine, 2>& arms, const geometry::TriangleMesh& mesh) {
   std::vector<int> sides(mesh.vertices.size(), 0);
   for (std::size_t v = 0; v < sides.size(); ++v) {
     const ScanLimb limb = limbs.limb[v];
@@ -83,7 +83,7 @@ std::vector<int> arm_sides(const ScanSections& s, const ScanLimbs& limbs,
     }
   }
   // What an arm cuts off from head and trunk belongs to it: the outside of the upper arm.
-  TriangleMesh rest = mesh;
+  geometry::TriangleMesh rest = mesh;
   std::erase_if(rest.triangles, [&](const Triangle& t) {
     return sides[t[0]] != 0 || sides[t[1]] != 0 || sides[t[2]] != 0;
   });
@@ -161,7 +161,7 @@ ArmLine arm_line(const ScanSections& s, const LimbChain& chain, int side) {
   return arm;
 }
 
-void find_wrist(const TriangleMesh& mesh, ArmLine& arm) {
+void find_wrist(const geometry::TriangleMesh& mesh, ArmLine& arm) {
   double narrowest = std::numeric_limits<double>::infinity();
   double best = arm.wrist_share;
   for (double share = 0.62; share < 0.80; share += 0.01) {
@@ -235,4 +235,4 @@ void label_segments(const ScanSections& s, const ScanLimbs& limbs,
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -5,7 +5,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/scan_sections.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Centre line of an arm from the estimated shoulder joint to the finger tips.
 struct ArmLine {
@@ -25,7 +25,7 @@ struct ArmLine {
 ArmLine arm_line(const ScanSections& sections, const LimbChain& arm, int side);
 
 /// Moves the wrist to the narrowest place between the middle of the forearm and the hand.
-void find_wrist(const TriangleMesh& mesh, ArmLine& arm);
+void find_wrist(const geometry::TriangleMesh& mesh, ArmLine& arm);
 
 /// Moves the elbow, after the wrist was found, to where a bent arm bends, or a straight one to the
 /// usual share of the way to the wrist.
@@ -41,4 +41,4 @@ Vec3 leg_at(const ScanSections& sections, std::size_t side, double z);
 void label_segments(const ScanSections& sections, const ScanLimbs& limbs,
                     const std::array<ArmLine, 2>& arms, double c7_height, Body& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

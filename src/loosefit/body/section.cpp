@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // A crossing of a mesh edge by the plane, and the two triangles' cut segments that meet there.
@@ -36,7 +36,7 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& origin,
+std::vector<SectionLoop> plane_section(const geometry::TriangleMesh& mesh, const Vec3& origin,
                                        const Vec3& normal) {
   const Vec3 n = normal.normalized();
   const double offset = n.dot(origin);
@@ -45,8 +45,8 @@ std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& ori
   return level_section(mesh, height, 0);
 }
 
-std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vector<double>& values,
-                                       double level) {
+std::vector<SectionLoop> level_section(const geometry::TriangleMesh& mesh,
+                                       const std::vector<double>& values, double level) {
   const auto height = [&](std::size_t v) { return values[v] - level; };
   const auto above = [&](int v) { return height(std::size_t(v)) >= 0; };
 
@@ -190,4 +190,4 @@ Vec3 centroid(const SectionLoop& loop) {
   return length > 0 ? Vec3(sum / length) : loop.points[0];
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// A closed curve where a plane cuts a surface.
 struct SectionLoop {
@@ -14,13 +14,13 @@ struct SectionLoop {
 };
 
 /// All closed loops along which a scalar per vertex has this value; rules as of plane_section.
-std::vector<SectionLoop> level_section(const TriangleMesh& mesh, const std::vector<double>& values,
-                                       double level);
+std::vector<SectionLoop> level_section(const geometry::TriangleMesh& mesh,
+                                       const std::vector<double>& values, double level);
 
 /// All closed loops of the cut by the plane through `origin` with normal `normal`. A vertex exactly
 /// on the plane counts as lying above it, so every loop of a closed surface closes. Loops are in
 /// the order of their first triangle; open chains of an open surface are left out.
-std::vector<SectionLoop> plane_section(const TriangleMesh& mesh, const Vec3& origin,
+std::vector<SectionLoop> plane_section(const geometry::TriangleMesh& mesh, const Vec3& origin,
                                        const Vec3& normal);
 
 /// Middle of the curve, weighted by length.
@@ -38,4 +38,4 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 /// The loop around the trunk: the longest whose x-range contains `x`. Null when there is none.
 const SectionLoop* trunk_loop(const std::vector<SectionLoop>& loops, double x = 0);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Shares of the arm angle and of the bend, lowest spine bone first.
@@ -132,4 +132,4 @@ std::vector<Eigen::Matrix<double, 3, 4>> blend_bones(
   return maps;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -7,7 +7,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/body_data.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Rotation of bones by name, about world-aligned axes in the parent's moving frame.
 using BoneRotations = std::map<std::string, Mat3>;
@@ -34,4 +34,4 @@ std::vector<Eigen::Matrix<double, 3, 4>> blend_bones(
     const std::vector<Eigen::Affine3d>& bones,
     const std::vector<std::vector<std::pair<int, double>>>& skin);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

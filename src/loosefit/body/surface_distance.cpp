@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Distance of c from a source that is `from_a` away from a and `from_b` from b, straight through
@@ -29,7 +29,7 @@ double through_edge(const Vec3& a, double from_a, const Vec3& b, double from_b, 
 
 }  // namespace
 
-std::vector<std::vector<int>> neighbours_of(const TriangleMesh& mesh) {
+std::vector<std::vector<int>> neighbours_of(const geometry::TriangleMesh& mesh) {
   std::vector<std::vector<int>> near(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -44,7 +44,7 @@ std::vector<std::vector<int>> neighbours_of(const TriangleMesh& mesh) {
   return near;
 }
 
-std::vector<double> surface_distance(const TriangleMesh& mesh, int source) {
+std::vector<double> surface_distance(const geometry::TriangleMesh& mesh, int source) {
   // Triangles at every vertex.
   std::vector<std::vector<int>> triangles_at(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -88,4 +88,4 @@ std::vector<double> surface_distance(const TriangleMesh& mesh, int source) {
   return distance;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

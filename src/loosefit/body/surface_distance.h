@@ -3,14 +3,14 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 /// Vertices that share an edge with each vertex, ascending.
-std::vector<std::vector<int>> neighbours_of(const TriangleMesh& mesh);
+std::vector<std::vector<int>> neighbours_of(const geometry::TriangleMesh& mesh);
 
 /// Length of the shortest way over the surface from a vertex to each vertex [m], by fast marching
 /// (Kimmel and Sethian 1998; each triangle is unfolded as in Novotni and Klein 2002); infinite
 /// where there is no way. Every vertex but the source has a neighbour that is nearer.
-std::vector<double> surface_distance(const TriangleMesh& mesh, int source);
+std::vector<double> surface_distance(const geometry::TriangleMesh& mesh, int source);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

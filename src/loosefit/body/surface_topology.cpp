@@ -8,10 +8,10 @@
 #include "loosefit/body/mesh_repair.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
-std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
+namespace loosefit::body {
+std::vector<Piece> connected_pieces(const geometry::TriangleMesh& mesh) {
   UnionFind sets(mesh.triangles.size());
-  const MeshTopology topology(mesh.triangles);
+  const geometry::MeshTopology topology(mesh.triangles);
   for (int e = 0; e < topology.edge_count(); ++e)
     for (const auto& side : topology.sides(e))
       sets.unite(topology.sides(e)[0].triangle, side.triangle);
@@ -20,7 +20,8 @@ std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
     const auto& t = mesh.triangles[i];
     Piece& piece = pieces[sets.find(int(i))];
     piece.triangles.push_back(int(i));
-    piece.area += triangle_area(mesh.vertices[std::size_t(t[0])], mesh.vertices[std::size_t(t[1])],
+    piece.area +=
+        geometry::triangle_area(mesh.vertices[std::size_t(t[0])], mesh.vertices[std::size_t(t[1])],
                                 mesh.vertices[std::size_t(t[2])]);
   }
   std::vector<Piece> sorted;
@@ -30,17 +31,17 @@ std::vector<Piece> connected_pieces(const TriangleMesh& mesh) {
   return sorted;
 }
 
-void keep_piece(TriangleMesh& mesh, const Piece& piece) {
+void keep_piece(geometry::TriangleMesh& mesh, const Piece& piece) {
   std::vector<Triangle> kept;
   for (const int t : piece.triangles) kept.push_back(mesh.triangles[std::size_t(t)]);
   mesh.triangles = std::move(kept);
   drop_unused_vertices(mesh);
 }
 
-EdgeReport inspect_edges(const TriangleMesh& mesh) {
+EdgeReport inspect_edges(const geometry::TriangleMesh& mesh) {
   EdgeReport report;
-  const MeshTopology topology(mesh.triangles);
-  std::vector<MeshTopology::Edge> open;
+  const geometry::MeshTopology topology(mesh.triangles);
+  std::vector<geometry::MeshTopology::Edge> open;
   for (int e = 0; e < topology.edge_count(); ++e) {
     const auto& edge = topology.edges()[std::size_t(e)];
     if (topology.sides(e).size() == 1) open.push_back(edge);
@@ -62,16 +63,16 @@ EdgeReport inspect_edges(const TriangleMesh& mesh) {
   return report;
 }
 
-Orientation orient_consistently(TriangleMesh& mesh) {
+Orientation orient_consistently(geometry::TriangleMesh& mesh) {
   // Neighbours over each edge; two triangles agree when they run along it in opposite senses.
-  const MeshTopology topology(mesh.triangles);
+  const geometry::MeshTopology topology(mesh.triangles);
   struct Link {
     int other;
     bool agrees;
   };
   std::vector<std::vector<Link>> links(mesh.triangles.size());
   // From the lower vertex of its edge to the higher one.
-  const auto runs_up = [&](const MeshTopology::Side& side) {
+  const auto runs_up = [&](const geometry::MeshTopology::Side& side) {
     const Triangle& t = mesh.triangles[std::size_t(side.triangle)];
     return t[std::size_t(side.corner)] < t[std::size_t(side.corner + 1) % 3];
   };
@@ -113,4 +114,4 @@ Orientation orient_consistently(TriangleMesh& mesh) {
   return any ? Orientation::repaired : Orientation::consistent;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

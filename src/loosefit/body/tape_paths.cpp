@@ -10,7 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/body/section.h"
 
-namespace loosefit {
+namespace loosefit::body {
 namespace {
 
 // Half the perimeter of an ellipse (Ramanujan 1914).
@@ -21,21 +21,21 @@ double half_ellipse(double a, double b) {
 
 }  // namespace
 
-double trunk_girth(const TriangleMesh& mesh, double z) {
+double trunk_girth(const geometry::TriangleMesh& mesh, double z) {
   const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
   const SectionLoop* trunk = trunk_loop(loops);
   if (!trunk) throw GeometryError("body: found no closed section round the trunk at this level");
   return hull_perimeter(trunk->points, Vec3::UnitZ());
 }
 
-double girth_round(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
+double girth_round(const geometry::TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
   for (const auto& loop : plane_section(mesh, origin, normal)) {
     if (loop_contains(loop, normal, origin)) return hull_perimeter(loop.points, normal);
   }
   throw GeometryError("body: found no closed section round this point");
 }
 
-double back_tape(const TriangleMesh& mesh, const Vec3& from, double down_to) {
+double back_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double down_to) {
   std::vector<Vec2> back = {{from.z(), from.y()}};
   for (const auto& loop : plane_section(mesh, from, Vec3::UnitX())) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
@@ -76,7 +76,7 @@ double neck_base_girth(const Vec3& left, const Vec3& right, const Vec3& c7, cons
          half_ellipse(half_width, (pit - middle).norm());
 }
 
-Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling) {
+Vec3 top_at(const geometry::TriangleMesh& mesh, double x, double ceiling) {
   Vec3 top(x, 0, -std::numeric_limits<double>::infinity());
   for (const auto& loop : plane_section(mesh, Vec3(x, 0, 0), Vec3::UnitX())) {
     for (const auto& p : loop.points) {
@@ -88,7 +88,7 @@ Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling) {
 
 namespace {
 
-std::optional<Armscye> armscye_in(const TriangleMesh& mesh, const Vec3& joint) {
+std::optional<Armscye> armscye_in(const geometry::TriangleMesh& mesh, const Vec3& joint) {
   for (const auto& loop : plane_section(mesh, joint, Vec3::UnitX())) {
     if (!loop_contains(loop, Vec3::UnitX(), joint)) continue;
     const auto low = std::min_element(loop.points.begin(), loop.points.end(),
@@ -100,7 +100,7 @@ std::optional<Armscye> armscye_in(const TriangleMesh& mesh, const Vec3& joint) {
 
 }  // namespace
 
-Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint) {
+Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint) {
   constexpr double kDeepest = 0.30, kStep = 0.005, kFarthest = 0.06;  // [m]
   const Vec3 outwards(shoulder_joint.x() < 0 ? -1 : 1, 0, 0);
   for (double off = 0; off <= kFarthest; off += kStep) {
@@ -111,4 +111,4 @@ Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint) {
   throw GeometryError("body: found no closed section round the shoulder joint");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::body

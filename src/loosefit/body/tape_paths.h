@@ -1,19 +1,19 @@
 #pragma once
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::body {
 
 // What a tailor's tape does on any closed body surface, z up, trunk over x = 0. Lengths in metres.
 
 /// Horizontal tape round the trunk at height z. \throws GeometryError when there is no trunk there.
-double trunk_girth(const TriangleMesh& mesh, double z);
+double trunk_girth(const geometry::TriangleMesh& mesh, double z);
 
 /// Tape round the limb that contains `origin`, in the plane with this normal.
 /// \throws GeometryError when no closed section contains the point.
-double girth_round(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal);
+double girth_round(const geometry::TriangleMesh& mesh, const Vec3& origin, const Vec3& normal);
 
 /// Tape from a point on the shoulder straight down the back to height z, bridging hollows.
-double back_tape(const TriangleMesh& mesh, const Vec3& from, double z);
+double back_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double z);
 
 /// Tape round the neck base: behind through C7, in front through the pit of the neck, at the sides
 /// through the neck-shoulder points. No plane cuts that curve out; each half is taken as half an
@@ -21,7 +21,7 @@ double back_tape(const TriangleMesh& mesh, const Vec3& from, double z);
 double neck_base_girth(const Vec3& left, const Vec3& right, const Vec3& c7, const Vec3& pit);
 
 /// Highest point of the sagittal section at x, below `ceiling`.
-Vec3 top_at(const TriangleMesh& mesh, double x, double ceiling);
+Vec3 top_at(const geometry::TriangleMesh& mesh, double x, double ceiling);
 
 /// Where sleeve meets trunk: the sagittal section round the shoulder joint.
 struct Armscye {
@@ -30,6 +30,6 @@ struct Armscye {
 };
 /// Where arm and trunk are one in the joint's own plane, as in stout people, a plane farther out.
 /// \throws GeometryError when no closed section contains the joint.
-Armscye armscye_round(const TriangleMesh& mesh, const Vec3& shoulder_joint);
+Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint);
 
-}  // namespace loosefit
+}  // namespace loosefit::body

@@ -6,7 +6,7 @@
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          const std::vector<double>& triangle_area, int particles,
@@ -17,7 +17,7 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
     points[i].weight[0] = 1;
     points[i].offset = offset;
   }
-  const MeshTopology topology(triangles);
+  const geometry::MeshTopology topology(triangles);
   std::vector<double> edge_area(topology.edge_count(), 0.0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -64,17 +64,17 @@ BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, dou
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
 
-void BodyContact::set_active_set(const ActiveSet* active_set) {
+void BodyContact::set_active_set(const particles::ActiveSet* active_set) {
   evaluated_at_.clear();
   friction_.set_active_set(active_set);
   restricted_ = active_set != nullptr;
   if (!active_set) return;
-  active_ = IndexSubset(points_.size(), [&](int i) {
+  active_ = particles::IndexSubset(points_.size(), [&](int i) {
     return active_set->touches(points_[i].particle, points_[i].count);
   });
 }
 
-Vec3 ContactPoint::position(const VectorField& x) const {
+Vec3 ContactPoint::position(const particles::VectorField& x) const {
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < count; ++k) sum += weight[k] * x[particle[k]];
   return sum;
@@ -95,13 +95,14 @@ LayerResponse compress_layer(double k, double offset, double compression) {
   return r;
 }
 
-double BodyContact::field_distance(const ContactPoint& point, const VectorField& x,
+double BodyContact::field_distance(const ContactPoint& point, const particles::VectorField& x,
                                    double reach) const {
   DistanceField::Sample sample;
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
-BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool with_hessian) const {
+BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField& x,
+                                    bool with_hessian) const {
   Touch touch;
   if (!field_) return touch;
   const Vec3 p = points_[i].position(x);
@@ -115,12 +116,12 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const VectorField& x, bool wi
   return touch;
 }
 
-const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x,
+const std::vector<BodyContact::Touch>& BodyContact::touches(const particles::VectorField& x,
                                                             bool with_hessian) const {
   if (evaluated_at_ == x && (with_hessian_ || !with_hessian)) return touch_;
   touch_.resize(points_.size());
   clear_.resize(points_.size());
-  for_ranges(point_count(), 256, [&](int begin, int end) {
+  particles::for_ranges(point_count(), 256, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) touch_[point_index(k)] = ask(point_index(k), x, with_hessian);
   });
   evaluated_at_ = x;
@@ -128,7 +129,7 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const VectorField& x
   return touch_;
 }
 
-void BodyContact::begin_step(const VectorField& x, double dt) {
+void BodyContact::begin_step(const particles::VectorField& x, double dt) {
   if (friction_.coefficient() <= 0) return;
   std::vector<FrictionContact> contacts;
   const auto& touch = touches(x, false);
@@ -156,7 +157,7 @@ void BodyContact::begin_step(const VectorField& x, double dt) {
     friction_.iterate(std::move(contacts), x);
 }
 
-double BodyContact::value(const VectorField& x) const {
+double BodyContact::value(const particles::VectorField& x) const {
   double energy = 0;
   const auto& touch = touches(x, false);
   for (int n = 0; n < point_count(); ++n)
@@ -167,7 +168,8 @@ double BodyContact::value(const VectorField& x) const {
   return energy + friction_.value(x);
 }
 
-double BodyContact::value_and_gradient(const VectorField& x, VectorField& g) const {
+double BodyContact::value_and_gradient(const particles::VectorField& x,
+                                       particles::VectorField& g) const {
   const auto& touch = touches(x, false);
   double energy = 0;
   for (int n = 0; n < point_count(); ++n)
@@ -182,18 +184,20 @@ double BodyContact::value_and_gradient(const VectorField& x, VectorField& g) con
   return energy + friction_.value_and_gradient(x, g);
 }
 
-void BodyContact::add_gradient(const VectorField& x, VectorField& g) const {
+void BodyContact::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   value_and_gradient(x, g);
 }
 
-void BodyContact::add_pattern(const VectorField&, BlockPattern& pattern) const {
+void BodyContact::add_pattern(const particles::VectorField&,
+                              particles::BlockPattern& pattern) const {
   for (const ContactPoint& p : points_)
     for (int a = 0; a < p.count; ++a)
       for (int b = 0; b < a; ++b) pattern.add(p.particle[a], p.particle[b]);
 }
 
-void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  const bool exact = kind == HessianKind::exact;
+void BodyContact::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                              particles::HessianKind kind) const {
+  const bool exact = kind == particles::HessianKind::exact;
   const auto& touch = touches(x, exact);
   for (int n = 0; n < point_count(); ++n) {
     const int i = point_index(n);
@@ -210,7 +214,7 @@ void BodyContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind 
   friction_.add_hessian(x, h);
 }
 
-void BodyContact::add_normal_force(const VectorField& x, std::vector<double>& f) const {
+void BodyContact::add_normal_force(const particles::VectorField& x, std::vector<double>& f) const {
   const auto& touch = touches(x, false);
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
@@ -222,10 +226,10 @@ void BodyContact::add_normal_force(const VectorField& x, std::vector<double>& f)
     }
 }
 
-int BodyContact::active(const VectorField& x) const {
+int BodyContact::active(const particles::VectorField& x) const {
   int count = 0;
   for (const Touch& t : touches(x, false)) count += t.active;
   return count;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

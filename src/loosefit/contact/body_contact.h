@@ -5,7 +5,7 @@
 #include "loosefit/contact/distance_field.h"
 #include "loosefit/contact/friction.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// A point of the cloth that may touch the body: Σ weight · particle.
 struct ContactPoint {
@@ -17,7 +17,7 @@ struct ContactPoint {
 
   /// Whether all its particles are corners of the triangle.
   bool within(const Triangle& t) const;
-  Vec3 position(const VectorField& x) const;
+  Vec3 position(const particles::VectorField& x) const;
 };
 
 /// Pressure law of the compressed layer, its integral and its slope.
@@ -48,7 +48,9 @@ void add_lattice(const Triangle& triangle, double area, double offset, int n,
 /// and Π_n = Σ A ∫ p dδ [J]. The gap error is at most o. Friction per point, see Friction.
 ///
 /// One caller at a time: what touches at the last place is remembered, by the const members too.
-class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
+class BodyContact : public particles::Energy,
+                    public particles::LaggedState,
+                    public particles::ActiveSetUser {
  public:
   BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
               double stick_reach);
@@ -74,7 +76,7 @@ class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
   }
   void forget_anchors() { friction_.forget(); }
   /// The skin under each particle has moved so far [m]: the anchors of friction move with it.
-  void carry_anchors(const VectorField& motion) { friction_.carry(motion); }
+  void carry_anchors(const particles::VectorField& motion) { friction_.carry(motion); }
   const std::vector<ContactPoint>& points() const { return points_; }
   /// To be changed: what is remembered of them is void.
   std::vector<ContactPoint>& change_points() {
@@ -87,24 +89,30 @@ class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
     stiffness_ = stiffness;
   }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
-  double field_distance(const ContactPoint& point, const VectorField& x, double reach) const;
+  double field_distance(const ContactPoint& point, const particles::VectorField& x,
+                        double reach) const;
 
-  void set_active_set(const ActiveSet* active_set) override;
-  void begin_step(const VectorField& x, double dt) override;
+  void set_active_set(const particles::ActiveSet* active_set) override;
+  void begin_step(const particles::VectorField& x, double dt) override;
   double lagged_friction_force() const override { return friction_.lagged_friction_force(); }
-  double value(const VectorField& x) const override;
-  void add_gradient(const VectorField& x, VectorField& g) const override;
-  double value_and_gradient(const VectorField& x, VectorField& g) const override;
-  void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
-  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+  double value(const particles::VectorField& x) const override;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override;
+  double value_and_gradient(const particles::VectorField& x,
+                            particles::VectorField& g) const override;
+  void add_pattern(const particles::VectorField& x,
+                   particles::BlockPattern& pattern) const override;
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                   particles::HessianKind kind) const override;
 
   /// The part of add_gradient that is friction.
-  void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
+  void add_friction(const particles::VectorField& x, particles::VectorField& g) const {
+    friction_.add_gradient(x, g);
+  }
 
-  int active(const VectorField& x) const;
+  int active(const particles::VectorField& x) const;
   /// f_i += Σ weight · A p ‖∇d‖ over the contact points: magnitudes of the normal force, friction
   /// left out, shared among the particles [N]. Their sum is the total normal force exactly.
-  void add_normal_force(const VectorField& x, std::vector<double>& f) const;
+  void add_normal_force(const particles::VectorField& x, std::vector<double>& f) const;
 
  private:
   /// Number of points that the active set touches (all without one), and the index of the k-th.
@@ -126,18 +134,18 @@ class BodyContact : public Energy, public LaggedState, public ActiveSetUser {
     evaluated_at_.clear();
     clear_.clear();
   }
-  Touch ask(std::size_t point, const VectorField& x, bool with_hessian) const;
-  const std::vector<Touch>& touches(const VectorField& x, bool with_hessian) const;
+  Touch ask(std::size_t point, const particles::VectorField& x, bool with_hessian) const;
+  const std::vector<Touch>& touches(const particles::VectorField& x, bool with_hessian) const;
   std::vector<ContactPoint> points_;
   std::shared_ptr<const DistanceField> field_;
   double stiffness_;
   Friction friction_;
   bool restricted_ = false;
-  IndexSubset active_;                ///< points, while an active set is given
+  particles::IndexSubset active_;     ///< points, while an active set is given
   mutable std::vector<Touch> touch_;  ///< at evaluated_at_
-  mutable VectorField evaluated_at_;
+  mutable particles::VectorField evaluated_at_;
   mutable std::vector<Clear> clear_;
   mutable bool with_hessian_ = false;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -10,7 +10,7 @@
 #include "loosefit/contact/contact_tuning.h"
 #include "loosefit/particles/vector_sums.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr BroadPhaseTuning kTuning = kContact.broad_phase;
@@ -19,7 +19,7 @@ constexpr BroadPhaseTuning kTuning = kContact.broad_phase;
 constexpr double kTwoMargins = 2.3095;
 
 double root_mean_square(const std::vector<Vec3>& v) {
-  return std::sqrt(dot(v, v) / std::max<double>(1, static_cast<double>(v.size())));
+  return std::sqrt(particles::dot(v, v) / std::max<double>(1, static_cast<double>(v.size())));
 }
 
 double longest_move(const Triangle& t, const std::vector<Vec3>& dx) {
@@ -28,15 +28,15 @@ double longest_move(const Triangle& t, const std::vector<Vec3>& dx) {
 }
 
 /// The swept triangle, enlarged by `around` on all sides.
-Box3 box_of(const Triangle& t, const std::vector<Vec3>& x, const std::vector<Vec3>* dx,
-            double around) {
-  Box3 box;
+geometry::Box3 box_of(const Triangle& t, const std::vector<Vec3>& x, const std::vector<Vec3>* dx,
+                      double around) {
+  geometry::Box3 box;
   for (int v : t) {
     box.extend(x[v]);
     if (dx) box.extend(Vec3(x[v] + (*dx)[v]));
   }
   const Vec3 rim = Vec3::Constant(around);
-  return Box3(box.min() - rim, box.max() + rim);
+  return geometry::Box3(box.min() - rim, box.max() + rim);
 }
 
 /// Whether along one of thirteen fixed axes the features are farther apart than `limit`, on the
@@ -109,11 +109,11 @@ bool CandidatePairs::find_outliers(const std::vector<Vec3>& x, Move dx) {
   if (list.start.size() != x.size() || list.margin < 0) return false;
   // The share of the displacement that is done, and that dx is about to do.
   double done = 0, next = 0;
-  if (const double length2 = dot(list.displacement, list.displacement); length2 > 0) {
+  if (const double length2 = particles::dot(list.displacement, list.displacement); length2 > 0) {
     for (std::size_t i = 0; i < x.size(); ++i)
       done += (x[i] - list.start[i]).dot(list.displacement[i]);
     done = std::clamp(done / length2, 0.0, 1.0);
-    if (dx) next = std::clamp(dot(*dx, list.displacement) / length2, 0.0, 1 - done);
+    if (dx) next = std::clamp(particles::dot(*dx, list.displacement) / length2, 0.0, 1 - done);
   }
   const double margin = (1 - 1e-9) * list.margin;
   motion_.resize(x.size());
@@ -265,14 +265,14 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   set_active_set(active_set_);
 }
 
-void CandidatePairs::set_active_set(const ActiveSet* active_set) {
+void CandidatePairs::set_active_set(const particles::ActiveSet* active_set) {
   active_set_ = active_set;
   const std::size_t n = list_.candidates.size();
   active_ =
       active_set
-          ? IndexSubset(n,
-                        [&](int i) { return active_set->touches(list_.candidates[i].particle, 4); })
-          : IndexSubset(n);
+          ? particles::IndexSubset(
+                n, [&](int i) { return active_set->touches(list_.candidates[i].particle, 4); })
+          : particles::IndexSubset(n);
 }
 
 /// Fills sorted_ with the pairs that have an outlier: their triangles now, against the
@@ -375,4 +375,4 @@ const std::vector<FeaturePair>& CandidatePairs::approaching(const std::vector<Ve
   return select(x, &dx);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

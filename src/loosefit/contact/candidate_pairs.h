@@ -5,7 +5,7 @@
 #include "loosefit/geometry/box_grid.h"
 #include "loosefit/particles/active_set.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// Broad phase: finds the pairs of features of one mesh that are, or on a straight move could come,
 /// within their reach. A list of candidates with a margin m is kept between the calls. It was made
@@ -30,7 +30,7 @@ class CandidatePairs {
   const std::vector<FeaturePair>& approaching(const std::vector<Vec3>& x,
                                               const std::vector<Vec3>& dx);
   /// From now on only pairs with a particle in the active set are returned; null: all again.
-  void set_active_set(const ActiveSet* active_set);
+  void set_active_set(const particles::ActiveSet* active_set);
   std::size_t candidates() const { return list_.candidates.size(); }
   long builds() const { return builds_; }  ///< how often the list has been made
 
@@ -45,7 +45,7 @@ class CandidatePairs {
     std::vector<Vec3> start, displacement;  ///< r and s
     double margin = -1;                     ///< m [m]
     double rms_displacement = 0;            ///< root mean square of s [m]
-    BoxGrid grid;  ///< of the swept triangles, enlarged by m and half a thickness
+    geometry::BoxGrid grid;  ///< of the swept triangles, enlarged by m and half a thickness
   };
   bool is_too_long(Move dx) const;
   bool find_outliers(const std::vector<Vec3>& x, Move dx);
@@ -62,12 +62,12 @@ class CandidatePairs {
 
   ContactFeatures features_;
   List list_;
-  const ActiveSet* active_set_ = nullptr;
-  IndexSubset active_;  ///< candidates that touch the active set, or all without one
+  const particles::ActiveSet* active_set_ = nullptr;
+  particles::IndexSubset active_;  ///< candidates that touch the active set, or all without one
   std::vector<FeaturePair> near_;
   long builds_ = 0;
   // Working memory, kept so that calls do not allocate.
-  std::vector<Box3> boxes_;
+  std::vector<geometry::Box3> boxes_;
   std::vector<std::vector<Candidate>> found_;
   std::vector<double> travel_;  ///< longest move of a corner of each triangle [m]
   std::vector<std::pair<std::uint64_t, int>> order_;
@@ -79,7 +79,7 @@ class CandidatePairs {
   std::vector<char> is_outlier_;           ///< of every particle
   std::vector<int> outlier_triangles_;     ///< with an outlier at a corner
   std::vector<char> is_outlier_triangle_;  ///< of every triangle: whether it is one of them
-  BoxGrid outlier_grid_;
+  geometry::BoxGrid outlier_grid_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -5,7 +5,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 void expect_length(const char* key, std::size_t found, std::size_t expected) {
@@ -56,7 +56,7 @@ ContactFeatures::ContactFeatures(const std::vector<Triangle>& all,
   const std::array<int, 3> none{-1, -1, -1};
   owned_vertices.assign(all.size(), none);
   owned_edges.assign(all.size(), none);
-  const MeshTopology topology(all);
+  const geometry::MeshTopology topology(all);
   edges = topology.edges();
   of_edge.resize(edges.size());
   std::vector<char> vertex_met(particles, 0), edge_met(edges.size(), 0);
@@ -74,4 +74,4 @@ ContactFeatures::ContactFeatures(const std::vector<Triangle>& all,
       if (v >= 0 && !(of_vertex[v].area > 0)) v = -1;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -4,7 +4,7 @@
 
 #include "loosefit/contact/pair_distance.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// Vertices, edges and triangles of a cloth mesh as partners of contact. Vertices and edges carry a
 /// third of the flat area of every triangle at them [m²], the mean thickness of these triangles
@@ -51,4 +51,4 @@ struct FeaturePair {
   }
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

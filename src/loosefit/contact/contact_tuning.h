@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-namespace loosefit {
+namespace loosefit::contact {
 
 // All tuning numbers of contact: constants, since they stand in inner loops. Those of a material
 // (stiffness, friction, thickness) are arguments of the energies. A number without a reason was
@@ -115,4 +115,4 @@ constexpr bool is_valid(const ContactTuning& t) {
 inline constexpr ContactTuning kContact;
 static_assert(is_valid(kContact));
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

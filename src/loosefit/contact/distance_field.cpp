@@ -7,7 +7,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 constexpr auto kRelaxed = std::memory_order_relaxed;
@@ -34,7 +34,7 @@ struct Weights {
 
 /// Whether every edge belongs to two triangles, which run along it in opposite senses, and the
 /// inside is inside.
-bool closed_outwards(const TriangleMesh& mesh) {
+bool closed_outwards(const geometry::TriangleMesh& mesh) {
   std::vector<std::pair<int, int>> there, back;
   for (const Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -44,22 +44,23 @@ bool closed_outwards(const TriangleMesh& mesh) {
   std::sort(there.begin(), there.end());
   std::sort(back.begin(), back.end());
   return there == back && std::adjacent_find(there.begin(), there.end()) == there.end() &&
-         enclosed_volume(mesh) > 0;
+         geometry::enclosed_volume(mesh) > 0;
 }
 
 }  // namespace
 
-DistanceField::Cover::Cover(const TriangleMesh& surface) : mesh(surface), tree(mesh) {
+DistanceField::Cover::Cover(const geometry::TriangleMesh& surface) : mesh(surface), tree(mesh) {
   for (const Vec3& p : mesh.vertices) box.extend(p);
 }
 
-DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing,
-                             const std::vector<TriangleMesh>& covers)
+DistanceField::DistanceField(const geometry::ClosestPointTree& tree, const geometry::Box3& region,
+                             double spacing, const std::vector<geometry::TriangleMesh>& covers)
     : tree_(tree), requested_spacing_(spacing), spacing_(spacing) {
-  LOOSEFIT_ASSERT(closed_outwards(tree.mesh()) &&
-                  std::all_of(covers.begin(), covers.end(), [](const TriangleMesh& cover) {
-                    return cover.triangles.empty() || closed_outwards(cover);
-                  }));
+  LOOSEFIT_ASSERT(
+      closed_outwards(tree.mesh()) &&
+      std::all_of(covers.begin(), covers.end(), [](const geometry::TriangleMesh& cover) {
+        return cover.triangles.empty() || closed_outwards(cover);
+      }));
   const Vec3 margin = Vec3::Constant(4 * spacing_);
   origin_ = region.min() - margin;
   const Vec3 extent = region.sizes() + 2 * margin;
@@ -71,7 +72,7 @@ DistanceField::DistanceField(const ClosestPointTree& tree, const Box3& region, d
   for (auto& v : value_) v.store(std::numeric_limits<float>::quiet_NaN(), kRelaxed);
   zone_.assign(count, Zone::inside);
   mark_near(tree.mesh());
-  for (const TriangleMesh& cover : covers) {
+  for (const geometry::TriangleMesh& cover : covers) {
     if (cover.triangles.empty()) continue;
     mark_near(cover);
     covers_.emplace_back(cover);
@@ -155,10 +156,10 @@ void DistanceField::flood_outside() {
         }
 }
 
-void DistanceField::mark_near(const TriangleMesh& mesh) {
+void DistanceField::mark_near(const geometry::TriangleMesh& mesh) {
   const double band = kContact.field.band_cells * spacing_;
   for (const Triangle& t : mesh.triangles) {
-    Box3 box;
+    geometry::Box3 box;
     for (int v : t) box.extend(mesh.vertices[v]);
     int lower[3], upper[3];
     for (int k = 0; k < 3; ++k) {
@@ -186,18 +187,18 @@ bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, b
                                 Sample& out) const {
   const Weights wx(q[0] - cell[0]), wy(q[1] - cell[1]), wz(q[2] - cell[2]);
   // Contracted over y and z first, four nodes of a row at a time.
-  Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
+  particles::Quad in_y[4][3] = {};  // rows at c, contracted over y with w, d, dd
   for (int c = 0; c < 4; ++c)
     for (int b = 0; b < 4; ++b) {
       const int x = cell[0] - 1, y = cell[1] - 1 + b, z = cell[2] - 1 + c;
       const std::atomic<float>* node = &value_[index(x, y, z)];
-      const Quad row = {node[0].load(kRelaxed), node[1].load(kRelaxed), node[2].load(kRelaxed),
-                        node[3].load(kRelaxed)};
+      const particles::Quad row = {node[0].load(kRelaxed), node[1].load(kRelaxed),
+                                   node[2].load(kRelaxed), node[3].load(kRelaxed)};
       in_y[c][0] += wy.w[b] * row;
       in_y[c][1] += wy.d[b] * row;
       if (with_hessian) in_y[c][2] += wy.dd[b] * row;
     }
-  Quad r{}, ry{}, rz{}, ryy{}, rzz{}, ryz{};
+  particles::Quad r{}, ry{}, rz{}, ryy{}, rzz{}, ryz{};
   for (int c = 0; c < 4; ++c) {
     r += wz.w[c] * in_y[c][0];
     ry += wz.w[c] * in_y[c][1];
@@ -207,7 +208,7 @@ bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, b
     rzz += wz.dd[c] * in_y[c][0];
     ryz += wz.d[c] * in_y[c][1];
   }
-  const auto in_x = [](const double* w, const Quad& n) {
+  const auto in_x = [](const double* w, const particles::Quad& n) {
     return (w[0] * n[0] + w[1] * n[1]) + (w[2] * n[2] + w[3] * n[3]);
   };
   const double f = in_x(wx.w, r);
@@ -222,10 +223,10 @@ bool DistanceField::interpolate(const std::array<int, 3>& cell, const Vec3& q, b
   return true;
 }
 
-bool DistanceField::covers(const Box3& box) const {
+bool DistanceField::covers(const geometry::Box3& box) const {
   const Vec3 rim = Vec3::Constant(kContact.field.rim_cells * spacing_);
   const Vec3 end = origin_ + spacing_ * Vec3(size_[0] - 1, size_[1] - 1, size_[2] - 1);
-  return Box3(origin_ + rim, end - rim).contains(box);
+  return geometry::Box3(origin_ + rim, end - rim).contains(box);
 }
 
 double DistanceField::smooth_reach() const {
@@ -261,7 +262,7 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
       return out.distance < reach;
   }
   // Off the band: deep inside the body, at the rim of the band, or off the grid. Ask the surface.
-  ClosestPoint hit;
+  geometry::ClosestPoint hit;
   const double d = tree_.signed_distance(p, &hit);
   out.distance = d;
   if (!(d < reach)) return false;
@@ -270,4 +271,4 @@ bool DistanceField::sample(const Vec3& p, double reach, bool with_hessian, Sampl
   return true;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -9,7 +9,7 @@
 #include "loosefit/geometry/box_pairs.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 inline constexpr double kFieldSpacing = kContact.field.spacing;  ///< in every drape [m]
 
@@ -23,10 +23,11 @@ inline constexpr double kFieldSpacing = kContact.field.spacing;  ///< in every d
 class DistanceField {
  public:
   /// region: where distances are wanted; spacing of the grid [m]; covers: further closed surfaces
-  /// that hide the body in them (mittens over hands), the field is that of all together.
+  /// that hide the body in them (hulls of hands), the field is that of all together.
   /// Keeps a reference to the tree. \pre surfaces are closed and oriented outwards
-  DistanceField(const ClosestPointTree& tree, const Box3& region, double spacing = kFieldSpacing,
-                const std::vector<TriangleMesh>& covers = {});
+  DistanceField(const geometry::ClosestPointTree& tree, const geometry::Box3& region,
+                double spacing = kFieldSpacing,
+                const std::vector<geometry::TriangleMesh>& covers = {});
 
   /// Bound of the interpolant's slope: where the skin's distance has creases in every cell it
   /// overshoots. Along one axis slopes −1, 1, −1 of the nodes give 1.5 in the middle; the weights
@@ -34,7 +35,7 @@ class DistanceField {
   static constexpr double kSteepest = 1.5 * 1.25 * 1.25;
 
   /// Whether places in the box can be interpolated, as far as the grid goes.
-  bool covers(const Box3& box) const;
+  bool covers(const geometry::Box3& box) const;
   double spacing() const { return spacing_; }  ///< [m]
   /// Whether the region needed more nodes than FieldTuning::max_nodes, so that the grid is coarser
   /// than was asked for: contact is then less exact, and callers should tell.
@@ -57,13 +58,13 @@ class DistanceField {
   enum class Zone : std::uint8_t { band, outside, inside };
   /// A closed surface that hides the body in it.
   struct Cover {
-    explicit Cover(const TriangleMesh& surface);
-    TriangleMesh mesh;
-    Box3 box;
-    ClosestPointTree tree;
+    explicit Cover(const geometry::TriangleMesh& surface);
+    geometry::TriangleMesh mesh;
+    geometry::Box3 box;
+    geometry::ClosestPointTree tree;
   };
   /// Makes the nodes within the band of the triangles part of it.
-  void mark_near(const TriangleMesh& mesh);
+  void mark_near(const geometry::TriangleMesh& mesh);
   /// Tells what is outside from what is inside, off the band.
   void flood_outside();
   int index(int x, int y, int z) const { return (z * size_[1] + y) * size_[0] + x; }
@@ -77,7 +78,7 @@ class DistanceField {
   /// At q [cells]; false when a node has not been measured or is off the band.
   bool interpolate(const std::array<int, 3>& cell, const Vec3& q, bool with_hessian,
                    Sample& out) const;
-  const ClosestPointTree& tree_;
+  const geometry::ClosestPointTree& tree_;
   std::deque<Cover> covers_;
   Vec3 origin_;
   double requested_spacing_, spacing_;
@@ -86,4 +87,4 @@ class DistanceField {
   std::vector<Zone> zone_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::contact {
 
-Vec3 Friction::slide(const FrictionContact& c, const VectorField& x) const {
+Vec3 Friction::slide(const FrictionContact& c, const particles::VectorField& x) const {
   Vec3 u = c.offset;
   for (int k = 0; k < c.count; ++k) u += c.weight[k] * (x[c.particle[k]] - start_[c.particle[k]]);
   return u - c.normal * c.normal.dot(u);
 }
 
-void Friction::carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
-                             double reach) const {
+void Friction::carry_anchors(std::vector<FrictionContact>& contacts,
+                             const particles::VectorField& x, double reach) const {
   for (FrictionContact& c : contacts) {
     c.offset.setZero();
     const auto old =
@@ -26,7 +26,7 @@ void Friction::carry_anchors(std::vector<FrictionContact>& contacts, const Vecto
   }
 }
 
-void Friction::restart(std::vector<FrictionContact> contacts, const VectorField& x) {
+void Friction::restart(std::vector<FrictionContact> contacts, const particles::VectorField& x) {
   carry_anchors(contacts, x, reach_);
   contacts_ = std::move(contacts);
   set_active_set(nullptr);
@@ -34,15 +34,15 @@ void Friction::restart(std::vector<FrictionContact> contacts, const VectorField&
   lagged_force_ = 0;
 }
 
-void Friction::set_active_set(const ActiveSet* active_set) {
-  active_contacts_ = IndexSubset(contacts_.size());
+void Friction::set_active_set(const particles::ActiveSet* active_set) {
+  active_contacts_ = particles::IndexSubset(contacts_.size());
   if (!active_set) return;
-  active_contacts_ = IndexSubset(contacts_.size(), [&](int i) {
+  active_contacts_ = particles::IndexSubset(contacts_.size(), [&](int i) {
     return active_set->touches(contacts_[i].particle, contacts_[i].count);
   });
 }
 
-void Friction::carry(const VectorField& motion) {
+void Friction::carry(const particles::VectorField& motion) {
   for (std::size_t i = 0; i < start_.size(); ++i) start_[i] += motion[i];
 }
 
@@ -58,7 +58,7 @@ double Friction::relax(FrictionContact& c, const FrictionContact& old, double no
   return coefficient_ * c.relative_friction * (normal_force - c.normal_force);
 }
 
-void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField& x) {
+void Friction::iterate(std::vector<FrictionContact> contacts, const particles::VectorField& x) {
   std::vector<FrictionContact> all;
   all.reserve(contacts.size());
   double squared_lag = 0;
@@ -82,7 +82,7 @@ void Friction::iterate(std::vector<FrictionContact> contacts, const VectorField&
   lagged_force_ = std::sqrt(squared_lag);
 }
 
-double Friction::value(const VectorField& x) const {
+double Friction::value(const particles::VectorField& x) const {
   double energy = 0;
   for (int i = 0; i < active_contacts_.size(); ++i) {
     const FrictionContact& c = contacts_[active_contacts_[i]];
@@ -95,7 +95,8 @@ double Friction::value(const VectorField& x) const {
   return energy;
 }
 
-double Friction::value_and_gradient(const VectorField& x, VectorField& g) const {
+double Friction::value_and_gradient(const particles::VectorField& x,
+                                    particles::VectorField& g) const {
   double energy = 0;
   for (int i = 0; i < active_contacts_.size(); ++i) {
     const FrictionContact& c = contacts_[active_contacts_[i]];
@@ -110,7 +111,7 @@ double Friction::value_and_gradient(const VectorField& x, VectorField& g) const 
   return energy;
 }
 
-void Friction::add_pattern(BlockPattern& pattern) const {
+void Friction::add_pattern(particles::BlockPattern& pattern) const {
   for (const FrictionContact& c : contacts_) {
     if (c.normal_force == 0) continue;
     for (int a = 0; a < c.count; ++a)
@@ -118,7 +119,7 @@ void Friction::add_pattern(BlockPattern& pattern) const {
   }
 }
 
-void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
+void Friction::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h) const {
   for (int i = 0; i < active_contacts_.size(); ++i) {
     const FrictionContact& c = contacts_[active_contacts_[i]];
     if (c.normal_force == 0) continue;
@@ -138,4 +139,4 @@ void Friction::add_hessian(const VectorField& x, BlockMatrix& h) const {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -6,7 +6,7 @@
 #include "loosefit/contact/contact_tuning.h"
 #include "loosefit/particles/energy_capabilities.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// One frictional contact, frozen at the start of a step: the relative point Σ w_k x_k may slide in
 /// the plane normal to `normal`. For body contact the weights sum to 1, for self contact to 0.
@@ -50,28 +50,30 @@ class Friction {
   double coefficient() const { return coefficient_; }
 
   /// Contacts of the new step at x (sorted by key); contacts known before keep their anchors.
-  void restart(std::vector<FrictionContact> contacts, const VectorField& x);
+  void restart(std::vector<FrictionContact> contacts, const particles::VectorField& x);
   /// The same for another iteration on the static balance of the present step.
-  void iterate(std::vector<FrictionContact> contacts, const VectorField& x);
+  void iterate(std::vector<FrictionContact> contacts, const particles::VectorField& x);
   /// What the cloth rubs against has moved by `motion` [m], given at each particle: the anchors go
   /// along, so that only motion relative to it counts as sliding.
-  void carry(const VectorField& motion);
+  void carry(const particles::VectorField& motion);
   /// Drops all contacts with their anchors.
   void forget() {
     contacts_.clear();
     set_active_set(nullptr);
   }
   /// As Energy::set_active_set. Ends when the contacts change.
-  void set_active_set(const ActiveSet* active_set);
+  void set_active_set(const particles::ActiveSet* active_set);
 
   /// Norm of the friction that the shares of `iterate` left out [N].
   double lagged_friction_force() const { return lagged_force_; }
 
-  double value(const VectorField& x) const;
-  void add_gradient(const VectorField& x, VectorField& g) const { value_and_gradient(x, g); }
-  double value_and_gradient(const VectorField& x, VectorField& g) const;
-  void add_pattern(BlockPattern& pattern) const;
-  void add_hessian(const VectorField& x, BlockMatrix& h) const;
+  double value(const particles::VectorField& x) const;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
+    value_and_gradient(x, g);
+  }
+  double value_and_gradient(const particles::VectorField& x, particles::VectorField& g) const;
+  void add_pattern(particles::BlockPattern& pattern) const;
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h) const;
   const std::vector<FrictionContact>& contacts() const { return contacts_; }
 
  private:
@@ -79,15 +81,15 @@ class Friction {
   double strength(const FrictionContact& c) const {
     return coefficient_ * c.relative_friction * c.normal_force;
   }
-  Vec3 slide(const FrictionContact& c, const VectorField& x) const;
-  void carry_anchors(std::vector<FrictionContact>& contacts, const VectorField& x,
+  Vec3 slide(const FrictionContact& c, const particles::VectorField& x) const;
+  void carry_anchors(std::vector<FrictionContact>& contacts, const particles::VectorField& x,
                      double reach) const;
   double relax(FrictionContact& contact, const FrictionContact& old, double normal_force) const;
   double coefficient_, reach_, lagged_force_ = 0;
   int lost_iterations_;
   std::vector<FrictionContact> contacts_;
-  IndexSubset active_contacts_;  ///< contacts
-  VectorField start_;
+  particles::IndexSubset active_contacts_;  ///< contacts
+  particles::VectorField start_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

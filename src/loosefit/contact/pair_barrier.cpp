@@ -8,7 +8,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/contact/contact_tuning.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 /// e(c) = r (2 − r), r = c/threshold, with its derivatives; 1 from the threshold on.
@@ -126,15 +126,15 @@ PairMatrix without_negative_part(const PairMatrix& h) {
 }  // namespace
 
 PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
-                           HessianKind kind) {
+                           particles::HessianKind kind) {
   LOOSEFIT_ASSERT(b.active && b.d.distance > 0);
   Column gap;  // ∂d/∂x
   for (int k = 0; k < 4; ++k) gap.segment<3>(3 * k) = b.d.weight[k] * b.d.normal;
-  const bool exact = kind == HessianKind::exact;
+  const bool exact = kind == particles::HessianKind::exact;
   const bool pressed = b.d.distance < kContact.barrier.pressed * pair.reach;
   if (!(b.d.distance > 0) || (!exact && !pressed)) return b.curvature * gap * gap.transpose();
   const PairMatrix h = exact_hessian(pair, x, b, gap);
   return exact ? h : without_negative_part(h);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

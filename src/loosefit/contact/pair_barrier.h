@@ -2,7 +2,7 @@
 #include "loosefit/contact/contact_features.h"
 #include "loosefit/particles/energy.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// The barrier between two features, d their distance and d̂ their activation distance:
 ///
@@ -33,6 +33,6 @@ PairPoints barrier_gradient(const BarrierPair& pair, const PairPoints& x, const 
 /// mollifier or, of features pressed hard onto each other, all but its negative eigenvalues. \pre b
 /// = evaluate_barrier(pair, x), b.active
 PairMatrix barrier_hessian(const BarrierPair& pair, const PairPoints& x, const Barrier& b,
-                           HessianKind kind);
+                           particles::HessianKind kind);
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -7,7 +7,7 @@
 #include "loosefit/contact/contact_tuning.h"
 #include "loosefit/geometry/closest_point.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 PairDistance from_weights(const std::array<double, 4>& w, const Vec3& x0, const Vec3& x1,
@@ -24,7 +24,7 @@ PairDistance from_weights(const std::array<double, 4>& w, const Vec3& x0, const 
 
 PairDistance point_triangle_distance(const Vec3& x0, const Vec3& x1, const Vec3& x2,
                                      const Vec3& x3) {
-  const Vec3 b = closest_barycentric(x0, x1, x2, x3);
+  const Vec3 b = geometry::closest_barycentric(x0, x1, x2, x3);
   return from_weights({1, -b[0], -b[1], -b[2]}, x0, x1, x2, x3);
 }
 
@@ -179,4 +179,4 @@ double time_of_impact(PairKind kind, const PairPoints& x0, const PairPoints& dx,
   return t;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// Narrow phase: nearest points of two mesh features: Σ weight_k x_k with weights summing to 0 is
 /// the vector from the second feature to the first; its length is the distance [m].
@@ -42,4 +42,4 @@ double motion_bound(PairKind kind, const PairPoints& dx);
 /// for ones that meet.
 double time_of_impact(PairKind kind, const PairPoints& x, const PairPoints& dx, double upper = 1.0);
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

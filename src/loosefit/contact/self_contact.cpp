@@ -9,7 +9,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 namespace {
 
 template <class F>
@@ -57,7 +57,8 @@ double SelfContact::friction_between(const FeaturePair& pair) const {
              : options_.layer_friction(f.of_edge[pair.first].layer, f.of_edge[pair.second].layer);
 }
 
-void SelfContact::take_pairs(const std::vector<FeaturePair>& near, const VectorField& x) {
+void SelfContact::take_pairs(const std::vector<FeaturePair>& near,
+                             const particles::VectorField& x) {
   const ContactFeatures& f = candidates_.features();
   pairs_.resize(near.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -75,7 +76,7 @@ void SelfContact::take_pairs(const std::vector<FeaturePair>& near, const VectorF
   }
 }
 
-void SelfContact::set_active_set(const ActiveSet* active_set) {
+void SelfContact::set_active_set(const particles::ActiveSet* active_set) {
   candidates_.set_active_set(active_set);
   friction_.set_active_set(active_set);
   restricted_ = active_set != nullptr;
@@ -95,7 +96,7 @@ void SelfContact::set_active_set(const ActiveSet* active_set) {
   pairs_.erase(split, pairs_.end());
 }
 
-double SelfContact::max_step(const VectorField& x, const VectorField& dx) {
+double SelfContact::max_step(const particles::VectorField& x, const particles::VectorField& dx) {
   take_pairs(candidates_.approaching(x, dx), x);
   ++searches_;
   share_.resize(pairs_.size());
@@ -108,7 +109,7 @@ double SelfContact::max_step(const VectorField& x, const VectorField& dx) {
 }
 
 /// Fills barrier_ and active_ (indices of the pairs in contact, rising).
-void SelfContact::evaluate(const VectorField& x) const {
+void SelfContact::evaluate(const particles::VectorField& x) const {
   barrier_.resize(pairs_.size());
   for_each_index(pairs_.size(), 256, [&](std::size_t i) {
     barrier_[i] = evaluate_barrier(pairs_[i], pairs_[i].points(x));
@@ -131,7 +132,7 @@ void SelfContact::recall(const Memory& memory) {
   blocks_ = memory.blocks;
 }
 
-void SelfContact::begin_step(const VectorField& x, double dt) {
+void SelfContact::begin_step(const particles::VectorField& x, double dt) {
   take_pairs(candidates_.touching(x), x);
   if (friction_.coefficient() <= 0) return;
   evaluate(x);
@@ -157,14 +158,15 @@ void SelfContact::begin_step(const VectorField& x, double dt) {
     friction_.iterate(std::move(contacts), x);
 }
 
-double SelfContact::value(const VectorField& x) const {
+double SelfContact::value(const particles::VectorField& x) const {
   evaluate(x);
   double energy = 0;
   for (int i : active_) energy += barrier_[i].energy;
   return energy + friction_.value(x);
 }
 
-double SelfContact::value_and_gradient(const VectorField& x, VectorField& g) const {
+double SelfContact::value_and_gradient(const particles::VectorField& x,
+                                       particles::VectorField& g) const {
   evaluate(x);
   force_.resize(active_.size());
   for_each_index(active_.size(), 256, [&](std::size_t k) {
@@ -180,11 +182,11 @@ double SelfContact::value_and_gradient(const VectorField& x, VectorField& g) con
   return energy + friction_.value_and_gradient(x, g);
 }
 
-void SelfContact::add_gradient(const VectorField& x, VectorField& g) const {
+void SelfContact::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   value_and_gradient(x, g);
 }
 
-void SelfContact::remember(const VectorField& x) const {
+void SelfContact::remember(const particles::VectorField& x) const {
   evaluate(x);
   blocks_.begin();
   for (int i : active_) blocks_.use(pairs_[i].particle, 4);
@@ -193,17 +195,19 @@ void SelfContact::remember(const VectorField& x) const {
   blocks_.end(!restricted_);
 }
 
-void SelfContact::add_pattern(const VectorField& x, BlockPattern& pattern) const {
+void SelfContact::add_pattern(const particles::VectorField& x,
+                              particles::BlockPattern& pattern) const {
   remember(x);
   blocks_.add_to(pattern);
 }
 
-std::uint64_t SelfContact::pattern_version(const VectorField& x) const {
+std::uint64_t SelfContact::pattern_version(const particles::VectorField& x) const {
   remember(x);
   return blocks_.version();
 }
 
-void SelfContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
+void SelfContact::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                              particles::HessianKind kind) const {
   evaluate(x);
   constexpr std::size_t kBatch = 1024;  // bounds the memory
   for (std::size_t from = 0; from < active_.size(); from += kBatch) {
@@ -222,9 +226,9 @@ void SelfContact::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind 
   friction_.add_hessian(x, h);
 }
 
-int SelfContact::active(const VectorField& x) const {
+int SelfContact::active(const particles::VectorField& x) const {
   evaluate(x);
   return static_cast<int>(active_.size());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

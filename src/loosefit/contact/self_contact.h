@@ -7,7 +7,7 @@
 #include "loosefit/contact/pair_barrier.h"
 #include "loosefit/contact/sticky_pattern.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// Contact of the cloth with itself, and of layers with each other, by point-triangle and edge-edge
 /// pairs. A barrier (BarrierPair) keeps them apart, continuous detection limits every step, so
@@ -16,7 +16,10 @@ namespace loosefit {
 /// features, half a thickness on either side. Friction as in Friction.
 ///
 /// One caller at a time: working memory is kept between the calls, the const ones too.
-class SelfContact : public Energy, public LaggedState, public StepLimit, public ActiveSetUser {
+class SelfContact : public particles::Energy,
+                    public particles::LaggedState,
+                    public particles::StepLimit,
+                    public particles::ActiveSetUser {
  public:
   struct Options {
     double thickness = 5e-4;                      ///< d̂ [m]
@@ -36,16 +39,19 @@ class SelfContact : public Energy, public LaggedState, public StepLimit, public 
               int particles, const Options& options);
 
   void forget_anchors() { friction_.forget(); }
-  void set_active_set(const ActiveSet* active_set) override;
-  void begin_step(const VectorField& x, double dt) override;
-  double max_step(const VectorField& x, const VectorField& dx) override;
+  void set_active_set(const particles::ActiveSet* active_set) override;
+  void begin_step(const particles::VectorField& x, double dt) override;
+  double max_step(const particles::VectorField& x, const particles::VectorField& dx) override;
   double lagged_friction_force() const override { return friction_.lagged_friction_force(); }
-  double value(const VectorField& x) const override;
-  void add_gradient(const VectorField& x, VectorField& g) const override;
-  double value_and_gradient(const VectorField& x, VectorField& g) const override;
-  void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
-  std::uint64_t pattern_version(const VectorField& x) const override;
-  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+  double value(const particles::VectorField& x) const override;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override;
+  double value_and_gradient(const particles::VectorField& x,
+                            particles::VectorField& g) const override;
+  void add_pattern(const particles::VectorField& x,
+                   particles::BlockPattern& pattern) const override;
+  std::uint64_t pattern_version(const particles::VectorField& x) const override;
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                   particles::HessianKind kind) const override;
 
   /// What a state of this cloth needs to be taken up again: all but lists that are made anew.
   struct Memory {
@@ -58,18 +64,20 @@ class SelfContact : public Energy, public LaggedState, public StepLimit, public 
   void recall(const Memory& memory);
 
   /// The part of add_gradient that is friction.
-  void add_friction(const VectorField& x, VectorField& g) const { friction_.add_gradient(x, g); }
+  void add_friction(const particles::VectorField& x, particles::VectorField& g) const {
+    friction_.add_gradient(x, g);
+  }
 
-  int active(const VectorField& x) const;
+  int active(const particles::VectorField& x) const;
   long searches() const { return searches_; }  ///< continuous detections so far
   std::size_t pairs() const { return pairs_.size(); }
   const CandidatePairs& candidates() const { return candidates_; }
 
  private:
   double friction_between(const FeaturePair& pair) const;
-  void take_pairs(const std::vector<FeaturePair>& near, const VectorField& x);
-  void evaluate(const VectorField& x) const;
-  void remember(const VectorField& x) const;
+  void take_pairs(const std::vector<FeaturePair>& near, const particles::VectorField& x);
+  void evaluate(const particles::VectorField& x) const;
+  void remember(const particles::VectorField& x) const;
 
   Options options_;
   CandidatePairs candidates_;
@@ -87,4 +95,4 @@ class SelfContact : public Energy, public LaggedState, public StepLimit, public 
   mutable std::vector<PairMatrix> stiffness_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

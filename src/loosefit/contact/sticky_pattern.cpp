@@ -4,7 +4,7 @@
 
 #include "loosefit/contact/contact_tuning.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 void StickyPattern::use_block(int i, int j) {
   const int row = std::max(i, j);
@@ -34,9 +34,9 @@ void StickyPattern::end(bool complete) {
   grown_ = false;
 }
 
-void StickyPattern::add_to(BlockPattern& pattern) const {
+void StickyPattern::add_to(particles::BlockPattern& pattern) const {
   for (std::size_t column = 0; column < rows_of_column_.size(); ++column)
     for (const Entry& e : rows_of_column_[column]) pattern.add(e.row, static_cast<int>(column));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

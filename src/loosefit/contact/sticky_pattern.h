@@ -5,7 +5,7 @@
 
 #include "loosefit/particles/block_matrix.h"
 
-namespace loosefit {
+namespace loosefit::contact {
 
 /// The blocks of a matrix that changing contacts have needed lately. It only grows while contacts
 /// come and go, so that a matrix and its symbolic factor last; when more than twice the blocks in
@@ -28,7 +28,7 @@ class StickyPattern {
   std::uint64_t version() const { return version_; }
   std::size_t size() const { return size_; }
   std::size_t used() const { return used_; }
-  void add_to(BlockPattern& pattern) const;
+  void add_to(particles::BlockPattern& pattern) const;
 
  private:
   struct Entry {
@@ -43,4 +43,4 @@ class StickyPattern {
   bool grown_ = false;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::contact

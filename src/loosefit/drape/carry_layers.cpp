@@ -6,19 +6,19 @@
 
 #include "loosefit/geometry/closest_point_tree.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<Vec3>& x,
                                       std::vector<MotionMap> motion, const CarryTuning& tuning) {
-  motion = smoothed_over(cloth.triangles, x, std::move(motion));
+  motion = smoothed_over(cloth.triangles, x, std::move(motion), tuning);
   for (int layer = 1; layer < cloth.layers(); ++layer) {
-    TriangleMesh under;
+    geometry::TriangleMesh under;
     under.vertices.assign(x.begin(), x.begin() + cloth.first_vertex[layer]);
     under.triangles.assign(cloth.triangles.begin(),
                            cloth.triangles.begin() + cloth.first_triangle[layer]);
-    const ClosestPointTree tree(under);
+    const geometry::ClosestPointTree tree(under);
     tbb::parallel_for(cloth.first_vertex[layer], cloth.first_vertex[layer + 1], [&](int i) {
-      const ClosestPoint hit = tree.query(x[i]);
+      const geometry::ClosestPoint hit = tree.query(x[i]);
       const double distance = (hit.point - x[i]).norm();
       const double share = std::clamp(
           (tuning.layer_apart - distance) / (tuning.layer_apart - tuning.layer_close), 0.0, 1.0);
@@ -32,4 +32,4 @@ std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<
   return motion;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

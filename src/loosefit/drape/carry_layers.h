@@ -3,7 +3,7 @@
 #include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/settling_tuning.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// How several layers go with the body: the motion of each smoothed over its cloth (smoothed_over),
 /// but where a layer lies close over others, theirs. Neighbouring layers then move as one smooth
@@ -11,4 +11,4 @@ namespace loosefit {
 std::vector<MotionMap> carried_layers(const ClothMesh& cloth, const std::vector<Vec3>& x,
                                       std::vector<MotionMap> motion, const CarryTuning& tuning);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,22 +4,22 @@
 
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
-Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBody& body,
+Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const body::PosedBody& body,
                     const Stop& stop, double allowed_residual) {
   Certificate c;
   model.system().begin_step(x, std::numeric_limits<double>::infinity());
-  const Residual r = residual_of(model.system(), model.system().gradient(x));
+  const solver::Residual r = solver::residual_of(model.system(), model.system().gradient(x));
   c.residual = r.norm;
   c.residual_max = r.largest;
   const ClothMesh& cloth = model.mesh();
-  const auto cuts = self_intersections(x, cloth.triangles);
+  const auto cuts = geometry::self_intersections(x, cloth.triangles);
   c.intersections_self = static_cast<int>(cuts.size());
   for (const auto& [a, b] : cuts)
     c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
   c.intersections_body =
-      static_cast<int>(mesh_intersections(x, cloth.triangles, body.tree()).size());
+      static_cast<int>(geometry::mesh_intersections(x, cloth.triangles, body.tree()).size());
   c.allowed_residual = allowed_residual;
   c.reason = stop.reason;
   c.stop_reason = stop.text();
@@ -31,4 +31,4 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const PosedBo
   return c;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -3,20 +3,20 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/flat_triangle.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 std::vector<Triangle> ClothMesh::triangles_of(int layer) const {
   return {triangles.begin() + first_triangle[layer], triangles.begin() + first_triangle[layer + 1]};
 }
 
-ClothMesh joined(const std::vector<const Garment*>& garments) {
+ClothMesh joined(const std::vector<const garment::Garment*>& garments) {
   ClothMesh all;
   all.first_vertex = all.first_triangle = {0};
-  for (const Garment* garment : garments) {
+  for (const garment::Garment* garment : garments) {
     const int shift = all.vertices;
     for (const Triangle& t : garment->triangles)
       all.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-    const std::vector<double> area = flat_areas(garment->triangle_uv);
+    const std::vector<double> area = geometry::flat_areas(garment->triangle_uv);
     all.area.insert(all.area.end(), area.begin(), area.end());
     all.triangle_layer.resize(all.triangles.size(), all.layers());
     all.vertices += garment->vertex_count;
@@ -49,4 +49,4 @@ Drape drape_of_layer(const Drape& all, const std::vector<ClothLayer>& layers, in
   return one;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

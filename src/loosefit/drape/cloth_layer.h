@@ -6,12 +6,12 @@
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/hierarchy.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// One garment of those that are worn over each other. Lists of layers begin with the innermost.
 struct ClothLayer {
-  const GarmentHierarchy* garment = nullptr;
-  Material material;
+  const garment::GarmentHierarchy* garment = nullptr;
+  fabric::Material material;
   /// Coulomb coefficient against every layer over it; absent: mean of their friction_self.
   std::optional<double> friction_over = {};
 };
@@ -29,10 +29,10 @@ struct ClothMesh {
   /// Triangles of one layer, vertices numbered as in the whole.
   std::vector<Triangle> triangles_of(int layer) const;
 };
-ClothMesh joined(const std::vector<const Garment*>& garments);
+ClothMesh joined(const std::vector<const garment::Garment*>& garments);
 
 /// What a drape of several layers says of one: positions and forces of that garment; certificate
 /// and report are those of the whole. \throws Error when the drape is not of these layers.
 Drape drape_of_layer(const Drape& all, const std::vector<ClothLayer>& layers, int layer);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

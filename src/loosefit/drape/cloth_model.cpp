@@ -5,34 +5,35 @@
 
 #include "loosefit/geometry/flat_triangle.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Transverse stiffness of the fabric layer [Pa/m]: a pressure above those of clothing compresses
 /// (docs/theory/contact.md 1) half the thickness; stiffer fabrics press harder in proportion.
-double transverse_stiffness(const Material& m, const ClothModelTuning& tuning) {
+double transverse_stiffness(const fabric::Material& m, const ClothModelTuning& tuning) {
   const double stiffest = std::max(m.stiffness_warp, m.stiffness_weft);
   return tuning.layer_pressure * std::max(1.0, stiffest / tuning.reference_stiffness) /
          (0.5 * m.thickness);
 }
 
 /// Explicit viscosity is stable only well below the time in which a wave crosses a triangle.
-Material stable(Material m, const Garment& garment, const DrapeOptions& options) {
+fabric::Material stable(fabric::Material m, const garment::Garment& garment,
+                        const DrapeOptions& options) {
   if (options.integrator != IntegratorKind::semi_implicit_euler) return m;
   const double speed = std::sqrt(std::max(m.stiffness_warp, m.stiffness_weft) /
                                  ((1 - m.poisson * m.poisson) * m.areal_density));
-  m.damping = std::min(
-      m.damping, options.tuning.cloth.wave_share * shortest_height(garment.triangle_uv) / speed);
+  m.damping = std::min(m.damping, options.tuning.cloth.wave_share *
+                                      geometry::shortest_height(garment.triangle_uv) / speed);
   return m;
 }
 
-std::vector<ContactPoint> layer_points(const ClothMesh& mesh, int layer, const Garment& garment,
-                                       double offset) {
+std::vector<contact::ContactPoint> layer_points(const ClothMesh& mesh, int layer,
+                                                const garment::Garment& garment, double offset) {
   const std::vector<double> area(mesh.area.begin() + mesh.first_triangle[layer],
                                  mesh.area.begin() + mesh.first_triangle[layer + 1]);
-  std::vector<ContactPoint> points =
-      contact_points(garment.triangles, area, garment.vertex_count, offset);
-  for (ContactPoint& p : points)
+  std::vector<contact::ContactPoint> points =
+      contact::contact_points(garment.triangles, area, garment.vertex_count, offset);
+  for (contact::ContactPoint& p : points)
     for (int k = 0; k < p.count; ++k) p.particle[k] += mesh.first_vertex[layer];
   return points;
 }
@@ -44,7 +45,7 @@ Eigen::MatrixXd layer_friction(const std::vector<ModelLayer>& layers) {
   Eigen::MatrixXd friction(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j <= i; ++j) {
-      const Material &upper = layers[i].material, &lower = layers[j].material;
+      const fabric::Material &upper = layers[i].material, &lower = layers[j].material;
       const double mean = 0.5 * (upper.friction_self + lower.friction_self);
       friction(i, j) = friction(j, i) =
           i == j ? upper.friction_self : layers[j].friction_over.value_or(mean);
@@ -52,7 +53,7 @@ Eigen::MatrixXd layer_friction(const std::vector<ModelLayer>& layers) {
   return friction;
 }
 
-ClothModel::ClothModel(const Garment& garment, const Material& material,
+ClothModel::ClothModel(const garment::Garment& garment, const fabric::Material& material,
                        const DrapeOptions& options, double self_thickness)
     : ClothModel({{&garment, material, self_thickness}}, options) {}
 
@@ -60,29 +61,29 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   const ClothModelTuning& tuning = options.tuning.cloth;
   const Eigen::MatrixXd friction = layer_friction(layers);
   const bool viscous = options.integrator != IntegratorKind::quasi_static;
-  std::vector<const Garment*> garments;
+  std::vector<const garment::Garment*> garments;
   for (const ModelLayer& layer : layers) garments.push_back(layer.garment);
   mesh_ = joined(garments);
-  SelfContact::Options contact;
+  contact::SelfContact::Options contact;
   for (int l = 0; l < mesh_.layers(); ++l) {
-    const Garment& garment = *layers[l].garment;
-    const Material m = stable(layers[l].material, garment, options);
+    const garment::Garment& garment = *layers[l].garment;
+    const fabric::Material m = stable(layers[l].material, garment, options);
     const std::vector<Triangle> triangles = mesh_.triangles_of(l);
-    membrane_.push_back(std::make_unique<MembraneEnergy>(
+    membrane_.push_back(std::make_unique<fabric::MembraneEnergy>(
         triangles, garment.triangle_uv, garment.triangle_membrane_factor, m, viscous));
-    bending_.push_back(std::make_unique<BendingEnergy>(triangles, garment.triangle_uv,
-                                                       garment.triangle_added_bending, m, viscous,
-                                                       garment.triangle_built_in));
+    bending_.push_back(std::make_unique<fabric::BendingEnergy>(triangles, garment.triangle_uv,
+                                                               garment.triangle_added_bending, m,
+                                                               viscous, garment.triangle_built_in));
     system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
     half_thickness_.push_back(0.5 * m.thickness);
     contact_stiffness_.push_back(transverse_stiffness(m, tuning));
-    body_.push_back(std::make_unique<BodyContact>(
+    body_.push_back(std::make_unique<contact::BodyContact>(
         layer_points(mesh_, l, garment, half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
     if (mesh_.layers() > 1)
       contact.triangle_thickness.resize(mesh_.first_triangle[l + 1], layers[l].self_thickness);
   }
-  gravity_ = std::make_unique<GravityEnergy>(system_.mass, options.gravity);
+  gravity_ = std::make_unique<particles::GravityEnergy>(system_.mass, options.gravity);
   contact.thickness = layers.front().self_thickness;
   contact.friction = friction(0, 0);
   if (mesh_.layers() > 1) {
@@ -90,7 +91,8 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     contact.layer_friction = friction;
   }
   contact.stick_reach = tuning.stick_reach;
-  self_ = std::make_unique<SelfContact>(mesh_.triangles, mesh_.area, mesh_.vertices, contact);
+  self_ =
+      std::make_unique<contact::SelfContact>(mesh_.triangles, mesh_.area, mesh_.vertices, contact);
   for (const auto& e : membrane_) system_.energies.push_back(e.get());
   for (const auto& e : bending_) system_.energies.push_back(e.get());
   system_.energies.push_back(gravity_.get());
@@ -106,9 +108,9 @@ void ClothModel::soften_body_contact(double thickness) {
   }
 }
 
-ClothModel::Forces ClothModel::forces(const VectorField& x) const {
+ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   Forces forces;
-  for (VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
+  for (particles::VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
   auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
   for (const auto& e : membrane_) e->add_gradient(x, membrane);
   for (const auto& e : bending_) e->add_gradient(x, bending);
@@ -122,12 +124,12 @@ ClothModel::Forces ClothModel::forces(const VectorField& x) const {
   for (std::size_t i = 0; i < x.size(); ++i) {
     body[i] -= body_friction[i];
     self[i] -= self_friction[i];
-    for (VectorField& f : forces) f[i] = -f[i];
+    for (particles::VectorField& f : forces) f[i] = -f[i];
   }
   return forces;
 }
 
-void ClothModel::set_field(const std::shared_ptr<const DistanceField>& field) {
+void ClothModel::set_field(const std::shared_ptr<const contact::DistanceField>& field) {
   for (const auto& contact : body_) contact->set_field(field);
 }
 
@@ -146,4 +148,4 @@ void ClothModel::recall(const ClothMemory& memory) {
   self_->recall(memory.self);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -12,19 +12,19 @@
 #include "loosefit/particles/gravity_energy.h"
 #include "loosefit/solver/particle_system.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
-  std::vector<BodyContact::Memory> body;  ///< per layer
-  SelfContact::Memory self;
-  std::vector<std::vector<PlaneRows>> bending;
+  std::vector<contact::BodyContact::Memory> body;  ///< per layer
+  contact::SelfContact::Memory self;
+  std::vector<std::vector<fabric::PlaneRows>> bending;
 };
 
 /// One layer on one level, as its energies see it.
 struct ModelLayer {
-  const Garment* garment = nullptr;
-  Material material;
+  const garment::Garment* garment = nullptr;
+  fabric::Material material;
   double self_thickness = 5e-4;  ///< distance at which it begins to repel cloth, shared by both [m]
   std::optional<double> friction_over = {};  ///< as ClothLayer::friction_over
 };
@@ -39,22 +39,22 @@ class ClothModel {
  public:
   ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions& options);
   /// self_thickness: distance at which layers begin to repel [m].
-  ClothModel(const Garment& garment, const Material& material, const DrapeOptions& options,
-             double self_thickness);
+  ClothModel(const garment::Garment& garment, const fabric::Material& material,
+             const DrapeOptions& options, double self_thickness);
   ClothModel(const ClothModel&) = delete;
   ClothModel& operator=(const ClothModel&) = delete;
 
-  ParticleSystem& system() { return system_; }
+  solver::ParticleSystem& system() { return system_; }
   const ClothMesh& mesh() const { return mesh_; }
-  BodyContact& body(int layer = 0) { return *body_[layer]; }
-  SelfContact& self() { return *self_; }
-  const BodyContact& body(int layer = 0) const { return *body_[layer]; }
+  contact::BodyContact& body(int layer = 0) { return *body_[layer]; }
+  contact::SelfContact& self() { return *self_; }
+  const contact::BodyContact& body(int layer = 0) const { return *body_[layer]; }
   /// Of the body contact of every layer.
-  void set_field(const std::shared_ptr<const DistanceField>& field);
+  void set_field(const std::shared_ptr<const contact::DistanceField>& field);
 
   /// Forces on every particle [N], by kind in the order of kForceNames.
-  using Forces = std::array<VectorField, kForceNames.size()>;
-  Forces forces(const VectorField& x) const;
+  using Forces = std::array<particles::VectorField, kForceNames.size()>;
+  Forces forces(const particles::VectorField& x) const;
 
   /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
   /// thicker than half the fabric; 0: by the fabric itself.
@@ -69,13 +69,13 @@ class ClothModel {
 
  private:
   ClothMesh mesh_;
-  std::vector<std::unique_ptr<MembraneEnergy>> membrane_;  // per layer
-  std::vector<std::unique_ptr<BendingEnergy>> bending_;
-  std::unique_ptr<GravityEnergy> gravity_;
-  std::vector<std::unique_ptr<BodyContact>> body_;
-  std::unique_ptr<SelfContact> self_;
+  std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // per layer
+  std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
+  std::unique_ptr<particles::GravityEnergy> gravity_;
+  std::vector<std::unique_ptr<contact::BodyContact>> body_;
+  std::unique_ptr<contact::SelfContact> self_;
   std::vector<double> half_thickness_, contact_stiffness_;  // per layer
-  ParticleSystem system_;
+  solver::ParticleSystem system_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

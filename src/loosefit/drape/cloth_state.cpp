@@ -8,19 +8,20 @@
 #include "loosefit/solver/quasi_static.h"
 #include "loosefit/solver/semi_implicit_euler.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
-std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const ParticleSystem& system) {
+std::unique_ptr<solver::Integrator> make_integrator(IntegratorKind kind,
+                                                    const solver::ParticleSystem& system) {
   switch (kind) {
     case IntegratorKind::semi_implicit_euler:
-      return make_semi_implicit_euler(system);
+      return solver::make_semi_implicit_euler(system);
     case IntegratorKind::implicit_euler:
-      return make_implicit_euler(system);
+      return solver::make_implicit_euler(system);
     case IntegratorKind::quasi_static:
       break;
   }
-  return make_quasi_static(system);
+  return solver::make_quasi_static(system);
 }
 
 }  // namespace
@@ -40,8 +41,8 @@ ClothState::ClothState(const std::vector<ClothLayer>& cloth, const DrapeOptions&
   tuning.validate();
 }
 
-std::vector<const Garment*> ClothState::garments() const {
-  std::vector<const Garment*> all;
+std::vector<const garment::Garment*> ClothState::garments() const {
+  std::vector<const garment::Garment*> all;
   for (int l = 0; l < layer_count(); ++l) all.push_back(&garment(l));
   return all;
 }
@@ -70,7 +71,7 @@ void ClothState::make_model(double stiffness_share, bool with_friction) {
       one.material.friction_body = one.material.friction_self = 0;
       one.friction_over = 0;
     }
-    scale_membrane(one.material, stiffness_share);
+    fabric::scale_membrane(one.material, stiffness_share);
     one.self_thickness =
         one.material.thickness * (is_finest() ? 1.0 : tuning.cloth.coarse_thickness);
     parts.push_back(std::move(one));
@@ -102,14 +103,15 @@ void ClothState::settle(const SettleGoal& goal) {
   const auto kind = counts ? options.integrator : IntegratorKind::quasi_static;
   const bool explicit_steps = kind == IntegratorKind::semi_implicit_euler;
   const int iterations = std::min(goal.max_iterations, budget.iterations_left());
-  SettleOptions settle;
+  solver::SettleOptions settle;
   settle.tolerance = goal.tolerance;
-  settle.tangent = BendingTangent::hinge;  // half the cost of an iteration, as many of them
+  settle.tangent =
+      particles::BendingTangent::hinge;  // half the cost of an iteration, as many of them
   settle.max_iterations =
       explicit_steps ? tuning.integrators.explicit_steps * iterations : iterations;
   settle.first_dt =
       kind == IntegratorKind::implicit_euler ? tuning.integrators.implicit_dt : goal.first_dt;
-  const Box3 body_box = bounds(body->body->surface.vertices);
+  const geometry::Box3 body_box = bounds(body->body->surface.vertices);
   // Reports each iteration, keeps good states, and sees what ends the settling from outside.
   settle.watch = [&](int iteration, double residual) {
     progress.check_cancelled();
@@ -159,4 +161,4 @@ bool ClothState::recover(RecoveryPoint point) {
   return false;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -20,7 +20,7 @@
 #include "loosefit/drape/stop_reason.h"
 #include "loosefit/solver/integrator.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// How putting on left the cloth; other postures are reached from there.
 struct WornCloth {
@@ -80,11 +80,11 @@ struct ClothState {
   /// Bodies whose field the cloth has left: states that are kept may still ask it.
   std::vector<std::shared_ptr<const ContactBody>> outgrown;
   std::unique_ptr<ClothModel> model;  ///< the energies of this level
-  SettleOutcome last;                 ///< of the last `settle`
+  solver::SettleOutcome last;         ///< of the last `settle`
   std::optional<Stop> falling;        ///< cloth that nothing holds: all further work is vain
   std::optional<Stop> given_up;       ///< a posture that is not followed further
   std::string no_room;                ///< why the garment cannot be laid round the body; or empty
-  BodyPath path, wide_path;           ///< of the body; the second for more room, may be empty
+  body::BodyPath path, wide_path;     ///< of the body; the second for more room, may be empty
   PostureStep step;
   Certificate certificate;
   SettleReport report;
@@ -112,8 +112,8 @@ struct ClothState {
   int level_count() const { return static_cast<int>(layers.front().garment->levels.size()); }
   bool is_finest() const { return level + 1 == level_count(); }
   bool is_single() const { return layers.size() == 1; }
-  const Garment& garment(int layer) const { return layers[layer].garment->levels[level]; }
-  std::vector<const Garment*> garments() const;
+  const garment::Garment& garment(int layer) const { return layers[layer].garment->levels[level]; }
+  std::vector<const garment::Garment*> garments() const;
   const std::vector<Triangle>& triangles() const { return model->mesh().triangles; }
 
   /// No time or iterations are left, or what falls freely has made all further work vain.
@@ -141,10 +141,10 @@ struct ClothState {
   bool recover(RecoveryPoint point);
 
  private:
-  double fraction_ = 0;                     ///< that progress was told last
-  std::optional<FreeFall> free_fall_;       ///< of the garments of this level
-  std::unique_ptr<Integrator> integrator_;  ///< of `model`
+  double fraction_ = 0;                             ///< that progress was told last
+  std::optional<FreeFall> free_fall_;               ///< of the garments of this level
+  std::unique_ptr<solver::Integrator> integrator_;  ///< of `model`
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -7,21 +7,16 @@
 
 #include "loosefit/geometry/convex_hull.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
-constexpr double kMargin = 0.06;     ///< of the field round the cloth [m]
-constexpr double kSag = 0.10;        ///< more of it below: hems sink while cloth settles [m]
-constexpr double kSmoothing = 0.04;  ///< reach of smoothing the carried displacements [m]
-constexpr int kMostPasses = 50;
-
 /// The hull of each hand: cloth does not go between fingers, and a sleeve that is drawn over a hand
 /// is not caught on the thumb.
-std::vector<TriangleMesh> mittens(const Body& body) {
+std::vector<geometry::TriangleMesh> hand_hulls(const body::Body& body) {
   std::vector<Vec3> hand[2];
   for (std::size_t v = 0; v < body.segment.size(); ++v)
-    if (body.segment[v] == Segment::hand && v < body.side.size() && body.side[v] != 0)
+    if (body.segment[v] == body::Segment::hand && v < body.side.size() && body.side[v] != 0)
       hand[body.side[v] > 0].push_back(body.surface.vertices[v]);
-  return {convex_hull(hand[0]), convex_hull(hand[1])};
+  return {geometry::convex_hull(hand[0]), geometry::convex_hull(hand[1])};
 }
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
@@ -32,27 +27,30 @@ Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
 }
 }  // namespace
 
-Box3 bounds(const std::vector<Vec3>& x) {
-  Box3 box;
+geometry::Box3 bounds(const std::vector<Vec3>& x) {
+  geometry::Box3 box;
   for (const Vec3& p : x) box.extend(p);
   return box;
 }
 
-std::shared_ptr<const ContactBody> with_field(PosedBody body, const Box3& cloth, double spacing) {
-  const Vec3 margin = Vec3::Constant(kMargin);
-  auto field = std::make_shared<const DistanceField>(
-      body.tree(), Box3(cloth.min() - margin - kSag * Vec3::UnitZ(), cloth.max() + margin), spacing,
-      mittens(body));
+std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geometry::Box3& cloth,
+                                              double spacing, const CarryTuning& tuning) {
+  const Vec3 margin = Vec3::Constant(tuning.field_margin);
+  auto field = std::make_shared<const contact::DistanceField>(
+      body.tree(),
+      geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),
+                     cloth.max() + margin),
+      spacing, hand_hulls(body));
   return std::make_shared<const ContactBody>(ContactBody{std::move(body), std::move(field)});
 }
 
-std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
+std::vector<MotionMap> skin_motion(const body::PosedBody& from, const body::Body& to,
                                    const std::vector<Vec3>& x) {
   std::vector<MotionMap> motion(x.size(), MotionMap::Identity());
   const auto &old_pose = from->pose_from_rest, &new_pose = to.pose_from_rest;
   if (old_pose.empty() || old_pose.size() != new_pose.size()) return motion;
   tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
-    const ClosestPoint hit = from.tree().query(x[i]);
+    const geometry::ClosestPoint hit = from.tree().query(x[i]);
     const Triangle& t = from->surface.triangles[hit.triangle];
     motion[i].setZero();
     for (int k = 0; k < 3; ++k)
@@ -64,13 +62,15 @@ std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
 }
 
 std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
-                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion) {
+                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion,
+                                     const CarryTuning& tuning) {
   double edge = 0;  // a pass reaches so far; n passes √n times
   for (const Triangle& t : triangles)
     for (int k = 0; k < 3; ++k)
       edge += (x[t[k]] - x[t[(k + 1) % 3]]).norm() / (3.0 * static_cast<double>(triangles.size()));
   const int passes =
-      std::clamp(static_cast<int>(std::ceil(std::pow(kSmoothing / edge, 2))), 1, kMostPasses);
+      std::clamp(static_cast<int>(std::ceil(std::pow(tuning.smoothing_length / edge, 2))), 1,
+                 tuning.smoothing_passes);
   std::vector<MotionMap> sum(x.size());
   std::vector<int> count(x.size());
   for (int pass = 0; pass < passes; ++pass) {
@@ -94,4 +94,4 @@ std::vector<Vec3> displacements(const std::vector<MotionMap>& motion, const std:
   return displacement;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -3,35 +3,38 @@
 
 #include "loosefit/body/posed_body.h"
 #include "loosefit/contact/distance_field.h"
+#include "loosefit/drape/settling_tuning.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// A posed body with the distance field of its skin round the cloth.
 struct ContactBody {
-  PosedBody body;
-  std::shared_ptr<const DistanceField> field;  ///< asks the tree of `body`
+  body::PosedBody body;
+  std::shared_ptr<const contact::DistanceField> field;  ///< asks the tree of `body`
 };
 
 /// cloth: box round the cloth; the field covers it with a margin for motion, the larger one below.
-std::shared_ptr<const ContactBody> with_field(PosedBody body, const Box3& cloth, double spacing);
+std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geometry::Box3& cloth,
+                                              double spacing, const CarryTuning& tuning = {});
 
 /// A rigid or nearly rigid motion: x → M x.
 using MotionMap = Eigen::Matrix<double, 3, 4>;
 
 /// Motion of the skin nearest to each point when the body under it moves from one posture to the
 /// next; no motion for bodies without a skeleton.
-std::vector<MotionMap> skin_motion(const PosedBody& from, const Body& to,
+std::vector<MotionMap> skin_motion(const body::PosedBody& from, const body::Body& to,
                                    const std::vector<Vec3>& x);
 
-/// The same smoothed over some 40 mm of the cloth at x: how the cloth goes with the body. The maps
-/// are smoothed, not the ways, so that what moves as a whole keeps its shape.
+/// The same smoothed over CarryTuning::smoothing_length of the cloth at x: how the cloth goes with
+/// the body. The maps are smoothed, not the ways, so that what moves as a whole keeps its shape.
 std::vector<MotionMap> smoothed_over(const std::vector<Triangle>& triangles,
-                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion);
+                                     const std::vector<Vec3>& x, std::vector<MotionMap> motion,
+                                     const CarryTuning& tuning);
 
 /// How far each point goes [m].
 std::vector<Vec3> displacements(const std::vector<MotionMap>& motion, const std::vector<Vec3>& x);
 
 /// Box round points.
-Box3 bounds(const std::vector<Vec3>& x);
+geometry::Box3 bounds(const std::vector<Vec3>& x);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

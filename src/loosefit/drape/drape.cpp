@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace loosefit {
+namespace loosefit::drape {
 
 void SettleReport::count(RecoveryKind kind, const std::string& name) {
   for (RecoveryCount& known : recoveries)
@@ -18,4 +18,4 @@ bool SettleReport::was_tried(RecoveryKind kind) const {
                      [&](const RecoveryCount& one) { return one.kind == kind; });
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

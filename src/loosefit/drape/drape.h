@@ -10,7 +10,7 @@
 #include "loosefit/solver/rest_tolerance.h"
 #include "loosefit/solver/solver_work.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Proof that a drape is at rest and worn, or why it is not (docs/theory/solver.md 1).
 struct Certificate {
@@ -25,7 +25,7 @@ struct Certificate {
   std::vector<std::string> worn_reasons = {};
   /// What the residual is judged by [–]: kRestTolerance, or the tolerance that was sought where
   /// that was looser (DrapeOptions::residual_tolerance).
-  double allowed_residual = kRestTolerance;
+  double allowed_residual = solver::kRestTolerance;
   StopReason reason = StopReason::unknown;  ///< stop_reason in one word
   bool worn() const { return worn_reasons.empty(); }
   /// What maps and exit codes ask for.
@@ -48,7 +48,7 @@ struct SettleSample {
 struct PartWork {
   std::string part;  ///< "dress", "posture", "settle", "retry"
   int level = 0, vertices = 0;
-  SolverWork work;
+  solver::SolverWork work;
 };
 
 /// How often a recovery was tried (drape/recoveries.h).
@@ -68,6 +68,8 @@ struct SettleReport {
   int held_off_triangles = 0;
   double largest_contact_offset = 0;
   std::vector<SettleSample> history;
+  /// Spacing of the field of distances where it had to be coarser than asked for [m]; else 0.
+  double coarsened_field = 0;
   std::vector<RecoveryCount> recoveries;  ///< in the order of their first trial
   /// Why the garment found no room in the first dressing posture; empty: it did.
   std::string no_room;
@@ -75,8 +77,8 @@ struct SettleReport {
   /// One more trial.
   void count(RecoveryKind kind, const std::string& name);
   bool was_tried(RecoveryKind kind) const;
-  SolverWork total() const {
-    SolverWork sum;
+  solver::SolverWork total() const {
+    solver::SolverWork sum;
     for (const PartWork& p : parts) sum += p.work;
     return sum;
   }
@@ -94,4 +96,4 @@ struct Drape {
   std::optional<Unsettled> unsettled;  ///< why it is not settled, when it is not
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -5,7 +5,7 @@
 #include "loosefit/drape/settling_tuning.h"
 #include "loosefit/solver/rest_tolerance.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// How the particles are moved to equilibrium.
 enum class IntegratorKind {
@@ -19,7 +19,7 @@ struct DrapeOptions {
   IntegratorKind integrator = IntegratorKind::quasi_static;
   /// ‖F‖₂/‖W‖₂ that is sought [–]. The certificate asks for kRestTolerance, or for this where it is
   /// looser.
-  double residual_tolerance = kRestTolerance;
+  double residual_tolerance = solver::kRestTolerance;
   double gravity = kGravity;  ///< [m/s²]; the paper prints 9.8
   /// Wall seconds for the whole drape, times `drapes_at_once`; then its best state is taken.
   double time_budget = 600;
@@ -38,4 +38,4 @@ struct DrapeOptions {
   SettlingTuning tuning = {};  ///< of the way to rest
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

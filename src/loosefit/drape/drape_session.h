@@ -8,7 +8,7 @@
 #include "loosefit/drape/drape.h"
 #include "loosefit/drape/drape_options.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// One donning: a garment is put on once and then follows its wearer from posture to posture.
 ///
@@ -23,8 +23,8 @@ class DrapeSession {
   /// different edge lengths.
   DrapeSession(std::vector<ClothLayer> layers, const DrapeOptions& options, Progress& progress);
   /// The same with one garment.
-  DrapeSession(const GarmentHierarchy& garment, Material material, const DrapeOptions& options,
-               Progress& progress);
+  DrapeSession(const garment::GarmentHierarchy& garment, fabric::Material material,
+               const DrapeOptions& options, Progress& progress);
   ~DrapeSession();
   DrapeSession(const DrapeSession&) = delete;
   DrapeSession& operator=(const DrapeSession&) = delete;
@@ -35,14 +35,14 @@ class DrapeSession {
   /// the certificate says why. Calls progress.stage("dress") and progress.stage("settle").
   /// \throws NoRoom when the garments find no room round the body in any of these postures,
   /// GeometryError if they cannot be put on (no arms for sleeves, …), Cancelled.
-  Drape put_on(const BodyPath& path, const BodyPath& wide_path = {});
+  Drape put_on(const body::BodyPath& path, const body::BodyPath& wide_path = {});
 
   /// The body moves from where put_on left it to path(1), path giving the way; the cloth goes
   /// along with the skin and rubs on it in steps, then settles on the finest level as after
   /// put_on. Not dressed again. Budget and iterations of the options hold for each call. Does not
   /// throw when it fails to settle. Several may be under way at the same time, `at_once` of them
   /// sharing the threads (DrapeOptions::drapes_at_once). \throws Error before put_on; Cancelled.
-  Drape follow(const BodyPath& path, Progress& progress, int at_once = 1) const;
+  Drape follow(const body::BodyPath& path, Progress& progress, int at_once = 1) const;
 
  private:
   struct State;
@@ -50,7 +50,7 @@ class DrapeSession {
 };
 
 /// A session of one garment that is put on, and nothing else.
-Drape drape_garment(const GarmentHierarchy& garment, const Material& material, const BodyPath& path,
-                    const DrapeOptions& options, Progress& progress);
+Drape drape_garment(const garment::GarmentHierarchy& garment, const fabric::Material& material,
+                    const body::BodyPath& path, const DrapeOptions& options, Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -8,32 +8,32 @@
 
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kMost = 0.9;  ///< share of ‖F‖² that counts as most of it
 constexpr std::size_t kWorst = 10, kCuts = 20;
 constexpr std::size_t kGroups = 3;  ///< of cuts that the one line names
 
-std::string part_name(const Body& body, int skin_vertex) {
+std::string part_name(const body::Body& body, int skin_vertex) {
   static constexpr std::array kNames = {"head", "neck",  "torso", "upper arm", "forearm",
                                         "hand", "thigh", "shank", "foot"};
   if (body.segment.empty()) return "body";
   const std::string name = kNames[static_cast<std::size_t>(body.segment[skin_vertex])];
   const int side = body.side.empty() ? 0 : body.side[skin_vertex];
-  const bool limb = body.segment[skin_vertex] >= Segment::upper_arm;
+  const bool limb = body.segment[skin_vertex] >= body::Segment::upper_arm;
   if (!limb || side == 0) return name;
   return (side > 0 ? "left " : "right ") + name;
 }
 
-std::string nearest_part(const PosedBody& body, const Vec3& p) {
+std::string nearest_part(const body::PosedBody& body, const Vec3& p) {
   return part_name(body, body->surface.triangles[body.tree().query(p).triangle][0]);
 }
 
 /// The garments of a model and the places in them.
 struct Wardrobe {
   const ClothMesh& mesh;
-  const std::vector<const Garment*>& layers;
+  const std::vector<const garment::Garment*>& layers;
 
   int layer_of_vertex(int v) const {
     return static_cast<int>(
@@ -65,7 +65,7 @@ CutTriangle cut_triangle(const Wardrobe& w, const std::vector<Vec3>& x, int t) {
 
 /// Every triangle that cuts something, once for each thing that it cuts.
 std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
-                                  const PosedBody& body) {
+                                  const body::PosedBody& body) {
   std::vector<CutTriangle> cuts;
   std::map<std::pair<int, std::string>, bool> seen;
   const auto add = [&](int t, const std::string& with) -> CutTriangle* {
@@ -74,16 +74,17 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
     cuts.back().with = with;
     return &cuts.back();
   };
-  const TriangleMesh& skin = body->surface;
+  const geometry::TriangleMesh& skin = body->surface;
   const auto& triangles = w.mesh.triangles;
-  for (const auto& [t, s] : mesh_intersections(x, triangles, body.tree())) {
+  for (const auto& [t, s] : geometry::mesh_intersections(x, triangles, body.tree())) {
     const int skin_vertex = skin.triangles[s][0];
     CutTriangle* cut = add(t, part_name(body, skin_vertex));
     if (!cut) continue;
     cut->body = true;
     if (!body->segment.empty()) cut->segment = body->segment[skin_vertex];
   }
-  for (const auto& [t, s] : self_intersections(x, triangles)) add(t, w.panel_of_triangle(s));
+  for (const auto& [t, s] : geometry::self_intersections(x, triangles))
+    add(t, w.panel_of_triangle(s));
   return cuts;
 }
 
@@ -121,8 +122,8 @@ std::string balance_in_words(const Unsettled& u) {
 
 }  // namespace
 
-Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>& layers,
-                            const std::vector<Vec3>& x, const PosedBody& body,
+Unsettled explain_unsettled(ClothModel& model, const std::vector<const garment::Garment*>& layers,
+                            const std::vector<Vec3>& x, const body::PosedBody& body,
                             const Certificate& certificate) {
   Unsettled u;
   const Wardrobe wardrobe{model.mesh(), layers};
@@ -131,7 +132,7 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     Vec3 net = Vec3::Zero();
-    for (const VectorField& f : forces) net += f[i];
+    for (const particles::VectorField& f : forces) net += f[i];
     square[i] = net.squaredNorm();
     sum += square[i];
   }
@@ -166,4 +167,4 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const Garment*>
   return u;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

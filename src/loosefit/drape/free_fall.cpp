@@ -2,56 +2,40 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/base/union_find.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
-/// Sets of numbers that are joined pair by pair.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    const int p = of(a), q = of(b);
-    parent_[std::max(p, q)] = std::min(p, q);
-  }
-  /// In the order of their first members.
-  std::vector<std::vector<int>> all() {
-    std::vector<std::vector<int>> sets(parent_.size());
-    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) sets[of(i)].push_back(i);
-    std::erase_if(sets, [](const std::vector<int>& s) { return s.empty(); });
-    return sets;
-  }
-
- private:
-  std::vector<int> parent_;
-};
+/// The sets, in the order of their first members.
+std::vector<std::vector<int>> members(UnionFind& sets, int count) {
+  std::vector<std::vector<int>> all(count);
+  for (int i = 0; i < count; ++i) all[sets.find(i)].push_back(i);
+  std::erase_if(all, [](const std::vector<int>& s) { return s.empty(); });
+  return all;
+}
 
 }  // namespace
 
-FreeFall::FreeFall(const std::vector<const Garment*>& layers, const FreeFallTuning& tuning)
+FreeFall::FreeFall(const std::vector<const garment::Garment*>& layers, const FreeFallTuning& tuning)
     : layers_(layers), tuning_(tuning) {
   int vertices = 0;
-  for (const Garment* layer : layers) vertices += layer->vertex_count;
-  Sets sewn(vertices);
+  for (const garment::Garment* layer : layers) vertices += layer->vertex_count;
+  UnionFind sewn(vertices);
   int first = 0;
-  for (const Garment* layer : layers) {
+  for (const garment::Garment* layer : layers) {
     for (const Triangle& t : layer->triangles)
-      for (int k : {1, 2}) sewn.join(first + t[0], first + t[k]);
+      for (int k : {1, 2}) sewn.unite(first + t[0], first + t[k]);
     first += layer->vertex_count;
   }
-  pieces_ = sewn.all();
+  pieces_ = members(sewn, vertices);
 }
 
 bool FreeFall::misses(const std::vector<Vec3>& x, const std::vector<int>& cloth,
-                      const Box3& body) const {
+                      const geometry::Box3& body) const {
   Vec3 centre = Vec3::Zero();
   double top = -std::numeric_limits<double>::infinity(), reach = 0;
   for (int v : cloth) centre += x[v], top = std::max(top, x[v].z());
@@ -63,20 +47,21 @@ bool FreeFall::misses(const std::vector<Vec3>& x, const std::vector<int>& cloth,
   return (at - nearest).norm() > reach + tuning_.aside;
 }
 
-std::optional<Stop> FreeFall::falling(const std::vector<Vec3>& x, const Box3& body) const {
-  std::vector<Box3> boxes;
+std::optional<Stop> FreeFall::falling(const std::vector<Vec3>& x,
+                                      const geometry::Box3& body) const {
+  std::vector<geometry::Box3> boxes;
   for (const std::vector<int>& piece : pieces_) {
-    Box3 box;
+    geometry::Box3 box;
     for (int v : piece) box.extend(x[v]);
     const Vec3 margin = Vec3::Constant(tuning_.together / 2);
     boxes.emplace_back(Vec3(box.min() - margin), Vec3(box.max() + margin));
   }
-  Sets near(pieces_.size());
+  UnionFind near(pieces_.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size(); ++j)
-      if (boxes[i].intersects(boxes[j])) near.join(static_cast<int>(i), static_cast<int>(j));
+      if (boxes[i].intersects(boxes[j])) near.unite(static_cast<int>(i), static_cast<int>(j));
   std::vector<int> lost;
-  for (const std::vector<int>& group : near.all()) {
+  for (const std::vector<int>& group : members(near, static_cast<int>(pieces_.size()))) {
     std::vector<int> cloth;
     for (int piece : group) cloth.insert(cloth.end(), pieces_[piece].begin(), pieces_[piece].end());
     if (misses(x, cloth, body)) lost.insert(lost.end(), group.begin(), group.end());
@@ -94,7 +79,7 @@ std::vector<std::string> FreeFall::panels_of(const std::vector<int>& pieces) con
     const std::set<int> vertices(pieces_[piece].begin(), pieces_[piece].end());
     int first = 0;
     for (std::size_t l = 0; l < layers_.size(); first += layers_[l++]->vertex_count) {
-      const Garment& garment = *layers_[l];
+      const garment::Garment& garment = *layers_[l];
       std::set<int> panels;
       for (std::size_t t = 0; t < garment.triangles.size(); ++t)
         if (vertices.count(first + garment.triangles[t][0]))
@@ -105,4 +90,4 @@ std::vector<std::string> FreeFall::panels_of(const std::vector<int>& pieces) con
   return names;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

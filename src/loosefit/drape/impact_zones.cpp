@@ -8,7 +8,7 @@
 #include "loosefit/contact/pair_distance.h"
 #include "loosefit/geometry/nearest_rotation.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Displacements of the rigid motion nearest to the given ones (Kabsch 1976), or their mean.
@@ -19,22 +19,23 @@ void make_rigid(const std::vector<int>& members, const std::vector<Vec3>& x,
   from /= static_cast<double>(members.size()), to /= static_cast<double>(members.size());
   Mat3 sum = Mat3::Zero();
   for (int i : members) sum += (x[i] + wanted[i] - to) * (x[i] - from).transpose();
-  const Mat3 turn = may_turn ? nearest_rotation(sum) : Mat3(Mat3::Identity());
+  const Mat3 turn = may_turn ? geometry::nearest_rotation(sum) : Mat3(Mat3::Identity());
   for (int i : members) u[i] = to + turn * (x[i] - from) - x[i];
 }
 
 }  // namespace
 
-std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::vector<Vec3>& x,
-                                  const std::vector<Vec3>& displacement, int rounds) {
+std::vector<Vec3> without_impacts(const contact::ContactFeatures& features,
+                                  const std::vector<Vec3>& x, const std::vector<Vec3>& displacement,
+                                  int rounds) {
   std::vector<Vec3> u = displacement;
-  CandidatePairs candidates(features);
+  contact::CandidatePairs candidates(features);
   UnionFind zones(x.size());  // particles that move together
   std::set<int> stiff;        // particles of zones that had better not turn
   for (int round = 0; round < rounds; ++round) {
     bool joined = false, again = false;
-    for (const FeaturePair& pair : candidates.approaching(x, u)) {
-      if (time_of_impact(pair.kind, pair.points(x), pair.points(u)) >= 1) continue;
+    for (const contact::FeaturePair& pair : candidates.approaching(x, u)) {
+      if (contact::time_of_impact(pair.kind, pair.points(x), pair.points(u)) >= 1) continue;
       bool apart = false;
       for (int k = 1; k < 4; ++k) apart |= zones.unite(pair.particle[0], pair.particle[k]);
       joined |= apart;
@@ -52,4 +53,4 @@ std::vector<Vec3> without_impacts(const ContactFeatures& features, const std::ve
   return u;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kChest = 0.6;  ///< of the way from hip to neck, where limbs begin: a neckline may
@@ -42,7 +42,7 @@ LimbNumbers normal_form(LimbNumbers n) {
 
 }  // namespace
 
-LimbLines limb_lines(const Body& body) { return limb_lines(body.joints); }
+LimbLines limb_lines(const body::Body& body) { return limb_lines(body.joints); }
 
 LimbLines limb_lines(const std::map<std::string, Vec3>& at) {
   LimbLines lines;
@@ -90,4 +90,4 @@ LimbNumbers round_limb(Limb limb) {
   return numbers;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -6,7 +6,7 @@
 
 #include "loosefit/body/body.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// The ends of a person, and the order in which limbs are counted.
 enum Limb { kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kLimbs };
@@ -14,7 +14,7 @@ enum Limb { kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kLimbs };
 /// The middle of each limb, from the chest to beyond its end [m]. Empty lines for a body without
 /// joints.
 using LimbLines = std::array<std::vector<Vec3>, kLimbs>;
-LimbLines limb_lines(const Body& body);
+LimbLines limb_lines(const body::Body& body);
 /// The same of joints alone.
 LimbLines limb_lines(const std::map<std::string, Vec3>& joints);
 
@@ -32,4 +32,4 @@ inline constexpr LimbNumbers kRoundNeck = {1, 0, 0, 0, 0};
 inline constexpr LimbNumbers kRoundTrunk = {0, 0, 0, 1, 1};
 LimbNumbers round_limb(Limb limb);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

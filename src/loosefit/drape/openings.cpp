@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/union_find.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/garment/flat_lengths.h"
@@ -13,7 +14,7 @@
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/kinds/registry.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
@@ -26,7 +27,7 @@ struct Pair {
 };
 
 /// The connected piece of cloth to which each vertex belongs.
-std::vector<int> pieces(const Garment& garment) {
+std::vector<int> pieces(const garment::Garment& garment) {
   UnionFind sets(garment.vertex_count);
   for (const Triangle& t : garment.triangles)
     for (int k = 1; k < 3; ++k) sets.unite(t[0], t[k]);
@@ -36,8 +37,8 @@ std::vector<int> pieces(const Garment& garment) {
 }
 
 /// Label that most vertices' pieces have.
-std::string panel_label(const std::vector<int>& loop, const Garment& garment,
-                        const Pattern& pattern) {
+std::string panel_label(const std::vector<int>& loop, const garment::Garment& garment,
+                        const pattern::Pattern& pattern) {
   std::map<std::string, int> votes;
   for (int v : loop) {
     const int panel = pattern.find_panel(garment.panel_names[garment.vertex_panel[v]]);
@@ -52,7 +53,7 @@ std::string panel_label(const std::vector<int>& loop, const Garment& garment,
 class Uses {
  public:
   Uses(std::vector<Opening>& all, std::vector<int> of, const std::vector<Vec3>& placed,
-       const Box3& box)
+       const geometry::Box3& box)
       : all_(all), of_(std::move(of)), placed_(placed), box_(box) {
     width_ = std::max(1e-9, box_.max().x() - box_.min().x());
     height_ = std::max(1e-9, box_.max().z() - box_.min().z());
@@ -63,22 +64,23 @@ class Uses {
     sort_out();
     const std::size_t middles = middle_ones_.size(), pairs = pairs_.size();
     if (middles == 2 && pairs == 0 && !open_front_ && of_.size() == 2) {
-      use(middle_ones_[0], at_waist(middle_ones_[0]) ? OpeningUse::waist : OpeningUse::upper);
-      use(middle_ones_[1], OpeningUse::hem);
+      use(middle_ones_[0],
+          at_waist(middle_ones_[0]) ? kinds::OpeningUse::waist : kinds::OpeningUse::upper);
+      use(middle_ones_[1], kinds::OpeningUse::hem);
     } else if (middles == 0 && pairs == 0 && of_.size() == 2) {
-      for (int i : of_) use(i, OpeningUse::limb);
+      for (int i : of_) use(i, kinds::OpeningUse::limb);
     } else if (middles == 2 && pairs == 1 && of_.size() == 4) {
-      use(middle_ones_[0], OpeningUse::neck);
-      use(middle_ones_[1], OpeningUse::hem);
+      use(middle_ones_[0], kinds::OpeningUse::neck);
+      use(middle_ones_[1], kinds::OpeningUse::hem);
       arms(pairs_[0]);
     } else if (middles == 1 && pairs == 1 && of_.size() == 3) {
       const bool below = height_of(pairs_[0]) < all_[middle_ones_[0]].placed.z();
       if (below && labels[pairs_[0].left] != "arm") {
-        use(middle_ones_[0], OpeningUse::waist);
+        use(middle_ones_[0], kinds::OpeningUse::waist);
         legs(pairs_[0]);
       }
     } else if (middles == 1 && pairs == 2 && of_.size() == 5) {
-      use(middle_ones_[0], OpeningUse::neck);
+      use(middle_ones_[0], kinds::OpeningUse::neck);
       arms(pairs_[0]);
       legs(pairs_[1]);
     } else if (open_front_ && pairs == 1 && middles == 0) {
@@ -91,12 +93,12 @@ class Uses {
   }
 
  private:
-  void use(int opening, OpeningUse what) { all_[opening].use = what; }
+  void use(int opening, kinds::OpeningUse what) { all_[opening].use = what; }
   void arms(const Pair& p) {
-    use(p.left, OpeningUse::left_arm), use(p.right, OpeningUse::right_arm);
+    use(p.left, kinds::OpeningUse::left_arm), use(p.right, kinds::OpeningUse::right_arm);
   }
   void legs(const Pair& p) {
-    use(p.left, OpeningUse::left_leg), use(p.right, OpeningUse::right_leg);
+    use(p.left, kinds::OpeningUse::left_leg), use(p.right, kinds::OpeningUse::right_leg);
   }
   bool at_waist(int opening) const { return all_[opening].at_waist; }
   double beside(int opening) const { return all_[opening].placed.x() - middle_; }
@@ -143,7 +145,7 @@ class Uses {
   std::vector<Opening>& all_;
   std::vector<int> of_;
   const std::vector<Vec3>& placed_;
-  Box3 box_;
+  geometry::Box3 box_;
   double width_ = 1, height_ = 1, middle_ = 0;
   std::vector<int> middle_ones_;  ///< the highest first
   std::vector<Pair> pairs_;       ///< the highest first
@@ -151,9 +153,10 @@ class Uses {
 };
 
 /// Tells by the kind of the garment what its openings are for; false where it does not know.
-bool tell_by_kind(std::vector<Opening>& openings, const Garment& garment, const Pattern& pattern) {
-  const std::vector<KindOpening>& made = garment_kind(pattern.kind).openings;
-  for (const KindOpening& known : made) {
+bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garment,
+                  const pattern::Pattern& pattern) {
+  const std::vector<kinds::KindOpening>& made = kinds::garment_kind(pattern.kind).openings;
+  for (const kinds::KindOpening& known : made) {
     std::set<int> rim;
     for (const auto& [panel, edge] : known.edges)
       if (const auto* chain = garment.find_part(panel, edge))
@@ -168,7 +171,8 @@ bool tell_by_kind(std::vector<Opening>& openings, const Garment& garment, const 
 
 }  // namespace
 
-std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& pattern) {
+std::vector<Vec3> placed_by_pattern(const garment::Garment& garment,
+                                    const pattern::Pattern& pattern) {
   std::vector<Vec3> sum(garment.vertex_count, Vec3::Zero());
   std::vector<int> count(garment.vertex_count, 0);
   std::set<std::pair<int, int>> seen;  // (vertex, panel)
@@ -176,7 +180,7 @@ std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& patte
     const int k = garment.triangle_panel[t];
     const int found = pattern.find_panel(garment.panel_names[k]);
     if (found < 0) return {};
-    const Panel& panel = pattern.panels[found];
+    const pattern::Panel& panel = pattern.panels[found];
     for (int c = 0; c < 3; ++c) {
       const int v = garment.triangles[t][c];
       if (!seen.emplace(v, k).second) continue;
@@ -189,10 +193,10 @@ std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& patte
   return sum;
 }
 
-std::vector<int> labelled_vertices(const Garment& garment, const Pattern& pattern,
+std::vector<int> labelled_vertices(const garment::Garment& garment, const pattern::Pattern& pattern,
                                    const std::string& label) {
   std::set<int> found;
-  for (const Garment::EdgeChain& chain : garment.edge_chains) {
+  for (const garment::Garment::EdgeChain& chain : garment.edge_chains) {
     const int panel = pattern.find_panel(garment.panel_names[chain.panel]);
     if (panel < 0 || chain.edge >= static_cast<int>(pattern.panels[panel].edges.size())) continue;
     if (pattern.panels[panel].edges[chain.edge].label == label)
@@ -201,10 +205,11 @@ std::vector<int> labelled_vertices(const Garment& garment, const Pattern& patter
   return {found.begin(), found.end()};
 }
 
-std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern) {
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern) {
   const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
-  const MeshTopology topology(garment.triangles);
-  const std::vector<double> lengths = flat_lengths(garment, topology);
+  const geometry::MeshTopology topology(garment.triangles);
+  const std::vector<double> lengths = garment::flat_lengths(garment, topology);
   const std::vector<int> piece = pieces(garment);
   const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
                          chest = labelled_vertices(garment, pattern, "strapless_top");
@@ -214,7 +219,9 @@ std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pat
   for (std::vector<int>& loop : topology.boundary_loops()) {
     Opening opening;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      opening.girth += lengths[topology.find(loop[i], loop[(i + 1) % loop.size()])];
+      const int edge = topology.find(loop[i], loop[(i + 1) % loop.size()]);
+      require(edge >= 0, "the rim of an opening runs along edges of the garment");
+      opening.girth += lengths[edge];
       if (!placed.empty()) opening.placed += placed[loop[i]] / static_cast<double>(loop.size());
     }
     if (opening.girth < kNoHand) continue;
@@ -234,7 +241,7 @@ std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pat
     openings.push_back(std::move(opening));
   }
   if (placed.empty()) return openings;
-  Box3 box;
+  geometry::Box3 box;
   for (const Vec3& p : placed) box.extend(p);
   if (tell_by_kind(openings, garment, pattern)) return openings;
   for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
@@ -255,14 +262,14 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
     const bool one_limb =
         round != kRoundNeck && std::count(round.begin(), round.end(), 0) == kLimbs - 1;
     if (round == kRoundTrunk) {
-      upper.use = OpeningUse::upper, lower.use = OpeningUse::hem;
+      upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape) {
-      upper.use = OpeningUse::neck, lower.use = OpeningUse::cape_hem;
+      upper.use = kinds::OpeningUse::neck, lower.use = kinds::OpeningUse::cape_hem;
     } else {
-      for (Opening* o : ends) o->use = one_limb ? OpeningUse::limb : OpeningUse::tube;
+      for (Opening* o : ends) o->use = one_limb ? kinds::OpeningUse::limb : kinds::OpeningUse::tube;
       if (one_limb) upper.round = lower.round = round;
     }
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -7,11 +7,11 @@
 #include "loosefit/kinds/opening_use.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// A closed edge of a garment that a limb may go through.
 struct Opening {
-  OpeningUse use = OpeningUse::unknown;
+  kinds::OpeningUse use = kinds::OpeningUse::unknown;
   std::vector<int> loop;              ///< vertices in order
   double girth = 0;                   ///< of the flat pieces [m]
   Vec3 placed = Vec3::Zero();         ///< its middle where the pattern places the pieces [m]
@@ -28,7 +28,8 @@ struct Opening {
 /// below a single opening are legs, a second pair below the first are legs too, two in the middle
 /// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. An edge that runs
 /// from top to bottom is an open front. Holes that no hand goes through (8 cm) are left out.
-std::vector<Opening> garment_openings(const Garment& garment, const Pattern& pattern);
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern);
 
 /// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the
 /// pattern is placed (`placed`, [m]) on a wearer with these lines in rest posture. The trunk: a
@@ -40,10 +41,11 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
 
 /// Vertices where the pattern places the pieces, seams at the mean of their sides [m]. Empty when
 /// the pattern lacks a piece.
-std::vector<Vec3> placed_by_pattern(const Garment& garment, const Pattern& pattern);
+std::vector<Vec3> placed_by_pattern(const garment::Garment& garment,
+                                    const pattern::Pattern& pattern);
 
 /// Vertices on all edges of the garment with this GarmentCode label.
-std::vector<int> labelled_vertices(const Garment& garment, const Pattern& pattern,
+std::vector<int> labelled_vertices(const garment::Garment& garment, const pattern::Pattern& pattern,
                                    const std::string& label);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

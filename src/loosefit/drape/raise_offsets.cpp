@@ -9,7 +9,7 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Intervals along an edge of the triangle.
@@ -38,8 +38,8 @@ bool visit_lattice(const Triangle& t, const std::vector<Vec3>& x, const Penetrat
 
 /// Least signed distance to the skin of a lattice over the triangle [m]; `corner`: of its first
 /// one.
-double least_distance(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
-                      double corner, const PenetrationTuning& tuning) {
+double least_distance(const geometry::ClosestPointTree& skin, const Triangle& t,
+                      const std::vector<Vec3>& x, double corner, const PenetrationTuning& tuning) {
   double least = tuning.far;
   visit_lattice(t, x, tuning, [&](const Vec3& p) {
     const double bound = std::abs(corner) + (p - x[t[0]]).norm() + tuning.far;
@@ -52,7 +52,7 @@ double least_distance(const ClosestPointTree& skin, const Triangle& t, const std
 /// Whether no point of the lattice is about to cut, of a triangle that does not cut and has its
 /// corners outside. Then all of it is outside, as far as the skin does not cut itself, and a look
 /// round each point will do.
-bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
+bool is_clear(const geometry::ClosestPointTree& skin, const Triangle& t, const std::vector<Vec3>& x,
               const PenetrationTuning& tuning) {
   return visit_lattice(t, x, tuning, [&](const Vec3& p) {
     return skin.query(p, tuning.near_penetration).triangle < 0;
@@ -61,7 +61,7 @@ bool is_clear(const ClosestPointTree& skin, const Triangle& t, const std::vector
 
 /// The least distance of every triangle, in parallel; `far` where it is clear or its corners
 /// are plainly farther, unless something thin (a thumb) is known to go through it.
-std::vector<double> least_distances(const ClosestPointTree& skin,
+std::vector<double> least_distances(const geometry::ClosestPointTree& skin,
                                     const std::vector<Triangle>& triangles,
                                     const std::vector<Vec3>& x, const std::set<int>& cut,
                                     const PenetrationTuning& tuning) {
@@ -82,19 +82,20 @@ std::vector<double> least_distances(const ClosestPointTree& skin,
 
 /// Triangles that have their lattice of contact points already: from an earlier round, or from the
 /// posture before.
-std::set<Triangle> with_lattice(const std::vector<ContactPoint>& points) {
+std::set<Triangle> with_lattice(const std::vector<contact::ContactPoint>& points) {
   std::set<Triangle> triangles;
-  for (const ContactPoint& p : points)
+  for (const contact::ContactPoint& p : points)
     if (p.count == 3) triangles.insert(p.particle);
   return triangles;
 }
 
 }  // namespace
 
-std::set<int> penetrating_triangles(const ClothMesh& cloth, const PosedBody& body,
+std::set<int> penetrating_triangles(const ClothMesh& cloth, const body::PosedBody& body,
                                     const std::vector<Vec3>& x) {
   std::set<int> cut;
-  for (const auto& [t, s] : mesh_intersections(x, cloth.triangles, body.tree())) cut.insert(t);
+  for (const auto& [t, s] : geometry::mesh_intersections(x, cloth.triangles, body.tree()))
+    cut.insert(t);
   return cut;
 }
 
@@ -107,7 +108,7 @@ bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
   const auto& triangles = cloth.triangles;
   std::set<int> cut = penetrating;
   // Those that are about to cut are treated alike, or each round would find their neighbours.
-  const ClosestPointTree& skin = body.body.tree();
+  const geometry::ClosestPointTree& skin = body.body.tree();
   const std::vector<double> least = least_distances(skin, triangles, x, cut, tuning);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (least[t] < tuning.near_penetration) cut.insert(static_cast<int>(t));
@@ -121,8 +122,9 @@ bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
     const int layer = cloth.triangle_layer[t];
     ++times_cut[t];
     if (latticed[layer].insert(triangles[t]).second)
-      add_lattice(triangles[t], cloth.area[t], half_thickness[layer],
-                  lattice_intervals(triangles[t], x, tuning), model.body(layer).change_points());
+      contact::add_lattice(triangles[t], cloth.area[t], half_thickness[layer],
+                           lattice_intervals(triangles[t], x, tuning),
+                           model.body(layer).change_points());
     for (int v : triangles[t]) cuts_at[v].push_back(t);
     raise[t] = std::clamp(tuning.clearance - least[t], 0.0, tuning.largest_raise) +
                tuning.clearance_each_time * times_cut[t];
@@ -131,8 +133,8 @@ bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
   const double farthest = body.field->smooth_reach();
   bool raised = false;
   for (int layer = 0; layer < cloth.layers(); ++layer) {
-    BodyContact& contact = model.body(layer);
-    for (ContactPoint& p : contact.change_points()) {
+    contact::BodyContact& contact = model.body(layer);
+    for (contact::ContactPoint& p : contact.change_points()) {
       const auto near = cuts_at.find(p.particle[0]);
       if (near == cuts_at.end()) continue;
       double most = -1;
@@ -151,4 +153,4 @@ bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
   return raised;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

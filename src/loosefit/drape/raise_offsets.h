@@ -7,10 +7,10 @@
 #include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/settling_tuning.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Triangles of the cloth at x that cut the skin, by the exact test.
-std::set<int> penetrating_triangles(const ClothMesh& cloth, const PosedBody& body,
+std::set<int> penetrating_triangles(const ClothMesh& cloth, const body::PosedBody& body,
                                     const std::vector<Vec3>& x);
 
 /// Flat triangles can cut a curved skin between their contact points. A penetrating triangle gets a
@@ -25,4 +25,4 @@ bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
                                    const std::set<int>& penetrating, std::map<int, int>& times_cut,
                                    const PenetrationTuning& tuning);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -7,7 +7,7 @@
 #include "loosefit/drape/phases/free_penetrations.h"
 #include "loosefit/drape/phases/lift_off.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 int once(const SettlingTuning&) { return 1; }
@@ -19,7 +19,8 @@ bool finds_no_room(ClothState& state) { return !state.no_room.empty() && state.w
 
 bool step_is_blocked(ClothState& state) {
   const PostureStep& step = state.step;
-  return step.blocked && step.length > 1.5 * step.least && !state.must_stop();
+  return step.blocked && step.length > state.tuning.follow.halved_from * step.least &&
+         !state.must_stop();
 }
 
 bool lags_behind(ClothState& state) {
@@ -29,7 +30,7 @@ bool lags_behind(ClothState& state) {
 bool has_left_field(ClothState& state) { return !state.body->field->covers(bounds(state.x)); }
 
 bool converged_but_above_tolerance(ClothState& state) {
-  return state.last.reason == SettleOutcome::Reason::converged && !state.given_up &&
+  return state.last.reason == solver::SettleOutcome::Reason::converged && !state.given_up &&
          !state.must_stop() && !state.best_was_taken &&
          state.certificate.residual > state.options.residual_tolerance;
 }
@@ -37,7 +38,7 @@ bool converged_but_above_tolerance(ClothState& state) {
 /// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
 bool may_be_better(ClothState& state) {
   const Certificate& c = state.certificate;
-  return !state.best_was_taken && (!c.settled() || c.residual > kRestTolerance);
+  return !state.best_was_taken && (!c.settled() || c.residual > solver::kRestTolerance);
 }
 
 /// The soft layer frees cloth from the skin, not from other cloth; a posture has no other way.
@@ -66,7 +67,8 @@ void settle_longer(ClothState& state) {
 
 void renew_field(ClothState& state) {
   state.outgrown.push_back(state.body);
-  state.body = with_field(state.body->body, bounds(state.x), state.body->field->spacing());
+  state.body = with_field(state.body->body, bounds(state.x), state.body->field->spacing(),
+                          state.tuning.carry);
   state.model->set_field(state.body->field);
 }
 
@@ -115,4 +117,4 @@ const Recoveries& recoveries() {
   return kTable;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/recovery.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// All recoveries of a drape: what may fail on the way from dressed to certified, what is tried
 /// then, and why. The phases go through this table (ClothState::recover) and know no others;
@@ -17,4 +17,4 @@ namespace loosefit {
 /// * poses in which skin would pass through itself (flesh/soft_skin.h).
 const Recoveries& recoveries();
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

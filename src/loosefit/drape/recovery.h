@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::drape {
 
 struct ClothState;
 struct SettlingTuning;
@@ -46,4 +46,4 @@ struct Recovery {
 /// The rows in the order in which they are tried.
 using Recoveries = std::vector<Recovery>;
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

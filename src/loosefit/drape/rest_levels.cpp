@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Shares of stature where a body brings no landmark (Drillis and Contini 1966; hip and chest:
@@ -11,13 +11,13 @@ namespace {
 constexpr double kChest = 0.72, kWaist = 0.62, kHip = 0.51, kCrotch = 0.47, kKnee = 0.285,
                  kAnkle = 0.039;
 
-bool is_arm(Segment s) {
-  return s == Segment::upper_arm || s == Segment::forearm || s == Segment::hand;
+bool is_arm(body::Segment s) {
+  return s == body::Segment::upper_arm || s == body::Segment::forearm || s == body::Segment::hand;
 }
 
 }  // namespace
 
-RestLevels::RestLevels(PosedBody body) : body_(std::move(body)) {
+RestLevels::RestLevels(body::PosedBody body) : body_(std::move(body)) {
   const auto& skin = body_->surface.vertices;
   double top = -std::numeric_limits<double>::infinity();
   soles_ = -top;
@@ -48,7 +48,7 @@ std::map<std::string, Vec3> RestLevels::joints() const {
   std::map<std::string, Vec3> at = body_->joints;
   for (auto& [name, p] : at) {
     // All bones that meet in a joint move it alike, so any skin next to it brings it back.
-    const ClosestPoint skin = body_.tree().query(p);
+    const geometry::ClosestPoint skin = body_.tree().query(p);
     p = in_rest(body_->surface.triangles[skin.triangle][0], p) - soles_ * Vec3::UnitZ();
   }
   return at;
@@ -57,7 +57,7 @@ std::map<std::string, Vec3> RestLevels::joints() const {
 double RestLevels::of(const Vec3& p) const {
   const auto& corners = body_->surface.triangles;
   const bool parted = body_->segment.size() == body_->surface.vertices.size();
-  const ClosestPoint at = body_.tree().query(
+  const geometry::ClosestPoint at = body_.tree().query(
       p, std::numeric_limits<double>::infinity(),
       [&](int triangle) { return !parted || !is_arm(body_->segment[corners[triangle][0]]); });
   if (at.triangle < 0) return p.z() - soles_;
@@ -86,4 +86,4 @@ std::string level_name(double level, const RestLevels& levels) {
   return "the chest";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

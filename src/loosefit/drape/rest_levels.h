@@ -5,14 +5,14 @@
 
 #include "loosefit/body/posed_body.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Heights on a person as if standing upright: a point goes back with the skin next to it, so that
 /// a waistband is at the waist whether its wearer stands, sits or bends. All heights in metres
 /// above the soles.
 class RestLevels {
  public:
-  explicit RestLevels(PosedBody body);
+  explicit RestLevels(body::PosedBody body);
   /// Of a point of cloth; arms and hands are passed over, for they hang beside everything.
   double of(const Vec3& p) const;
   /// Mean over vertices.
@@ -28,7 +28,7 @@ class RestLevels {
 
  private:
   Vec3 in_rest(int vertex, const Vec3& p) const;
-  PosedBody body_;
+  body::PosedBody body_;
   double soles_ = 0;
 };
 
@@ -36,4 +36,4 @@ class RestLevels {
 /// "the calves", "the feet", "below the soles".
 std::string level_name(double level, const RestLevels& levels);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

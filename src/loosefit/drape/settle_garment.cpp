@@ -12,7 +12,7 @@
 
 // How a drape is made, in the order in which it happens. What is tried when a phase fails stands in
 // drape/recoveries.cpp, all numbers in drape/settling_tuning.h.
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// What postures start from.
@@ -68,8 +68,8 @@ void settle_followed(ClothState& state) {
 
 }  // namespace
 
-Drape dress_and_settle(ClothState& state, const BodyPath& path, const BodyPath& wide_path,
-                       std::shared_ptr<const WornCloth>& worn) {
+Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
+                       const body::BodyPath& wide_path, std::shared_ptr<const WornCloth>& worn) {
   state.path = path, state.wide_path = wide_path;
   state.part = "dress";
   state.progress.stage("dress");
@@ -92,7 +92,7 @@ Drape dress_and_settle(ClothState& state, const BodyPath& path, const BodyPath& 
   return drape;
 }
 
-Drape follow_wearer(ClothState& state, const BodyPath& path,
+Drape follow_wearer(ClothState& state, const body::BodyPath& path,
                     std::shared_ptr<const WornCloth> worn) {
   state.path = path;
   state.part = "posture";
@@ -110,4 +110,4 @@ Drape follow_wearer(ClothState& state, const BodyPath& path,
   return make_drape(state);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

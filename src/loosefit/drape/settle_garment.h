@@ -1,16 +1,17 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// The whole way from dressed to certified: dresses the garments at the beginning of `path`, or of
 /// `wide_path` where they find no room there, and settles them at its end. `worn` becomes what
 /// follow_wearer needs. Does not throw when it fails to settle. \throws as dress_on; Cancelled
-Drape dress_and_settle(ClothState& state, const BodyPath& path, const BodyPath& wide_path,
-                       std::shared_ptr<const WornCloth>& worn);
+Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
+                       const body::BodyPath& wide_path, std::shared_ptr<const WornCloth>& worn);
 
 /// Takes garments from where dress_and_settle left them (`worn`) to the end of `path`, and settles
 /// them there. \throws Cancelled
-Drape follow_wearer(ClothState& state, const BodyPath& path, std::shared_ptr<const WornCloth> worn);
+Drape follow_wearer(ClothState& state, const body::BodyPath& path,
+                    std::shared_ptr<const WornCloth> worn);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::drape {
 
 double SettlingBudget::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
@@ -22,4 +22,4 @@ int SettlingBudget::iterations_left() const {
   return std::max(0, static_cast<int>(std::ceil(options_.max_iterations - spent_)));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

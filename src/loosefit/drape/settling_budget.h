@@ -3,7 +3,7 @@
 
 #include "loosefit/drape/drape_options.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Time and iterations of one drape. The clock runs from construction.
 class SettlingBudget {
@@ -36,4 +36,4 @@ class SettlingBudget {
   int phase_end_ = -1;  ///< in iterations_; −1: none
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

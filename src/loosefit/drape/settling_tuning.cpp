@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 // Bounds say what makes sense at all, not what works well. Lengths [m], residuals [–], times [s].
@@ -52,6 +52,10 @@ Fields cloth_fields(ClothModelTuning& t) {
 
 Fields carry_fields(CarryTuning& t) {
   return Fields("carry")
+      .length("field_margin", t.field_margin)
+      .number("field_margin_below", t.field_margin_below, 0, 10)
+      .length("smoothing_length", t.smoothing_length)
+      .count("smoothing_passes", t.smoothing_passes, 1)
       .number("rough_field_spacing", t.rough_field_spacing, 1e-3, 0.05)
       .number("layer_close", t.layer_close, 0, kMostLength)
       .length("layer_apart", t.layer_apart)
@@ -101,6 +105,8 @@ Fields follow_fields(FollowTuning& t) {
       .number("no_turn", t.no_turn, 0, 0.1)
       .count("longer", t.longer, 1)
       .count("shortest", t.shortest, 1)
+      .number("halved_from", t.halved_from, 1, 10)
+      .number("taken_along", t.taken_along, 0, 1)
       .count("sampled_skin", t.sampled_skin, 1)
       .count("iterations_factor", t.iterations_factor)
       .count("least_iterations", t.least_iterations);
@@ -178,4 +184,4 @@ void SettlingTuning::validate() const {
                        fmt::format("less than carry.layer_apart ({:g})", carry.layer_apart));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::drape {
 
 // Every tuning number of the drape module in one struct, one group per phase. None changes what is
 // an equilibrium; they decide whether and how fast it is found, unless a field says otherwise.
@@ -34,6 +34,15 @@ struct ClothModelTuning {
 
 /// The field of distances to the skin (ContactBody), and how cloth is carried along with the skin.
 struct CarryTuning {
+  /// Margin of the field round the cloth [m], and more of it below: hems sink while cloth settles.
+  /// Cloth that leaves it gets a new field (recoveries.h); chosen by experiment.
+  double field_margin = 0.06;
+  double field_margin_below = 0.10;
+  /// Length over which the motion of the skin is smoothed along the cloth [m]: about the width of a
+  /// fold, so that folds turn as a whole; chosen by experiment.
+  double smoothing_length = 0.04;
+  /// Passes of smoothing at most [–]: bounds the work on fine meshes.
+  int smoothing_passes = 50;
   /// Spacing of the field while the coarsest level follows the body [m]: half the accuracy, an
   /// eighth of the nodes; F.
   double rough_field_spacing = 0.010;
@@ -124,6 +133,11 @@ struct FollowTuning {
   /// A step may be shortened to this part of the usual one [–]: four halvings; D5, "The body waits
   /// for the cloth".
   int shortest = 16;
+  /// A step shorter than so many times the shortest one is not halved again [–], and what would be
+  /// left beyond the next step is taken along when it is shorter than this part of it [–]: neither
+  /// leaves steps below the shortest.
+  double halved_from = 1.5;
+  double taken_along = 0.5;
   /// Every how manieth skin vertex is asked for its rotation [–]: neighbours turn alike.
   int sampled_skin = 7;
   /// A posture is given up after so many times the finest iterations of putting on [–], and not
@@ -231,4 +245,4 @@ struct TuningField {
 /// All numbers of `tuning`, in the order of their declaration. They point into it.
 std::vector<TuningField> tuning_fields(SettlingTuning& tuning);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr std::size_t kMostNames = 6;
@@ -23,17 +23,17 @@ std::string pieces_text(const Stop& stop) {
 
 }  // namespace
 
-StopReason stop_reason(SettleOutcome::Reason reason) {
+StopReason stop_reason(solver::SettleOutcome::Reason reason) {
   switch (reason) {
-    case SettleOutcome::Reason::converged:
+    case solver::SettleOutcome::Reason::converged:
       return StopReason::converged;
-    case SettleOutcome::Reason::iteration_limit:
+    case solver::SettleOutcome::Reason::iteration_limit:
       return StopReason::iteration_limit;
-    case SettleOutcome::Reason::stopped:
+    case solver::SettleOutcome::Reason::stopped:
       return StopReason::time_budget;
-    case SettleOutcome::Reason::stuck:
+    case solver::SettleOutcome::Reason::stuck:
       return StopReason::no_descent;
-    case SettleOutcome::Reason::diverged:
+    case solver::SettleOutcome::Reason::diverged:
       return StopReason::diverged;
   }
   return StopReason::unknown;
@@ -66,4 +66,4 @@ std::string Stop::text() const {
   return {};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,7 +4,7 @@
 
 #include "loosefit/solver/settle_outcome.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Why settling a drape ended.
 enum class StopReason {
@@ -32,11 +32,11 @@ struct Stop {
 };
 
 /// As the integrators say it.
-StopReason stop_reason(SettleOutcome::Reason reason);
+StopReason stop_reason(solver::SettleOutcome::Reason reason);
 
 /// Whether cloth falls, all of it or pieces.
 inline bool falls(StopReason reason) {
   return reason == StopReason::cloth_falls || reason == StopReason::pieces_fall;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <set>
 
+#include "loosefit/base/check.h"
 #include "loosefit/garment/flat_lengths.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Steps over edges from the opening to each vertex.
-std::vector<int> steps_from(const Garment& garment, const MeshTopology& topology,
+std::vector<int> steps_from(const garment::Garment& garment, const geometry::MeshTopology& topology,
                             const std::vector<int>& opening) {
   const auto next = topology.vertex_neighbours();
   std::vector<int> steps(garment.vertex_count, -1), front = opening;
@@ -27,11 +28,11 @@ std::vector<int> steps_from(const Garment& garment, const MeshTopology& topology
 
 }  // namespace
 
-std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vector<int>& opening,
-                                         double widest) {
-  const MeshTopology topology(garment.triangles);
+std::vector<std::vector<int>> tube_rings(const garment::Garment& garment,
+                                         const std::vector<int>& opening, double widest) {
+  const geometry::MeshTopology topology(garment.triangles);
   const std::vector<int> steps = steps_from(garment, topology, opening);
-  const std::vector<double> flat = flat_lengths(garment, topology);
+  const std::vector<double> flat = garment::flat_lengths(garment, topology);
   std::set<int> other_rims;
   for (const std::vector<int>& loop : topology.boundary_loops())
     if (std::find(loop.begin(), loop.end(), opening.front()) == loop.end())
@@ -47,12 +48,14 @@ std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vect
     std::vector<int> far;
     int rims = 0;
     double length = 0;
-    for (const std::vector<int>& loop : MeshTopology(band).boundary_loops()) {
+    for (const std::vector<int>& loop : geometry::MeshTopology(band).boundary_loops()) {
       if (steps[loop.front()] == 0 && steps[loop.back()] == 0) continue;
       ++rims;
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (other_rims.count(loop[i])) return rings;
-        length += flat[topology.find(loop[i], loop[(i + 1) % loop.size()])];
+        const int edge = topology.find(loop[i], loop[(i + 1) % loop.size()]);
+        require(edge >= 0, "a ring of a tube runs along edges of the garment");
+        length += flat[edge];
       }
       far = loop;
     }
@@ -62,4 +65,4 @@ std::vector<std::vector<int>> tube_rings(const Garment& garment, const std::vect
   return rings;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -7,7 +7,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/body/body.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// What pulls at a vertex, in the order of UnbalancedVertex::force.
 inline constexpr std::array<const char*, 7> kForceNames = {"membrane",
@@ -37,7 +37,7 @@ struct CutTriangle {
   Vec3 position = Vec3::Zero();
   std::string with;  ///< part of the body, or panel
   bool body = false;
-  std::optional<Segment> segment = {};  ///< of the body, where that knows its segments
+  std::optional<body::Segment> segment = {};  ///< of the body, where that knows its segments
 };
 
 /// Why a drape is not settled.
@@ -51,4 +51,4 @@ struct Unsettled {
   std::vector<CutTriangle> cuts;        ///< at most 20 of them
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

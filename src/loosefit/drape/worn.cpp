@@ -11,7 +11,7 @@
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/tube_rings.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 constexpr double kSlip = 0.5;         ///< of waist to crotch, that a waist may slide
@@ -38,8 +38,8 @@ std::string round_what(const LimbNumbers& n) {
 
 class Verdict {
  public:
-  Verdict(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-          const PosedBody& body)
+  Verdict(const garment::Garment& garment, const pattern::Pattern& pattern,
+          const std::vector<Vec3>& x, const body::PosedBody& body)
       : garment_(garment),
         pattern_(pattern),
         x_(x),
@@ -77,7 +77,8 @@ class Verdict {
   bool alike(const std::vector<Vec3>& first, const LimbLines& lines) {
     if (lines_[kHead].empty() || lines[kHead].empty()) return true;
     for (const Opening& o : garment_openings(garment_, pattern_))
-      if (o.use == OpeningUse::unknown && !goes_round(o, limbs_through(o.loop, first, lines)))
+      if (o.use == kinds::OpeningUse::unknown &&
+          !goes_round(o, limbs_through(o.loop, first, lines)))
         return false;
     return true;
   }
@@ -103,30 +104,30 @@ class Verdict {
 
   void check(const Opening& o) {
     switch (o.use) {
-      case OpeningUse::neck:
+      case kinds::OpeningUse::neck:
         return check_neck(o);
-      case OpeningUse::left_arm:
+      case kinds::OpeningUse::left_arm:
         return check_arm(o, kLeftArm, "left");
-      case OpeningUse::right_arm:
+      case kinds::OpeningUse::right_arm:
         return check_arm(o, kRightArm, "right");
-      case OpeningUse::left_leg:
+      case kinds::OpeningUse::left_leg:
         return check_leg(o, kLeftLeg, "left");
-      case OpeningUse::right_leg:
+      case kinds::OpeningUse::right_leg:
         return check_leg(o, kRightLeg, "right");
-      case OpeningUse::waist:
+      case kinds::OpeningUse::waist:
         return check_trunk(o, "waistband");
-      case OpeningUse::upper:
+      case kinds::OpeningUse::upper:
         return check_upper(o);
-      case OpeningUse::hem:
+      case kinds::OpeningUse::hem:
         return check_hem(o);
-      case OpeningUse::limb:
+      case kinds::OpeningUse::limb:
         if (!goes_round(o, o.round))
           say("an opening made for " + round_what(o.round) + " goes round " + round_what(round_));
         return;
-      case OpeningUse::cape_hem:
+      case kinds::OpeningUse::cape_hem:
         return check_cape_hem(o);
-      case OpeningUse::tube:
-      case OpeningUse::unknown:
+      case kinds::OpeningUse::tube:
+      case kinds::OpeningUse::unknown:
         return;
     }
   }
@@ -194,7 +195,7 @@ class Verdict {
 
   /// A tube that is placed round nothing known: whatever goes through one end, through the other.
   void check_tube(const std::vector<const Opening*>& ends) {
-    if (ends.size() != 2 || ends[0]->use != OpeningUse::tube) return;
+    if (ends.size() != 2 || ends[0]->use != kinds::OpeningUse::tube) return;
     const bool first = ends[0]->placed.z() >= ends[1]->placed.z();
     const Opening &upper = *ends[first ? 0 : 1], &lower = *ends[first ? 1 : 0];
     const LimbNumbers up = limbs_through(upper.loop, x_, lines_);
@@ -214,14 +215,14 @@ class Verdict {
     const Opening* front = nullptr;
     bool armed = false;
     for (const Opening* o : of) {
-      if (o->use == OpeningUse::neck) return;
-      if (o->use == OpeningUse::unknown && (!front || o->girth > front->girth)) front = o;
+      if (o->use == kinds::OpeningUse::neck) return;
+      if (o->use == kinds::OpeningUse::unknown && (!front || o->girth > front->girth)) front = o;
       armed = armed || is_arm(*o);
     }
     if (!front || !armed) return;
     for (const Opening* o : of) {
       if (!is_arm(*o)) continue;
-      const std::string side = o->use == OpeningUse::left_arm ? "left" : "right";
+      const std::string side = o->use == kinds::OpeningUse::left_arm ? "left" : "right";
       const Vec3& shoulder = body_->joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
       double away = distance_of(o->loop, shoulder);
       for (const std::vector<int>& ring : tube_rings(garment_, o->loop, widest(*o)))
@@ -236,7 +237,7 @@ class Verdict {
   }
 
   static bool is_arm(const Opening& o) {
-    return o.use == OpeningUse::left_arm || o.use == OpeningUse::right_arm;
+    return o.use == kinds::OpeningUse::left_arm || o.use == kinds::OpeningUse::right_arm;
   }
 
   double distance_of(const std::vector<int>& vertices, const Vec3& p) const {
@@ -289,7 +290,8 @@ class Verdict {
     std::vector<int> of;
     double made = -1;
     for (const Opening* o : openings)
-      if (o->use == OpeningUse::unknown && made_for(*o) > made) made = made_for(*o), of = o->loop;
+      if (o->use == kinds::OpeningUse::unknown && made_for(*o) > made)
+        made = made_for(*o), of = o->loop;
     if (openings.empty()) {
       made = 0;
       for (int v = 0; v < garment_.vertex_count; ++v) {
@@ -316,10 +318,10 @@ class Verdict {
     }
   }
 
-  const Garment& garment_;
-  const Pattern& pattern_;
+  const garment::Garment& garment_;
+  const pattern::Pattern& pattern_;
   const std::vector<Vec3>& x_;
-  const PosedBody& body_;
+  const body::PosedBody& body_;
   std::vector<Vec3> placed_;  ///< by the pattern
   LimbLines lines_;
   RestLevels levels_;
@@ -331,15 +333,16 @@ class Verdict {
 
 }  // namespace
 
-std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
-                                      const std::vector<Vec3>& x, const PosedBody& body,
-                                      bool over_others) {
+std::vector<std::string> why_not_worn(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const std::vector<Vec3>& x,
+                                      const body::PosedBody& body, bool over_others) {
   return Verdict(garment, pattern, x, body).reasons(over_others);
 }
 
-bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-                const PosedBody& body, const std::vector<Vec3>& first, const Body& first_body) {
+bool worn_alike(const garment::Garment& garment, const pattern::Pattern& pattern,
+                const std::vector<Vec3>& x, const body::PosedBody& body,
+                const std::vector<Vec3>& first, const body::Body& first_body) {
   return Verdict(garment, pattern, x, body).alike(first, limb_lines(first_body));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

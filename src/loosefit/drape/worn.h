@@ -6,7 +6,7 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Why a garment at x [m] is not worn by `body`: sentences that a tailor understands ("the
 /// waistband has slid to the knees", "the left sleeve is empty"); none where it is. Asked are
@@ -30,14 +30,15 @@ namespace loosefit {
 /// * it touches the body somewhere (within 10 mm), unless it lies `over_others`, which may bear it.
 ///
 /// A body without joints is only asked for the touch.
-std::vector<std::string> why_not_worn(const Garment& garment, const Pattern& pattern,
-                                      const std::vector<Vec3>& x, const PosedBody& body,
-                                      bool over_others = false);
+std::vector<std::string> why_not_worn(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const std::vector<Vec3>& x,
+                                      const body::PosedBody& body, bool over_others = false);
 
 /// Whether the openings of an unusual cut, of which why_not_worn does not know what they are for,
 /// have the same limbs through them at x on `body` as at `first` on the same person in
 /// `first_body`; true for bodies without joints. A limb in the sleeve of an opening counts.
-bool worn_alike(const Garment& garment, const Pattern& pattern, const std::vector<Vec3>& x,
-                const PosedBody& body, const std::vector<Vec3>& first, const Body& first_body);
+bool worn_alike(const garment::Garment& garment, const pattern::Pattern& pattern,
+                const std::vector<Vec3>& x, const body::PosedBody& body,
+                const std::vector<Vec3>& first, const body::Body& first_body);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

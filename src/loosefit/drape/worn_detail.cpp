@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/nearest_rotation.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Σ edge now · edge beforeᵀ of a triangle; its normal counts as an edge as long as those.
@@ -42,8 +42,8 @@ std::vector<Vec3> turned_detail(const std::vector<Triangle>& triangles,
   }
   std::vector<Vec3> detail(before.size());
   for (std::size_t i = 0; i < before.size(); ++i)
-    detail[i] = nearest_rotation(round[i]) * (fine[i] - before[i]);
+    detail[i] = geometry::nearest_rotation(round[i]) * (fine[i] - before[i]);
   return detail;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

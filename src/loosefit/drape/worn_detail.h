@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Vertices of a mesh level on the surface of the coarser one: midpoints of its edges, and the
 /// vertices kept. `parents` as in GarmentHierarchy.
@@ -19,4 +19,4 @@ std::vector<Vec3> turned_detail(const std::vector<Triangle>& triangles,
                                 const std::vector<Vec3>& before, const std::vector<Vec3>& fine,
                                 const std::vector<Vec3>& now);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

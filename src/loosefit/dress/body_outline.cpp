@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 constexpr double kCell = 0.005;        ///< [m]
 constexpr int kSmoothingPasses = 200;  ///< of the middle surface
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool is_trunk(Segment s) {
-  return s == Segment::torso || s == Segment::thigh || s == Segment::neck;
+bool is_trunk(body::Segment s) {
+  return s == body::Segment::torso || s == body::Segment::thigh || s == body::Segment::neck;
 }
 
 /// Running minimum over ±reach cells along rows, then along columns.
@@ -38,7 +38,7 @@ std::vector<double> minimum_filter(const std::vector<double>& field, int columns
 
 }  // namespace
 
-BodyOutline::BodyOutline(const Body& body, double clearance) : cell_(kCell) {
+BodyOutline::BodyOutline(const body::Body& body, double clearance) : cell_(kCell) {
   const auto& x = body.surface.vertices;
   Vec3 lower = Vec3::Constant(kInfinity), upper = -lower;
   for (const Vec3& p : x) {
@@ -64,8 +64,8 @@ BodyOutline::BodyOutline(const Body& body, double clearance) : cell_(kCell) {
     half_width_right_[j] = std::max(half_width_right_[j], -p[0]);
   };
   for (const Triangle& t : body.surface.triangles) {
-    const Segment s = body.segment[t[0]];
-    if (s == Segment::head) continue;
+    const body::Segment s = body.segment[t[0]];
+    if (s == body::Segment::head) continue;
     const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
     // Sample densely enough that no cell inside the silhouette stays empty after dilation.
     const int n =
@@ -132,4 +132,4 @@ double BodyOutline::trunk_half_width(double z, int side) const {
   return side > 0 ? half_width_left_[j] : half_width_right_[j];
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

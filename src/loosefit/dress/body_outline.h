@@ -3,14 +3,14 @@
 
 #include "loosefit/body/body.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
 /// The body seen from the front: for each cell of a grid in the (x, z) plane how far it reaches to
 /// the front (least y) and to the back (largest y). The head is left out.
 class BodyOutline {
  public:
   /// clearance: how far beyond the body `front` and `back` lie, sideways and in depth [m].
-  BodyOutline(const Body& body, double clearance);
+  BodyOutline(const body::Body& body, double clearance);
 
   /// Depth [m] of a sheet that passes before (behind) everything within the clearance of (x, z).
   double front(double x, double z) const { return sample(front_, x, z); }
@@ -29,4 +29,4 @@ class BodyOutline {
   std::vector<double> half_width_left_, half_width_right_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

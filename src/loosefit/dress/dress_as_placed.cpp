@@ -9,7 +9,7 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 constexpr double kStep = 0.01;     ///< by which a panel in trouble is moved at a time [m]
@@ -17,14 +17,14 @@ constexpr double kAlike = 0.5;     ///< cosine between the normals of panels tha
 constexpr double kFarthest = 0.3;  ///< it is moved at most [m]
 
 /// Positions with panel k moved by `out[k]` along its outside normal; seams at the mean.
-std::vector<Vec3> place(const Garment& garment, const Pattern& pattern,
+std::vector<Vec3> place(const garment::Garment& garment, const pattern::Pattern& pattern,
                         const std::vector<double>& out) {
   std::vector<Vec3> sum(garment.vertex_count, Vec3::Zero());
   std::vector<int> count(garment.vertex_count, 0);
   std::set<std::pair<int, int>> seen;  // (vertex, panel)
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const int k = garment.triangle_panel[t];
-    const Panel& panel = pattern.panels[pattern.find_panel(garment.panel_names[k])];
+    const pattern::Panel& panel = pattern.panels[pattern.find_panel(garment.panel_names[k])];
     for (int c = 0; c < 3; ++c) {
       const int v = garment.triangles[t][c];
       if (!seen.emplace(v, k).second) continue;
@@ -37,14 +37,14 @@ std::vector<Vec3> place(const Garment& garment, const Pattern& pattern,
   return sum;
 }
 
-Vec3 outside(const Garment& garment, const Pattern& pattern, int panel) {
+Vec3 outside(const garment::Garment& garment, const pattern::Pattern& pattern, int panel) {
   return pattern.panels[pattern.find_panel(garment.panel_names[panel])].rotation.col(2);
 }
 
 /// Panels that cut another one, or of which a vertex off the seams lies in the body.
-std::set<int> in_trouble(const Garment& garment, const Pattern& pattern,
+std::set<int> in_trouble(const garment::Garment& garment, const pattern::Pattern& pattern,
                          const std::vector<std::set<int>>& panels_of, const std::vector<Vec3>& x,
-                         const ClosestPointTree& skin,
+                         const geometry::ClosestPointTree& skin,
                          const std::vector<std::pair<int, int>>& hits) {
   std::set<int> found;
   for (const auto& [s, t] : hits) {
@@ -61,8 +61,8 @@ std::set<int> in_trouble(const Garment& garment, const Pattern& pattern,
 
 }  // namespace
 
-std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern,
-                                  const TriangleMesh& body) {
+std::vector<Vec3> dress_as_placed(const garment::Garment& garment, const pattern::Pattern& pattern,
+                                  const geometry::TriangleMesh& body) {
   std::vector<std::set<int>> panels_of(garment.vertex_count);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const int k = garment.triangle_panel[t];
@@ -70,17 +70,17 @@ std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern
       throw GeometryError("pattern: panel " + garment.panel_names[k] + " is missing");
     for (int v : garment.triangles[t]) panels_of[v].insert(k);
   }
-  const ClosestPointTree skin(body);
+  const geometry::ClosestPointTree skin(body);
   std::vector<double> out(garment.panel_names.size(), 0.0);
   std::vector<Vec3> x = place(garment, pattern, out);
-  auto hits = self_intersections(x, garment.triangles);
+  auto hits = geometry::self_intersections(x, garment.triangles);
   const auto first_hits = hits;
   for (int k = 0; k < std::lround(kFarthest / kStep); ++k) {
     const std::set<int> moving = in_trouble(garment, pattern, panels_of, x, skin, hits);
     if (moving.empty()) return x;
     for (int panel : moving) out[panel] += kStep;
     x = place(garment, pattern, out);
-    hits = self_intersections(x, garment.triangles);
+    hits = geometry::self_intersections(x, garment.triangles);
   }
   if (hits.empty()) return x;  // what still lies in the body is pushed out by contact
   const auto [a, b] = first_hits.empty() ? hits.front() : first_hits.front();
@@ -92,4 +92,4 @@ std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern
       "move the panels apart (translation, rotation) so that sewn edges face each other");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

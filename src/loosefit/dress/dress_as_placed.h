@@ -5,7 +5,7 @@
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
 /// First positions of a garment of no kind that is laid round the body [m]: the placement that its
 /// pattern file gives to the panels, seams closed at the mean of their sides. Panels that cut each
@@ -13,7 +13,7 @@ namespace loosefit {
 /// (of two that look the same way, the later one); seams that then still pass through the body are
 /// left to contact.
 /// \throws GeometryError when that does not part them, or the pattern lacks a panel.
-std::vector<Vec3> dress_as_placed(const Garment& garment, const Pattern& pattern,
-                                  const TriangleMesh& body);
+std::vector<Vec3> dress_as_placed(const garment::Garment& garment, const pattern::Pattern& pattern,
+                                  const geometry::TriangleMesh& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

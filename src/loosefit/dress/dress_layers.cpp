@@ -9,7 +9,7 @@
 #include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 /// Tries for the innermost garment [m]: between trunk and arm there is room for a few centimetres
@@ -26,7 +26,7 @@ struct Dressed {
   std::vector<Triangle> triangles;
   double clearance = 0;
 
-  void add(const Garment& garment, const std::vector<Vec3>& x) {
+  void add(const garment::Garment& garment, const std::vector<Vec3>& x) {
     const int shift = static_cast<int>(positions.size());
     positions.insert(positions.end(), x.begin(), x.end());
     for (const Triangle& t : garment.triangles)
@@ -35,16 +35,16 @@ struct Dressed {
 };
 
 /// Nearest to the body where nothing cuts; what was wrong with the last try in `why`.
-std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const Body& body, int layer,
-                                          Dressed& under, std::string& why) {
-  const Garment& garment = *to_dress.garment;
+std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const body::Body& body,
+                                          int layer, Dressed& under, std::string& why) {
+  const garment::Garment& garment = *to_dress.garment;
   const double most = layer == 0 ? kStep * under.clearance : kMostClearance;
   for (double c = under.clearance; c < most; c *= kStep)
     for (const double share : kDepthShares) try {
         const auto x = to_dress.lay(garment, body, {c, (1 + layer) * kLeastDepth, share, true});
-        const auto own = self_intersections(x, garment.triangles);
+        const auto own = geometry::self_intersections(x, garment.triangles);
         const auto cuts =
-            mesh_intersections(x, garment.triangles, under.positions, under.triangles);
+            geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
         if (own.empty() && cuts.empty()) {
           under.clearance = kFirstStep * c;
           return x;
@@ -59,10 +59,11 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const Bo
 }
 
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
-                             const TriangleMesh& body) {
-  const Garment& garment = *layer.garment;
+                             const geometry::TriangleMesh& body) {
+  const garment::Garment& garment = *layer.garment;
   std::vector<Vec3> x = dress_as_placed(garment, *layer.pattern, body);
-  const auto cuts = mesh_intersections(x, garment.triangles, under.positions, under.triangles);
+  const auto cuts =
+      geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
   if (!cuts.empty())
     throw GeometryError(
         fmt::format("pattern: the placed panels cut through the garments under them, {} triangle "
@@ -74,7 +75,7 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
 
 }  // namespace
 
-std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body) {
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const body::Body& body) {
   if (layers.size() == 1 && layers[0].lay)
     return lay_round(*layers[0].garment, body, layers[0].lay);
   std::string why;
@@ -92,4 +93,4 @@ std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Bo
   throw NoRoom("the garments cannot be laid round this body over each other: " + why);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

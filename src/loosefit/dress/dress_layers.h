@@ -6,13 +6,13 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
 /// One garment of those that are worn over each other.
 struct LayerToDress {
-  const Garment* garment = nullptr;
-  const Pattern* pattern = nullptr;  ///< the placement; not needed with `lay`
-  LayRound lay = {};                 ///< round the body; empty: as the pattern is placed
+  const garment::Garment* garment = nullptr;
+  const pattern::Pattern* pattern = nullptr;  ///< the placement; not needed with `lay`
+  LayRound lay = {};                          ///< round the body; empty: as the pattern is placed
 };
 
 /// First positions of garments worn over each other, the innermost first: vertices of all in turn.
@@ -20,6 +20,6 @@ struct LayerToDress {
 /// more room than the layer under it, so that its sheets pass before and behind those, and its
 /// seams beside them. Nothing cuts anything. \throws as the above, and NoRoom when garments cut
 /// each other.
-std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const Body& body);
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const body::Body& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

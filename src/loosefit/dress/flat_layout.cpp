@@ -6,14 +6,14 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
-std::map<int, Vec2> lay_flat(const Garment& garment, int panel,
+std::map<int, Vec2> lay_flat(const garment::Garment& garment, int panel,
                              const std::map<int, Vec2>& outline) {
   std::vector<Triangle> piece;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t)
     if (garment.triangle_panel[t] == panel) piece.push_back(garment.triangles[t]);
-  const MeshTopology topology(std::move(piece));
+  const geometry::MeshTopology topology(std::move(piece));
   for (int e = 0; e < topology.edge_count(); ++e)
     for (int v : topology.edges()[e])
       if (topology.sides(e).size() == 1 && !outline.count(v))
@@ -55,16 +55,16 @@ std::map<int, Vec2> lay_flat(const Garment& garment, int panel,
   return layout;
 }
 
-int count_turned_over(const Garment& garment, int panel, const std::map<int, Vec2>& layout,
+int count_turned_over(const garment::Garment& garment, int panel, const std::map<int, Vec2>& layout,
                       int sign) {
   int count = 0;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     if (garment.triangle_panel[t] != panel) continue;
     const Triangle& tri = garment.triangles[t];
     const Vec2 a = layout.at(tri[0]), b = layout.at(tri[1]), c = layout.at(tri[2]);
-    count += sign * cross(b - a, c - a) <= 0;
+    count += sign * geometry::cross(b - a, c - a) <= 0;
   }
   return count;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

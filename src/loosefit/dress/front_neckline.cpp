@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 constexpr int kNeckPoints = 12;
@@ -13,20 +13,20 @@ constexpr double kBelowChin = 0.02;  ///< room between chin and neckline [m]
 
 /// Height of the chin: the lowest of the head in front of the neck, near the middle [m]; +∞ without
 /// a head.
-double chin_height(const Body& body) {
+double chin_height(const body::Body& body) {
   constexpr double kNearMiddle = 0.02;
   double neck = 0, chin = std::numeric_limits<double>::infinity();
   int count = 0;
-  const auto each = [&](Segment segment, const auto& take) {
+  const auto each = [&](body::Segment segment, const auto& take) {
     for (std::size_t v = 0; v < body.segment.size(); ++v) {
       const Vec3& p = body.surface.vertices[v];
       if (body.segment[v] == segment && std::abs(p[0]) < kNearMiddle) take(p);
     }
   };
-  each(Segment::neck, [&](const Vec3& p) { neck += p[1], ++count; });
+  each(body::Segment::neck, [&](const Vec3& p) { neck += p[1], ++count; });
   if (count == 0) return chin;
   neck /= count;
-  each(Segment::head, [&](const Vec3& p) {
+  each(body::Segment::head, [&](const Vec3& p) {
     if (p[1] < neck) chin = std::min(chin, p[2]);
   });
   return chin;
@@ -49,7 +49,7 @@ std::vector<Vec2> neckline(const Vec2& from, const Vec2& to, double length, doub
 
 }  // namespace
 
-double flat_length(const Garment& g, const Garment::EdgeChain& chain) {
+double flat_length(const garment::Garment& g, const garment::Garment::EdgeChain& chain) {
   // Chain vertices carry pattern positions of their own panel in the triangles of that panel.
   std::map<int, Vec2> uv;
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
@@ -61,10 +61,10 @@ double flat_length(const Garment& g, const Garment::EdgeChain& chain) {
   return length;
 }
 
-std::vector<Vec2> front_neckline(const Garment& garment, const Body& body, const Vec2& from,
-                                 const Vec2& to) {
+std::vector<Vec2> front_neckline(const garment::Garment& garment, const body::Body& body,
+                                 const Vec2& from, const Vec2& to) {
   const auto* neck = garment.find_part("front", "neck");
   return neckline(from, to, neck ? flat_length(garment, *neck) : 0, chin_height(body));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

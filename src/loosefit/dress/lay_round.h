@@ -5,7 +5,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
 /// How far a garment is laid from the body.
 struct LayingRoom {
@@ -20,11 +20,13 @@ struct LayingRoom {
 /// First positions of a garment of one kind round a body [m]; its sheets may cut themselves.
 /// \throws NoRoom when a panel would fold over or the body cannot be dressed in this posture,
 /// GeometryError for a pattern or a body that is not fit for it.
-using LayRound = std::function<std::vector<Vec3>(const Garment&, const Body&, const LayingRoom&)>;
+using LayRound =
+    std::function<std::vector<Vec3>(const garment::Garment&, const body::Body&, const LayingRoom&)>;
 
 /// First positions of a garment that is worn alone [m]: `lay` with the first of several clearances
 /// that leaves no intersections of the garment with itself. It encloses the body; it is strained,
 /// and settling lets it contract. \throws as LayRound, NoRoom when every clearance has some.
-std::vector<Vec3> lay_round(const Garment& garment, const Body& body, const LayRound& lay);
+std::vector<Vec3> lay_round(const garment::Garment& garment, const body::Body& body,
+                            const LayRound& lay);
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 
 /// A garment finds no room round the body in the posture that it is to be put on in; it may in
 /// another one.
@@ -10,4 +10,4 @@ class NoRoom : public GeometryError {
   explicit NoRoom(const std::string& complaint) : GeometryError(complaint) {}
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

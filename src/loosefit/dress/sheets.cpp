@@ -6,12 +6,12 @@
 #include "loosefit/dress/flat_layout.h"
 #include "loosefit/dress/no_room.h"
 
-namespace loosefit {
+namespace loosefit::dress {
 namespace {
 
 /// Puts the vertices of a chain evenly along a polyline.
-void lay_chain(const Garment::EdgeChain& chain, bool reversed, const std::vector<Vec2>& line,
-               std::map<int, Vec2>& outline) {
+void lay_chain(const garment::Garment::EdgeChain& chain, bool reversed,
+               const std::vector<Vec2>& line, std::map<int, Vec2>& outline) {
   double total = 0;
   for (std::size_t i = 1; i < line.size(); ++i) total += (line[i] - line[i - 1]).norm();
   const std::size_t n = chain.vertices.size();
@@ -39,14 +39,14 @@ void PanelOutline::lay(const std::string& edge, const std::string& neighbour,
   lay_chain(*chain, !starts, line, places_);
 }
 
-const Garment::EdgeChain* PanelOutline::chain_of(const std::string& edge) const {
+const garment::Garment::EdgeChain* PanelOutline::chain_of(const std::string& edge) const {
   const auto* chain = garment_.find_part(part_, edge);
   if (!chain || chain->vertices.size() < 2)
     throw GeometryError("pattern: the " + part_ + " of the garment has no edge " + edge);
   return chain;
 }
 
-Sheets::Sheets(const Garment& garment)
+Sheets::Sheets(const garment::Garment& garment)
     : garment_(garment),
       sheets_(garment.vertex_count, 0),
       place_(garment.vertex_count, Vec2::Zero()) {}
@@ -81,4 +81,4 @@ std::vector<Vec3> Sheets::positions(const BodyOutline& depth, const LayingRoom& 
   return x;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::dress

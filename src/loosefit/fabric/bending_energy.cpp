@@ -5,7 +5,7 @@
 #include "loosefit/fabric/dihedral.h"
 #include "loosefit/fabric/hinge_blocks.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 Mat3 plate_rigidity(const Material& m, double added) {
   const double root = std::sqrt(m.bending_weft * m.bending_warp), nu = m.bending_poisson;
@@ -33,21 +33,21 @@ BendingEnergy::BendingEnergy(const std::vector<Triangle>& triangles,
 
 void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
   const std::size_t hinges = mesh_.hinges.size(), patches = mesh_.patches.size();
-  hinge_tiles_.assign(tiles_for(hinges), HingeTile{});
-  patch_tiles_.assign(tiles_for(patches), PatchTile{});
+  hinge_tiles_.assign(particles::tiles_for(hinges), HingeTile{});
+  patch_tiles_.assign(particles::tiles_for(patches), PatchTile{});
   // Places behind the last one stand for what a hinge or patch lacks; they hold 0.
-  const int no_angle = kTile * static_cast<int>(hinge_tiles_.size());
-  const int no_moment = 9 * kTile * static_cast<int>(patch_tiles_.size());
-  const int no_stiffness = 3 * kTile * static_cast<int>(patch_tiles_.size());
+  const int no_angle = particles::kTile * static_cast<int>(hinge_tiles_.size());
+  const int no_moment = 9 * particles::kTile * static_cast<int>(patch_tiles_.size());
+  const int no_stiffness = 3 * particles::kTile * static_cast<int>(patch_tiles_.size());
 
   // Hinges: their particles, and where their forces and blocks go.
-  std::vector<int> particle(4 * kTile * hinge_tiles_.size(), -1);
-  std::vector<std::array<int, 2>> pairs(10 * kTile * hinge_tiles_.size(), {-1, -1});
+  std::vector<int> particle(4 * particles::kTile * hinge_tiles_.size(), -1);
+  std::vector<std::array<int, 2>> pairs(10 * particles::kTile * hinge_tiles_.size(), {-1, -1});
   for (std::size_t t = 0; t < hinge_tiles_.size(); ++t) {
-    for (TileIndex& row : hinge_tiles_[t].moment) row.fill(no_moment);
-    for (TileIndex& row : hinge_tiles_[t].own) row.fill(no_stiffness);
-    for (int i = 0; i < kTile; ++i) {
-      const std::size_t hinge = t * kTile + i;
+    for (particles::TileIndex& row : hinge_tiles_[t].moment) row.fill(no_moment);
+    for (particles::TileIndex& row : hinge_tiles_[t].own) row.fill(no_stiffness);
+    for (int i = 0; i < particles::kTile; ++i) {
+      const std::size_t hinge = t * particles::kTile + i;
       const auto& v = mesh_.hinges[hinge < hinges ? hinge : 0];
       for (int a = 0; a < 4; ++a) hinge_tiles_[t].corner[a][i] = v[a];
       if (hinge >= hinges) continue;
@@ -58,16 +58,17 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
       }
     }
   }
-  to_particles_ = ParticleGather(particle);
-  to_blocks_ = BlockGather(pairs);
+  to_particles_ = particles::ParticleGather(particle);
+  to_blocks_ = particles::BlockGather(pairs);
 
   // Patches: area, rigidity and fit, and in each hinge the places of the moments about it.
   for (PatchTile& tile : patch_tiles_)
-    for (TileIndex& row : tile.hinge) row.fill(no_angle);
+    for (particles::TileIndex& row : tile.hinge) row.fill(no_angle);
   std::vector<int> acting(hinges, 0), owned(hinges, 0);
   for (std::size_t t = 0; t < patches; ++t) {
     const CurvaturePatch& p = mesh_.patches[t];
-    const int block = static_cast<int>(t) / kTile, i = static_cast<int>(t) % kTile;
+    const int block = static_cast<int>(t) / particles::kTile,
+              i = static_cast<int>(t) % particles::kTile;
     PatchTile& tile = patch_tiles_[block];
     tile.area[i] = p.area;
     const Mat3 d = p.area * rigidity[t];
@@ -76,14 +77,14 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
     for (int k = 0; k < p.hinges; ++k) {
       const int hinge = p.hinge[k];
       if (hinge < 0) continue;
-      HingeTile& about = hinge_tiles_[hinge / kTile];
-      const int place = hinge % kTile;
+      HingeTile& about = hinge_tiles_[hinge / particles::kTile];
+      const int place = hinge % particles::kTile;
       tile.hinge[k][i] = hinge;
       for (int c = 0; c < 3; ++c) tile.s[k][c][i] = p.s(c, k);
-      about.moment[acting[hinge]++][place] = (9 * block + k) * kTile + i;
+      about.moment[acting[hinge]++][place] = (9 * block + k) * particles::kTile + i;
       // The first three hinges are the triangle's own: they carry the tangent of single hinges.
       if (k >= 3) continue;
-      about.own[owned[hinge]++][place] = (3 * block + k) * kTile + i;
+      about.own[owned[hinge]++][place] = (3 * block + k) * particles::kTile + i;
       about.stiffness[place] += p.fit.col(k).dot(d * p.fit.col(k));
     }
   }
@@ -95,10 +96,10 @@ void BendingEnergy::build_tiles(const std::vector<Mat3>& rigidity) {
   moment_.assign(no_moment + 1, 0.0);
   gradient_.resize(hinge_tiles_.size());
   energy_.resize(patch_tiles_.size());
-  force_.resize(4 * kTile * hinge_tiles_.size());
+  force_.resize(4 * particles::kTile * hinge_tiles_.size());
 }
 
-Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
+Vec3 BendingEnergy::curvature(int triangle, const particles::VectorField& x) const {
   const CurvaturePatch& p = mesh_.patches[triangle];
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < p.hinges; ++k)
@@ -109,17 +110,17 @@ Vec3 BendingEnergy::curvature(int triangle, const VectorField& x) const {
   return sum;
 }
 
-void BendingEnergy::set_active_set(const ActiveSet* active_set) {
+void BendingEnergy::set_active_set(const particles::ActiveSet* active_set) {
   active_set_ = active_set;
-  turning_ = bent_ = tiles_in(active_set, hinge_tiles_);
-  bending_ = IndexSubset(patch_tiles_.size());
+  turning_ = bent_ = particles::tiles_in(active_set, hinge_tiles_);
+  bending_ = particles::IndexSubset(patch_tiles_.size());
   if (!active_set) return;
   const auto of_tile = [&](int tile, const auto& visit) {
-    const auto end = std::min<std::size_t>(mesh_.patches.size(), kTile * (tile + 1));
-    for (std::size_t t = kTile * tile; t < end; ++t) visit(mesh_.patches[t]);
+    const auto end = std::min<std::size_t>(mesh_.patches.size(), particles::kTile * (tile + 1));
+    for (std::size_t t = particles::kTile * tile; t < end; ++t) visit(mesh_.patches[t]);
   };
   std::vector<char> wanted(hinge_tiles_.size(), 0);
-  bending_ = IndexSubset(patch_tiles_.size(), [&](int tile) {
+  bending_ = particles::IndexSubset(patch_tiles_.size(), [&](int tile) {
     bool touched = false;
     of_tile(tile, [&](const CurvaturePatch& p) {
       touched = touched || active_set->touches(p.particle, p.count);
@@ -127,24 +128,24 @@ void BendingEnergy::set_active_set(const ActiveSet* active_set) {
     if (touched)
       of_tile(tile, [&](const CurvaturePatch& p) {
         for (int k = 0; k < p.hinges; ++k)
-          if (p.hinge[k] >= 0) wanted[p.hinge[k] / kTile] = 1;
+          if (p.hinge[k] >= 0) wanted[p.hinge[k] / particles::kTile] = 1;
       });
     return touched;
   });
   for (int k = 0; k < turning_.size(); ++k) wanted[turning_[k]] = 1;
-  bent_ = IndexSubset(hinge_tiles_.size(), [&](int tile) { return wanted[tile] != 0; });
+  bent_ = particles::IndexSubset(hinge_tiles_.size(), [&](int tile) { return wanted[tile] != 0; });
 }
 
-void BendingEnergy::find_angles(const VectorField& x, bool with_gradient) const {
-  for_tiles(bent_, [&](int t) {
+void BendingEnergy::find_angles(const particles::VectorField& x, bool with_gradient) const {
+  particles::for_tiles(bent_, [&](int t) {
     HingePoints point;
-    gather_points(x, hinge_tiles_[t].corner, point);
-    TileRow angle;
+    particles::gather_points(x, hinge_tiles_[t].corner, point);
+    particles::TileRow angle;
     if (with_gradient)
       hinge_angles(point, angle, gradient_[t]);
     else
       hinge_angles(point, angle);
-    std::copy(angle.begin(), angle.end(), angle_.begin() + kTile * t);
+    std::copy(angle.begin(), angle.end(), angle_.begin() + particles::kTile * t);
   });
 }
 
@@ -158,42 +159,43 @@ void BendingEnergy::patch_response(int t, PlaneRows& curvature, PlaneResponse& r
   if (friction_.active()) friction_.add(curvature, anchor_[t], tile.area, response);
 }
 
-double BendingEnergy::bend(const VectorField& x, bool with_moments) const {
+double BendingEnergy::bend(const particles::VectorField& x, bool with_moments) const {
   find_angles(x, with_moments);
-  for_tiles(bending_, [&](int t) {
+  particles::for_tiles(bending_, [&](int t) {
     PlaneRows curvature;
     PlaneResponse response;
     patch_response(t, curvature, response);
-    energy_[t] = sum_of(response.energy);
+    energy_[t] = particles::sum_of(response.energy);
     if (!with_moments) return;
-    std::array<TileRow, 9> moment;
+    std::array<particles::TileRow, 9> moment;
     patch_moments(patch_tiles_[t], response.stress, moment);
     for (int k = 0; k < 9; ++k)
-      std::copy(moment[k].begin(), moment[k].end(), moment_.begin() + (9 * t + k) * kTile);
+      std::copy(moment[k].begin(), moment[k].end(),
+                moment_.begin() + (9 * t + k) * particles::kTile);
   });
   double sum = 0;
   for (int k = 0; k < bending_.size(); ++k) sum += energy_[bending_[k]];
   return sum;
 }
 
-TileRow BendingEnergy::moments_about(const HingeTile& tile) const {
-  TileRow sum{};
-  for (const TileIndex& from : tile.moment)
-    for (int i = 0; i < kTile; ++i) sum[i] += moment_[from[i]];
+particles::TileRow BendingEnergy::moments_about(const HingeTile& tile) const {
+  particles::TileRow sum{};
+  for (const particles::TileIndex& from : tile.moment)
+    for (int i = 0; i < particles::kTile; ++i) sum[i] += moment_[from[i]];
   return sum;
 }
 
-void BendingEnergy::begin_step(const VectorField& x, double dt) {
+void BendingEnergy::begin_step(const particles::VectorField& x, double dt) {
   viscous_ratio_ = std::isfinite(dt) && dt > 0 ? damping_ / dt : 0;
   if (viscous_ratio_ <= 0 && !friction_.active()) return;
   // The yarns slide from step to step; iterates of one balance leave no trace.
   const bool slide = friction_.active() && std::isfinite(dt);
   find_angles(x, false);
-  for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
+  particles::for_tiles(static_cast<int>(patch_tiles_.size()), [&](int t) {
     PlaneRows& now = curvature_start_[t];
     patch_curvature(patch_tiles_[t], angle_.data(), now);
     if (!slide) return;
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const Vec3 curvature(now[0][i], now[1][i], now[2][i]),
           before(anchor_[t][0][i], anchor_[t][1][i], anchor_[t][2][i]);
       const Vec3 after = friction_.carried(friction_.slide(curvature), before);
@@ -202,25 +204,27 @@ void BendingEnergy::begin_step(const VectorField& x, double dt) {
   });
 }
 
-double BendingEnergy::value(const VectorField& x) const { return bend(x, false); }
+double BendingEnergy::value(const particles::VectorField& x) const { return bend(x, false); }
 
-void BendingEnergy::add_gradient(const VectorField& x, VectorField& g) const {
+void BendingEnergy::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   value_and_gradient(x, g);
 }
 
-double BendingEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
+double BendingEnergy::value_and_gradient(const particles::VectorField& x,
+                                         particles::VectorField& g) const {
   const double energy = bend(x, true);
-  for_tiles(turning_, [&](int t) {
-    std::array<TileRow, 12> row;
+  particles::for_tiles(turning_, [&](int t) {
+    std::array<particles::TileRow, 12> row;
     hinge_forces(gradient_[t], moments_about(hinge_tiles_[t]), row);
-    spread(row, force_[4 * kTile * t].data());
+    particles::spread(row, force_[4 * particles::kTile * t].data());
   });
   to_particles_.add(force_, g, active_set_);
   return energy;
 }
 
-void BendingEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
-  if (tangent_ == BendingTangent::hinge)
+void BendingEnergy::add_pattern(const particles::VectorField&,
+                                particles::BlockPattern& pattern) const {
+  if (tangent_ == particles::BendingTangent::hinge)
     to_blocks_.add_pattern(pattern);
   else
     patch_tangent().add_pattern(pattern);
@@ -240,81 +244,87 @@ Mat3 BendingEnergy::friction_tangent(const PlaneRows& curvature, int t, int i) c
 }
 
 void BendingEnergy::find_friction_stiffness() const {
-  friction_stiffness_.resize(3 * kTile * patch_tiles_.size() + 1);
-  for_tiles(bending_, [&](int t) {
+  friction_stiffness_.resize(3 * particles::kTile * patch_tiles_.size() + 1);
+  particles::for_tiles(bending_, [&](int t) {
     PlaneRows curvature;
     patch_curvature(patch_tiles_[t], angle_.data(), curvature);
-    for (int i = 0; i < kTile && t * kTile + i < static_cast<int>(mesh_.patches.size()); ++i) {
+    for (int i = 0;
+         i < particles::kTile && t * particles::kTile + i < static_cast<int>(mesh_.patches.size());
+         ++i) {
       const Mat3 inner = friction_tangent(curvature, t, i);
-      const Mat3& fit = mesh_.patches[t * kTile + i].fit;
+      const Mat3& fit = mesh_.patches[t * particles::kTile + i].fit;
       for (int k = 0; k < 3; ++k)
-        friction_stiffness_[(3 * t + k) * kTile + i] = fit.col(k).dot(inner * fit.col(k));
+        friction_stiffness_[(3 * t + k) * particles::kTile + i] =
+            fit.col(k).dot(inner * fit.col(k));
     }
   });
 }
 
-TileRow BendingEnergy::hinge_stiffness(const HingeTile& tile) const {
-  TileRow sum = tile.stiffness;
+particles::TileRow BendingEnergy::hinge_stiffness(const HingeTile& tile) const {
+  particles::TileRow sum = tile.stiffness;
   for (double& k : sum) k *= 1 + viscous_ratio_;
   if (friction_.active())
-    for (const TileIndex& from : tile.own)
-      for (int i = 0; i < kTile; ++i) sum[i] += friction_stiffness_[from[i]];
+    for (const particles::TileIndex& from : tile.own)
+      for (int i = 0; i < particles::kTile; ++i) sum[i] += friction_stiffness_[from[i]];
   return sum;
 }
 
-void BendingEnergy::add_patches(BlockMatrix& h) const {
-  for_tiles(bent_, [&](int t) {
-    TileRow one;
+void BendingEnergy::add_patches(particles::BlockMatrix& h) const {
+  particles::for_tiles(bent_, [&](int t) {
+    particles::TileRow one;
     one.fill(1);
-    std::array<TileRow, 12> row;
+    std::array<particles::TileRow, 12> row;
     hinge_forces(gradient_[t], one, row);
-    spread(row, force_[4 * kTile * t].data());
+    particles::spread(row, force_[4 * particles::kTile * t].data());
   });
   PatchTangent& tangent = patch_tangent();
-  for_tiles(bending_, [&](int t) {
+  particles::for_tiles(bending_, [&](int t) {
     const PatchTile& tile = patch_tiles_[t];
     PlaneRows curvature;
     if (friction_.active()) patch_curvature(tile, angle_.data(), curvature);
-    for (int i = 0; i < kTile && t * kTile + i < static_cast<int>(mesh_.patches.size()); ++i) {
+    for (int i = 0;
+         i < particles::kTile && t * particles::kTile + i < static_cast<int>(mesh_.patches.size());
+         ++i) {
       const PlaneTangent& d = tile.rigidity;
       Mat3 k;
       k << d[0][i], d[2][i], 0, d[2][i], d[1][i], 0, 0, 0, d[3][i];
       k *= 1 + viscous_ratio_;
       if (friction_.active()) k += friction_tangent(curvature, t, i);
-      tangent.set(t * kTile + i, mesh_.patches[t * kTile + i], k, force_);
+      tangent.set(t * particles::kTile + i, mesh_.patches[t * particles::kTile + i], k, force_);
     }
   });
   tangent.add(h);
 }
 
-void BendingEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  const bool exact = kind == HessianKind::exact;
+void BendingEnergy::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                                particles::HessianKind kind) const {
+  const bool exact = kind == particles::HessianKind::exact;
   constexpr double kFlat = 0.25;  // [rad]; below it the moment part of a hinge may be left out
   // The plate tangent has the stiffness of the angles from the patches (definite in itself);
   // otherwise each hinge has its own.
-  const bool patches = tangent_ == BendingTangent::plate;
+  const bool patches = tangent_ == particles::BendingTangent::plate;
   bend(x, true);
   if (!patches && friction_.active()) find_friction_stiffness();
 
-  block_.resize(10 * kTile * hinge_tiles_.size());
-  for_tiles(turning_, [&](int t) {
+  block_.resize(10 * particles::kTile * hinge_tiles_.size());
+  particles::for_tiles(turning_, [&](int t) {
     const HingeTile& tile = hinge_tiles_[t];
     HingePoints point;
-    gather_points(x, tile.corner, point);
-    const TileRow stiffness = patches ? TileRow{} : hinge_stiffness(tile);
-    TileRow moment = moments_about(tile);
+    particles::gather_points(x, tile.corner, point);
+    const particles::TileRow stiffness = patches ? particles::TileRow{} : hinge_stiffness(tile);
+    particles::TileRow moment = moments_about(tile);
     HingeBlocks row;
     if (exact) {
       hinge_blocks(point, stiffness, moment, row);
     } else {
-      for (int i = 0; i < kTile; ++i)
-        if (std::abs(angle_[kTile * t + i]) <= kFlat) moment[i] = 0;
+      for (int i = 0; i < particles::kTile; ++i)
+        if (std::abs(angle_[particles::kTile * t + i]) <= kFlat) moment[i] = 0;
       hinge_definite_blocks(point, stiffness, moment, row);
     }
-    spread(row, block_[10 * kTile * t].data());
+    particles::spread(row, block_[10 * particles::kTile * t].data());
   });
   to_blocks_.add(block_, h, active_set_);
   if (patches) add_patches(h);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -12,7 +12,7 @@
 #include "loosefit/particles/energy_capabilities.h"
 #include "loosefit/particles/particle_gather.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// Rigidity of an orthotropic plate for (κ_uu, κ_vv, 2κ_uv) [N m]: D_u = B_u, D_v = B_v,
 /// D_12 = ν_b √(D_u D_v), D_66 = (1 − ν_b) √(D_u D_v)/2 (docs/theory/materials.md 7), plus an
@@ -32,10 +32,10 @@ Mat3 plate_rigidity(const Material& material, double added = 0);
 /// triangle. The projected one of either tangent leaves out the moments of hinges that are nearly
 /// flat and takes the positive part of the others (hinge_definite_blocks). The memory of the inner
 /// friction starts from flat cloth: what is bent at first has been bent there in one go.
-class BendingEnergy : public Energy,
-                      public LaggedState,
-                      public TangentChoice,
-                      public ActiveSetUser {
+class BendingEnergy : public particles::Energy,
+                      public particles::LaggedState,
+                      public particles::TangentChoice,
+                      public particles::ActiveSetUser {
  public:
   BendingEnergy(const std::vector<Triangle>& triangles,
                 const std::vector<std::array<Vec2, 3>>& triangle_uv,
@@ -43,65 +43,70 @@ class BendingEnergy : public Energy,
                 bool viscous = false, const std::vector<char>& built_in = {});
 
   /// Curvature (κ_uu, κ_vv, 2κ_uv) of a triangle [1/m], positive where the outside is convex.
-  Vec3 curvature(int triangle, const VectorField& x) const;
+  Vec3 curvature(int triangle, const particles::VectorField& x) const;
 
   /// Where the yarns have slid to: the memory of the inner friction, to be taken up again by
   /// `recall` of the same cloth.
   const std::vector<PlaneRows>& memory() const { return anchor_; }
   void recall(const std::vector<PlaneRows>& memory) { anchor_ = memory; }
 
-  void set_tangent(BendingTangent tangent) override {
+  void set_tangent(particles::BendingTangent tangent) override {
     pattern_version_ += tangent != tangent_;  // each tangent has a pattern of its own
     tangent_ = tangent;
   }
-  void set_active_set(const ActiveSet* active_set) override;
-  void begin_step(const VectorField& x, double dt) override;
-  double value(const VectorField& x) const override;
-  void add_gradient(const VectorField& x, VectorField& g) const override;
-  double value_and_gradient(const VectorField& x, VectorField& g) const override;
-  void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
-  std::uint64_t pattern_version(const VectorField&) const override { return pattern_version_; }
-  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+  void set_active_set(const particles::ActiveSet* active_set) override;
+  void begin_step(const particles::VectorField& x, double dt) override;
+  double value(const particles::VectorField& x) const override;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override;
+  double value_and_gradient(const particles::VectorField& x,
+                            particles::VectorField& g) const override;
+  void add_pattern(const particles::VectorField& x,
+                   particles::BlockPattern& pattern) const override;
+  std::uint64_t pattern_version(const particles::VectorField&) const override {
+    return pattern_version_;
+  }
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                   particles::HessianKind kind) const override;
 
  private:
   /// A tile of hinges; missing ones at the end repeat the first.
   struct HingeTile {
-    std::array<TileIndex, 4> corner;
-    std::array<TileIndex, 6> moment;  ///< places in moment_ that act about it
-    std::array<TileIndex, 2> own;     ///< places in friction_stiffness_
-    TileRow stiffness;                ///< of the hinge tangent [N m]
+    std::array<particles::TileIndex, 4> corner;
+    std::array<particles::TileIndex, 6> moment;  ///< places in moment_ that act about it
+    std::array<particles::TileIndex, 2> own;     ///< places in friction_stiffness_
+    particles::TileRow stiffness;                ///< of the hinge tangent [N m]
   };
   void build_tiles(const std::vector<Mat3>& rigidity);
   /// Angles into angle_, with gradients into gradient_ if these are wanted.
-  void find_angles(const VectorField& x, bool with_gradient) const;
+  void find_angles(const particles::VectorField& x, bool with_gradient) const;
   /// Energy, with angles into angle_; on demand also their gradients into gradient_ and the moments
   /// about the hinges into moment_.
-  double bend(const VectorField& x, bool with_moments) const;
+  double bend(const particles::VectorField& x, bool with_moments) const;
   void patch_response(int tile, PlaneRows& curvature, PlaneResponse& response) const;
-  TileRow moments_about(const HingeTile& tile) const;
+  particles::TileRow moments_about(const HingeTile& tile) const;
   Mat3 friction_tangent(const PlaneRows& curvature, int tile, int i) const;
-  TileRow hinge_stiffness(const HingeTile& tile) const;
+  particles::TileRow hinge_stiffness(const HingeTile& tile) const;
   void find_friction_stiffness() const;
-  void add_patches(BlockMatrix& h) const;
+  void add_patches(particles::BlockMatrix& h) const;
   PatchTangent& patch_tangent() const;
 
   CurvaturePatches mesh_;
   std::vector<HingeTile> hinge_tiles_;
   std::vector<PatchTile> patch_tiles_;
   BendingFriction friction_;
-  BendingTangent tangent_ = BendingTangent::plate;
+  particles::BendingTangent tangent_ = particles::BendingTangent::plate;
   std::uint64_t pattern_version_ = 0;
   std::vector<PlaneRows> anchor_;  ///< z₀ of the inner friction, per patch
   double damping_ = 0;             ///< τ [s]
   double viscous_ratio_ = 0;       ///< τ/dt of the current step
   std::vector<PlaneRows> curvature_start_;
 
-  const ActiveSet* active_set_ = nullptr;
+  const particles::ActiveSet* active_set_ = nullptr;
   /// Tiles of hinges that bear forces, tiles of patches that bend, and those of their hinges.
-  IndexSubset turning_, bending_, bent_;
+  particles::IndexSubset turning_, bending_, bent_;
 
-  ParticleGather to_particles_;
-  BlockGather to_blocks_;
+  particles::ParticleGather to_particles_;
+  particles::BlockGather to_blocks_;
   mutable std::unique_ptr<PatchTangent> patch_tangent_;  ///< made when it is first asked for
   // Room that is kept from call to call: an energy belongs to one thread at a time.
   mutable std::vector<double> angle_;  ///< per hinge [rad]; the last stays 0
@@ -113,4 +118,4 @@ class BendingEnergy : public Energy,
   mutable std::vector<Mat3> block_;                 ///< ten per hinge
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

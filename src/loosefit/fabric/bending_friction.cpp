@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 LOOSEFIT_VECTORISED
 static void add_friction(const std::array<double, 3>& scale, double limit, double reach,
-                         const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
-                         PlaneResponse& out) {
-  for (int i = 0; i < kTile; ++i) {
+                         const PlaneRows& curvature, const PlaneRows& anchor,
+                         const particles::TileRow& area, PlaneResponse& out) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double z0 = scale[0] * curvature[0][i] - anchor[0][i],
                  z1 = scale[1] * curvature[1][i] - anchor[1][i],
                  z2 = scale[2] * curvature[2][i] - anchor[2][i];
@@ -60,9 +60,9 @@ BendingFriction::Response BendingFriction::respond(const Vec3& curvature,
   return r;
 }
 
-void BendingFriction::add(const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
-                          PlaneResponse& out) const {
+void BendingFriction::add(const PlaneRows& curvature, const PlaneRows& anchor,
+                          const particles::TileRow& area, PlaneResponse& out) const {
   add_friction({scale_[0], scale_[1], scale_[2]}, limit_, reach_, curvature, anchor, area, out);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

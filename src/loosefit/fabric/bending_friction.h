@@ -2,7 +2,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/fabric/plane_law.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// Inner friction of a bent fabric: the hysteresis 2HB of the KES bending test, as a Jenkin element
 /// (spring and slider in series) beside the elastic sheet (docs/theory/validation.md 2.3).
@@ -35,7 +35,7 @@ class BendingFriction {
   };
   Response respond(const Vec3& curvature, const Vec3& anchor) const;
   /// The same without the tangent for a tile of triangles: adds area × energy and moment.
-  void add(const PlaneRows& curvature, const PlaneRows& anchor, const TileRow& area,
+  void add(const PlaneRows& curvature, const PlaneRows& anchor, const particles::TileRow& area,
            PlaneResponse& out) const;
 
  private:
@@ -44,4 +44,4 @@ class BendingFriction {
   Vec3 scale_ = Vec3::Zero();
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 /// A flat triangle with the gradients of its barycentric coordinates.
@@ -143,8 +143,8 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
                                    const std::vector<Mat3>& rigidity,
                                    const std::vector<char>& built_in) {
   const auto is_built_in = [&](int t) { return !built_in.empty() && built_in[t]; };
-  using Side = MeshTopology::Side;
-  const MeshTopology topology(triangles);
+  using Side = geometry::MeshTopology::Side;
+  const geometry::MeshTopology topology(triangles);
   std::vector<FlatTriangle> flat;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     flat.push_back(flat_triangle(triangle_uv[t], t));
@@ -231,4 +231,4 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

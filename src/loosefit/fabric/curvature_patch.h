@@ -3,7 +3,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// Curvature of a triangulated sheet from its dihedral angles, triangle by triangle.
 ///
@@ -53,4 +53,4 @@ CurvaturePatches curvature_patches(const std::vector<Triangle>& triangles,
                                    const std::vector<Mat3>& rigidity,
                                    const std::vector<char>& built_in = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
-using Row3 = std::array<TileRow, 3>;
+using Row3 = std::array<particles::TileRow, 3>;
 
 /// Directions and lengths of a tile of hinges; index 0: triangle with x2, 1: with x3.
 struct Frame {
   Row3 u, n[2], t[2];
-  TileRow per_length, share[2], per_height[2];
+  particles::TileRow per_length, share[2], per_height[2];
 };
 
 /// Where entry (row, column) of block (a, b), a ≥ b, stands in HingeBlocks.
@@ -22,8 +22,8 @@ constexpr int place(int a, int b, int row, int column) {
 
 LOOSEFIT_VECTORISED
 static void hinge_frame(const HingePoints& x, Frame& f) {
-  TileRow square;
-  for (int i = 0; i < kTile; ++i) {
+  particles::TileRow square;
+  for (int i = 0; i < particles::kTile; ++i) {
     const double e0 = x[1][0][i] - x[0][0][i], e1 = x[1][1][i] - x[0][1][i],
                  e2 = x[1][2][i] - x[0][2][i];
     square[i] = e0 * e0 + e1 * e1 + e2 * e2;
@@ -34,7 +34,7 @@ static void hinge_frame(const HingePoints& x, Frame& f) {
     f.u[2][i] = per * e2;
   }
   for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const double u0 = f.u[0][i], u1 = f.u[1][i], u2 = f.u[2][i];
       const double a0 = x[2 + k][0][i] - x[0][0][i], a1 = x[2 + k][1][i] - x[0][1][i],
                    a2 = x[2 + k][2][i] - x[0][2][i];
@@ -59,7 +59,7 @@ LOOSEFIT_VECTORISED
 static void complete(HingeBlocks& out) {
   for (int q = 0; q < 3; ++q)
     for (int p = 0; p < 3; ++p)
-      for (int i = 0; i < kTile; ++i) {
+      for (int i = 0; i < particles::kTile; ++i) {
         out[place(1, 0, p, q)][i] =
             -(out[place(1, 1, p, q)][i] + out[place(2, 1, q, p)][i] + out[place(3, 1, q, p)][i]);
         out[place(2, 0, p, q)][i] =
@@ -69,24 +69,24 @@ static void complete(HingeBlocks& out) {
       }
   for (int q = 0; q < 3; ++q)
     for (int p = 0; p < 3; ++p)
-      for (int i = 0; i < kTile; ++i)
+      for (int i = 0; i < particles::kTile; ++i)
         out[place(0, 0, p, q)][i] =
             -(out[place(1, 0, p, q)][i] + out[place(2, 0, p, q)][i] + out[place(3, 0, p, q)][i]);
 }
 
 LOOSEFIT_VECTORISED
-void hinge_blocks(const HingePoints& x, const TileRow& stiffness, const TileRow& moment,
-                  HingeBlocks& out) {
+void hinge_blocks(const HingePoints& x, const particles::TileRow& stiffness,
+                  const particles::TileRow& moment, HingeBlocks& out) {
   Frame f;
   hinge_frame(x, f);
   Row3 g1;  // ∂θ/∂x1
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < kTile; ++i)
+    for (int i = 0; i < particles::kTile; ++i)
       g1[c][i] = f.share[0][i] * f.per_height[0][i] * f.n[0][c][i] +
                  f.share[1][i] * f.per_height[1][i] * f.n[1][c][i];
   for (int q = 0; q < 3; ++q)
     for (int p = 0; p < 3; ++p)
-      for (int i = 0; i < kTile; ++i) {
+      for (int i = 0; i < particles::kTile; ++i) {
         const double k = stiffness[i], m = moment[i], l = f.per_length[i];
         const double h = f.per_height[0][i], j = f.per_height[1][i];
         const double s = f.share[0][i], r = f.share[1][i];
@@ -109,13 +109,13 @@ void hinge_blocks(const HingePoints& x, const TileRow& stiffness, const TileRow&
 }
 
 LOOSEFIT_VECTORISED
-void hinge_definite_blocks(const HingePoints& x, const TileRow& stiffness, const TileRow& moment,
-                           HingeBlocks& out) {
+void hinge_definite_blocks(const HingePoints& x, const particles::TileRow& stiffness,
+                           const particles::TileRow& moment, HingeBlocks& out) {
   Frame f;
   hinge_frame(x, f);
   // y[r][a]: the matrix is Σ_r y_r y_rᵀ over the points a = 1, 2, 3.
   std::array<std::array<Row3, 3>, 4> y;
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double k = stiffness[i], m = moment[i];
     const double u[3] = {f.u[0][i], f.u[1][i], f.u[2][i]};
     const double n[3] = {f.n[0][0][i], f.n[0][1][i], f.n[0][2][i]};
@@ -173,11 +173,11 @@ void hinge_definite_blocks(const HingePoints& x, const TileRow& stiffness, const
     for (int b = 0; b <= a; ++b)
       for (int q = 0; q < 3; ++q)
         for (int p = 0; p < 3; ++p)
-          for (int i = 0; i < kTile; ++i)
+          for (int i = 0; i < particles::kTile; ++i)
             out[place(a + 1, b + 1, p, q)][i] =
                 y[0][a][p][i] * y[0][b][q][i] + y[1][a][p][i] * y[1][b][q][i] +
                 y[2][a][p][i] * y[2][b][q][i] + y[3][a][p][i] * y[3][b][q][i];
   complete(out);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

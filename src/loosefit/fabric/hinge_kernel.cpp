@@ -4,7 +4,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 /// atan2(y, x), zero at the origin. Rational approximation of Moshier 1989 (Cephes).
@@ -38,8 +38,8 @@ inline double arc_tangent(double y, double x) {
 }  // namespace
 
 LOOSEFIT_VECTORISED
-void hinge_angles(const HingePoints& x, TileRow& angle) {
-  for (int i = 0; i < kTile; ++i) {
+void hinge_angles(const HingePoints& x, particles::TileRow& angle) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double e0 = x[1][0][i] - x[0][0][i], e1 = x[1][1][i] - x[0][1][i],
                  e2 = x[1][2][i] - x[0][2][i];
     const double a0 = x[2][0][i] - x[0][0][i], a1 = x[2][1][i] - x[0][1][i],
@@ -55,8 +55,8 @@ void hinge_angles(const HingePoints& x, TileRow& angle) {
 }
 
 LOOSEFIT_VECTORISED
-void hinge_angles(const HingePoints& x, TileRow& angle, HingeGradient& gradient) {
-  for (int i = 0; i < kTile; ++i) {
+void hinge_angles(const HingePoints& x, particles::TileRow& angle, HingeGradient& gradient) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double e0 = x[1][0][i] - x[0][0][i], e1 = x[1][1][i] - x[0][1][i],
                  e2 = x[1][2][i] - x[0][2][i];
     const double a0 = x[2][0][i] - x[0][0][i], a1 = x[2][1][i] - x[0][1][i],
@@ -81,10 +81,10 @@ void hinge_angles(const HingePoints& x, TileRow& angle, HingeGradient& gradient)
 }
 
 LOOSEFIT_VECTORISED
-void hinge_forces(const HingeGradient& gradient, const TileRow& scale,
-                  std::array<TileRow, 12>& out) {
+void hinge_forces(const HingeGradient& gradient, const particles::TileRow& scale,
+                  std::array<particles::TileRow, 12>& out) {
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const double f2 = scale[i] * gradient[c][i], f3 = scale[i] * gradient[3 + c][i];
       const double f1 = -(gradient[6][i] * f2 + gradient[7][i] * f3);
       out[c][i] = -(f1 + f2 + f3);
@@ -94,4 +94,4 @@ void hinge_forces(const HingeGradient& gradient, const TileRow& scale,
     }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -8,7 +8,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 constexpr double kGramForce = 9.80665e-3;  // [N]
@@ -81,4 +81,4 @@ bool same_within_rounding(double measured, double converted, double si) {
   return std::abs(converted - si) <= (allowed + 1e-9) * std::abs(si);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

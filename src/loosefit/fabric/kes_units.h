@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// A quantity of the Kawabata system, its customary unit, and the factor to SI.
 struct KesUnit {
@@ -39,4 +39,4 @@ double tensile_secant(double emt_percent, double load_gf_per_cm = 500);
 /// that of the other, and never by more than 2 %.
 bool same_within_rounding(double measured, double converted, double si);
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// One point of a measured force-strain law; the origin is always part of the law.
 struct CurvePoint {
@@ -43,4 +43,4 @@ inline void scale_membrane(Material& material, double share) {
     for (CurvePoint& point : *curve) point.force *= share;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

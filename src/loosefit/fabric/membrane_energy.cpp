@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 namespace {
 
@@ -55,7 +55,7 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
   // One tile holds kTile triangles; missing ones at the end have no weight.
   count_ = triangles.size();
   factor_ = factor.empty() ? std::vector<double>(count_, 1.0) : factor;
-  tiles_.assign(tiles_for(count_), MembraneTile{});
+  tiles_.assign(particles::tiles_for(count_), MembraneTile{});
   std::vector<int> particle;
   std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -66,24 +66,24 @@ MembraneEnergy::MembraneEnergy(const std::vector<Triangle>& triangles,
       throw GeometryError("pattern triangle " + std::to_string(i) + " has no area");
     const double ru[] = {(b[1] - c[1]) / d, (c[1] - a[1]) / d, (a[1] - b[1]) / d};
     const double rv[] = {(c[0] - b[0]) / d, (a[0] - c[0]) / d, (b[0] - a[0]) / d};
-    MembraneTile& tile = tiles_[i / kTile];
+    MembraneTile& tile = tiles_[i / particles::kTile];
     for (int k = 0; k < 3; ++k) {
-      tile.corner[k][i % kTile] = triangles[i][k];
-      tile.ru[k][i % kTile] = ru[k];
-      tile.rv[k][i % kTile] = rv[k];
+      tile.corner[k][i % particles::kTile] = triangles[i][k];
+      tile.ru[k][i % particles::kTile] = ru[k];
+      tile.rv[k][i % particles::kTile] = rv[k];
       particle.push_back(triangles[i][k]);
       for (int j = 0; j <= k; ++j) pairs.push_back({triangles[i][k], triangles[i][j]});
     }
-    tile.weight[i % kTile] = 0.5 * std::abs(d) * factor_[i];
+    tile.weight[i % particles::kTile] = 0.5 * std::abs(d) * factor_[i];
   }
   // Where forces and blocks go, and working memory.
-  to_particles_ = ParticleGather(particle);
-  to_blocks_ = BlockGather(pairs);
-  active_tiles_ = IndexSubset(tiles_.size());
+  to_particles_ = particles::ParticleGather(particle);
+  to_blocks_ = particles::BlockGather(pairs);
+  active_tiles_ = particles::IndexSubset(tiles_.size());
   strain_start_.assign(tiles_.size(), kZeroRows);
   if (!plain_) tangent_start_.assign(tiles_.size(), PlaneTangent{});
   energy_.resize(tiles_.size());
-  force_.resize(3 * kTile * tiles_.size());
+  force_.resize(3 * particles::kTile * tiles_.size());
 }
 
 void MembraneEnergy::respond(const MembraneStrain& s, PlaneResponse& out,
@@ -94,7 +94,7 @@ void MembraneEnergy::respond(const MembraneStrain& s, PlaneResponse& out,
     if (tangent) *tangent = linear_;
     return;
   }
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double eu = s.strain[0][i], ev = s.strain[1][i];
     const auto u = law_u_.at(eu), v = law_v_.at(ev), shear = law_s_.at(s.strain[2][i]);
     out.energy[i] = u.energy + v.energy + shear.energy + coupling_ * eu * ev;
@@ -109,9 +109,9 @@ void MembraneEnergy::respond(const MembraneStrain& s, PlaneResponse& out,
   }
 }
 
-void MembraneEnergy::tile_state(int t, const VectorField& x, bool with_tangent,
+void MembraneEnergy::tile_state(int t, const particles::VectorField& x, bool with_tangent,
                                 TileState& state) const {
-  gather_points(x, tiles_[t].corner, state.x);
+  particles::gather_points(x, tiles_[t].corner, state.x);
   membrane_strain(tiles_[t], state.x, state.s);
   respond(state.s, state.response, with_tangent ? &state.tangent : nullptr);
   if (viscous_ratio_ > 0)
@@ -119,82 +119,86 @@ void MembraneEnergy::tile_state(int t, const VectorField& x, bool with_tangent,
                   viscous_ratio_, state.response);
 }
 
-void MembraneEnergy::begin_step(const VectorField& x, double dt) {
+void MembraneEnergy::begin_step(const particles::VectorField& x, double dt) {
   viscous_ratio_ = std::isfinite(dt) && dt > 0 ? damping_ / dt : 0;
   if (!(viscous_ratio_ > 0)) return;
-  for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
+  particles::for_tiles(static_cast<int>(tiles_.size()), [&](int t) {
     TileState state;
-    gather_points(x, tiles_[t].corner, state.x);
+    particles::gather_points(x, tiles_[t].corner, state.x);
     membrane_strain(tiles_[t], state.x, state.s);
     strain_start_[t] = state.s.strain;
     if (plain_) return;
     respond(state.s, state.response, &tangent_start_[t]);
-    for (int i = 0; i < kTile; ++i) drop_negative_part(tangent_start_[t], i);
+    for (int i = 0; i < particles::kTile; ++i) drop_negative_part(tangent_start_[t], i);
   });
 }
 
-void MembraneEnergy::set_active_set(const ActiveSet* active_set) {
+void MembraneEnergy::set_active_set(const particles::ActiveSet* active_set) {
   active_set_ = active_set;
-  active_tiles_ = tiles_in(active_set, tiles_);
+  active_tiles_ = particles::tiles_in(active_set, tiles_);
 }
 
-double MembraneEnergy::evaluate(const VectorField& x, bool forces) const {
-  for_tiles(active_tiles_, [&](int t) {
+double MembraneEnergy::evaluate(const particles::VectorField& x, bool forces) const {
+  particles::for_tiles(active_tiles_, [&](int t) {
     TileState state;
     tile_state(t, x, false, state);
-    TileRow& energy = state.response.energy;
-    for (int i = 0; i < kTile; ++i) energy[i] *= tiles_[t].weight[i];
-    energy_[t] = sum_of(energy);
+    particles::TileRow& energy = state.response.energy;
+    for (int i = 0; i < particles::kTile; ++i) energy[i] *= tiles_[t].weight[i];
+    energy_[t] = particles::sum_of(energy);
     if (!forces) return;
-    std::array<TileRow, 9> row;
+    std::array<particles::TileRow, 9> row;
     membrane_gradient(tiles_[t], state.s, state.response.stress, row);
-    spread(row, force_[3 * kTile * t].data());
+    particles::spread(row, force_[3 * particles::kTile * t].data());
   });
   double sum = 0;
   for (int k = 0; k < active_tiles_.size(); ++k) sum += energy_[active_tiles_[k]];
   return sum;
 }
 
-double MembraneEnergy::value(const VectorField& x) const { return evaluate(x, false); }
+double MembraneEnergy::value(const particles::VectorField& x) const { return evaluate(x, false); }
 
-void MembraneEnergy::add_gradient(const VectorField& x, VectorField& g) const {
+void MembraneEnergy::add_gradient(const particles::VectorField& x,
+                                  particles::VectorField& g) const {
   value_and_gradient(x, g);
 }
 
-double MembraneEnergy::value_and_gradient(const VectorField& x, VectorField& g) const {
+double MembraneEnergy::value_and_gradient(const particles::VectorField& x,
+                                          particles::VectorField& g) const {
   const double energy = evaluate(x, true);
   to_particles_.add(force_, g, active_set_);
   return energy;
 }
 
-void MembraneEnergy::add_pattern(const VectorField&, BlockPattern& pattern) const {
+void MembraneEnergy::add_pattern(const particles::VectorField&,
+                                 particles::BlockPattern& pattern) const {
   to_blocks_.add_pattern(pattern);
 }
 
-void MembraneEnergy::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const {
-  const bool exact = kind == HessianKind::exact;
-  const double compression = exact ? 1 : kind == HessianKind::half_compression ? 0.5 : 0;
-  block_.resize(6 * kTile * tiles_.size());
-  for_tiles(active_tiles_, [&](int t) {
+void MembraneEnergy::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                                 particles::HessianKind kind) const {
+  const bool exact = kind == particles::HessianKind::exact;
+  const double compression = exact ? 1 : kind == particles::HessianKind::half_compression ? 0.5 : 0;
+  block_.resize(6 * particles::kTile * tiles_.size());
+  particles::for_tiles(active_tiles_, [&](int t) {
     TileState state;
     tile_state(t, x, true, state);
     PlaneTangent& c = state.tangent;
     if (!plain_ && !exact)
-      for (int i = 0; i < kTile; ++i) drop_negative_part(c, i);
+      for (int i = 0; i < particles::kTile; ++i) drop_negative_part(c, i);
     if (viscous_ratio_ > 0) {
       const PlaneTangent& viscosity = plain_ ? linear_ : tangent_start_[t];
       for (int k = 0; k < 4; ++k)
-        for (int i = 0; i < kTile; ++i) c[k][i] += viscous_ratio_ * viscosity[k][i];
+        for (int i = 0; i < particles::kTile; ++i) c[k][i] += viscous_ratio_ * viscosity[k][i];
     }
-    std::array<TileRow, 54> row;
+    std::array<particles::TileRow, 54> row;
     membrane_blocks(tiles_[t], state.s, state.response.stress, c, compression, row);
-    spread(row, block_[6 * kTile * t].data());
+    particles::spread(row, block_[6 * particles::kTile * t].data());
   });
   to_blocks_.add(block_, h, active_set_);
 }
 
-MembraneEnergy::State MembraneEnergy::state(int triangle, const VectorField& x) const {
-  const int t = triangle / kTile, i = triangle % kTile;
+MembraneEnergy::State MembraneEnergy::state(int triangle, const particles::VectorField& x) const {
+  const int t = triangle / particles::kTile, i = triangle % particles::kTile;
   const MembraneTile& tile = tiles_[t];
   Vec3 u = Vec3::Zero(), v = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
@@ -210,4 +214,4 @@ MembraneEnergy::State MembraneEnergy::state(int triangle, const VectorField& x) 
                            law_v_.at(e[1]).stress + coupling_ * e[0], law_s_.at(e[2]).stress)};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -8,7 +8,7 @@
 #include "loosefit/particles/energy_capabilities.h"
 #include "loosefit/particles/particle_gather.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// In-plane elasticity of a sewn garment: orthotropic, on each triangle.
 ///
@@ -34,7 +34,9 @@ namespace loosefit {
 /// ε̇ ≈ (ε − ε_start)/dt, with C the tangent at the start of the step (without its negative part):
 /// it vanishes for rigid motion and in statics. Source: Volino and Magnenat-Thalmann 2005; Volino,
 /// Magnenat-Thalmann and Faure 2009.
-class MembraneEnergy : public Energy, public LaggedState, public ActiveSetUser {
+class MembraneEnergy : public particles::Energy,
+                       public particles::LaggedState,
+                       public particles::ActiveSetUser {
  public:
   /// triangle_uv: flat corners (u weft, v warp) [m]; factor: stiffness multiplier per triangle.
   /// \throws GeometryError for a flat triangle without area; InvalidInput as StressCurve.
@@ -42,24 +44,27 @@ class MembraneEnergy : public Energy, public LaggedState, public ActiveSetUser {
                  const std::vector<std::array<Vec2, 3>>& triangle_uv,
                  const std::vector<double>& factor, const Material& material, bool viscous = false);
 
-  void begin_step(const VectorField& x, double dt) override;
-  void set_active_set(const ActiveSet* active_set) override;
-  double value(const VectorField& x) const override;
-  void add_gradient(const VectorField& x, VectorField& g) const override;
-  double value_and_gradient(const VectorField& x, VectorField& g) const override;
-  void add_pattern(const VectorField& x, BlockPattern& pattern) const override;
-  void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const override;
+  void begin_step(const particles::VectorField& x, double dt) override;
+  void set_active_set(const particles::ActiveSet* active_set) override;
+  double value(const particles::VectorField& x) const override;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override;
+  double value_and_gradient(const particles::VectorField& x,
+                            particles::VectorField& g) const override;
+  void add_pattern(const particles::VectorField& x,
+                   particles::BlockPattern& pattern) const override;
+  void add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                   particles::HessianKind kind) const override;
 
   /// Green strain (ε_uu, ε_vv, γ) and second Piola-Kirchhoff stress (s_uu, s_vv, s_uv) [N/m].
   struct State {
     Vec3 strain, stress;
   };
-  State state(int triangle, const VectorField& x) const;
+  State state(int triangle, const particles::VectorField& x) const;
 
  private:
   /// Second Piola-Kirchhoff stress without viscosity and factor, energy and tangent [N/m].
   void respond(const MembraneStrain& s, PlaneResponse& out, PlaneTangent* tangent) const;
-  double evaluate(const VectorField& x, bool forces) const;
+  double evaluate(const particles::VectorField& x, bool forces) const;
   /// Strain, stress with viscosity and tangent of a tile.
   struct TileState {
     TrianglePoints x;
@@ -67,7 +72,8 @@ class MembraneEnergy : public Energy, public LaggedState, public ActiveSetUser {
     PlaneResponse response;
     PlaneTangent tangent;
   };
-  void tile_state(int tile, const VectorField& x, bool with_tangent, TileState& state) const;
+  void tile_state(int tile, const particles::VectorField& x, bool with_tangent,
+                  TileState& state) const;
 
   std::size_t count_ = 0;
   std::vector<MembraneTile> tiles_;
@@ -81,15 +87,15 @@ class MembraneEnergy : public Energy, public LaggedState, public ActiveSetUser {
   std::vector<PlaneRows> strain_start_;
   std::vector<PlaneTangent> tangent_start_;  ///< only for laws that are not plain
 
-  const ActiveSet* active_set_ = nullptr;
-  IndexSubset active_tiles_;
+  const particles::ActiveSet* active_set_ = nullptr;
+  particles::IndexSubset active_tiles_;
 
-  ParticleGather to_particles_;
-  BlockGather to_blocks_;
+  particles::ParticleGather to_particles_;
+  particles::BlockGather to_blocks_;
   // Room that is kept from call to call: an energy belongs to one thread at a time.
   mutable std::vector<double> energy_;  ///< per tile
   mutable std::vector<Vec3> force_;     ///< per corner
   mutable std::vector<Mat3> block_;     ///< six per triangle
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 LOOSEFIT_VECTORISED
 void membrane_strain(const MembraneTile& tile, const TrianglePoints& x, MembraneStrain& out) {
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       // The gradients of the shape functions add up to zero.
       const double a = x[1][c][i] - x[0][c][i], b = x[2][c][i] - x[0][c][i];
       out.u[c][i] = tile.ru[1][i] * a + tile.ru[2][i] * b;
       out.v[c][i] = tile.rv[1][i] * a + tile.rv[2][i] * b;
     }
   const auto &u = out.u, &v = out.v;
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     out.strain[0][i] = 0.5 * (u[0][i] * u[0][i] + u[1][i] * u[1][i] + u[2][i] * u[2][i] - 1);
     out.strain[1][i] = 0.5 * (v[0][i] * v[0][i] + v[1][i] * v[1][i] + v[2][i] * v[2][i] - 1);
     out.strain[2][i] = u[0][i] * v[0][i] + u[1][i] * v[1][i] + u[2][i] * v[2][i];
@@ -23,9 +23,9 @@ void membrane_strain(const MembraneTile& tile, const TrianglePoints& x, Membrane
 
 LOOSEFIT_VECTORISED
 void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
-                       std::array<TileRow, 9>& out) {
+                       std::array<particles::TileRow, 9>& out) {
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < kTile; ++i) {
+    for (int i = 0; i < particles::kTile; ++i) {
       const double w = tile.weight[i];
       const double pu = w * (stress[0][i] * s.u[c][i] + stress[2][i] * s.v[c][i]);
       const double pv = w * (stress[2][i] * s.u[c][i] + stress[1][i] * s.v[c][i]);
@@ -35,10 +35,11 @@ void membrane_gradient(const MembraneTile& tile, const MembraneStrain& s, const 
 
 LOOSEFIT_VECTORISED
 void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const PlaneRows& stress,
-                     const PlaneTangent& c, double compression, std::array<TileRow, 54>& out) {
+                     const PlaneTangent& c, double compression,
+                     std::array<particles::TileRow, 54>& out) {
   // Geometric stiffness: w rᵃᵀ stress rᵇ on the diagonal of block (a, b).
   PlaneRows g;
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double mean = 0.5 * (stress[0][i] + stress[1][i]),
                  half = 0.5 * (stress[0][i] - stress[1][i]), off = stress[2][i];
     const double radius = std::sqrt(half * half + off * off);
@@ -59,8 +60,8 @@ void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const Pl
   constexpr int kPlace[3] = {18, 45, 36};
   for (int k = 0; k < 3; ++k) {
     const int a = kOf[k][0], b = kOf[k][1];
-    TileRow uu, vv, uv, vu, geometric;
-    for (int i = 0; i < kTile; ++i) {
+    particles::TileRow uu, vv, uv, vu, geometric;
+    for (int i = 0; i < particles::kTile; ++i) {
       const double w = tile.weight[i];
       const double a1b1 = w * tile.ru[a][i] * tile.ru[b][i],
                    a2b2 = w * tile.rv[a][i] * tile.rv[b][i],
@@ -74,7 +75,7 @@ void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const Pl
     }
     for (int q = 0; q < 3; ++q)
       for (int p = 0; p < 3; ++p)
-        for (int i = 0; i < kTile; ++i)
+        for (int i = 0; i < particles::kTile; ++i)
           out[kPlace[k] + 3 * q + p][i] = (uu[i] * s.u[p][i] + vu[i] * s.v[p][i]) * s.u[q][i] +
                                           (uv[i] * s.u[p][i] + vv[i] * s.v[p][i]) * s.v[q][i] +
                                           (p == q ? geometric[i] : 0.0);
@@ -83,7 +84,7 @@ void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const Pl
   for (int q = 0; q < 3; ++q)
     for (int p = 0; p < 3; ++p) {
       const int pq = 3 * q + p, qp = 3 * p + q;
-      for (int i = 0; i < kTile; ++i) {
+      for (int i = 0; i < particles::kTile; ++i) {
         out[9 + pq][i] = -(out[18 + pq][i] + out[36 + qp][i]);
         out[27 + pq][i] = -(out[36 + pq][i] + out[45 + pq][i]);
       }
@@ -91,8 +92,8 @@ void membrane_blocks(const MembraneTile& tile, const MembraneStrain& s, const Pl
   for (int q = 0; q < 3; ++q)
     for (int p = 0; p < 3; ++p) {
       const int pq = 3 * q + p;
-      for (int i = 0; i < kTile; ++i) out[pq][i] = -(out[9 + pq][i] + out[27 + pq][i]);
+      for (int i = 0; i < particles::kTile; ++i) out[pq][i] = -(out[9 + pq][i] + out[27 + pq][i]);
     }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -4,7 +4,7 @@
 
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 /// L of K = L Lᵀ for K ⪰ 0, singular ones included.
@@ -39,7 +39,7 @@ std::vector<std::array<int, 2>> pairs_of(const std::vector<CurvaturePatch>& patc
 }  // namespace
 
 PatchTangent::Products::Products(const std::vector<CurvaturePatch>& patches)
-    : BlockGather(pairs_of(patches, kPairs)) {
+    : particles::BlockGather(pairs_of(patches, kPairs)) {
   std::array<std::array<int, 2>, kPairs> of{};
   for (int a = 0; a < kMost; ++a)
     for (int b = 0; b <= a; ++b) of[a * (a + 1) / 2 + b] = {a, b};
@@ -55,18 +55,20 @@ PatchTangent::Products::Products(const std::vector<CurvaturePatch>& patches)
   source_.shrink_to_fit();
 }
 
-void PatchTangent::Products::add(const std::vector<Factor>& factor, BlockMatrix& h) const {
+void PatchTangent::Products::add(const std::vector<Factor>& factor,
+                                 particles::BlockMatrix& h) const {
   find_slots(h);
-  for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
+  particles::for_ranges(static_cast<int>(row_.size()), 512, [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
-      Quad sum[3] = {};  // columns of Σ aᵀ b
+      particles::Quad sum[3] = {};  // columns of Σ aᵀ b
       for (int k = first_[p]; k < first_[p + 1]; ++k) {
         for (int side : factors_[k + kAhead]) {
           __builtin_prefetch(factor[side].data());
           __builtin_prefetch(factor[side].data() + 8);
         }
         // Not auto, which would forget that a Quad may lie anywhere.
-        const Quad* a = reinterpret_cast<const Quad*>(factor[factors_[k][0]].data());
+        const particles::Quad* a =
+            reinterpret_cast<const particles::Quad*>(factor[factors_[k][0]].data());
         const double* b = factor[factors_[k][1]].data();
         for (int q = 0; q < 3; ++q) sum[q] += a[0] * b[q] + a[1] * b[4 + q] + a[2] * b[8 + q];
       }
@@ -96,4 +98,4 @@ void PatchTangent::set(std::size_t t, const CurvaturePatch& patch, const Mat3& k
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -1,11 +1,11 @@
 #include "loosefit/fabric/plane_law.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 LOOSEFIT_VECTORISED
 void add_quadratic(const PlaneTangent& c, const PlaneRows& strain, const PlaneRows& start,
                    double share, PlaneResponse& out) {
-  for (int i = 0; i < kTile; ++i) {
+  for (int i = 0; i < particles::kTile; ++i) {
     const double d0 = strain[0][i] - start[0][i], d1 = strain[1][i] - start[1][i],
                  d2 = strain[2][i] - start[2][i];
     const double s0 = share * (c[0][i] * d0 + c[2][i] * d1);
@@ -18,4 +18,4 @@ void add_quadratic(const PlaneTangent& c, const PlaneRows& strain, const PlaneRo
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -1,16 +1,16 @@
 #pragma once
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// Laws between three strains, or curvatures, of a tile of triangles and their work conjugates.
-using PlaneRows = std::array<TileRow, 3>;
+using PlaneRows = std::array<particles::TileRow, 3>;
 
 /// Symmetric 3 × 3 tangent whose shear (twist) does not couple: C_uu, C_vv, C_uv, C_ss.
-using PlaneTangent = std::array<TileRow, 4>;
+using PlaneTangent = std::array<particles::TileRow, 4>;
 
 struct PlaneResponse {
-  TileRow energy;
+  particles::TileRow energy;
   PlaneRows stress;
 };
 
@@ -20,4 +20,4 @@ inline constexpr PlaneRows kZeroRows{};
 void add_quadratic(const PlaneTangent& c, const PlaneRows& strain, const PlaneRows& start,
                    double share, PlaneResponse& out);
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -6,7 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 namespace {
 
 std::string told(const CurvePoint& p) {
@@ -129,4 +129,4 @@ CurvePoint force_of_green(double green_strain, double second_piola_kirchhoff) {
   return {2 * green_strain / (stretch + 1), second_piola_kirchhoff * stretch};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -3,7 +3,7 @@
 
 #include "loosefit/fabric/material.h"
 
-namespace loosefit {
+namespace loosefit::fabric {
 
 /// C¹ piecewise cubic through measured points and the origin. Inner slopes are those of the
 /// parabola through three neighbours, at most three times the smaller adjacent secant, so that a
@@ -65,4 +65,4 @@ class StressCurve {
 /// Inverse of the conversion above: S at Green strain E > −1/2 as a point of the force curve.
 CurvePoint force_of_green(double green_strain, double second_piola_kirchhoff);
 
-}  // namespace loosefit
+}  // namespace loosefit::fabric

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace loosefit {
+namespace loosefit::flesh {
 
 std::vector<Vec3> SkinPatch::of(const std::vector<Vec3>& surface) const {
   std::vector<Vec3> x;
@@ -13,8 +13,8 @@ std::vector<Vec3> SkinPatch::of(const std::vector<Vec3>& surface) const {
   return x;
 }
 
-SkinPatch patch_round(const TriangleMesh& skin, const std::vector<std::pair<int, int>>& overlaps,
-                      double margin) {
+SkinPatch patch_round(const geometry::TriangleMesh& skin,
+                      const std::vector<std::pair<int, int>>& overlaps, double margin) {
   using Cell = std::array<int, 3>;
   const auto cell_of = [&](const Vec3& p) {
     const auto at = [&](double v) { return static_cast<int>(std::floor(v / margin)); };
@@ -50,4 +50,4 @@ SkinPatch patch_round(const TriangleMesh& skin, const std::vector<std::pair<int,
   return patch;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 
 /// A piece of a surface with vertex numbers of its own.
 struct SkinPatch {
@@ -17,7 +17,7 @@ struct SkinPatch {
 };
 
 /// The skin within `margin` [m] of triangles that overlap, in places up to 2√3 times as far.
-SkinPatch patch_round(const TriangleMesh& skin, const std::vector<std::pair<int, int>>& overlaps,
-                      double margin);
+SkinPatch patch_round(const geometry::TriangleMesh& skin,
+                      const std::vector<std::pair<int, int>>& overlaps, double margin);
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

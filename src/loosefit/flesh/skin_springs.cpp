@@ -2,15 +2,15 @@
 
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 
 SkinSprings::SkinSprings(const std::vector<Triangle>& triangles, std::vector<double> stiffness,
                          double tension)
-    : edges_(MeshTopology(triangles).edges()),
+    : edges_(geometry::MeshTopology(triangles).edges()),
       stiffness_(std::move(stiffness)),
       tension_(tension) {}
 
-double SkinSprings::value(const VectorField& x) const {
+double SkinSprings::value(const particles::VectorField& x) const {
   double energy = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
     energy += 0.5 * stiffness_[i] * (x[i] - target_[i]).squaredNorm();
@@ -19,7 +19,7 @@ double SkinSprings::value(const VectorField& x) const {
   return energy;
 }
 
-void SkinSprings::add_gradient(const VectorField& x, VectorField& g) const {
+void SkinSprings::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   for (std::size_t i = 0; i < x.size(); ++i) g[i] += stiffness_[i] * (x[i] - target_[i]);
   for (const auto& [i, j] : edges_) {
     const Vec3 force = tension_ * ((x[i] - target_[i]) - (x[j] - target_[j]));
@@ -28,12 +28,14 @@ void SkinSprings::add_gradient(const VectorField& x, VectorField& g) const {
   }
 }
 
-void SkinSprings::add_pattern(const VectorField& x, BlockPattern& pattern) const {
+void SkinSprings::add_pattern(const particles::VectorField& x,
+                              particles::BlockPattern& pattern) const {
   for (int i = 0; i < static_cast<int>(x.size()); ++i) pattern.add(i, i);
   for (const auto& [i, j] : edges_) pattern.add(j, i);
 }
 
-void SkinSprings::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind) const {
+void SkinSprings::add_hessian(const particles::VectorField& x, particles::BlockMatrix& h,
+                              particles::HessianKind) const {
   const Mat3 unit = Mat3::Identity();
   for (int i = 0; i < static_cast<int>(x.size()); ++i) h.add(i, i, stiffness_[i] * unit);
   for (const auto& [i, j] : edges_) {
@@ -43,4 +45,4 @@ void SkinSprings::add_hessian(const VectorField& x, BlockMatrix& h, HessianKind)
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

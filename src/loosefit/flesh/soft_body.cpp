@@ -6,7 +6,7 @@
 #include "loosefit/flesh/soft_skin.h"
 #include "loosefit/geometry/exact_intersection.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 namespace {
 
 constexpr double kStep = 0.2;            ///< largest joint angle of one step on the way [rad]
@@ -14,7 +14,7 @@ constexpr std::size_t kRemembered = 32;  ///< bodies; 9 MB each
 constexpr double kMargin = 0.05;         ///< of skin round what overlaps that may give way [m]
 
 /// Largest angle by which a joint turns from one posture to the other [rad].
-double turn_between(const Posture& a, const Posture& b) {
+double turn_between(const body::Posture& a, const body::Posture& b) {
   return std::max(
       {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
        std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
@@ -22,12 +22,12 @@ double turn_between(const Posture& a, const Posture& b) {
 }
 
 /// What a garment can get between.
-bool is_dressed(Segment s) {
-  return s == Segment::torso || s == Segment::neck || s == Segment::upper_arm ||
-         s == Segment::forearm || s == Segment::thigh;
+bool is_dressed(body::Segment s) {
+  return s == body::Segment::torso || s == body::Segment::neck || s == body::Segment::upper_arm ||
+         s == body::Segment::forearm || s == body::Segment::thigh;
 }
 
-std::vector<std::pair<int, int>> overlaps_of(const Body& body) {
+std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
   const auto& triangles = body.surface.triangles;
   std::vector<int> number;  // of the dressed triangles: most of a body's are hands, feet and face
   std::vector<Triangle> dressed;
@@ -36,30 +36,30 @@ std::vector<std::pair<int, int>> overlaps_of(const Body& body) {
       number.push_back(static_cast<int>(t));
       dressed.push_back(triangles[t]);
     }
-  auto overlaps = self_intersections(body.surface.vertices, dressed);
+  auto overlaps = geometry::self_intersections(body.surface.vertices, dressed);
   for (auto& [a, b] : overlaps) a = number[a], b = number[b];
   return overlaps;
 }
 
 }  // namespace
 
-Body SoftBody::displaced(Body body, const Known& known) {
+body::Body SoftBody::displaced(body::Body body, const Known& known) {
   for (std::size_t i = 0; i < known.vertex.size(); ++i) {
     const int v = known.vertex[i];
     body.surface.vertices[v] += known.moved[i];
     body.pose_from_rest[v].col(3) += known.moved[i];
   }
-  body.normals = vertex_normals(body.surface.vertices, body.surface.triangles);
+  body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   for (const auto& [name, v] : body.landmark_vertex)
     body.landmarks[name] = body.surface.vertices[static_cast<std::size_t>(v)];
   return body;
 }
 
-std::vector<Vec3> SoftBody::built(const Posture& posture) const {
+std::vector<Vec3> SoftBody::built(const body::Posture& posture) const {
   return model_.build(parameters_, posture).surface.vertices;
 }
 
-const SoftBody::Known& SoftBody::nearest(const Posture& posture) {
+const SoftBody::Known& SoftBody::nearest(const body::Posture& posture) {
   if (known_.empty()) {
     known_.push_back({model_.rest_posture(parameters_), {}, {}});
     rest_ = built(known_.front().posture);
@@ -69,15 +69,16 @@ const SoftBody::Known& SoftBody::nearest(const Posture& posture) {
                            [&](const Known& a, const Known& b) { return turn(a) < turn(b); });
 }
 
-SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, const Body& body,
-                                   const SkinPatch& patch, Progress* progress) const {
+SoftBody::Known SoftBody::led_from(const Known& start, const body::Posture& posture,
+                                   const body::Body& body, const SkinPatch& patch,
+                                   Progress* progress) const {
   std::vector<Vec3> surface = built(start.posture);
   const std::vector<Vec3> target = patch.of(surface);
   for (std::size_t i = 0; i < start.vertex.size(); ++i) surface[start.vertex[i]] += start.moved[i];
   SoftSkin skin(patch, patch.of(rest_), patch.of(surface), target);
   const int steps = static_cast<int>(std::ceil(turn_between(start.posture, posture) / kStep));
   for (int k = 1; k < steps; ++k) {
-    skin.follow(patch.of(built(blend(start.posture, posture, double(k) / steps))));
+    skin.follow(patch.of(built(body::blend(start.posture, posture, double(k) / steps))));
     if (!progress) continue;
     progress->check_cancelled();
     progress->update(double(k) / steps, "");
@@ -88,17 +89,18 @@ SoftBody::Known SoftBody::led_from(const Known& start, const Posture& posture, c
   return there;
 }
 
-PosedBody SoftBody::in(const Posture& posture, Progress* progress) {
-  for (const auto& [asked, body] : remembered_)
-    if (asked == posture) return body;
-  PosedBody body = made(posture, progress);
-  if (remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
+body::PosedBody SoftBody::in(const body::Posture& posture, Progress* progress) {
+  for (auto& [asked, body] : remembered_)
+    if (asked == posture) return body.posed();
+  const body::PosedBody body = made(posture, progress);
+  if (remembered_.size() < kRemembered)
+    remembered_.emplace_back(posture, body::RememberedBody(body));
   return body;
 }
 
 void SoftBody::learn(const SoftBody& copy) {
   if (known_.empty()) rest_ = copy.rest_;
-  const auto is_known = [&](const Posture& posture) {
+  const auto is_known = [&](const body::Posture& posture) {
     return std::any_of(known_.begin(), known_.end(),
                        [&](const Known& known) { return known.posture == posture; });
   };
@@ -112,15 +114,15 @@ void SoftBody::learn(const SoftBody& copy) {
   }
 }
 
-Body SoftBody::made(const Posture& posture, Progress* progress) {
-  Body stiff = model_.build(parameters_, posture);
+body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
+  body::Body stiff = model_.build(parameters_, posture);
   const auto overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
   const Known start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return displaced(std::move(stiff), start);
   Known there =
       led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
-  Body body = displaced(stiff, there);
+  body::Body body = displaced(stiff, there);
   bool free = overlaps_of(body).empty();
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
@@ -134,4 +136,4 @@ Body SoftBody::made(const Posture& posture, Progress* progress) {
   return body;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

@@ -8,7 +8,7 @@
 #include "loosefit/body/posed_body.h"
 #include "loosefit/flesh/skin_patch.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 
 /// One person in any posture, with flesh that gives way where BodyModel::build pushes skin through
 /// skin: armpits of arms that hang close, groins and bellies of people who sit. There the skin is
@@ -19,7 +19,7 @@ namespace loosefit {
 class SoftBody {
  public:
   /// The model has to outlive this.
-  SoftBody(const BodyModel& model, BodyParameters parameters)
+  SoftBody(const body::BodyModel& model, body::BodyParameters parameters)
       : model_(model), parameters_(std::move(parameters)) {}
 
   /// As BodyModel::build; the displacement joins body.pose_from_rest, so that both still tell the
@@ -27,7 +27,7 @@ class SoftBody {
   /// the rest posture or the nearest one that was asked for before, so the shape depends a little
   /// on the order of questions; asked again, it is the same. `progress` hears of the way there, if
   /// there is one. \throws as BodyModel::build, Cancelled.
-  PosedBody in(const Posture& posture, Progress* progress = nullptr);
+  body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
   /// The same person, not asked anything yet.
   SoftBody anew() const { return {model_, parameters_}; }
@@ -36,25 +36,25 @@ class SoftBody {
   void learn(const SoftBody& copy);
 
  private:
-  Body made(const Posture& posture, Progress* progress);
+  body::Body made(const body::Posture& posture, Progress* progress);
   /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
   struct Known {
-    Posture posture;
+    body::Posture posture;
     std::vector<int> vertex;
     std::vector<Vec3> moved;  ///< of these vertices [m]
   };
-  const Known& nearest(const Posture& posture);
-  Known led_from(const Known& start, const Posture& posture, const Body& body,
+  const Known& nearest(const body::Posture& posture);
+  Known led_from(const Known& start, const body::Posture& posture, const body::Body& body,
                  const SkinPatch& patch, Progress* progress) const;
-  static Body displaced(Body body, const Known& known);
-  std::vector<Vec3> built(const Posture& posture) const;
+  static body::Body displaced(body::Body body, const Known& known);
+  std::vector<Vec3> built(const body::Posture& posture) const;
 
-  const BodyModel& model_;
-  BodyParameters parameters_;
+  const body::BodyModel& model_;
+  body::BodyParameters parameters_;
   std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
   std::vector<Known> known_;  ///< without overlaps but for the first, the rest posture
   /// The first answers: donnings follow each other through the same postures.
-  std::vector<std::pair<Posture, PosedBody>> remembered_;
+  std::vector<std::pair<body::Posture, body::RememberedBody>> remembered_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

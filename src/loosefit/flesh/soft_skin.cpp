@@ -6,7 +6,7 @@
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/quasi_static.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 namespace {
 
 /// 20 mm of flesh of 20 kPa: relaxed limbs have moduli of 10 to 90 kPa (Zheng and Mak 1996).
@@ -21,8 +21,8 @@ constexpr double kStatic = 1e4;  ///< first pseudo-step: no inertia [s]
 
 }  // namespace
 
-SoftSkin::SoftSkin(const SkinPatch& patch, const VectorField& rest, VectorField x,
-                   VectorField target)
+SoftSkin::SoftSkin(const SkinPatch& patch, const particles::VectorField& rest,
+                   particles::VectorField x, particles::VectorField target)
     : x_(std::move(x)),
       springs_(patch.triangles, stiffness(patch, rest), kFoundation * kReach * kReach),
       contact_(patch.triangles, area_, static_cast<int>(rest.size()), folds(patch, rest)) {
@@ -32,7 +32,8 @@ SoftSkin::SoftSkin(const SkinPatch& patch, const VectorField& rest, VectorField 
   system_.gravity = 1;
 }
 
-std::vector<double> SoftSkin::stiffness(const SkinPatch& patch, const VectorField& rest) {
+std::vector<double> SoftSkin::stiffness(const SkinPatch& patch,
+                                        const particles::VectorField& rest) {
   std::vector<double> k(rest.size());
   weight_.assign(rest.size(), 0);
   for (const auto& [a, b, c] : patch.triangles) {
@@ -47,8 +48,9 @@ std::vector<double> SoftSkin::stiffness(const SkinPatch& patch, const VectorFiel
   return k;
 }
 
-SelfContact::Options SoftSkin::folds(const SkinPatch& patch, const VectorField& rest) const {
-  SelfContact::Options options;
+contact::SelfContact::Options SoftSkin::folds(const SkinPatch& patch,
+                                              const particles::VectorField& rest) const {
+  contact::SelfContact::Options options;
   options.thickness = kSkinGap;
   options.pressure = kFoldPressure;
   options.friction = 0;
@@ -61,18 +63,18 @@ SelfContact::Options SoftSkin::folds(const SkinPatch& patch, const VectorField& 
   return options;
 }
 
-void SoftSkin::follow(VectorField target) {
-  VectorField way(x_.size());
+void SoftSkin::follow(particles::VectorField target) {
+  particles::VectorField way(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) way[i] = target[i] - springs_.target()[i];
   system_.begin_step(x_, std::numeric_limits<double>::infinity());
   const double share = contact_.max_step(x_, way);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += share * way[i];
   springs_.set_target(std::move(target));
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 1;
   options.max_iterations = kMostIterations;
   options.first_dt = kStatic;
-  make_quasi_static(system_)->settle(x_, options);
+  solver::make_quasi_static(system_)->settle(x_, options);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

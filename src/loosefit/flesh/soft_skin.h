@@ -4,7 +4,7 @@
 #include "loosefit/flesh/skin_springs.h"
 #include "loosefit/solver/particle_system.h"
 
-namespace loosefit {
+namespace loosefit::flesh {
 
 inline constexpr double kSkinGap = 0.006;  ///< distance at which folds begin to repel [m]
 
@@ -13,25 +13,27 @@ class SoftSkin {
  public:
   /// rest: positions of all vertices of the patch from which areas are taken; x, target: positions
   /// now, and where their springs pull them [m].
-  SoftSkin(const SkinPatch& patch, const VectorField& rest, VectorField x, VectorField target);
+  SoftSkin(const SkinPatch& patch, const particles::VectorField& rest, particles::VectorField x,
+           particles::VectorField target);
   SoftSkin(const SoftSkin&) = delete;
   SoftSkin& operator=(const SoftSkin&) = delete;
 
   /// Moves the targets, takes the skin along as far as it meets nothing, and lets it settle.
-  void follow(VectorField target);
-  const VectorField& positions() const { return x_; }
-  const VectorField& target() const { return springs_.target(); }
+  void follow(particles::VectorField target);
+  const particles::VectorField& positions() const { return x_; }
+  const particles::VectorField& target() const { return springs_.target(); }
 
  private:
-  std::vector<double> stiffness(const SkinPatch& patch, const VectorField& rest);
-  SelfContact::Options folds(const SkinPatch& patch, const VectorField& rest) const;
+  std::vector<double> stiffness(const SkinPatch& patch, const particles::VectorField& rest);
+  contact::SelfContact::Options folds(const SkinPatch& patch,
+                                      const particles::VectorField& rest) const;
 
-  VectorField x_;
+  particles::VectorField x_;
   std::vector<double> area_;    ///< of the triangles [m²]
   std::vector<double> weight_;  ///< against which forces on the vertices are measured [N]
   SkinSprings springs_;
-  SelfContact contact_;
-  ParticleSystem system_;
+  contact::SelfContact contact_;
+  solver::ParticleSystem system_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::flesh

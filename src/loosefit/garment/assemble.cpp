@@ -5,17 +5,17 @@
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/mesher.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
-Garment assemble(const Pattern& pattern, double edge_length, const Material& material,
-                 const std::vector<Attachment>& attachments) {
-  const std::vector<std::vector<int>> divisions = edge_divisions(pattern, edge_length);
-  std::vector<PanelMesh> meshes;
+Garment assemble(const pattern::Pattern& pattern, double edge_length,
+                 const fabric::Material& material, const std::vector<Attachment>& attachments) {
+  const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, edge_length);
+  std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(mesh_panel(pattern.panels[p], divisions[p], edge_length));
+    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], edge_length));
   Garment garment = sew_panels(pattern, meshes, material).garment;
   attach(garment, pattern, attachments);
   return garment;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

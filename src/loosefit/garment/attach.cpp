@@ -8,7 +8,7 @@
 #include "loosefit/garment/check_attachment.h"
 #include "loosefit/geometry/closest_point.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 constexpr int kFootprintSamples = 24;  // per direction, for the mass of a board
@@ -28,7 +28,7 @@ void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
     const auto& [a, b, c] = g.triangle_uv[t];
     const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     if ((at - at.cwiseMax(low).cwiseMin(high)).norm() >= best_distance) continue;
-    const Vec3 w = closest_barycentric(lift(at), lift(a), lift(b), lift(c));
+    const Vec3 w = geometry::closest_barycentric(lift(at), lift(a), lift(b), lift(c));
     const double distance = (w[0] * a + w[1] * b + w[2] * c - at).norm();
     if (distance >= best_distance) continue;
     best = static_cast<int>(t);
@@ -139,11 +139,12 @@ void add(Garment& g, int panel, const Cable& cable) {
 
 }  // namespace
 
-void attach(Garment& garment, const Pattern& pattern, const std::vector<Attachment>& attachments) {
+void attach(Garment& garment, const pattern::Pattern& pattern,
+            const std::vector<Attachment>& attachments) {
   for (const Attachment& attachment : attachments) {
     const int panel = check_attachment(attachment, pattern);
     std::visit([&](const auto& part) { add(garment, panel, part); }, attachment.part);
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -4,13 +4,14 @@
 #include "loosefit/garment/attachment.h"
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 /// Adds the attachments to vertex_mass, triangle_added_bending and triangle_membrane_factor of a
 /// sewn garment. Mass and centre of mass are kept exactly; rigidity is weighted by the covered
 /// share of a triangle. What lies beyond the panel's edge is carried by that edge. \throws
 /// InvalidInput naming the attachment: panel unknown, point outside the panel (with the
 ///         nearest point inside), size, mass or stiffness out of range.
-void attach(Garment& garment, const Pattern& pattern, const std::vector<Attachment>& attachments);
+void attach(Garment& garment, const pattern::Pattern& pattern,
+            const std::vector<Attachment>& attachments);
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

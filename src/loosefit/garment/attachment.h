@@ -5,7 +5,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 /// A flat stiff part on the cloth, e.g. a sensor board. The footprint is a rectangle of
 /// `size` turned by `angle`, or a disc when `radius` > 0.
@@ -35,4 +35,4 @@ struct Attachment {
   std::variant<Board, Cable> part;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -8,13 +8,13 @@
 #include "loosefit/base/text.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 /// Checks of one attachment, each failure under its own key.
 struct Checker {
   const Attachment& attachment;
-  const Panel& panel;
+  const pattern::Panel& panel;
 
   [[noreturn]] void fail(const std::string& key, const std::string& found,
                          const std::string& expected) const {
@@ -28,10 +28,10 @@ struct Checker {
            fmt::format("{:g} to {:g} {}", low, high, unit));
   }
   void inside(const std::string& key, const Vec2& point) const {
-    const std::vector<Vec2> outline = outline_polygon(panel);
+    const std::vector<Vec2> outline = pattern::outline_polygon(panel);
     if (!point.allFinite()) fail(key, "a coordinate that is not finite", "metres");
-    const Vec2 nearest = closest_on_polygon(outline, point);
-    if (inside_polygon(outline, point) || (nearest - point).norm() < 1e-9) return;
+    const Vec2 nearest = pattern::closest_on_polygon(outline, point);
+    if (pattern::inside_polygon(outline, point) || (nearest - point).norm() < 1e-9) return;
     fail(
         key, fmt::format("({:.4f}, {:.4f}) m, outside panel {}", point.x(), point.y(), panel.name),
         fmt::format("a point inside; the nearest is ({:.4f}, {:.4f}) m", nearest.x(), nearest.y()));
@@ -65,11 +65,11 @@ struct Checker {
 
 }  // namespace
 
-int check_attachment(const Attachment& attachment, const Pattern& pattern) {
+int check_attachment(const Attachment& attachment, const pattern::Pattern& pattern) {
   const int panel = pattern.find_panel(attachment.panel);
   if (panel < 0) {
     std::vector<std::string> names;
-    for (const Panel& p : pattern.panels) names.push_back(p.name);
+    for (const pattern::Panel& p : pattern.panels) names.push_back(p.name);
     throw InvalidInput(InputPlace{{}, 0, fmt::format("attachment {}.panel", attachment.name)},
                        '"' + attachment.panel + '"',
                        fmt::format("one of {}", fmt::join(names, ", ")),
@@ -79,4 +79,4 @@ int check_attachment(const Attachment& attachment, const Pattern& pattern) {
   return panel;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

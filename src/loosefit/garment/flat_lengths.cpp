@@ -1,8 +1,8 @@
 #include "loosefit/garment/flat_lengths.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
-std::vector<double> flat_lengths(const Garment& garment, const MeshTopology& topology) {
+std::vector<double> flat_lengths(const Garment& garment, const geometry::MeshTopology& topology) {
   std::vector<double> lengths;
   lengths.reserve(topology.edges().size());
   for (int e = 0; e < topology.edge_count(); ++e) {
@@ -13,4 +13,4 @@ std::vector<double> flat_lengths(const Garment& garment, const MeshTopology& top
   return lengths;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

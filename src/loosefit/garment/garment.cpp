@@ -1,6 +1,6 @@
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 const Garment::EdgeChain* Garment::find_chain(const std::string& panel,
                                               const std::string& edge) const {
@@ -18,4 +18,4 @@ const Garment::EdgeChain* Garment::find_part(const std::string& panel,
   return nullptr;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

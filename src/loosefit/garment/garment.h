@@ -5,7 +5,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 /// Sewn triangle mesh that remembers its pattern. Seams are welded: the two sides of a seam share
 /// vertices, so a vertex may have one pattern position per panel. Topology never changes after
@@ -47,4 +47,4 @@ struct Garment {
   const EdgeChain* find_part(const std::string& panel, const std::string& edge) const;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -5,7 +5,7 @@
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/mesher.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 constexpr double kCoarsestEdge = 0.018;  // coarsest edge is in [this, twice this) [m]
@@ -23,18 +23,20 @@ int hierarchy_refinements(double edge_length) {
 namespace {
 
 /// The first `levels` of the hierarchy, at least one.
-GarmentHierarchy build_levels(const Pattern& pattern, double edge_length, const Material& material,
+GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_length,
+                              const fabric::Material& material,
                               const std::vector<Attachment>& attachments, int levels) {
-  edge_divisions(pattern, edge_length);  // refuses impossible edge lengths before the work starts
+  pattern::edge_divisions(pattern,
+                          edge_length);  // refuses impossible edge lengths before the work starts
   const double coarsest = edge_length * (1 << hierarchy_refinements(edge_length));
-  const std::vector<std::vector<int>> divisions = edge_divisions(pattern, coarsest);
+  const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, coarsest);
 
   // The coarsest level is meshed; every finer one is a subdivision of the one before.
   GarmentHierarchy hierarchy;
   hierarchy.pattern = pattern;
-  std::vector<PanelMesh> meshes;
+  std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(mesh_panel(pattern.panels[p], divisions[p], coarsest));
+    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], coarsest));
   SewnPanels sewn = sew_panels(pattern, meshes, material);
   hierarchy.parents.push_back({});
   for (int v = 0; v < sewn.garment.vertex_count; ++v) hierarchy.parents[0].push_back({v, v});
@@ -47,7 +49,7 @@ GarmentHierarchy build_levels(const Pattern& pattern, double edge_length, const 
     // Subdivide the panels and sew them again; old vertices keep their numbers.
     std::vector<std::vector<std::array<int, 2>>> local(pattern.panels.size());
     for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-      meshes[p] = subdivide(meshes[p], pattern.panels[p], local[p]);
+      meshes[p] = pattern::subdivide(meshes[p], pattern.panels[p], local[p]);
     SewnPanels finer = sew_panels(pattern, meshes, material, &sewn.vertex_of);
     // Parents of the panels' vertices in the numbers of the garment.
     std::vector<std::array<int, 2>> parents(finer.garment.vertex_count);
@@ -63,17 +65,17 @@ GarmentHierarchy build_levels(const Pattern& pattern, double edge_length, const 
 
 }  // namespace
 
-GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
-                                 const Material& material,
+GarmentHierarchy build_hierarchy(const pattern::Pattern& pattern, double edge_length,
+                                 const fabric::Material& material,
                                  const std::vector<Attachment>& attachments) {
   return build_levels(pattern, edge_length, material, attachments,
                       hierarchy_refinements(edge_length) + 1);
 }
 
-GarmentHierarchy build_coarsest_level(const Pattern& pattern, double edge_length,
-                                      const Material& material,
+GarmentHierarchy build_coarsest_level(const pattern::Pattern& pattern, double edge_length,
+                                      const fabric::Material& material,
                                       const std::vector<Attachment>& attachments) {
   return build_levels(pattern, edge_length, material, attachments, 1);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -5,7 +5,7 @@
 #include "loosefit/garment/attachment.h"
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 /// The same garment on nested meshes, coarse to fine. Each finer level splits every triangle of the
 /// coarser one into four at its edge midpoints, so prolongation is exact: the coarse surface is
@@ -16,7 +16,7 @@ struct GarmentHierarchy {
   /// For level l and each of its vertices: the two coarse vertices of level l−1 whose midpoint
   /// it is; equal indices for a vertex kept from the coarser level.
   std::vector<std::vector<std::array<int, 2>>> parents;
-  Pattern pattern;
+  pattern::Pattern pattern;
 
   const Garment& finest() const { return levels.back(); }
 };
@@ -25,14 +25,14 @@ struct GarmentHierarchy {
 /// for longer edges), then splits k times. Vertices keep their numbers from level to level; new
 /// points on outlines lie on the true curves of the pattern. parents[0] is the identity.
 /// \throws InvalidInput, GeometryError as `assemble` does.
-GarmentHierarchy build_hierarchy(const Pattern& pattern, double edge_length,
-                                 const Material& material,
+GarmentHierarchy build_hierarchy(const pattern::Pattern& pattern, double edge_length,
+                                 const fabric::Material& material,
                                  const std::vector<Attachment>& attachments = {});
 /// Only the coarsest level of build_hierarchy, for a quick first drape. \throws as build_hierarchy.
-GarmentHierarchy build_coarsest_level(const Pattern& pattern, double edge_length,
-                                      const Material& material,
+GarmentHierarchy build_coarsest_level(const pattern::Pattern& pattern, double edge_length,
+                                      const fabric::Material& material,
                                       const std::vector<Attachment>& attachments = {});
 /// The k above.
 int hierarchy_refinements(double edge_length);
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

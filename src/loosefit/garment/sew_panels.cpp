@@ -11,15 +11,15 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
-std::string seam_key(const Stitch& stitch, std::size_t index) {
+std::string seam_key(const pattern::Stitch& stitch, std::size_t index) {
   return "stitch " + (stitch.name.empty() ? std::to_string(index) : stitch.name);
 }
 
 /// +1 for panels as drawn, −1 for panels turned over because a right_wrong seam joins them.
-std::vector<int> panel_signs(const Pattern& pattern) {
+std::vector<int> panel_signs(const pattern::Pattern& pattern) {
   std::vector<int> sign(pattern.panels.size(), 0);
   for (std::size_t seed = 0; seed < sign.size(); ++seed) {
     if (sign[seed] != 0) continue;
@@ -27,7 +27,7 @@ std::vector<int> panel_signs(const Pattern& pattern) {
     for (bool grown = true; grown;) {
       grown = false;
       for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-        const Stitch& stitch = pattern.stitches[s];
+        const pattern::Stitch& stitch = pattern.stitches[s];
         int &a = sign[stitch.first.panel], &b = sign[stitch.second.panel];
         const int turn = stitch.right_wrong ? -1 : 1;
         if (a != 0 && b == 0) b = turn * a, grown = true;
@@ -43,11 +43,13 @@ std::vector<int> panel_signs(const Pattern& pattern) {
   return sign;
 }
 
-void check_gathers(const Pattern& pattern) {
+void check_gathers(const pattern::Pattern& pattern) {
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    const Stitch& stitch = pattern.stitches[s];
-    const double a = EdgePath(pattern.panels[stitch.first.panel], stitch.first.edge).length();
-    const double b = EdgePath(pattern.panels[stitch.second.panel], stitch.second.edge).length();
+    const pattern::Stitch& stitch = pattern.stitches[s];
+    const double a =
+        pattern::EdgePath(pattern.panels[stitch.first.panel], stitch.first.edge).length();
+    const double b =
+        pattern::EdgePath(pattern.panels[stitch.second.panel], stitch.second.edge).length();
     if (std::max(a, b) > kGatherLimit * std::min(a, b))
       throw GeometryError(InputPlace{{}, 0, seam_key(stitch, s)},
                           fmt::format("sides of {:.4f} m and {:.4f} m", a, b),
@@ -58,8 +60,10 @@ void check_gathers(const Pattern& pattern) {
 
 }  // namespace
 
-SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& meshes,
-                      const Material& material, const std::vector<std::vector<int>>* coarser) {
+SewnPanels sew_panels(const pattern::Pattern& pattern,
+                      const std::vector<pattern::PanelMesh>& meshes,
+                      const fabric::Material& material,
+                      const std::vector<std::vector<int>>* coarser) {
   check_gathers(pattern);
   // Panel vertices numbered through.
   const int panels = static_cast<int>(meshes.size());
@@ -69,7 +73,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
 
   UnionFind welds(first[panels]);  // panel vertices that are one in the garment
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    const Stitch& stitch = pattern.stitches[s];
+    const pattern::Stitch& stitch = pattern.stitches[s];
     const auto& a = meshes[stitch.first.panel].edge_vertices[stitch.first.edge];
     const auto& b = meshes[stitch.second.panel].edge_vertices[stitch.second.edge];
     if (a.size() != b.size())
@@ -123,7 +127,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
         uv[i] = meshes[p].vertices[t[i]];
         corners[i] = sewn.vertex_of[p][t[i]];
       }
-      const double area = flat_area(uv);
+      const double area = geometry::flat_area(uv);
       g.area += area;
       for (const int c : corners) g.vertex_mass[c] += area * material.areal_density / 3;
       g.triangles.push_back(corners);
@@ -132,7 +136,7 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
     }
     // Pattern edges as chains of garment vertices.
     for (std::size_t e = 0; e < meshes[p].edge_vertices.size(); ++e) {
-      const PanelEdge& edge = pattern.panels[p].edges[e];
+      const pattern::PanelEdge& edge = pattern.panels[p].edges[e];
       Garment::EdgeChain chain{p, static_cast<int>(e), edge.name, edge.part, {}};
       for (const int i : meshes[p].edge_vertices[e]) chain.vertices.push_back(sewn.vertex_of[p][i]);
       g.edge_chains.push_back(chain);
@@ -146,4 +150,4 @@ SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& mesh
   return sewn;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

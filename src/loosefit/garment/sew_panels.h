@@ -5,7 +5,7 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/panel_mesh.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 
 /// Longest over shortest side of a seam that is still sewn, as a gather.
 inline constexpr double kGatherLimit = 4.0;
@@ -23,8 +23,9 @@ struct SewnPanels {
 /// gather beyond kGatherLimit, a triangle or edge
 ///         that collapses, more than two triangles at an edge, sheets that touch in a point only, a
 ///         one-sided (Möbius) surface.
-SewnPanels sew_panels(const Pattern& pattern, const std::vector<PanelMesh>& meshes,
-                      const Material& material,
+SewnPanels sew_panels(const pattern::Pattern& pattern,
+                      const std::vector<pattern::PanelMesh>& meshes,
+                      const fabric::Material& material,
                       const std::vector<std::vector<int>>* coarser = nullptr);
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::garment {
 namespace {
 
 constexpr const char* kHint =
@@ -67,4 +67,4 @@ void check_surface(const Garment& g) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::garment

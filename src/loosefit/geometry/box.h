@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 using Box3 = Eigen::AlignedBox3d;
 
@@ -14,4 +14,4 @@ inline float round_down(double x) {
 }
 inline float round_up(double x) { return -round_down(-x); }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

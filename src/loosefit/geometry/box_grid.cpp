@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 void BoxGrid::build(const std::vector<Box3>& boxes) {
   // A few boxes that lie far apart need no more cells than many: 16 for each.
@@ -67,4 +67,4 @@ void BoxGrid::compare_sides(const float* sides, int n, int a, char* meets) {
                                  (z0[b] <= az1) & (az0 <= z1[b]));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

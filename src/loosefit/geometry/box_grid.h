@@ -6,7 +6,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/geometry/box.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Boxes sorted into the cells of a dense uniform grid (compressed rows). Best for many boxes of
 /// similar size. Memory is kept from one build to the next; queries may run on many threads.
@@ -93,4 +93,4 @@ class BoxGrid {
   std::vector<Cell> lower_, upper_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

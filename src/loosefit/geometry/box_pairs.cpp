@@ -1,6 +1,6 @@
 #include "loosefit/geometry/box_pairs.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Box3>& a,
                                                    const std::vector<Box3>& b) {
   BoxGrid grid;
@@ -23,4 +23,4 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Box3>& boxe
   return pairs;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

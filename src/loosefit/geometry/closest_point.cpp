@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 /// Nearest of the three edges: all there is of a triangle without area.
@@ -77,4 +77,4 @@ ClosestPoint closest_point_brute_force(const TriangleMesh& mesh, const Vec3& p) 
   return best;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -3,7 +3,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Closest point on a triangle (Ericson 2005, Real-Time Collision Detection, 5.1.5).
 /// Returns barycentric weights of (a, b, c); they sum to 1 and are ≥ 0.
@@ -20,4 +20,4 @@ struct ClosestPoint {
 /// Looks at every triangle: the oracle of ClosestPointTree's tests.
 ClosestPoint closest_point_brute_force(const TriangleMesh& mesh, const Vec3& p);
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

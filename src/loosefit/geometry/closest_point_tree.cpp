@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 
 constexpr int kWidth = 8;    ///< parts of a node
@@ -203,4 +203,4 @@ double ClosestPointTree::signed_distance(const Vec3& p, ClosestPoint* closest, d
   return sides.at(*mesh_, hit).dot(p - hit.point) < 0 ? -hit.distance : hit.distance;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

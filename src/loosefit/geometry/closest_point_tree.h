@@ -8,7 +8,7 @@
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/pseudonormals.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Tree of axis-aligned bounding boxes (BVH) over a triangle mesh for exact point-to-surface
 /// queries, and for what overlaps a box. Keeps a reference to the mesh: the mesh must outlive the
@@ -64,4 +64,4 @@ class ClosestPointTree {
   Lazy<Pseudonormals> sides_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

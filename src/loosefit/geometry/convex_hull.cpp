@@ -5,7 +5,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/convex_hull_3.h>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -28,4 +28,4 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -9,7 +9,7 @@
 
 #include "loosefit/geometry/box_pairs.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -140,4 +140,4 @@ std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_v
   return pairs;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

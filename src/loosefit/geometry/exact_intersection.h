@@ -5,7 +5,7 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Penetrations: pairs (i, j), i < j, of triangles of one surface that intersect; decided with
 /// exact predicates (CGAL, Exact_predicates_inexact_constructions_kernel). Triangles that share an
@@ -25,4 +25,4 @@ std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_v
                                                     const std::vector<Triangle>& a_triangles,
                                                     const ClosestPointTree& b);
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 double flat_area(const FlatCorners& flat) {
   return 0.5 * std::abs(cross(flat[1] - flat[0], flat[2] - flat[0]));
@@ -38,4 +38,4 @@ DeformationGradient deformation_gradient(const FlatCorners& flat, const Triangle
   return space * pattern.inverse();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

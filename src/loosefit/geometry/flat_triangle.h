@@ -4,7 +4,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Corners of a triangle in the flat pattern [m].
 using FlatCorners = std::array<Vec2, 3>;
@@ -27,4 +27,4 @@ using DeformationGradient = Eigen::Matrix<double, 3, 2>;
 DeformationGradient deformation_gradient(const FlatCorners& flat, const Triangle& corner,
                                          const std::vector<Vec3>& positions);
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

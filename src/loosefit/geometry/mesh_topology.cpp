@@ -5,7 +5,9 @@
 #include <tuple>
 #include <utility>
 
-namespace loosefit {
+#include "loosefit/base/check.h"
+
+namespace loosefit::geometry {
 
 MeshTopology::MeshTopology(std::vector<Triangle> triangles)
     : triangles_(std::move(triangles)), edge_of_(triangles_.size()) {
@@ -67,7 +69,10 @@ std::vector<std::vector<int>> MeshTopology::vertex_neighbours() const {
 std::vector<std::vector<int>> MeshTopology::boundary_loops() const {
   std::vector<std::pair<int, int>> border;
   for (int e = 0; e < edge_count(); ++e)
-    if (sides(e).size() == 1) {
+    if (sides(e).size() == 2)
+      LOOSEFIT_ASSERT(triangles_[sides(e)[0].triangle][sides(e)[0].corner] !=
+                      triangles_[sides(e)[1].triangle][sides(e)[1].corner]);
+    else if (sides(e).size() == 1) {
       const auto& [t, k] = sides(e)[0];
       border.emplace_back(triangles_[t][k], triangles_[t][(k + 1) % 3]);
     }
@@ -86,4 +91,4 @@ std::vector<std::vector<int>> MeshTopology::boundary_loops() const {
   return loops;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

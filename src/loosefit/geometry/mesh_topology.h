@@ -5,7 +5,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Edges of a triangle surface and what lies at them, made once from the corners of its triangles.
 /// Any surface: an edge of one triangle is border, and more than two triangles may meet at an edge.
@@ -48,4 +48,4 @@ class MeshTopology {
   std::vector<int> first_edge_;  ///< by lower vertex
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

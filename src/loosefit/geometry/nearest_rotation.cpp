@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 Mat3 nearest_rotation(const Mat3& matrix) {
   const Eigen::JacobiSVD<Mat3> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -12,4 +12,4 @@ Mat3 nearest_rotation(const Mat3& matrix) {
   return svd.matrixU() * proper * svd.matrixV().transpose();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

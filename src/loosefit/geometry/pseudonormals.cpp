@@ -8,7 +8,7 @@
 
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 Pseudonormals::Pseudonormals(const TriangleMesh& mesh)
     : of_vertex_(mesh.vertices.size(), Vec3::Zero()), of_edge_(mesh.triangles.size()) {
   const std::size_t n = mesh.triangles.size();
@@ -52,4 +52,4 @@ Vec3 Pseudonormals::at(const TriangleMesh& mesh, const ClosestPoint& closest) co
   return triangle_normal(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

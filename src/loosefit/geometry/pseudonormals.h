@@ -4,7 +4,7 @@
 
 #include "loosefit/geometry/closest_point.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Normals of the faces, edges and corners of a closed, outward oriented surface that tell on which
 /// side of it a point lies: angle-weighted at corners (Bærentzen and Aanæs 2005).
@@ -19,4 +19,4 @@ class Pseudonormals {
   std::vector<std::array<Vec3, 3>> of_edge_;  ///< per triangle, edge i = corner i → i + 1
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

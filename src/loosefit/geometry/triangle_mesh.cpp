@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = (b - a).cross(c - a);
@@ -35,4 +35,4 @@ double enclosed_volume(const TriangleMesh& mesh) {
   return volume / 6.0;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -3,7 +3,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::geometry {
 
 /// Indexed triangle surface; positions in metres, triangles counter-clockwise seen from outside.
 struct TriangleMesh {
@@ -21,4 +21,4 @@ std::vector<Vec3> vertex_normals(const std::vector<Vec3>& vertices,
 /// Signed volume [m³] of a closed surface, positive when oriented outwards.
 double enclosed_volume(const TriangleMesh& mesh);
 
-}  // namespace loosefit
+}  // namespace loosefit::geometry

@@ -4,7 +4,7 @@
 
 #include "loosefit/io/csv.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// A tenth of a percent is a tenth of a scan's precision.
@@ -18,14 +18,15 @@ const std::vector<std::string>& address_columns() {
   return kAll;
 }
 
-std::vector<std::string> address_fields(const std::optional<BodyAddress>& address) {
+std::vector<std::string> address_fields(const std::optional<placement::BodyAddress>& address) {
   if (!address) return std::vector<std::string>(address_columns().size());
-  return {name(address->segment), side_name(*address), csv_field(to_a_tenth(address->percent.x())),
-          csv_field(to_a_tenth(address->percent.y())), csv_field(to_a_tenth(address->percent.z()))};
+  return {placement::name(address->segment), side_name(*address),
+          csv_field(to_a_tenth(address->percent.x())), csv_field(to_a_tenth(address->percent.y())),
+          csv_field(to_a_tenth(address->percent.z()))};
 }
 
-std::string side_name(const BodyAddress& address) {
+std::string side_name(const placement::BodyAddress& address) {
   return address.side > 0 ? "left" : address.side < 0 ? "right" : "";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,7 +4,7 @@
 
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -15,7 +15,7 @@ Json points(const std::map<std::string, Vec3>& named) {
   return json;
 }
 
-Json parameters_json(const BodyParameters& p) {
+Json parameters_json(const body::BodyParameters& p) {
   Json json = {{"sex", p.sex},       {"age", p.age},          {"muscle", p.muscle},
                {"weight", p.weight}, {"height", p.height},    {"proportions", p.proportions},
                {"cup", p.cup},       {"firmness", p.firmness}};
@@ -27,7 +27,7 @@ Json parameters_json(const BodyParameters& p) {
 
 }  // namespace
 
-void write_body_json(const std::string& path, const Body& body, const BodyFit& fit) {
+void write_body_json(const std::string& path, const body::Body& body, const body::BodyFit& fit) {
   Json json;
   json["vertices"] = body.surface.vertices.size();
   json["triangles"] = body.surface.triangles.size();
@@ -45,4 +45,4 @@ void write_body_json(const std::string& path, const Body& body, const BodyFit& f
   write_text_file(path, json.dump(1) + "\n");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

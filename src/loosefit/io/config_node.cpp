@@ -4,7 +4,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 const ConfigNode* ConfigNode::find(const std::string& key) const {
   for (const auto& [name, node] : members)
@@ -46,4 +46,4 @@ std::string toml_quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

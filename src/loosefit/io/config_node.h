@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One value of a configuration file with the line where it stands. Keeps the TOML library out of
 /// every header: only toml_file.cpp knows it.
@@ -27,4 +27,4 @@ struct ConfigNode {
 /// A TOML basic string with its quotes, escaped.
 std::string toml_quoted(const std::string& text);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,7 +7,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using Kind = ConfigNode::Kind;
@@ -204,4 +204,4 @@ std::vector<std::string> ConfigReader::keys() const {
   return names;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

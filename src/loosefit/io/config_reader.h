@@ -9,7 +9,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/io/config_node.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Allowed values of a number, bounds included, and the word for them in messages.
 struct NumberRange {
@@ -73,4 +73,4 @@ class ConfigReader {
   std::set<std::string> asked_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::io

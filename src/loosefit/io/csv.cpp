@@ -4,7 +4,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 std::string csv_field(const std::string& raw) {
   const std::string text = terminal_line(raw);
@@ -24,4 +24,4 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

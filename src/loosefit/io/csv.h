@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One field of a CSV line (RFC 4180): quoted where it must be. Control characters, line ends
 /// included, and bytes that are not UTF-8 are escaped as terminal_line does (`\x1b`), so that every
@@ -13,4 +13,4 @@ std::string csv_field(double value);
 /// Fields with commas between them and a line end; empty ones keep their place.
 std::string csv_line(const std::vector<std::string>& fields);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

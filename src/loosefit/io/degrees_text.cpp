@@ -5,7 +5,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 // Angles are kept in radians; print the degrees that read back to the same radians.
 std::string degrees_text(double angle) {
@@ -16,4 +16,4 @@ std::string degrees_text(double angle) {
   return shortest(degrees(angle));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Shortest degrees that read back to the same radians.
 std::string degrees_text(double angle);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

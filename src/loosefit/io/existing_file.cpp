@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace loosefit {
+namespace loosefit::io {
 
 std::string existing_file(ConfigReader& table, const std::string& key) {
   namespace fs = std::filesystem;
@@ -16,4 +16,4 @@ std::string existing_file(ConfigReader& table, const std::string& key) {
   return full.string();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

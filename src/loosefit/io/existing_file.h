@@ -3,10 +3,10 @@
 
 #include "loosefit/io/config_reader.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Absolute form of a file named in a configuration, relative to the folder of that.
 /// \throws InvalidInput if it does not exist or is not a file.
 std::string existing_file(ConfigReader& table, const std::string& key);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

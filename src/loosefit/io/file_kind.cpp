@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kBeginning = 1 << 16;
@@ -113,4 +113,4 @@ std::string kind_of_file(const std::string& bytes) {
   return {};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -10,15 +10,15 @@
 #include "loosefit/pattern/curve.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
-void close_loops(Pattern& pattern) {
+void close_loops(pattern::Pattern& pattern) {
   constexpr double kSamePlace = 1e-6;  // [m]; files close to 4e-15 m
-  for (Panel& panel : pattern.panels) {
+  for (pattern::Panel& panel : pattern.panels) {
     const std::size_t n = panel.edges.size();
     for (std::size_t e = 0; e < n; ++e) {
-      PanelEdge& edge = panel.edges[e];
-      const PanelEdge& next = panel.edges[(e + 1) % n];
+      pattern::PanelEdge& edge = panel.edges[e];
+      const pattern::PanelEdge& next = panel.edges[(e + 1) % n];
       const std::string name = edge.name.empty() ? std::to_string(e) : edge.name;
       if (edge.start == edge.end)
         throw GeometryError(InputPlace{{}, 0, fmt::format("panel {} edge {}", panel.name, name)},
@@ -35,18 +35,18 @@ void close_loops(Pattern& pattern) {
   }
 }
 
-void make_counter_clockwise(Panel& panel) {
-  if (!(signed_area(outline_polygon(panel)) < 0)) return;
+void make_counter_clockwise(pattern::Panel& panel) {
+  if (!(pattern::signed_area(pattern::outline_polygon(panel)) < 0)) return;
   for (Vec2& v : panel.vertices) v.x() = -v.x();
-  for (PanelEdge& edge : panel.edges) {
+  for (pattern::PanelEdge& edge : panel.edges) {
     for (Vec2& k : edge.knots) k.x() = -k.x();
-    for (EdgeCurve& curve : edge.curves) curve = mirrored_curve(curve);
+    for (pattern::EdgeCurve& curve : edge.curves) curve = pattern::mirrored_curve(curve);
   }
   const Mat3 half_turn = Vec3(-1, 1, -1).asDiagonal();
   panel.rotation = panel.rotation * half_turn;
 }
 
-void set_panel_order(Pattern& pattern, const std::vector<std::string>& names) {
+void set_panel_order(pattern::Pattern& pattern, const std::vector<std::string>& names) {
   constexpr double kEqual = 0.10;  // [m]
   pattern.panel_order.clear();
   const auto listed = [&](int p) {
@@ -60,7 +60,7 @@ void set_panel_order(Pattern& pattern, const std::vector<std::string>& names) {
   std::vector<std::pair<int, Vec3>> rest;
   for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
     if (listed(p)) continue;
-    const Panel& panel = pattern.panels[p];
+    const pattern::Panel& panel = pattern.panels[p];
     Vec3 low = Vec3::Constant(1e9), high = -low;
     for (const Vec2& v : panel.vertices) {
       const Vec3 at = frame_from_y_up().transpose() *
@@ -95,4 +95,4 @@ void set_panel_order(Pattern& pattern, const std::vector<std::string>& names) {
   for (const std::size_t i : order) pattern.panel_order.push_back(rest[i].first);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::io {
 
 Mat3 frame_from_y_up() {
   Mat3 frame;
@@ -37,4 +37,4 @@ Vec3 euler_deg_from_rotation(const Mat3& r) {
   return angles;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// Runs of file edges that belong together, per panel: group number of every edge and its place.
@@ -13,10 +13,11 @@ struct Groups {
   std::vector<std::vector<std::vector<int>>> members;  // [panel][group] → edges
 };
 
-Groups group_by_name(const Pattern& pattern, const std::set<std::pair<int, std::string>>& apart) {
+Groups group_by_name(const pattern::Pattern& pattern,
+                     const std::set<std::pair<int, std::string>>& apart) {
   Groups groups;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    const Panel& panel = pattern.panels[p];
+    const pattern::Panel& panel = pattern.panels[p];
     std::vector<int> of;
     std::vector<std::vector<int>> members;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
@@ -41,7 +42,7 @@ Groups group_by_name(const Pattern& pattern, const std::set<std::pair<int, std::
 }
 
 struct SewnTo {
-  Stitch::Side side;
+  pattern::Stitch::Side side;
   bool right_wrong = false;
 };
 using SewnMap = std::map<std::pair<int, int>, SewnTo>;
@@ -74,10 +75,10 @@ void make_unique(std::string& name, std::set<std::string>& used) {
   name = candidate;
 }
 
-PanelEdge joined(const Panel& panel, const std::vector<int>& parts) {
-  PanelEdge edge = panel.edges[parts[0]];
+pattern::PanelEdge joined(const pattern::Panel& panel, const std::vector<int>& parts) {
+  pattern::PanelEdge edge = panel.edges[parts[0]];
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    const PanelEdge& next = panel.edges[parts[i]];
+    const pattern::PanelEdge& next = panel.edges[parts[i]];
     edge.knots.push_back(panel.vertices[next.start]);
     edge.curves.insert(edge.curves.end(), next.curves.begin(), next.curves.end());
     edge.end = next.end;
@@ -87,9 +88,9 @@ PanelEdge joined(const Panel& panel, const std::vector<int>& parts) {
 
 }  // namespace
 
-void merge_named_edges(Pattern& pattern) {
+void merge_named_edges(pattern::Pattern& pattern) {
   SewnMap sewn;
-  for (const Stitch& s : pattern.stitches) {
+  for (const pattern::Stitch& s : pattern.stitches) {
     sewn[{s.first.panel, s.first.edge}] = {s.second, s.right_wrong};
     sewn[{s.second.panel, s.second.edge}] = {s.first, s.right_wrong};
   }
@@ -108,9 +109,9 @@ void merge_named_edges(Pattern& pattern) {
     if (again) groups = group_by_name(pattern, apart);
   }
 
-  std::vector<Stitch> stitches;
+  std::vector<pattern::Stitch> stitches;
   std::set<std::string> stitch_names;
-  for (Stitch s : pattern.stitches) {
+  for (pattern::Stitch s : pattern.stitches) {
     const int a = groups.of[s.first.panel][s.first.edge];
     const int b = groups.of[s.second.panel][s.second.edge];
     if (groups.members[s.first.panel][a][0] != s.first.edge) continue;  // a later part
@@ -125,8 +126,8 @@ void merge_named_edges(Pattern& pattern) {
   pattern.stitches = stitches;
 
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    Panel& panel = pattern.panels[p];
-    std::vector<PanelEdge> edges;
+    pattern::Panel& panel = pattern.panels[p];
+    std::vector<pattern::PanelEdge> edges;
     std::set<std::string> names;
     for (const std::vector<int>& parts : groups.members[p]) edges.push_back(joined(panel, parts));
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -137,11 +138,11 @@ void merge_named_edges(Pattern& pattern) {
     // Vertices that became joints are no corners any more.
     std::vector<int> kept(panel.vertices.size(), -1);
     std::vector<Vec2> vertices;
-    for (PanelEdge& edge : panel.edges) {
+    for (pattern::PanelEdge& edge : panel.edges) {
       kept[edge.start] = static_cast<int>(vertices.size());
       vertices.push_back(panel.vertices[edge.start]);
     }
-    for (PanelEdge& edge : panel.edges) {
+    for (pattern::PanelEdge& edge : panel.edges) {
       edge.start = kept[edge.start];
       edge.end = kept[edge.end];
     }
@@ -149,4 +150,4 @@ void merge_named_edges(Pattern& pattern) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

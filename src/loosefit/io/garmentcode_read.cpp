@@ -18,7 +18,7 @@
 #include "loosefit/kinds/recognise.h"
 #include "loosefit/pattern/pattern_check.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using Json = nlohmann::ordered_json;  // panels stay in the order of the file
@@ -108,26 +108,27 @@ struct FileRules {
   bool absolute_curves = false;
 };
 
-EdgeCurve read_curve(const Node& node, const Vec2& a, const Vec2& b, const FileRules& rules) {
-  EdgeCurve curve;
+pattern::EdgeCurve read_curve(const Node& node, const Vec2& a, const Vec2& b,
+                              const FileRules& rules) {
+  pattern::EdgeCurve curve;
   const Vec2 chord = b - a, left(-chord.y(), chord.x());
   const auto relative = [&](const Vec2& uv) -> Vec2 { return a + uv.x() * chord + uv.y() * left; };
   if (node.value.is_array()) {  // old files
     const Vec2 control = node.pair();
-    curve.kind = EdgeCurve::Kind::quadratic;
+    curve.kind = pattern::EdgeCurve::Kind::quadratic;
     curve.control = {rules.absolute_curves ? Vec2(control * rules.metre) : relative(control)};
     return curve;
   }
   const Node type = node.object().at("type"), params = node.at("params");
   const std::string kind = type.text();
   if (kind == "quadratic") {
-    curve.kind = EdgeCurve::Kind::quadratic;
+    curve.kind = pattern::EdgeCurve::Kind::quadratic;
     params.array(1, 1);
   } else if (kind == "cubic") {
-    curve.kind = EdgeCurve::Kind::cubic;
+    curve.kind = pattern::EdgeCurve::Kind::cubic;
     params.array(2, 2);
   } else if (kind == "circle") {
-    curve.kind = EdgeCurve::Kind::circle;
+    curve.kind = pattern::EdgeCurve::Kind::circle;
     params.array(3, 3);
     curve.radius = params.item(0).number() * rules.metre;
     if (!(curve.radius > 0)) params.item(0).fail(params.item(0).describe(), "a positive radius");
@@ -143,9 +144,9 @@ EdgeCurve read_curve(const Node& node, const Vec2& a, const Vec2& b, const FileR
   return curve;
 }
 
-Panel read_panel(const std::string& name, const Node& node, const FileRules& rules,
-                 std::vector<std::string>& warnings) {
-  Panel panel;
+pattern::Panel read_panel(const std::string& name, const Node& node, const FileRules& rules,
+                          std::vector<std::string>& warnings) {
+  pattern::Panel panel;
   panel.name = name;
   node.object();
   panel.label = node.optional_text("label");
@@ -156,7 +157,7 @@ Panel read_panel(const std::string& name, const Node& node, const FileRules& rul
   for (std::size_t i = 0; i < edges.value.size(); ++i) {
     const Node item = edges.item(i);
     const Node ends = item.object().at("endpoints").array(2, 2);
-    PanelEdge edge;
+    pattern::PanelEdge edge;
     const int count = static_cast<int>(panel.vertices.size());
     edge.start = ends.item(0).index(count, "a vertex");
     edge.end = ends.item(1).index(count, "a vertex");
@@ -177,17 +178,17 @@ Panel read_panel(const std::string& name, const Node& node, const FileRules& rul
   return panel;
 }
 
-Stitch read_stitch(const Node& node, const Pattern& pattern) {
+pattern::Stitch read_stitch(const Node& node, const pattern::Pattern& pattern) {
   node.array(2, 3);
-  Stitch stitch;
+  pattern::Stitch stitch;
   for (int side = 0; side < 2; ++side) {
     const Node item = node.item(side).object();
-    Stitch::Side& target = side == 0 ? stitch.first : stitch.second;
+    pattern::Stitch::Side& target = side == 0 ? stitch.first : stitch.second;
     const Node panel = item.at("panel");
     target.panel = pattern.find_panel(panel.text());
     if (target.panel < 0) {
       std::vector<std::string> names;
-      for (const Panel& p : pattern.panels) names.push_back(p.name);
+      for (const pattern::Panel& p : pattern.panels) names.push_back(p.name);
       panel.fail(panel.describe(), "the name of a panel", did_you_mean(panel.text(), names));
     }
     const int edges = static_cast<int>(pattern.panels[target.panel].edges.size());
@@ -230,7 +231,7 @@ FileRules read_rules(const Node& root, std::vector<std::string>& warnings) {
   return rules;
 }
 
-std::vector<std::string> read_panel_order(const Node& pattern, const Pattern& panels,
+std::vector<std::string> read_panel_order(const Node& pattern, const pattern::Pattern& panels,
                                           std::vector<std::string>& warnings) {
   std::vector<std::string> order;
   if (!pattern.has("panel_order")) return order;
@@ -305,13 +306,13 @@ void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
 void note_draft(const Node& root, PatternFile& file) {
   std::string mark;
   if (root.has("properties")) mark = root.at("properties").optional_text(kDraftKey);
-  const Recognised found = recognise_kind(file.pattern, mark);
-  if (found == Recognised::unknown_draft)
+  const kinds::Recognised found = kinds::recognise_kind(file.pattern, mark);
+  if (found == kinds::Recognised::unknown_draft)
     file.warnings.push_back(
         fmt::format("properties.{}: \"{}\" is of another version; the garment "
                     "is put on as its panels are placed",
                     kDraftKey, printable(mark)));
-  if (found == Recognised::sewn_otherwise)
+  if (found == kinds::Recognised::sewn_otherwise)
     file.warnings.push_back(
         fmt::format("properties.{}: the pattern is sewn in another way than "
                     "this draft; it is put on as its panels are placed",
@@ -365,9 +366,9 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
   const auto order = read_panel_order(pattern, result.pattern, result.warnings);
   try {
     close_loops(result.pattern);
-    for (Panel& panel : result.pattern.panels) make_counter_clockwise(panel);
+    for (pattern::Panel& panel : result.pattern.panels) make_counter_clockwise(panel);
     merge_named_edges(result.pattern);
-    check_pattern(result.pattern);
+    pattern::check_pattern(result.pattern);
   } catch (const GeometryError& e) {
     throw GeometryError(file + ": " + e.what(), e.hint());
   }
@@ -390,4 +391,4 @@ PatternFile read_garmentcode(const std::filesystem::path& path) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,11 +5,11 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// A pattern read from a file and what had to be assumed for it.
 struct PatternFile {
-  Pattern pattern;
+  pattern::Pattern pattern;
   std::vector<std::string> warnings;
 };
 
@@ -30,4 +30,4 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file);
 /// \throws IoError if the file cannot be read, and as parse_garmentcode.
 PatternFile read_garmentcode(const std::filesystem::path& path);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

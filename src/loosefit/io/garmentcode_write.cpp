@@ -14,7 +14,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -25,7 +25,7 @@ constexpr double kSameCut = 1e-7;  // of the arc length
 /// One file edge: a single curve.
 struct Part {
   Vec2 start, end;
-  EdgeCurve curve;
+  pattern::EdgeCurve curve;
 };
 
 /// Rounding noise of the unit change would print as 25.919999999999998.
@@ -43,7 +43,7 @@ void add_cuts(std::vector<double>& cuts, const std::vector<double>& more) {
 }
 
 /// The edge cut at its own joints and at `cuts` (fractions of its arc length).
-std::vector<Part> parts_of(const EdgePath& path, const std::vector<double>& cuts) {
+std::vector<Part> parts_of(const pattern::EdgePath& path, const std::vector<double>& cuts) {
   std::vector<Part> parts;
   std::vector<std::vector<double>> inner(path.curves().size());
   const std::vector<double> joints = path.joint_fractions();
@@ -55,14 +55,14 @@ std::vector<Part> parts_of(const EdgePath& path, const std::vector<double>& cuts
     inner[c].push_back(t);
   }
   for (std::size_t c = 0; c < path.curves().size(); ++c) {
-    EdgeCurve rest = path.curves()[c];
+    pattern::EdgeCurve rest = path.curves()[c];
     Vec2 from = path.knot(static_cast<int>(c));
     const Vec2 to = path.knot(static_cast<int>(c) + 1);
     double done = 0;
     for (const double t : inner[c]) {
       const double local = (t - done) / (1 - done);
-      const Vec2 middle = curve_point(rest, from, to, local);
-      const auto [left, right] = split_curve(rest, from, to, local);
+      const Vec2 middle = pattern::curve_point(rest, from, to, local);
+      const auto [left, right] = pattern::split_curve(rest, from, to, local);
       parts.push_back({from, middle, left});
       from = middle;
       rest = right;
@@ -86,13 +86,13 @@ Json curvature_of(const Part& part, const std::string& where) {
     return Json::array({tidy_share(along), tidy_share(across)});
   };
   Json params = Json::array();
-  if (part.curve.kind == EdgeCurve::Kind::circle) {
+  if (part.curve.kind == pattern::EdgeCurve::Kind::circle) {
     params = {tidy(part.curve.radius * kPerMetre), part.curve.large_arc ? 1 : 0,
               part.curve.sweep ? 1 : 0};
     return {{"type", "circle"}, {"params", params}};
   }
   for (const Vec2& c : part.curve.control) params.push_back(relative(c));
-  return {{"type", part.curve.kind == EdgeCurve::Kind::quadratic ? "quadratic" : "cubic"},
+  return {{"type", part.curve.kind == pattern::EdgeCurve::Kind::quadratic ? "quadratic" : "cubic"},
           {"params", params}};
 }
 
@@ -107,12 +107,12 @@ std::string list_lines(const std::vector<Json>& items, const std::string& indent
 
 }  // namespace
 
-std::string garmentcode_text(const Pattern& pattern) {
-  check_pattern(pattern);
+std::string garmentcode_text(const pattern::Pattern& pattern) {
+  pattern::check_pattern(pattern);
   // Each edge is cut at its own joints, and at those of the edge it is sewn to.
-  std::vector<std::vector<EdgePath>> paths;
+  std::vector<std::vector<pattern::EdgePath>> paths;
   std::vector<std::vector<std::vector<double>>> cuts;  // [panel][edge]
-  for (const Panel& panel : pattern.panels) {
+  for (const pattern::Panel& panel : pattern.panels) {
     paths.emplace_back();
     cuts.emplace_back();
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
@@ -120,7 +120,7 @@ std::string garmentcode_text(const Pattern& pattern) {
       cuts.back().push_back(paths.back().back().joint_fractions());
     }
   }
-  for (const Stitch& s : pattern.stitches) {
+  for (const pattern::Stitch& s : pattern.stitches) {
     auto& a = cuts[s.first.panel][s.first.edge];
     auto& b = cuts[s.second.panel][s.second.edge];
     const auto across = [&](std::vector<double> fractions) {
@@ -137,9 +137,9 @@ std::string garmentcode_text(const Pattern& pattern) {
   std::string panels;
   std::vector<std::vector<std::pair<int, int>>> range(pattern.panels.size());  // first, count
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    const Panel& panel = pattern.panels[p];
+    const pattern::Panel& panel = pattern.panels[p];
     std::vector<Json> vertices, edges;
-    std::vector<std::pair<Part, const PanelEdge*>> parts;
+    std::vector<std::pair<Part, const pattern::PanelEdge*>> parts;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
       const std::vector<Part> pieces = parts_of(paths[p][e], cuts[p][e]);
       range[p].push_back({static_cast<int>(parts.size()), static_cast<int>(pieces.size())});
@@ -150,7 +150,7 @@ std::string garmentcode_text(const Pattern& pattern) {
       vertices.push_back(
           Json::array({tidy(part.start.x() * kPerMetre), tidy(part.start.y() * kPerMetre)}));
       Json item = {{"endpoints", Json::array({i, (i + 1) % parts.size()})}};
-      if (part.curve.kind != EdgeCurve::Kind::line)
+      if (part.curve.kind != pattern::EdgeCurve::Kind::line)
         item["curvature"] = curvature_of(part, "panel " + panel.name + " edge " + edge->name);
       if (!edge->label.empty()) item["label"] = edge->label;
       item["name"] = edge->name;
@@ -170,7 +170,7 @@ std::string garmentcode_text(const Pattern& pattern) {
 
   // A seam becomes as many stitches as its edges have parts.
   std::vector<Json> stitches;
-  for (const Stitch& s : pattern.stitches) {
+  for (const pattern::Stitch& s : pattern.stitches) {
     const auto [first_a, count] = range[s.first.panel][s.first.edge];
     const auto [first_b, count_b] = range[s.second.panel][s.second.edge];
     for (int i = 0; i < count; ++i) {
@@ -184,7 +184,7 @@ std::string garmentcode_text(const Pattern& pattern) {
     }
   }
   // The mark of our own draft, and the order of the panels.
-  const std::string draft = draft_mark(pattern);
+  const std::string draft = kinds::draft_mark(pattern);
   const std::string mark =
       draft.empty() ? "" : fmt::format(",\n    \"{}\": \"{}\"", kDraftKey, draft);
   Json order = Json::array();
@@ -197,8 +197,8 @@ std::string garmentcode_text(const Pattern& pattern) {
       panels, list_lines(stitches, "    "), order.dump(), kPerMetre, mark);
 }
 
-void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern) {
+void write_garmentcode(const std::filesystem::path& path, const pattern::Pattern& pattern) {
   write_text_file(path.string(), garmentcode_text(pattern));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,18 +4,18 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
-/// Key of "properties" that tells by which draft of ours a pattern was made (GarmentKind::mark); readers of other
-/// programs pass over it.
+/// Key of "properties" that tells by which draft of ours a pattern was made (GarmentKind::mark);
+/// readers of other programs pass over it.
 inline constexpr const char* kDraftKey = "loosefit_draft";
 
 /// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
 /// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
 /// What is written and read again is written as the same bytes. \throws GeometryError for an
 /// invalid pattern.
-std::string garmentcode_text(const Pattern& pattern);
+std::string garmentcode_text(const pattern::Pattern& pattern);
 /// \throws IoError if the file cannot be written.
-void write_garmentcode(const std::filesystem::path& path, const Pattern& pattern);
+void write_garmentcode(const std::filesystem::path& path, const pattern::Pattern& pattern);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

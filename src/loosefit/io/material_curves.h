@@ -4,7 +4,7 @@
 #include "loosefit/fabric/material.h"
 #include "loosefit/io/config_reader.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Reads the measured curves of a material, each a table of two arrays of equal length:
 ///
@@ -18,9 +18,9 @@ namespace loosefit {
 /// direction, which becomes the initial slope; giving both in one table is an error. Returns the
 /// directions read ("warp").
 /// \throws InvalidInput, for points that do not rise as MonotoneCubic.
-std::vector<const char*> read_material_curves(ConfigReader& table, Material& material);
+std::vector<const char*> read_material_curves(ConfigReader& table, fabric::Material& material);
 
 /// TOML lines (dotted keys) of all curves; reading them back gives the same points.
-std::string material_curves_toml(const Material& material);
+std::string material_curves_toml(const fabric::Material& material);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

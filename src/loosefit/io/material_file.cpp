@@ -11,7 +11,7 @@
 #include "loosefit/io/material_kes.h"
 #include "loosefit/io/toml_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 void refuse_bending_in_other_units(ConfigReader& table) {
@@ -26,9 +26,9 @@ void refuse_bending_in_other_units(ConfigReader& table) {
 }
 
 // A stiffness in the table, in whatever form, replaces the curve the card had before.
-void drop_replaced_curves(const std::set<std::string>& set, MaterialCard& card) {
-  Material& m = card.material;
-  const std::pair<const char*, std::vector<CurvePoint>*> curves[] = {
+void drop_replaced_curves(const std::set<std::string>& set, scenario::MaterialCard& card) {
+  fabric::Material& m = card.material;
+  const std::pair<const char*, std::vector<fabric::CurvePoint>*> curves[] = {
       {"stiffness_warp", &m.curve_warp},
       {"stiffness_weft", &m.curve_weft},
       {"stiffness_shear", &m.curve_shear}};
@@ -39,7 +39,8 @@ void drop_replaced_curves(const std::set<std::string>& set, MaterialCard& card) 
     }
 }
 
-void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::string>& set) {
+void read_isotropic_pair(ConfigReader& table, scenario::MaterialCard& card,
+                         std::set<std::string>& set) {
   const auto modulus = table.optional_number("youngs_modulus", {1e3, 1e12, "Pa"});
   const auto h = table.optional_number("elastic_thickness", {1e-6, 0.01, "metres"});
   if (!modulus && !h) return;
@@ -50,7 +51,7 @@ void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::
   if (!modulus) throw table.error("youngs_modulus", "Pa from 1000 to 1e+12", why);
   for (const char* key : {"stiffness_warp", "stiffness_weft"})
     if (set.count(key)) throw table.error(key, "either youngs_modulus or " + std::string(key), why);
-  Material& m = card.material;
+  fabric::Material& m = card.material;
   const double sheet = *modulus * *h;
   if (sheet < 1 || sheet > 1e6)
     throw table.error("youngs_modulus", fmt::format("E h = {:g} N/m", sheet),
@@ -69,7 +70,7 @@ void read_isotropic_pair(ConfigReader& table, MaterialCard& card, std::set<std::
 }
 
 // All that a card lacks, at once.
-void refuse_gaps(const ConfigReader& table, const MaterialCard& card) {
+void refuse_gaps(const ConfigReader& table, const scenario::MaterialCard& card) {
   std::vector<std::string> lacking, wanted;
   const auto lack = [&](const std::string& key, const std::string& what) {
     lacking.push_back(key);
@@ -94,21 +95,21 @@ void refuse_gaps(const ConfigReader& table, const MaterialCard& card) {
 // The one table from which reading, writing and documentation follow.
 const std::vector<MaterialConstant>& material_constants() {
   static const std::vector<MaterialConstant> kTable = {
-      {"areal_density", &Material::areal_density, {0.01, 5, "kg/m²"}},
-      {"thickness", &Material::thickness, {5e-5, 0.005, "metres"}},
-      {"stiffness_warp", &Material::stiffness_warp, {1, 1e6, "N/m"}},
-      {"stiffness_weft", &Material::stiffness_weft, {1, 1e6, "N/m"}},
-      {"poisson", &Material::poisson, {-0.9, 0.9, "a number"}},
-      {"stiffness_shear", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
-      {"compression_factor", &Material::compression_factor, {1e-3, 1, "a fraction"}, false},
-      {"bending_warp", &Material::bending_warp, {1e-8, 1e-3, "N m"}},
-      {"bending_weft", &Material::bending_weft, {1e-8, 1e-3, "N m"}},
-      {"bending_poisson", &Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
-      {"bending_hysteresis_warp", &Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
-      {"bending_hysteresis_weft", &Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
-      {"friction_body", &Material::friction_body, {0, 3, "a coefficient"}},
-      {"friction_self", &Material::friction_self, {0, 3, "a coefficient"}},
-      {"damping", &Material::damping, {0, 10, "seconds"}},
+      {"areal_density", &fabric::Material::areal_density, {0.01, 5, "kg/m²"}},
+      {"thickness", &fabric::Material::thickness, {5e-5, 0.005, "metres"}},
+      {"stiffness_warp", &fabric::Material::stiffness_warp, {1, 1e6, "N/m"}},
+      {"stiffness_weft", &fabric::Material::stiffness_weft, {1, 1e6, "N/m"}},
+      {"poisson", &fabric::Material::poisson, {-0.9, 0.9, "a number"}},
+      {"stiffness_shear", &fabric::Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
+      {"compression_factor", &fabric::Material::compression_factor, {1e-3, 1, "a fraction"}, false},
+      {"bending_warp", &fabric::Material::bending_warp, {1e-8, 1e-3, "N m"}},
+      {"bending_weft", &fabric::Material::bending_weft, {1e-8, 1e-3, "N m"}},
+      {"bending_poisson", &fabric::Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
+      {"bending_hysteresis_warp", &fabric::Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
+      {"bending_hysteresis_weft", &fabric::Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
+      {"friction_body", &fabric::Material::friction_body, {0, 3, "a coefficient"}},
+      {"friction_self", &fabric::Material::friction_self, {0, 3, "a coefficient"}},
+      {"damping", &fabric::Material::damping, {0, 10, "seconds"}},
   };
   return kTable;
 }
@@ -123,7 +124,7 @@ std::vector<std::string> material_names() {
   return names;
 }
 
-MaterialCard load_material(const std::string& name) {
+scenario::MaterialCard load_material(const std::string& name) {
   const std::vector<std::string> names = material_names();
   if (names.empty())
     throw IoError((data_directory() / "materials").string() + ": found no material cards",
@@ -131,15 +132,16 @@ MaterialCard load_material(const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InvalidInput({"", 0, "material"}, "\"" + printable(name) + "\"",
                        "the name of a material card", did_you_mean(name, names));
-  MaterialCard card = read_material_file(data_directory() / "materials" / (name + ".toml"));
+  scenario::MaterialCard card =
+      read_material_file(data_directory() / "materials" / (name + ".toml"));
   card.key = name;
   return card;
 }
 
-MaterialCard read_material_file(const std::filesystem::path& path) {
+scenario::MaterialCard read_material_file(const std::filesystem::path& path) {
   const ConfigNode root = read_toml(path.string());
   ConfigReader table(root, path.string());
-  MaterialCard card;
+  scenario::MaterialCard card;
   card.key = std::filesystem::weakly_canonical(path).string();
   card.material.name = path.stem().string();
   card.title = table.text("title", card.material.name);
@@ -151,9 +153,9 @@ MaterialCard read_material_file(const std::filesystem::path& path) {
   return card;
 }
 
-std::set<std::string> read_material_constants(ConfigReader& table, MaterialCard& card) {
+std::set<std::string> read_material_constants(ConfigReader& table, scenario::MaterialCard& card) {
   refuse_bending_in_other_units(table);
-  Material& m = card.material;
+  fabric::Material& m = card.material;
   const std::map<std::string, std::string> converted = read_material_kes(table, m, card.kes);
   std::set<std::string> set;
   for (const auto& entry : converted) set.insert(entry.first);
@@ -183,24 +185,24 @@ std::vector<std::string> material_keys() {
   return keys;
 }
 
-std::string material_toml(const Material& material) {
+std::string material_toml(const fabric::Material& material) {
   std::string text;
-  const auto has_curve = [&](double Material::*value) {
-    return (value == &Material::stiffness_warp && !material.curve_warp.empty()) ||
-           (value == &Material::stiffness_weft && !material.curve_weft.empty()) ||
-           (value == &Material::stiffness_shear && !material.curve_shear.empty());
+  const auto has_curve = [&](double fabric::Material::*value) {
+    return (value == &fabric::Material::stiffness_warp && !material.curve_warp.empty()) ||
+           (value == &fabric::Material::stiffness_weft && !material.curve_weft.empty()) ||
+           (value == &fabric::Material::stiffness_shear && !material.curve_shear.empty());
   };
   for (const MaterialConstant& c : material_constants())
     if (!has_curve(c.value)) text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
   return text + material_curves_toml(material);
 }
 
-double bending_length(const Material& material) {
+double bending_length(const fabric::Material& material) {
   return bending_length(material, std::sqrt(material.bending_warp * material.bending_weft));
 }
 
-double bending_length(const Material& material, double bending) {
+double bending_length(const fabric::Material& material, double bending) {
   return std::cbrt(bending / (material.areal_density * kGravity));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

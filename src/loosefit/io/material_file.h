@@ -7,12 +7,12 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/material_card.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One constant of Material as a key of cards and scenarios.
 struct MaterialConstant {
   const char* key;
-  double Material::*value;
+  double fabric::Material::*value;
   NumberRange range;
   bool required = true;  ///< of a card
 };
@@ -23,7 +23,7 @@ const std::vector<MaterialConstant>& material_constants();
 std::vector<std::string> material_names();
 
 /// Shipped card by name. \throws InvalidInput with a did-you-mean if there is none.
-MaterialCard load_material(const std::string& name);
+scenario::MaterialCard load_material(const std::string& name);
 
 /// Reads a card. Every constant of Material is a key of the same name (SI) and required, except
 /// compression_factor and those of bending_poisson and bending hysteresis. A constant may instead
@@ -32,24 +32,24 @@ MaterialCard load_material(const std::string& name);
 /// the isotropic pair youngs_modulus [Pa] and elastic_thickness h [m]: K = E h, and
 /// G = E h / (2 (1 + ν)) unless the shear stiffness is given too.
 /// \throws IoError, InvalidInput; one that names all that a card lacks.
-MaterialCard read_material_file(const std::filesystem::path& path);
+scenario::MaterialCard read_material_file(const std::filesystem::path& path);
 
 /// Overwrites the constants that stand in `table` (same keys as a card). A stiffness that stands
 /// there replaces the measured curve of the card in its direction. The isotropic pair is reported
 /// with E h and E h³ / (12 (1 − ν²)) in `notes`, beside the bending rigidity in use. The caller
 /// calls table.finish(). Returns the SI keys that were set, and tells in card.how how.
 /// \throws InvalidInput for values outside their range; bending above 1e-3 N m gets a unit hint.
-std::set<std::string> read_material_constants(ConfigReader& table, MaterialCard& card);
+std::set<std::string> read_material_constants(ConfigReader& table, scenario::MaterialCard& card);
 
 /// Keys of all constants, in the order of the cards.
 std::vector<std::string> material_keys();
 
 /// TOML lines `key = value` of all constants and curves; a stiffness with a curve is left out.
-std::string material_toml(const Material& material);
+std::string material_toml(const fabric::Material& material);
 
 /// Bending length c = (B / (w g))^(1/3) [m] of the mean bending rigidity: how stiff it looks.
-double bending_length(const Material& material);
+double bending_length(const fabric::Material& material);
 /// The same of one direction with bending rigidity B [N m].
-double bending_length(const Material& material, double bending);
+double bending_length(const fabric::Material& material, double bending);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

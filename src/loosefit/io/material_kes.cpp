@@ -6,7 +6,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr double kOuterWearLoad = 500;  // [gf/cm]
@@ -16,7 +16,7 @@ struct Constant {
   const char* quantity;
   const char* si_key;
   const char* direction;  // "", "warp", "weft"
-  double Material::*value;
+  double fabric::Material::*value;
   NumberRange range;
 };
 
@@ -24,15 +24,17 @@ const std::vector<Constant>& constants() {
   static const NumberRange kStiffness{1, 1e6, "N/m"}, kBending{1e-8, 1e-3, "N m"},
       kHysteresis{0, 0.1, "N"};
   static const std::vector<Constant> kTable = {
-      {"W", "areal_density", "", &Material::areal_density, {0.01, 5, "kg/m²"}},
-      {"T", "thickness", "", &Material::thickness, {5e-5, 0.005, "metres"}},
-      {"EMT", "stiffness_warp", "warp", &Material::stiffness_warp, kStiffness},
-      {"EMT", "stiffness_weft", "weft", &Material::stiffness_weft, kStiffness},
-      {"G", "stiffness_shear", "", &Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
-      {"B", "bending_warp", "warp", &Material::bending_warp, kBending},
-      {"B", "bending_weft", "weft", &Material::bending_weft, kBending},
-      {"2HB", "bending_hysteresis_warp", "warp", &Material::bending_hysteresis_warp, kHysteresis},
-      {"2HB", "bending_hysteresis_weft", "weft", &Material::bending_hysteresis_weft, kHysteresis},
+      {"W", "areal_density", "", &fabric::Material::areal_density, {0.01, 5, "kg/m²"}},
+      {"T", "thickness", "", &fabric::Material::thickness, {5e-5, 0.005, "metres"}},
+      {"EMT", "stiffness_warp", "warp", &fabric::Material::stiffness_warp, kStiffness},
+      {"EMT", "stiffness_weft", "weft", &fabric::Material::stiffness_weft, kStiffness},
+      {"G", "stiffness_shear", "", &fabric::Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
+      {"B", "bending_warp", "warp", &fabric::Material::bending_warp, kBending},
+      {"B", "bending_weft", "weft", &fabric::Material::bending_weft, kBending},
+      {"2HB", "bending_hysteresis_warp", "warp", &fabric::Material::bending_hysteresis_warp,
+       kHysteresis},
+      {"2HB", "bending_hysteresis_weft", "weft", &fabric::Material::bending_hysteresis_weft,
+       kHysteresis},
   };
   return kTable;
 }
@@ -53,19 +55,19 @@ bool has_curve(ConfigReader& table, const std::string& si_key) {
 }
 
 double in_si(const std::string& quantity, double figure, double load) {
-  if (quantity == "EMT") return tensile_secant(figure, load);
-  const double si = kes_to_si(quantity, figure);
+  if (quantity == "EMT") return fabric::tensile_secant(figure, load);
+  const double si = fabric::kes_to_si(quantity, figure);
   return quantity == "2HB" ? si / 2 : si;
 }
 
 /// The conversion of one figure in words.
 std::string conversion(const std::string& key, const std::string& quantity, double figure,
                        double load) {
-  const KesUnit& unit = kes_unit(quantity);
+  const fabric::KesUnit& unit = fabric::kes_unit(quantity);
   std::string text = fmt::format("kes.{} = {} {}", key, shortest(figure), unit.unit);
   if (quantity == "EMT")
     return text + fmt::format(": {} gf/cm × {} / ({} / 100)", shortest(load),
-                              shortest(kes_unit("F").factor), shortest(figure));
+                              shortest(fabric::kes_unit("F").factor), shortest(figure));
   text += fmt::format(" × {:.6g}", unit.factor);
   return quantity == "2HB" ? text + " / 2" : text;
 }
@@ -86,15 +88,16 @@ void check_shapes(const ConfigReader& kes, const ConfigNode& table) {
   for (const auto& [key, node] : table.members) {
     const std::size_t end = std::min(key.find("_warp"), key.find("_weft"));
     const std::string quantity = key.substr(0, end);
-    const bool known = std::any_of(kes_units().begin(), kes_units().end(),
-                                   [&](const KesUnit& unit) { return unit.quantity == quantity; });
+    const bool known =
+        std::any_of(fabric::kes_units().begin(), fabric::kes_units().end(),
+                    [&](const fabric::KesUnit& unit) { return unit.quantity == quantity; });
     if (!known) continue;
     const bool takes = std::find(directed.begin(), directed.end(), quantity) != directed.end();
     if (end != std::string::npos && !takes)
       throw kes.error(key, "a key of its own", quantity + " alone, for both directions",
                       quantity + " has no warp and weft; give the mean of the two");
     if (node.kind == ConfigNode::Kind::integer || node.kind == ConfigNode::Kind::number) continue;
-    throw kes.error(key, "one number in " + kes_unit(quantity).unit,
+    throw kes.error(key, "one number in " + fabric::kes_unit(quantity).unit,
                     takes && end == std::string::npos
                         ? fmt::format("{0} stands for both directions; where they differ give "
                                       "{0}_warp and {0}_weft",
@@ -105,8 +108,9 @@ void check_shapes(const ConfigReader& kes, const ConfigNode& table) {
 
 }  // namespace
 
-std::map<std::string, std::string> read_material_kes(ConfigReader& table, Material& material,
-                                                     std::vector<KesFigure>& figures) {
+std::map<std::string, std::string> read_material_kes(ConfigReader& table,
+                                                     fabric::Material& material,
+                                                     std::vector<scenario::KesFigure>& figures) {
   std::map<std::string, std::string> set;
   if (!table.has("kes")) return set;
   ConfigReader kes = table.table("kes");
@@ -116,9 +120,9 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
   // Records a figure for the card; a key that the card had already is replaced.
   const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),
-                                   [&](const KesFigure& f) { return f.key == key; });
+                                   [&](const scenario::KesFigure& f) { return f.key == key; });
     if (same == figures.end())
-      figures.push_back({key, kes_unit(quantity), figure});
+      figures.push_back({key, fabric::kes_unit(quantity), figure});
     else
       same->value = figure;
   };
@@ -146,7 +150,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
     if (!figure || has_curve(table, c.si_key)) continue;
     set[c.si_key] = conversion(key, quantity, *figure, load);
     const double si = in_si(quantity, *figure, load);
-    const std::string measured = fmt::format("{} {}", *figure, kes_unit(quantity).unit);
+    const std::string measured = fmt::format("{} {}", *figure, fabric::kes_unit(quantity).unit);
     // Out of range most often means figures in other units.
     if (!(si >= c.range.low && si <= c.range.high))
       throw kes.error(key, fmt::format("{}, that is {} = {:g}", measured, c.si_key, si),
@@ -154,7 +158,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
                       "figures of [kes] are in the units of the KES instruments");
     // The card may state the SI value too; then both must agree.
     if (const auto given = table.optional_number(c.si_key, {})) {
-      if (!same_within_rounding(*figure, si, *given))
+      if (!fabric::same_within_rounding(*figure, si, *given))
         throw table.error(c.si_key, fmt::format("{}", *given),
                           fmt::format("{:.6g}, which is kes.{} = {}", si, key, measured),
                           "leave out one of the two, or correct it");
@@ -175,4 +179,4 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table, Materi
   return set;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

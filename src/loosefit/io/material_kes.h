@@ -6,7 +6,7 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/material_card.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Reads the optional table [kes]: KES figures in KES units. B, 2HB, EMT, LT, WT, RT take _warp or
 /// _weft, or stand for both directions without it; G, 2HG, 2HG5, T, W, MIU, MMD, SMD, LC, WC, RC
@@ -20,7 +20,8 @@ namespace loosefit {
 /// those of the same key.
 /// \throws InvalidInput that names both keys when they disagree, and the keys per direction where a
 /// figure is not one number.
-std::map<std::string, std::string> read_material_kes(ConfigReader& table, Material& material,
-                                                     std::vector<KesFigure>& figures);
+std::map<std::string, std::string> read_material_kes(ConfigReader& table,
+                                                     fabric::Material& material,
+                                                     std::vector<scenario::KesFigure>& figures);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

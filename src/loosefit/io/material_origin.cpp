@@ -7,7 +7,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// What makes one cloth another; friction, damping and Poisson's ratio are seldom measured.
@@ -15,38 +15,39 @@ const char* const kMechanical[] = {"areal_density",  "thickness",       "stiffne
                                    "stiffness_weft", "stiffness_shear", "bending_warp",
                                    "bending_weft"};
 
-const std::vector<CurvePoint>* curve_of(const Material& m, double Material::*value) {
-  return value == &Material::stiffness_warp    ? &m.curve_warp
-         : value == &Material::stiffness_weft  ? &m.curve_weft
-         : value == &Material::stiffness_shear ? &m.curve_shear
-                                               : nullptr;
+const std::vector<fabric::CurvePoint>* curve_of(const fabric::Material& m,
+                                                double fabric::Material::*value) {
+  return value == &fabric::Material::stiffness_warp    ? &m.curve_warp
+         : value == &fabric::Material::stiffness_weft  ? &m.curve_weft
+         : value == &fabric::Material::stiffness_shear ? &m.curve_shear
+                                                       : nullptr;
 }
 
-bool same(const Material& a, const Material& b, double Material::*value) {
-  const std::vector<CurvePoint>*p = curve_of(a, value), *q = curve_of(b, value);
+bool same(const fabric::Material& a, const fabric::Material& b, double fabric::Material::*value) {
+  const std::vector<fabric::CurvePoint>*p = curve_of(a, value), *q = curve_of(b, value);
   if (p && q &&
       !std::equal(p->begin(), p->end(), q->begin(), q->end(),
-                  [](const CurvePoint& x, const CurvePoint& y) {
+                  [](const fabric::CurvePoint& x, const fabric::CurvePoint& y) {
                     return x.strain == y.strain && x.force == y.force;
                   }))
     return false;
   return a.*value == b.*value;
 }
 
-std::string card_name(const MaterialCard& card) {
+std::string card_name(const scenario::MaterialCard& card) {
   return std::filesystem::path(card.key).stem().string();
 }
 
-std::vector<std::string> in_order(const MaterialCard& card, bool own) {
+std::vector<std::string> in_order(const scenario::MaterialCard& card, bool own) {
   std::vector<std::string> keys;
   for (const std::string& key : material_keys())
     if (card.own.keys.count(key) == (own ? 1u : 0u)) keys.push_back(key);
   return keys;
 }
 
-void name_after_constants(MaterialCard& card) {
-  Material& m = card.material;
-  const OwnConstants& own = card.own;
+void name_after_constants(scenario::MaterialCard& card) {
+  fabric::Material& m = card.material;
+  const scenario::OwnConstants& own = card.own;
   const bool all = std::all_of(std::begin(kMechanical), std::end(kMechanical),
                                [&](const char* key) { return own.keys.count(key) > 0; });
   const std::string of_scenario = own.source.empty() ? "constants of the scenario" : own.source;
@@ -77,15 +78,15 @@ std::string unit_of(const NumberRange& range) {
 
 }  // namespace
 
-void read_own_constants(ConfigReader& table, MaterialCard& card) {
-  const MaterialCard plain = card;
+void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
+  const scenario::MaterialCard plain = card;
   card.kes.clear();
   const std::set<std::string> set = read_material_constants(table, card);
-  OwnConstants& own = card.own;
+  scenario::OwnConstants& own = card.own;
   own.kes = card.kes;
-  for (const KesFigure& f : plain.kes)
+  for (const scenario::KesFigure& f : plain.kes)
     if (std::none_of(own.kes.begin(), own.kes.end(),
-                     [&](const KesFigure& o) { return o.key == f.key; }))
+                     [&](const scenario::KesFigure& o) { return o.key == f.key; }))
       card.kes.push_back(f);
   own.title = table.text("title", "");
   own.source = table.text("source", "");
@@ -105,19 +106,20 @@ void read_own_constants(ConfigReader& table, MaterialCard& card) {
   name_after_constants(card);
 }
 
-std::string own_constants_toml(const MaterialCard& card) {
-  const OwnConstants& own = card.own;
+std::string own_constants_toml(const scenario::MaterialCard& card) {
+  const scenario::OwnConstants& own = card.own;
   std::string text;
   if (!own.title.empty()) text += "title = " + toml_quoted(own.title) + "\n";
   if (!own.source.empty()) text += "source = " + toml_quoted(own.source) + "\n";
   std::vector<std::string> keys;
   for (const std::string& key : in_order(card, true)) keys.push_back(toml_quoted(key));
   if (!text.empty() || !keys.empty()) text += "given = [" + join(keys) + "]\n";
-  for (const KesFigure& f : own.kes) text += fmt::format("kes.{} = {}\n", f.key, shortest(f.value));
+  for (const scenario::KesFigure& f : own.kes)
+    text += fmt::format("kes.{} = {}\n", f.key, shortest(f.value));
   return text;
 }
 
-std::vector<ConstantInUse> constants_in_use(const MaterialCard& card) {
+std::vector<ConstantInUse> constants_in_use(const scenario::MaterialCard& card) {
   std::vector<ConstantInUse> all;
   for (const MaterialConstant& c : material_constants()) {
     const std::string of_card =
@@ -133,4 +135,4 @@ std::vector<ConstantInUse> constants_in_use(const MaterialCard& card) {
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,10 +5,10 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
-NamedValues read_measures(const std::filesystem::path& path,
-                          const std::vector<KindMeasure>& measures) {
+kinds::NamedValues read_measures(const std::filesystem::path& path,
+                                 const std::vector<kinds::KindMeasure>& measures) {
   using Json = nlohmann::json;
   constexpr std::size_t kLargestFile = 64u << 20;
   const std::string file = path.string();
@@ -29,9 +29,9 @@ NamedValues read_measures(const std::filesystem::path& path,
       throw InvalidInput(place, std::string("a value of type ") + value.type_name(), "a number");
     return value.get<double>();
   };
-  NamedValues values;
-  for (const KindMeasure& m : measures) values[m.name] = get(m.name, m.of_body);
+  kinds::NamedValues values;
+  for (const kinds::KindMeasure& m : measures) values[m.name] = get(m.name, m.of_body);
   return values;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,12 +4,12 @@
 
 #include "loosefit/kinds/kind.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Measures for a draft from JSON: the "measured" object of a body.json, or an object with the
 /// names themselves [m, rad]; KindMeasure::name or KindMeasure::of_body. Other names are ignored.
 /// \throws IoError; InvalidInput naming what is missing or no number.
-NamedValues read_measures(const std::filesystem::path& path,
-                          const std::vector<KindMeasure>& measures);
+kinds::NamedValues read_measures(const std::filesystem::path& path,
+                                 const std::vector<kinds::KindMeasure>& measures);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

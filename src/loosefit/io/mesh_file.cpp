@@ -13,7 +13,7 @@
 #include "loosefit/io/mesh_ply.h"
 #include "loosefit/io/mesh_stl.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 std::string extension_of(const std::string& path) {
@@ -22,7 +22,7 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-TriangleMesh parse(const std::string& bytes, const std::string& path) {
+geometry::TriangleMesh parse(const std::string& bytes, const std::string& path) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return parse_ply(bytes, path);
   const std::string extension = extension_of(path);
   if (extension == ".stl") return parse_stl(bytes, path);
@@ -67,4 +67,4 @@ MeshFile read_mesh(const std::string& path) {
   return file;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,11 +4,11 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// A surface as a file has it: file units and file axes, polygons cut into triangles.
 struct MeshFile {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   std::vector<std::string> warnings;  ///< what had to be repaired: corners welded, slivers dropped
 };
 
@@ -17,4 +17,4 @@ struct MeshFile {
 /// \throws IoError when unreadable; InvalidInput naming file, line (text) and what was expected.
 MeshFile read_mesh(const std::string& path);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

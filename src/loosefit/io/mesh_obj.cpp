@@ -8,11 +8,11 @@
 #include "loosefit/io/polygon_fan.h"
 #include "loosefit/io/text_lines.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 // Corner forms: 7, 7/1, 7/1/3, 7//3; a negative index counts back from the latest vertex.
-TriangleMesh parse_obj(std::string_view text, const std::string& path) {
-  TriangleMesh mesh;
+geometry::TriangleMesh parse_obj(std::string_view text, const std::string& path) {
+  geometry::TriangleMesh mesh;
   TextLines lines(text, path);
   while (lines.next()) {
     const auto words = lines.words();
@@ -41,7 +41,7 @@ TriangleMesh parse_obj(std::string_view text, const std::string& path) {
   return mesh;
 }
 
-void write_obj(const std::string& path, const TriangleMesh& mesh,
+void write_obj(const std::string& path, const geometry::TriangleMesh& mesh,
                const std::vector<Vec3>& normals) {
   std::string text = "# metres, z up, facing -y\n";
   for (const auto& p : mesh.vertices)
@@ -61,4 +61,4 @@ void write_obj(const std::string& path, const TriangleMesh& mesh,
   if (!file) throw IoError(path + ": cannot write", "is the folder there, writable, and not full?");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -9,7 +9,7 @@
 #include "loosefit/io/polygon_fan.h"
 #include "loosefit/io/text_lines.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 enum class Kind { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -151,7 +151,7 @@ void check_coordinate(const TextLines& lines, double value) {
 }
 
 void read_face(const TextLines& lines, const std::vector<double>& written, std::size_t vertex_count,
-               TriangleMesh& mesh) {
+               geometry::TriangleMesh& mesh) {
   std::vector<int> corners;
   for (const double index : written) {
     if (!(index >= 0 && index < double(vertex_count)) || index != double(int(index))) {
@@ -165,10 +165,10 @@ void read_face(const TextLines& lines, const std::vector<double>& written, std::
 
 }  // namespace
 
-TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
+geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
   TextLines lines(bytes, path);
   const Header header = read_header(lines);
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   Values values(lines, bytes, header.binary);
   // Faces may stand before the vertices they refer to.
   std::size_t vertex_count = 0;
@@ -207,4 +207,4 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,11 +4,11 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Surface of a PLY file, ascii or binary little-endian: x, y, z of its vertices and vertex_indices
 /// (or vertex_index) of its faces. `path` is for messages only. \throws InvalidInput naming file,
 /// line and what was expected.
-TriangleMesh parse_ply(std::string_view bytes, const std::string& path);
+geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -9,7 +9,7 @@
 #include "loosefit/io/polygon_fan.h"
 #include "loosefit/io/text_lines.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
@@ -17,7 +17,7 @@ constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
 /// STL repeats every corner: equal coordinates become one vertex.
 class Welder {
  public:
-  explicit Welder(TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit Welder(geometry::TriangleMesh& mesh) : mesh_(mesh) {}
   int vertex(const Vec3& p) {
     const auto [found, added] = index_.emplace(
         std::array<double, 3>{p.x() + 0., p.y() + 0., p.z() + 0.}, int(mesh_.vertices.size()));
@@ -26,12 +26,13 @@ class Welder {
   }
 
  private:
-  TriangleMesh& mesh_;
+  geometry::TriangleMesh& mesh_;
   std::map<std::array<double, 3>, int> index_;
 };
 
-TriangleMesh parse_binary(std::string_view bytes, const std::string& path, std::uint32_t count) {
-  TriangleMesh mesh;
+geometry::TriangleMesh parse_binary(std::string_view bytes, const std::string& path,
+                                    std::uint32_t count) {
+  geometry::TriangleMesh mesh;
   Welder weld(mesh);
   for (std::size_t t = 0; t < count; ++t) {
     std::array<float, 9> corner;
@@ -53,7 +54,7 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& path, std::
 
 }  // namespace
 
-TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
+geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
   // A binary file says its own length; its header may start with "solid" too.
   if (bytes.size() >= kHeaderBytes) {
     std::uint32_t count = 0;
@@ -61,7 +62,7 @@ TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
     if (bytes.size() == kHeaderBytes + count * kTriangleBytes)
       return parse_binary(bytes, path, count);
   }
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   Welder weld(mesh);
   TextLines lines(bytes, path);
   std::vector<int> corners;
@@ -85,4 +86,4 @@ TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

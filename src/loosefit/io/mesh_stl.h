@@ -4,10 +4,10 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Surface of an STL file, ascii or binary; corners at one place become one vertex. `path` is for
 /// messages only. \throws InvalidInput naming file, line or triangle, and what was expected.
-TriangleMesh parse_stl(std::string_view bytes, const std::string& path);
+geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -10,7 +10,7 @@
 #include "loosefit/io/plain_files.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -175,4 +175,4 @@ std::optional<OutputMark> read_output_mark(const std::filesystem::path& folder) 
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Names of files relative to their folder → SHA-256.
 using FileDigests = std::map<std::string, std::string>;
@@ -50,4 +50,4 @@ struct OutputMark {
 /// \throws InvalidInput if something else has its name; IoError.
 std::optional<OutputMark> read_output_mark(const std::filesystem::path& folder);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

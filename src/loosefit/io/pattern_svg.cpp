@@ -11,7 +11,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr double kMm = 1000;          // per metre
@@ -24,7 +24,7 @@ constexpr double kFaint = 0.35;       // opacity of names under marks
 
 /// A piece and its place on the sheet.
 struct Piece : PanelOnSheet {
-  const Panel* panel = nullptr;
+  const pattern::Panel* panel = nullptr;
   std::vector<Vec2> outline;
 
   Vec2 on_sheet(const Vec2& p) const { return at(p); }
@@ -53,25 +53,25 @@ Vec2 lay_out(std::vector<Piece>& pieces) {
 std::string point(const Vec2& p) { return fmt::format("{:.3f} {:.3f}", p.x(), p.y()); }
 
 std::string path_data(const Piece& piece) {
-  const Panel& panel = *piece.panel;
+  const pattern::Panel& panel = *piece.panel;
   std::string d = "M " + point(piece.on_sheet(panel.vertices[panel.edges[0].start]));
-  for (const PanelEdge& edge : panel.edges)
+  for (const pattern::PanelEdge& edge : panel.edges)
     for (std::size_t c = 0; c < edge.curves.size(); ++c) {
-      const EdgeCurve& curve = edge.curves[c];
+      const pattern::EdgeCurve& curve = edge.curves[c];
       const Vec2 to =
           piece.on_sheet(c < edge.knots.size() ? edge.knots[c] : panel.vertices[edge.end]);
       switch (curve.kind) {
-        case EdgeCurve::Kind::line:
+        case pattern::EdgeCurve::Kind::line:
           d += " L " + point(to);
           break;
-        case EdgeCurve::Kind::quadratic:
+        case pattern::EdgeCurve::Kind::quadratic:
           d += " Q " + point(piece.on_sheet(curve.control[0])) + " " + point(to);
           break;
-        case EdgeCurve::Kind::cubic:
+        case pattern::EdgeCurve::Kind::cubic:
           d += " C " + point(piece.on_sheet(curve.control[0])) + " " +
                point(piece.on_sheet(curve.control[1])) + " " + point(to);
           break;
-        case EdgeCurve::Kind::circle:  // y turns over, and with it the sense of rotation
+        case pattern::EdgeCurve::Kind::circle:  // y turns over, and with it the sense of rotation
           d += fmt::format(" A {0:.3f} {0:.3f} 0 {1} {2} {3}", curve.radius * kMm,
                            curve.large_arc ? 1 : 0, curve.sweep ? 0 : 1, point(to));
           break;
@@ -90,7 +90,7 @@ std::string text(const Vec2& at, double size, const std::string& words, double a
 
 /// Name, length and seam number of an edge, inside the piece along the edge.
 std::string edge_texts(const Piece& piece, int e, int seam) {
-  const EdgePath path(*piece.panel, e);
+  const pattern::EdgePath path(*piece.panel, e);
   const Vec2 before = piece.on_sheet(path.at(.49)), after = piece.on_sheet(path.at(.51));
   const Vec2 along = (after - before).normalized();
   const Vec2 inwards(along.y(), -along.x());  // left of a counter-clockwise outline, y down
@@ -127,8 +127,8 @@ Vec2 inner_point(const Piece& piece) {
       const Vec2 p =
           piece.low +
           (piece.high - piece.low).cwiseProduct(Vec2(double(i) / kGrid, double(j) / kGrid));
-      if (!inside_polygon(piece.outline, p)) continue;
-      const double d = (closest_on_polygon(piece.outline, p) - p).norm();
+      if (!pattern::inside_polygon(piece.outline, p)) continue;
+      const double d = (pattern::closest_on_polygon(piece.outline, p) - p).norm();
       if (d > depth + 1e-9) depth = d, best = p;
     }
   return best;
@@ -155,7 +155,7 @@ std::string text_lines(const Vec2& at, const std::vector<std::string>& lines) {
 }
 
 /// "1 side_L,  2 side_R, …" in rows that fit the width [mm].
-std::vector<std::string> seam_lines(const Pattern& pattern, double width) {
+std::vector<std::string> seam_lines(const pattern::Pattern& pattern, double width) {
   std::vector<std::string> lines;
   std::string line;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
@@ -166,12 +166,12 @@ std::vector<std::string> seam_lines(const Pattern& pattern, double width) {
   return lines;
 }
 
-std::vector<Piece> pieces_of(const Pattern& pattern, const std::vector<int>& order) {
+std::vector<Piece> pieces_of(const pattern::Pattern& pattern, const std::vector<int>& order) {
   std::vector<Piece> pieces;
   for (const int p : order) {
     Piece piece;
     piece.panel = &pattern.panels[p];
-    piece.outline = outline_polygon(pattern.panels[p]);
+    piece.outline = pattern::outline_polygon(pattern.panels[p]);
     piece.low = piece.high = piece.outline[0];
     for (const Vec2& q : piece.outline) {
       piece.low = piece.low.cwiseMin(q);
@@ -202,13 +202,14 @@ std::string drawn(const Piece& piece, const std::vector<int>& seams, double opac
 }
 
 /// `marks` null: the plain sheet.
-std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
-  check_pattern(pattern);
+std::string sheet_svg(const pattern::Pattern& pattern, const SheetMarks* marks) {
+  pattern::check_pattern(pattern);
   // Number of the seam at every edge, 0 for free ones.
   std::vector<std::vector<int>> seam(pattern.panels.size());
   for (std::size_t p = 0; p < seam.size(); ++p) seam[p].assign(pattern.panels[p].edges.size(), 0);
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s)
-    for (const Stitch::Side& side : {pattern.stitches[s].first, pattern.stitches[s].second})
+    for (const pattern::Stitch::Side& side :
+         {pattern.stitches[s].first, pattern.stitches[s].second})
       seam[side.panel][side.edge] = static_cast<int>(s) + 1;
   // Pieces in panel order, laid out in rows.
   std::vector<int> order = pattern.panel_order;
@@ -261,9 +262,9 @@ std::string sheet_svg(const Pattern& pattern, const SheetMarks* marks) {
 
 }  // namespace
 
-std::string pattern_svg(const Pattern& pattern) { return sheet_svg(pattern, nullptr); }
+std::string pattern_svg(const pattern::Pattern& pattern) { return sheet_svg(pattern, nullptr); }
 
-std::string pattern_svg(const Pattern& pattern, const SheetMarks& marks) {
+std::string pattern_svg(const pattern::Pattern& pattern, const SheetMarks& marks) {
   return sheet_svg(pattern, &marks);
 }
 
@@ -284,8 +285,8 @@ std::string svg_escaped(const std::string& text) {
   return out;
 }
 
-void write_pattern_svg(const std::filesystem::path& path, const Pattern& pattern) {
+void write_pattern_svg(const std::filesystem::path& path, const pattern::Pattern& pattern) {
   write_text_file(path.string(), pattern_svg(pattern));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

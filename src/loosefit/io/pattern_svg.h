@@ -6,13 +6,13 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// The flat pieces at 1:1 (user unit = 1 mm), side by side without overlap, seen from the outside
 /// of the cloth: outline with true curves, name, size, grain arrow, edge names and lengths, seam
 /// numbers (the same number on both sides of a seam) and a 100 mm control square. No seam
 /// allowance. \throws GeometryError for an invalid pattern.
-std::string pattern_svg(const Pattern& pattern);
+std::string pattern_svg(const pattern::Pattern& pattern);
 
 /// Where one piece lies on the sheet. Sheet: x to the right, y down [mm]; panel: y up [m].
 struct PanelOnSheet {
@@ -32,12 +32,12 @@ struct SheetMarks {
 };
 
 /// The same sheet with marks; names and grain stand back.
-std::string pattern_svg(const Pattern& pattern, const SheetMarks& marks);
+std::string pattern_svg(const pattern::Pattern& pattern, const SheetMarks& marks);
 
 /// Text made safe for XML.
 std::string svg_escaped(const std::string& text);
 
 /// \throws IoError if the file cannot be written.
-void write_pattern_svg(const std::filesystem::path& path, const Pattern& pattern);
+void write_pattern_svg(const std::filesystem::path& path, const pattern::Pattern& pattern);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

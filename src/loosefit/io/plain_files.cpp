@@ -14,7 +14,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -144,4 +144,4 @@ FileLock::~FileLock() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

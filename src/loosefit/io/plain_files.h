@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 // Files of a folder by their name relative to it ("maps/strain-front.png"), looked at without ever
 // following a symbolic link below the folder: what lies behind one is not part of the folder.
@@ -63,4 +63,4 @@ class FileLock {
   bool holds_ = false;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::io

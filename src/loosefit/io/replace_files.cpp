@@ -8,7 +8,7 @@
 #include "loosefit/io/staging_folder.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -282,4 +282,4 @@ void roll_back(const fs::path& target) {
   if (!holds_taken_files(staging)) remove_staging(staging);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/output_mark.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 // How the files of an output take the place of those of an earlier one, in a folder that may hold
 // other things too. Nothing is ever copied over or followed through a link; files only move, within
@@ -58,4 +58,4 @@ std::string replace_files(const Replacement& wish, const std::string& staging);
 /// read_output_mark.
 void roll_back(const std::filesystem::path& target);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

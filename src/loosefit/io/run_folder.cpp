@@ -7,7 +7,7 @@
 #include "loosefit/io/replace_files.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -226,4 +226,4 @@ void repair_output(const fs::path& folder) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,7 +7,7 @@
 
 #include "loosefit/io/staging_folder.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Files of one command that appear in their folder all at once or not at all, and that never take
 /// the place of anything but files that we wrote and that nobody has changed since.
@@ -71,4 +71,4 @@ class RunFolder {
 /// \throws IoError if that cannot be done.
 void repair_output(const std::filesystem::path& folder);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -8,7 +8,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 RunLog::RunLog(const std::filesystem::path& file, Progress& shown)
     : file_(file), stream_(std::fopen(file.c_str(), "w"), &std::fclose), shown_(&shown) {
@@ -45,4 +45,4 @@ void RunLog::write(const std::string& event, const std::string& text) {
   std::fwrite(dumped.data(), 1, dumped.size(), stream_.get());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

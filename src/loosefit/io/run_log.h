@@ -7,7 +7,7 @@
 
 #include "loosefit/base/progress.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// log.jsonl of a run: one JSON object per line with `seconds` since the start, `event` (stage,
 /// progress, warning, end) and `text`. Stages and progress notes are taken down on their way to the
@@ -33,4 +33,4 @@ class RunLog : public Progress {
   Clock::time_point start_ = Clock::now(), last_note_ = start_ - std::chrono::seconds(1);
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::io

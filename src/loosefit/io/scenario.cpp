@@ -12,7 +12,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kMostUnder = 3;
@@ -36,10 +36,10 @@ void note_lines(const ConfigNode& node, const std::string& key, std::map<std::st
 
 }  // namespace
 
-Scenario parse_scenario(const std::string& text, const std::string& file) {
+scenario::Scenario parse_scenario(const std::string& text, const std::string& file) {
   const ConfigNode node = parse_toml(text, file);
   ConfigReader root(node, file);
-  Scenario scenario;
+  scenario::Scenario scenario;
   scenario.file = file;
   note_lines(node, "", scenario.lines);
   scenario.postures = read_postures_section(root.table("postures"), root.table("body"));
@@ -64,18 +64,18 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   root.finish();
   refuse_equal_names(scenario.attachments, root, "attachment");
   refuse_equal_names(scenario.sites, root, "site");
-  for (const SiteSpec& site : scenario.sites)
-    for (const Attachment& attachment : scenario.attachments)
+  for (const placement::SiteSpec& site : scenario.sites)
+    for (const garment::Attachment& attachment : scenario.attachments)
       if (site.board && site.name == attachment.name)
         throw root.error("site", "the name \"" + site.name + "\" of an attachment",
                          "another name for a site with a board", {});
   return scenario;
 }
 
-Scenario read_scenario(const std::string& path) {
+scenario::Scenario read_scenario(const std::string& path) {
   return parse_scenario(read_text_file(path, 1000000), path);
 }
 
-Scenario default_scenario() { return parse_scenario("", ""); }
+scenario::Scenario default_scenario() { return parse_scenario("", ""); }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,7 +5,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/degrees_text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 const NumberRange kPatternPlace{-5, 5, "metres"};
@@ -15,8 +15,8 @@ std::string required_text(ConfigReader& table, const std::string& key, const std
   return table.text(key, "");
 }
 
-Board read_board(ConfigReader& table) {
-  Board board;
+garment::Board read_board(ConfigReader& table) {
+  garment::Board board;
   board.centre = table.point("at", kPatternPlace);
   const bool disc = table.has("radius");
   if (table.has("size") == disc)
@@ -31,8 +31,8 @@ Board read_board(ConfigReader& table) {
   return board;
 }
 
-Cable read_cable(ConfigReader& table) {
-  Cable cable;
+garment::Cable read_cable(ConfigReader& table) {
+  garment::Cable cable;
   cable.path = table.points("path", kPatternPlace, 2);
   cable.width = table.number("width", cable.width, {0.0005, 0.1, "metres"});
   cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"});
@@ -44,7 +44,7 @@ std::string point_text(const Vec2& p) {
   return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
 }
 
-std::string part_text(const Board& board) {
+std::string part_text(const garment::Board& board) {
   return "at = " + point_text(board.centre) + "\n" +
          (board.radius > 0 ? "radius = " + shortest(board.radius)
                            : "size = " + point_text(board.size)) +
@@ -53,7 +53,7 @@ std::string part_text(const Board& board) {
                      shortest(board.membrane_factor));
 }
 
-std::string part_text(const Cable& cable) {
+std::string part_text(const garment::Cable& cable) {
   std::vector<std::string> path;
   for (const Vec2& p : cable.path) path.push_back(point_text(p));
   return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n", join(path),
@@ -63,7 +63,7 @@ std::string part_text(const Cable& cable) {
 
 }  // namespace
 
-Attachment read_attachment_section(ConfigReader table) {
+garment::Attachment read_attachment_section(ConfigReader table) {
   std::vector<std::string> known = {"kind", "name", "panel"};
   const ConfigNode* kind = table.node("kind");
   const bool only_board = kind && kind->text == "board", only_cable = kind && kind->text == "cable";
@@ -74,7 +74,7 @@ Attachment read_attachment_section(ConfigReader table) {
   if (!only_board)
     for (const char* key : {"path", "width", "linear_density", "bending"}) known.push_back(key);
   table.only(known);
-  Attachment a;
+  garment::Attachment a;
   a.name = required_text(table, "name", "a name");
   a.panel = required_text(table, "panel", "the name of a panel of the pattern");
   required_text(table, "kind", "\"board\" or \"cable\"");
@@ -86,11 +86,11 @@ Attachment read_attachment_section(ConfigReader table) {
   return a;
 }
 
-std::string attachment_toml(const Attachment& a) {
+std::string attachment_toml(const garment::Attachment& a) {
   return fmt::format("[[attachment]]\nkind = \"{}\"\nname = {}\npanel = {}\n",
-                     std::holds_alternative<Board>(a.part) ? "board" : "cable", toml_quoted(a.name),
-                     toml_quoted(a.panel)) +
+                     std::holds_alternative<garment::Board>(a.part) ? "board" : "cable",
+                     toml_quoted(a.name), toml_quoted(a.panel)) +
          std::visit([](const auto& part) { return part_text(part); }, a.part);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -4,11 +4,11 @@
 #include "loosefit/garment/attachment.h"
 #include "loosefit/io/config_reader.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One [[attachment]]: a board or a cable.
-Attachment read_attachment_section(ConfigReader table);
+garment::Attachment read_attachment_section(ConfigReader table);
 /// The same as TOML.
-std::string attachment_toml(const Attachment& attachment);
+std::string attachment_toml(const garment::Attachment& attachment);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,21 +5,22 @@
 #include "loosefit/body/named_postures.h"
 #include "loosefit/io/existing_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 const NumberRange kFraction{0, 1, "a fraction"};
 
 // A name, or a table of angles whose missing entries are those of standing.
-Posture read_posture(ConfigReader& body, const std::string& key, const Posture& fallback) {
+body::Posture read_posture(ConfigReader& body, const std::string& key,
+                           const body::Posture& fallback) {
   const ConfigNode* node = body.node(key);
   if (!node) return fallback;
   if (node->kind == ConfigNode::Kind::text)
-    return named_posture(body.choice(key, "standing", posture_names()));
+    return body::named_posture(body.choice(key, "standing", body::posture_names()));
   if (node->kind != ConfigNode::Kind::table)
     throw body.error(key, "a posture in quotes or a table of angles");
   ConfigReader table = body.table(key);
-  Posture posture;
+  body::Posture posture;
   posture.arm_abduction = radians(table.number("arm_abduction_deg", 25, {5, 90, "degrees"}));
   posture.forward_bend = radians(table.number("forward_bend_deg", 0, {-20, 90, "degrees"}));
   posture.sitting = table.number("sitting", 0, kFraction);
@@ -37,8 +38,8 @@ double read_sex(ConfigReader& body) {
   return body.number("sex", 0, {0, 1, "\"female\", \"male\" or a number"});
 }
 
-ScenarioBody read_body_file(ConfigReader& table) {
-  ScenarioBody body;
+scenario::ScenarioBody read_body_file(ConfigReader& table) {
+  scenario::ScenarioBody body;
   body.file = existing_file(table, "file");
   body.units = table.choice("units", "", {"m", "cm", "mm", "in"});
   body.up = table.choice("up", "", {"z", "y"});
@@ -51,17 +52,18 @@ ScenarioBody read_body_file(ConfigReader& table) {
 
 }  // namespace
 
-ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures) {
+scenario::ScenarioBody read_body_section(ConfigReader table,
+                                         const std::vector<std::string>& postures) {
   if (table.has("file")) return read_body_file(table);
   for (const char* key : {"units", "up"})
     if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
-  ScenarioBody body;
+  scenario::ScenarioBody body;
   body.sex = read_sex(table);
   body.age = table.number("age", body.age, {3, 90, "years"});
   body.height = table.number("height", body.height, {0.7, 2.3, "metres"});
   ConfigReader wishes = table.table("measurements");
   if (wishes.has("height")) throw wishes.error("height", "height as a key of [body] itself");
-  for (const std::string& name : measure_names())
+  for (const std::string& name : body::measure_names())
     if (const auto wish = wishes.optional_number(name, {0.08, 2.0, "metres"}))
       body.measurements[name] = *wish;
   wishes.finish();
@@ -69,15 +71,17 @@ ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string
   body.proportions = table.number("proportions", body.proportions, kFraction);
   body.cup = table.number("cup", body.cup, kFraction);
   body.firmness = table.number("firmness", body.firmness, kFraction);
-  const Posture listed = postures.empty() ? body.posture : named_posture(postures.front());
+  const body::Posture listed =
+      postures.empty() ? body.posture : body::named_posture(postures.front());
   body.posture = read_posture(table, "posture", listed);
   if (!postures.empty() && !(body.posture == listed))
     throw table.error("posture", "another posture than that of [postures]",
                       "\"" + postures.front() + "\", the reference of [postures]",
                       "leave it out: the reference posture is that of the maps");
-  body.dress_posture = read_posture(table, "dress_posture", default_dress_posture(body.posture));
+  body.dress_posture =
+      read_posture(table, "dress_posture", body::default_dress_posture(body.posture));
   table.finish();
   return body;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

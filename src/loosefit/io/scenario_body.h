@@ -5,11 +5,12 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// [body]; reads all keys of its table, fills in defaults and refuses the keys it does not know, as
 /// all readers of sections do. `postures`: those of [postures]; the first is the default of
 /// body.posture.
-ScenarioBody read_body_section(ConfigReader table, const std::vector<std::string>& postures);
+scenario::ScenarioBody read_body_section(ConfigReader table,
+                                         const std::vector<std::string>& postures);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -9,12 +9,12 @@
 #include "loosefit/kinds/pattern_file.h"
 #include "loosefit/kinds/registry.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-std::map<std::string, double> read_fit(ConfigReader table, const GarmentKind& kind) {
+std::map<std::string, double> read_fit(ConfigReader table, const kinds::GarmentKind& kind) {
   std::map<std::string, double> fit;
-  for (const KindKey& key : kind.keys) {
+  for (const kinds::KindKey& key : kind.keys) {
     const NumberRange range{key.low, key.high, key.unit};
     if (const auto value = table.optional_number(key.name, range))
       fit[key.name] = *value;
@@ -32,10 +32,10 @@ bool names_a_file(const std::string& pattern) {
 
 /// Names of the fit that give way: those that the user did not give, or the ones of `adapt`; in the
 /// order of the kind.
-std::vector<std::string> read_adapt(ConfigReader& table, const GarmentKind& kind,
+std::vector<std::string> read_adapt(ConfigReader& table, const kinds::GarmentKind& kind,
                                     const std::set<std::string>& given) {
   std::vector<std::string> names;
-  for (const KindKey& key : kind.keys) names.push_back(key.name);
+  for (const kinds::KindKey& key : kind.keys) names.push_back(key.name);
   std::set<std::string> yielding;
   if (table.has("adapt")) {
     const std::vector<std::string> wished = table.choices("adapt", {}, names);
@@ -50,23 +50,24 @@ std::vector<std::string> read_adapt(ConfigReader& table, const GarmentKind& kind
 
 }  // namespace
 
-GarmentSpec read_garment_keys(ConfigReader& table) {
-  GarmentSpec garment;
+scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
+  scenario::GarmentSpec garment;
   if (table.has("file"))
     throw table.error("file", "an unknown key", "a key of garment",
                       "a pattern file is named by pattern = \"PATH\"");
-  garment.kind = table.text("pattern", garment_kinds().front().name);
+  garment.kind = table.text("pattern", kinds::garment_kinds().front().name);
   if (names_a_file(garment.kind)) {
     garment.file = existing_file(table, "pattern");
-    garment.kind = pattern_file().name;
+    garment.kind = kinds::pattern_file().name;
     for (const char* key : {"fit", "size", "adapt"})
       if (table.has(key))
         throw table.error(key, std::string("no ") + key + " beside a pattern file",
                           "a pattern file is taken at the size it has");
   } else {
-    const GarmentKind& kind = garment_kind(table.choice("pattern", garment.kind, drafted_kinds()));
+    const kinds::GarmentKind& kind =
+        kinds::garment_kind(table.choice("pattern", garment.kind, kinds::drafted_kinds()));
     garment.kind = kind.name;
-    garment.size = table.choice("size", "", size_names(kind.sizes));
+    garment.size = table.choice("size", "", kinds::size_names(kind.sizes));
     if (!garment.size.empty() && table.has("fit"))
       throw table.error("fit", "either fit or size",
                         "a size fixes the garment; a fit follows the body");
@@ -77,13 +78,13 @@ GarmentSpec read_garment_keys(ConfigReader& table) {
   return garment;
 }
 
-GarmentSpec read_garment_section(ConfigReader table) {
-  GarmentSpec garment = read_garment_keys(table);
+scenario::GarmentSpec read_garment_section(ConfigReader table) {
+  scenario::GarmentSpec garment = read_garment_keys(table);
   table.finish();
   return garment;
 }
 
-std::string garment_toml(const GarmentSpec& garment, const std::string& section) {
+std::string garment_toml(const scenario::GarmentSpec& garment, const std::string& section) {
   const bool named = garment.file.empty();
   std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
   if (section == "garment") text = "[garment]\n" + text;
@@ -93,10 +94,10 @@ std::string garment_toml(const GarmentSpec& garment, const std::string& section)
   text += "adapt = [" + join(adapt) + "]\n";
   if (!garment.size.empty()) return text + "size = " + toml_quoted(garment.size) + "\n";
   text += "\n[" + section + ".fit]\n";
-  for (const KindKey& key : garment_kind(garment.kind).keys)
+  for (const kinds::KindKey& key : kinds::garment_kind(garment.kind).keys)
     if (const auto value = garment.fit.find(key.name); value != garment.fit.end())
       text += key.name + " = " + shortest(value->second) + "\n";
   return text;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

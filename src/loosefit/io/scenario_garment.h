@@ -4,13 +4,14 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// [garment].
-GarmentSpec read_garment_section(ConfigReader table);
+scenario::GarmentSpec read_garment_section(ConfigReader table);
 /// The keys of [garment], of a table that may have others.
-GarmentSpec read_garment_keys(ConfigReader& table);
+scenario::GarmentSpec read_garment_keys(ConfigReader& table);
 /// The same as TOML; `section`: of its fit.
-std::string garment_toml(const GarmentSpec& garment, const std::string& section = "garment");
+std::string garment_toml(const scenario::GarmentSpec& garment,
+                         const std::string& section = "garment");
 
-}  // namespace loosefit
+}  // namespace loosefit::io

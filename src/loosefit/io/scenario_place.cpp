@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// "position" of an attachment is `at` in a scenario, and so on.
@@ -29,11 +29,11 @@ std::optional<std::string> part_of(const std::string& key, const std::string& na
 }
 
 /// Keys of the stages, by their beginning, and how the scenario calls them.
-std::string scenario_key(const std::string& key, const Scenario& scenario) {
+std::string scenario_key(const std::string& key, const scenario::Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.attachments.size(); ++i)
     if (const auto part = part_of(key, scenario.attachments[i].name)) {
       // A cable has a width of its own.
-      const bool board = std::holds_alternative<Board>(scenario.attachments[i].part);
+      const bool board = std::holds_alternative<garment::Board>(scenario.attachments[i].part);
       return "attachment[" + std::to_string(i) + "]" + (board ? attachment_key(*part) : *part);
     }
   for (std::size_t i = 0; i < scenario.sites.size(); ++i)
@@ -59,7 +59,7 @@ int line_of(std::string key, const std::map<std::string, int>& lines) {
 
 }  // namespace
 
-InvalidInput in_scenario(const InvalidInput& error, const Scenario& scenario) {
+InvalidInput in_scenario(const InvalidInput& error, const scenario::Scenario& scenario) {
   if (!error.place().file.empty()) return error;
   const std::string key = scenario_key(error.place().key, scenario);
   const bool of_pattern = key.starts_with("panel ") || key.starts_with("stitch ");
@@ -68,4 +68,4 @@ InvalidInput in_scenario(const InvalidInput& error, const Scenario& scenario) {
   return error.at({scenario.file, line_of(key, scenario.lines), key});
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -10,12 +10,12 @@
 #include "loosefit/maps/compute_maps.h"
 
 // [material], [simulation], [output] and [ranking]: how it is computed and shown.
-namespace loosefit {
+namespace loosefit::io {
 
-MaterialCard read_material_section(ConfigReader table) {
+scenario::MaterialCard read_material_section(ConfigReader table) {
   const std::vector<std::string> names = material_names();
   const std::string name = table.text("name", "paper-cotton");
-  MaterialCard card;
+  scenario::MaterialCard card;
   if (std::filesystem::path(name).extension() == ".toml") {
     card = read_material_file(existing_file(table, "name"));
   } else {
@@ -27,8 +27,8 @@ MaterialCard read_material_section(ConfigReader table) {
   return card;
 }
 
-ScenarioSimulation read_simulation_section(ConfigReader table) {
-  ScenarioSimulation s;
+scenario::ScenarioSimulation read_simulation_section(ConfigReader table) {
+  scenario::ScenarioSimulation s;
   s.edge_length = table.number("edge_length", s.edge_length, {0.003, 0.05, "metres"});
   s.integrator = table.choice("integrator", s.integrator,
                               {"semi-implicit-euler", "implicit-euler", "quasi-static"});
@@ -47,9 +47,9 @@ ScenarioSimulation read_simulation_section(ConfigReader table) {
   return s;
 }
 
-ScenarioOutput read_output_section(ConfigReader table) {
-  ScenarioOutput o;
-  o.maps = table.choices("maps", o.maps, map_names());
+scenario::ScenarioOutput read_output_section(ConfigReader table) {
+  scenario::ScenarioOutput o;
+  o.maps = table.choices("maps", o.maps, maps::map_names());
   o.views = table.choices("views", o.views, {"front", "back", "left", "right"});
   o.undecorated = table.boolean("undecorated", o.undecorated);
   o.preset_sites = table.boolean("preset_sites", o.preset_sites);
@@ -59,8 +59,8 @@ ScenarioOutput read_output_section(ConfigReader table) {
   return o;
 }
 
-ScenarioRanking read_ranking_section(ConfigReader table) {
-  ScenarioRanking r;
+scenario::ScenarioRanking read_ranking_section(ConfigReader table) {
+  scenario::ScenarioRanking r;
   r.modality = table.text("modality", r.modality);
   if (std::filesystem::path(r.modality).extension() == ".toml")
     r.modality = existing_file(table, "modality");
@@ -77,4 +77,4 @@ ScenarioRanking read_ranking_section(ConfigReader table) {
   return r;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

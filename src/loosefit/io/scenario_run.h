@@ -2,15 +2,15 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// [material], also of an [[under]].
-MaterialCard read_material_section(ConfigReader table);
+scenario::MaterialCard read_material_section(ConfigReader table);
 /// [simulation]
-ScenarioSimulation read_simulation_section(ConfigReader table);
+scenario::ScenarioSimulation read_simulation_section(ConfigReader table);
 /// [output]
-ScenarioOutput read_output_section(ConfigReader table);
+scenario::ScenarioOutput read_output_section(ConfigReader table);
 /// [ranking]
-ScenarioRanking read_ranking_section(ConfigReader table);
+scenario::ScenarioRanking read_ranking_section(ConfigReader table);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -7,10 +7,10 @@
 #include "loosefit/placement/site_points.h"
 
 // [[site]]: where a sensor is wanted and what it is.
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-using Kind = FootprintShape::Kind;
+using Kind = placement::FootprintShape::Kind;
 
 const NumberRange kPercent{-200, 300, "percent"};
 const char* const kPlaces = "one of landmark, panel with at, segment with ratios";
@@ -18,20 +18,21 @@ const char* const kShapes = "one of radius, size = [across, along], length, girt
 
 std::vector<std::string> segment_names() {
   std::vector<std::string> names;
-  for (BodySegment segment : all_body_segments()) names.push_back(name(segment));
+  for (placement::BodySegment segment : placement::all_body_segments())
+    names.push_back(placement::name(segment));
   return names;
 }
 
-BodyAddress read_anatomy(ConfigReader& table) {
-  BodyAddress address;
+placement::BodyAddress read_anatomy(ConfigReader& table) {
+  placement::BodyAddress address;
   const std::string segment = table.choice("segment", "", segment_names());
-  for (BodySegment s : all_body_segments())
-    if (name(s) == segment) address.segment = s;
+  for (placement::BodySegment s : placement::all_body_segments())
+    if (placement::name(s) == segment) address.segment = s;
   const std::string side = table.choice("side", "", {"left", "right"});
   address.side = side == "left" ? 1 : side == "right" ? -1 : 0;
-  if (has_side(address.segment) && side.empty())
+  if (placement::has_side(address.segment) && side.empty())
     throw table.error("side", "\"left\" or \"right\": a person has two of these segments");
-  if (!has_side(address.segment) && !side.empty())
+  if (!placement::has_side(address.segment) && !side.empty())
     throw table.error("side", "no side: there is one " + segment);
   if (!table.has("ratios")) throw table.error("ratios", "three ratios [X, Y, Z] in percent");
   const std::vector<double> percent = table.numbers("ratios", kPercent);
@@ -40,9 +41,9 @@ BodyAddress read_anatomy(ConfigReader& table) {
   return address;
 }
 
-FootprintShape read_footprint(ConfigReader table) {
+placement::FootprintShape read_footprint(ConfigReader table) {
   table.only({"radius", "size", "length", "girth"});
-  FootprintShape shape;
+  placement::FootprintShape shape;
   int given = 0;
   for (const char* key : {"radius", "size", "length", "girth"}) given += table.has(key);
   if (given != 1)
@@ -62,8 +63,8 @@ FootprintShape read_footprint(ConfigReader table) {
   return shape;
 }
 
-SensorBoard read_sensor_board(ConfigReader table) {
-  SensorBoard board;
+placement::SensorBoard read_sensor_board(ConfigReader table) {
+  placement::SensorBoard board;
   board.mass = table.number("mass", board.mass, {0, 2, "kilograms"});
   board.bending = table.number("bending", board.bending, {0, 10, "N m"});
   board.membrane_factor =
@@ -76,7 +77,7 @@ std::string pair_text(const Vec2& p) {
   return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
 }
 
-std::string footprint_text(const FootprintShape& shape) {
+std::string footprint_text(const placement::FootprintShape& shape) {
   switch (shape.kind) {
     case Kind::disc:
       return "radius = " + shortest(shape.radius);
@@ -89,13 +90,13 @@ std::string footprint_text(const FootprintShape& shape) {
   }
 }
 
-std::string place_text(const SiteSpec& site) {
+std::string place_text(const placement::SiteSpec& site) {
   if (!site.panel.empty())
     return "panel = " + toml_quoted(site.panel) + "\nat = " + pair_text(site.at) + "\n";
   if (!site.landmark.empty() || !site.anatomy)
     return "landmark = " + toml_quoted(site.landmark) + "\n";
-  const BodyAddress& address = *site.anatomy;
-  std::string text = "segment = " + toml_quoted(name(address.segment)) + "\n";
+  const placement::BodyAddress& address = *site.anatomy;
+  std::string text = "segment = " + toml_quoted(placement::name(address.segment)) + "\n";
   if (address.side != 0)
     text += std::string("side = ") + (address.side > 0 ? "\"left\"\n" : "\"right\"\n");
   return text + fmt::format("ratios = [{}, {}, {}]\n", shortest(address.percent.x()),
@@ -104,10 +105,10 @@ std::string place_text(const SiteSpec& site) {
 
 }  // namespace
 
-SiteSpec read_site_section(ConfigReader table) {
+placement::SiteSpec read_site_section(ConfigReader table) {
   table.only({"name", "landmark", "panel", "at", "segment", "side", "ratios", "angle_deg",
               "footprint", "board"});
-  SiteSpec site;
+  placement::SiteSpec site;
   if (!table.has("name")) throw table.error("name", "a name");
   site.name = table.text("name", "");
   const bool landmark = table.has("landmark"), panel = table.has("panel"),
@@ -116,7 +117,7 @@ SiteSpec read_site_section(ConfigReader table) {
     throw table.error(panel && landmark ? "landmark" : segment ? "segment" : "panel", kPlaces);
   if (landmark) {
     site.landmark = table.text("landmark", "");
-    if (const auto own = preset_footprint(site.landmark)) site.footprint = *own;
+    if (const auto own = placement::preset_footprint(site.landmark)) site.footprint = *own;
   }
   if (panel) {
     site.panel = table.text("panel", "");
@@ -135,7 +136,7 @@ SiteSpec read_site_section(ConfigReader table) {
   return site;
 }
 
-std::string site_toml(const SiteSpec& site) {
+std::string site_toml(const placement::SiteSpec& site) {
   std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n" + place_text(site) +
                      "angle_deg = " + degrees_text(site.angle) + "\nfootprint = { " +
                      footprint_text(site.footprint) + " }\n";
@@ -146,4 +147,4 @@ std::string site_toml(const SiteSpec& site) {
   return text;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

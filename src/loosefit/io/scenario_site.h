@@ -4,11 +4,11 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/placement/sites.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One [[site]]: where a sensor is and what it is.
-SiteSpec read_site_section(ConfigReader table);
+placement::SiteSpec read_site_section(ConfigReader table);
 /// The same as TOML, every default written out.
-std::string site_toml(const SiteSpec& site);
+std::string site_toml(const placement::SiteSpec& site);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

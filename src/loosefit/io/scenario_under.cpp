@@ -5,10 +5,10 @@
 #include "loosefit/io/scenario_garment.h"
 #include "loosefit/io/scenario_run.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
-ScenarioGarment read_under_section(ConfigReader table) {
-  ScenarioGarment under;
+scenario::ScenarioGarment read_under_section(ConfigReader table) {
+  scenario::ScenarioGarment under;
   under.spec = read_garment_keys(table);
   under.material = read_material_section(table.table("material"));
   under.friction = table.optional_number("friction", {0, 3, "a coefficient"});
@@ -16,7 +16,7 @@ ScenarioGarment read_under_section(ConfigReader table) {
   return under;
 }
 
-std::string under_toml(const ScenarioGarment& under) {
+std::string under_toml(const scenario::ScenarioGarment& under) {
   std::string text = "[[under]]\n";
   if (under.friction) text += "friction = " + shortest(*under.friction) + "\n";
   return text + garment_toml(under.spec, "under") +
@@ -24,4 +24,4 @@ std::string under_toml(const ScenarioGarment& under) {
          own_constants_toml(under.material) + material_toml(under.material.material);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

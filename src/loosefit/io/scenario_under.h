@@ -4,11 +4,11 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// One [[under]]: a garment, its cloth, its friction.
-ScenarioGarment read_under_section(ConfigReader table);
+scenario::ScenarioGarment read_under_section(ConfigReader table);
 /// The same as TOML.
-std::string under_toml(const ScenarioGarment& under);
+std::string under_toml(const scenario::ScenarioGarment& under);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -9,15 +9,16 @@
 #include "loosefit/io/degrees_text.h"
 
 // [postures] and [donning]: how the garment is worn.
-namespace loosefit {
+namespace loosefit::io {
 
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body) {
   table.only({"list", "reference"});
-  std::vector<std::string> list = table.choices("list", {}, posture_names());
+  std::vector<std::string> list = table.choices("list", {}, body::posture_names());
   if (list.empty()) {
     for (const char* key : {"list", "reference"})
       if (table.has(key))
-        throw table.error(key, "an array of at least one posture from " + join(posture_names()));
+        throw table.error(key,
+                          "an array of at least one posture from " + join(body::posture_names()));
     table.finish();
     return list;
   }
@@ -30,10 +31,10 @@ std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader 
   return list;
 }
 
-ScenarioDonning read_donning_section(ConfigReader table, bool given,
-                                     const ScenarioSimulation& simulation) {
+scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
+                                               const scenario::ScenarioSimulation& simulation) {
   constexpr int kUsual = 4;
-  ScenarioDonning d;
+  scenario::ScenarioDonning d;
   d.repeats = static_cast<int>(table.integer("repeats", given ? kUsual : 1, 1, 100));
   d.shift = table.number("shift", d.shift, {0, 0.05, "metres"});
   d.twist = radians(table.number("twist_deg", 10, {0, 30, "degrees"}));
@@ -48,14 +49,14 @@ ScenarioDonning read_donning_section(ConfigReader table, bool given,
   return d;
 }
 
-std::string wear_toml(const Scenario& scenario) {
+std::string wear_toml(const scenario::Scenario& scenario) {
   std::string text;
   if (!scenario.postures.empty()) {
     std::vector<std::string> names;
     for (const std::string& name : scenario.postures) names.push_back(toml_quoted(name));
     text += fmt::format("\n[postures]\nlist = [{}]\nreference = {}\n", join(names), names.front());
   }
-  const ScenarioDonning& d = scenario.donning;
+  const scenario::ScenarioDonning& d = scenario.donning;
   if (d.repeats > 1)
     text += fmt::format(
         "\n[donning]\nrepeats = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\nseed = {}\n",
@@ -63,4 +64,4 @@ std::string wear_toml(const Scenario& scenario) {
   return text;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

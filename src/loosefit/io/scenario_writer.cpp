@@ -12,10 +12,10 @@
 #include "loosefit/io/scenario_under.h"
 #include "loosefit/io/scenario_wear.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
-std::string posture_text(const Posture& p) {
+std::string posture_text(const body::Posture& p) {
   return fmt::format(
       "{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {}, arm_flexion_deg = {}, "
       "elbow_extension = {}, slouch = {} }}",
@@ -29,7 +29,7 @@ std::string list_text(const std::vector<std::string>& words) {
   return "[" + join(quoted) + "]";
 }
 
-std::string body_text(const ScenarioBody& body) {
+std::string body_text(const scenario::ScenarioBody& body) {
   std::string text = "[body]\n";
   if (!body.file.empty()) {
     text += "file = " + toml_quoted(body.file) + "\n";
@@ -50,7 +50,7 @@ std::string body_text(const ScenarioBody& body) {
          "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
 }
 
-std::string simulation_text(const ScenarioSimulation& s) {
+std::string simulation_text(const scenario::ScenarioSimulation& s) {
   return fmt::format(
       "[simulation]\nedge_length = {}\nintegrator = {}\nseed = {}\nrepeats = {}\n"
       "start_perturbation = {}\nresidual_tolerance = {}\ngravity = {}\ntime_budget = {}\n"
@@ -60,32 +60,33 @@ std::string simulation_text(const ScenarioSimulation& s) {
       shortest(s.time_budget), s.max_iterations, s.threads);
 }
 
-std::string output_text(const ScenarioOutput& o) {
+std::string output_text(const scenario::ScenarioOutput& o) {
   return fmt::format(
       "[output]\nmaps = {}\nviews = {}\nundecorated = {}\npreset_sites = {}\nwidth = {}\n"
       "height = {}\n",
       list_text(o.maps), list_text(o.views), o.undecorated, o.preset_sites, o.width, o.height);
 }
 
-std::string ranking_section_text(const ScenarioRanking& r) {
+std::string ranking_section_text(const scenario::ScenarioRanking& r) {
   return fmt::format("\n[ranking]\nmodality = {}\nbest = {}\npartial = {}\n",
                      toml_quoted(r.modality), r.best, r.partial);
 }
 
 }  // namespace
 
-std::string scenario_toml(const Scenario& scenario) {
-  const ScenarioGarment& studied = scenario.studied();
+std::string scenario_toml(const scenario::Scenario& scenario) {
+  const scenario::ScenarioGarment& studied = scenario.studied();
   std::string text = body_text(scenario.body) + "\n" + garment_toml(studied.spec) +
                      "\n[material]\nname = " + toml_quoted(studied.material.key) + "\n" +
                      own_constants_toml(studied.material) +
                      material_toml(studied.material.material);
-  for (const ScenarioGarment& under : scenario.worn_under()) text += "\n" + under_toml(under);
-  for (const Attachment& a : scenario.attachments) text += "\n" + attachment_toml(a);
-  for (const SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
+  for (const scenario::ScenarioGarment& under : scenario.worn_under())
+    text += "\n" + under_toml(under);
+  for (const garment::Attachment& a : scenario.attachments) text += "\n" + attachment_toml(a);
+  for (const placement::SiteSpec& site : scenario.sites) text += "\n" + site_toml(site);
   text += "\n" + simulation_text(scenario.simulation) + "\n" + output_text(scenario.output) +
           wear_toml(scenario);
   return scenario.ranking.modality.empty() ? text : text + ranking_section_text(scenario.ranking);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -3,9 +3,9 @@
 
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// The resolved scenario as TOML, every default written out; parsing it gives the same scenario.
-std::string scenario_toml(const Scenario& scenario);
+std::string scenario_toml(const scenario::Scenario& scenario);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

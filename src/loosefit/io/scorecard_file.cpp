@@ -13,7 +13,7 @@
 #include "loosefit/io/toml_file.h"
 #include "loosefit/placement/derived_metrics.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1000000;
@@ -32,8 +32,8 @@ double required(ConfigReader& table, const std::string& key, const NumberRange& 
   return *value;
 }
 
-FootprintShape read_footprint(ConfigReader& table) {
-  using Kind = FootprintShape::Kind;
+placement::FootprintShape read_footprint(ConfigReader& table) {
+  using Kind = placement::FootprintShape::Kind;
   static const std::vector<std::pair<std::string, Kind>> kShapes = {{"disc", Kind::disc},
                                                                     {"rectangle", Kind::rectangle},
                                                                     {"line", Kind::line},
@@ -41,7 +41,7 @@ FootprintShape read_footprint(ConfigReader& table) {
   std::vector<std::string> names;
   for (const auto& shape : kShapes) names.push_back(shape.first);
   const std::string shape = table.choice("shape", "disc", names);
-  FootprintShape footprint;
+  placement::FootprintShape footprint;
   for (const auto& [name, kind] : kShapes)
     if (name == shape) footprint.kind = kind;
   table.only({"shape", "radius", "width", "length", "axis"});
@@ -56,7 +56,7 @@ FootprintShape read_footprint(ConfigReader& table) {
 
 std::map<std::string, double> read_parameters(ConfigReader table) {
   std::map<std::string, double> values;
-  for (const SensorParameter& p : sensor_parameters())
+  for (const placement::SensorParameter& p : placement::sensor_parameters())
     if (const auto value = table.optional_number(p.name, {p.low, p.high, p.unit}))
       values[p.name] = *value;
   table.finish();
@@ -73,7 +73,7 @@ std::vector<double> limits(ConfigReader& table, const std::string& key) {
   return pair;
 }
 
-void read_ramps(ConfigReader& table, Criterion& criterion) {
+void read_ramps(ConfigReader& table, placement::Criterion& criterion) {
   const std::vector<double> good = limits(table, "good"), fail = limits(table, "fail");
   if (good.size() != fail.size())
     throw table.error("fail", good.size() == 1 ? "a number, as good is" : "[low, high], as good is",
@@ -92,22 +92,23 @@ void read_ramps(ConfigReader& table, Criterion& criterion) {
     throw table.error("fail", fmt::format("[below {:g}, above {:g}]", good[0], good[1]),
                       "fail below < good from <= good to < fail above");
   criterion.limit = {good[0], fail[0]};
-  criterion.upper = Ramp{good[1], fail[1]};
+  criterion.upper = placement::Ramp{good[1], fail[1]};
 }
 
-Criterion read_criterion(ConfigReader& table, const std::map<std::string, double>& parameters) {
+placement::Criterion read_criterion(ConfigReader& table,
+                                    const std::map<std::string, double>& parameters) {
   table.only({"metric", "unit", "good", "fail", "reason", "reason_above", "source"});
-  Criterion criterion;
+  placement::Criterion criterion;
   criterion.metric = required_text(table, "metric", "the name of a metric");
-  const MetricName* metric = find_metric(criterion.metric);
+  const placement::MetricName* metric = placement::find_metric(criterion.metric);
   std::vector<std::string> names;
-  for (const MetricName& m : metric_vocabulary()) names.push_back(m.name);
+  for (const placement::MetricName& m : placement::metric_vocabulary()) names.push_back(m.name);
   if (!metric)
     throw table.error("metric", "the name of a metric", did_you_mean(criterion.metric, names));
   if (required_text(table, "unit", "the unit of the limits in quotes") != metric->unit)
     throw table.error("unit", "\"" + metric->unit + "\"",
                       "limits stand in the unit of the metric: " + metric->words);
-  for (const std::string& parameter : parameters_of(criterion.metric))
+  for (const std::string& parameter : placement::parameters_of(criterion.metric))
     if (!parameters.count(parameter))
       throw table.error("metric", "sensor." + parameter + " beside it",
                         criterion.metric + " is computed with it: [sensor] " + parameter + " = …");
@@ -132,7 +133,7 @@ std::vector<std::string> scorecard_names() {
   return names;
 }
 
-Scorecard load_scorecard(const std::string& name_or_path) {
+placement::Scorecard load_scorecard(const std::string& name_or_path) {
   if (std::filesystem::path(name_or_path).extension() == ".toml")
     return read_scorecard_file(name_or_path);
   const std::vector<std::string> names = scorecard_names();
@@ -146,15 +147,15 @@ Scorecard load_scorecard(const std::string& name_or_path) {
   return read_scorecard_file(data_directory() / "scorecards" / (name_or_path + ".toml"));
 }
 
-Scorecard read_scorecard_file(const std::filesystem::path& path) {
+placement::Scorecard read_scorecard_file(const std::filesystem::path& path) {
   return parse_scorecard(read_text_file(path.string(), kMaxBytes), path.string());
 }
 
-Scorecard parse_scorecard(const std::string& text, const std::string& file) {
+placement::Scorecard parse_scorecard(const std::string& text, const std::string& file) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader table(root, file);
   table.only({"title", "about", "pass", "regions", "footprint", "sensor", "criterion"});
-  Scorecard card;
+  placement::Scorecard card;
   card.name = std::filesystem::path(file).stem().string();
   card.title = required_text(table, "title", "what the sensor is");
   card.about = required_text(table, "about", "what is judged, and what is not");
@@ -162,8 +163,8 @@ Scorecard parse_scorecard(const std::string& text, const std::string& file) {
   if (!table.has("footprint"))
     throw table.error("footprint", "what the sensor covers",
                       "[footprint] shape = \"disc\", radius = 0.012");
-  for (const std::string& region : table.choices("regions", {}, region_names()))
-    card.regions.push_back(*find_region(region));
+  for (const std::string& region : table.choices("regions", {}, body::region_names()))
+    card.regions.push_back(*body::find_region(region));
   ConfigReader footprint = table.table("footprint");
   card.around = footprint.choice("axis", "along", {"along", "around"}) == "around";
   card.footprint = read_footprint(footprint);
@@ -175,4 +176,4 @@ Scorecard parse_scorecard(const std::string& text, const std::string& file) {
   return card;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,22 +5,22 @@
 
 #include "loosefit/placement/scorecard.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Names of the shipped scorecards (data/scorecards/NAME.toml), sorted.
 std::vector<std::string> scorecard_names();
 
 /// A shipped scorecard by name, or a user's by its path when it ends in ".toml".
 /// \throws InvalidInput with a did-you-mean for an unknown name; as read_scorecard_file.
-Scorecard load_scorecard(const std::string& name_or_path);
+placement::Scorecard load_scorecard(const std::string& name_or_path);
 
 /// Reads a scorecard; the name is the file's without its ending. Keys: docs/scorecards.md.
 /// \throws IoError; InvalidInput with file, line and key for an unknown key or metric (with a
 /// did-you-mean), a unit that is not the metric's, limits that make no ramp, and a derived metric
 /// without the parameters it needs.
-Scorecard read_scorecard_file(const std::filesystem::path& path);
+placement::Scorecard read_scorecard_file(const std::filesystem::path& path);
 
 /// The same from text; `file` is for messages and the name.
-Scorecard parse_scorecard(const std::string& text, const std::string& file);
+placement::Scorecard parse_scorecard(const std::string& text, const std::string& file);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

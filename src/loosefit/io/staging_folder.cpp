@@ -12,7 +12,7 @@
 #include "loosefit/io/output_mark.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace fs = std::filesystem;
 namespace {
 
@@ -215,4 +215,4 @@ bool is_empty_output(const fs::path& target) {
   return true;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -5,7 +5,7 @@
 
 #include "loosefit/io/plain_files.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// The hidden folder `.NAME.writing-PID` in which an output called NAME is made. It lies beside the
 /// output, or in it where nothing can be moved between the two (a mount point, no permission).
@@ -57,4 +57,4 @@ void clear_left_overs(const std::filesystem::path& target);
 /// Whether a folder holds nothing, hidden folders of ours aside. \throws IoError
 bool is_empty_output(const std::filesystem::path& target);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -8,7 +8,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -46,4 +46,4 @@ void write_text_file(const std::string& path, const std::string& text) {
     throw IoError(path + ": cannot be written: " + cause());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

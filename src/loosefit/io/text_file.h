@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <string>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Whole content of a regular file. \throws IoError (missing, a folder, no permission) and
 /// InvalidInput when it is larger than `max_bytes`.
@@ -11,4 +11,4 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes);
 /// Writes and flushes to the disk's acceptance. \throws IoError naming the cause (disk full, …).
 void write_text_file(const std::string& path, const std::string& text);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

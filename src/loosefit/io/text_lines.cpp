@@ -6,7 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr double kLargest = 1e9;
@@ -57,4 +57,4 @@ void TextLines::fail(const std::string& found, const std::string& expected) cons
   throw InvalidInput({path_, number_, ""}, found, expected);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

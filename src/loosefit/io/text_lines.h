@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Splits the text of a file into lines and words and counts the lines for error messages. Keeps a
 /// reference to the text.
@@ -31,4 +31,4 @@ class TextLines {
   int number_ = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -8,7 +8,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1000000;
@@ -82,4 +82,4 @@ ConfigNode read_toml(const std::string& path) {
   return parse_toml(read_text_file(path, kMaxBytes), path);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -3,7 +3,7 @@
 
 #include "loosefit/io/config_node.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// Parses TOML 1.0. `file` only appears in messages.
 /// \throws InvalidInput with file and line for anything that is not TOML, for input above 1 MB and
@@ -13,4 +13,4 @@ ConfigNode parse_toml(const std::string& text, const std::string& file);
 /// Reads and parses a file. \throws IoError if it cannot be read; InvalidInput as parse_toml.
 ConfigNode read_toml(const std::string& path);
 
-}  // namespace loosefit
+}  // namespace loosefit::io

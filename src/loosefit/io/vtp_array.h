@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::io {
 
 /// A named array of a VTP file: `components` doubles per point or per cell.
 struct VtpArray {
@@ -11,4 +11,4 @@ struct VtpArray {
   std::vector<double> values;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::io

@@ -11,7 +11,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/vtp_seal.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 /// Keeps what VTK would print while it lives, so that the caller gets one error.
@@ -74,8 +74,8 @@ vtkSmartPointer<vtkPolyData> read_sealed_vtp(const std::filesystem::path& path, 
   return data;
 }
 
-TriangleMesh surface_of(const std::filesystem::path& path, vtkPolyData* data) {
-  TriangleMesh mesh;
+geometry::TriangleMesh surface_of(const std::filesystem::path& path, vtkPolyData* data) {
+  geometry::TriangleMesh mesh;
   const vtkIdType points = data->GetNumberOfPoints();
   for (vtkIdType i = 0; i < points; ++i) {
     Vec3 p;
@@ -102,4 +102,4 @@ TriangleMesh surface_of(const std::filesystem::path& path, vtkPolyData* data) {
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

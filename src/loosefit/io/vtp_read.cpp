@@ -14,7 +14,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/io/vtp_polydata.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 vtkDataArray* need(const std::filesystem::path& path, vtkFieldData* from, const char* name,
@@ -77,7 +77,7 @@ const VtpArray* DrapeFile::find(const std::string& name) const {
 
 DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   const vtkSmartPointer<vtkPolyData> data = read_sealed_vtp(path, "drape.vtp");
-  TriangleMesh surface = surface_of(path, data);
+  geometry::TriangleMesh surface = surface_of(path, data);
 
   // Topology and positions.
   DrapeFile file;
@@ -88,7 +88,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   const auto cells = static_cast<vtkIdType>(file.garment.triangles.size());
 
   // What ties the mesh to its pattern; the flat area follows from it.
-  Garment& garment = file.garment;
+  garment::Garment& garment = file.garment;
   garment.panel_names = strings(path, data->GetFieldData(), "panel_names");
   const int panels = static_cast<int>(garment.panel_names.size());
   garment.vertex_panel = panel_ids(path, data->GetPointData(), points, panels);
@@ -101,12 +101,12 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
     std::array<Vec2, 3> triangle;
     for (int k = 0; k < 3; ++k)
       triangle[k] = {corners->GetComponent(i, 2 * k), corners->GetComponent(i, 2 * k + 1)};
-    garment.area += flat_area(triangle);
+    garment.area += geometry::flat_area(triangle);
     garment.triangle_uv.push_back(triangle);
   }
 
   // The certificate, in the field data.
-  Certificate& certificate = file.drape.certificate;
+  drape::Certificate& certificate = file.drape.certificate;
   vtkDataArray* residual = need(path, data->GetFieldData(), "residual", 2, 1);
   certificate.residual = residual->GetComponent(0, 0);
   certificate.residual_max = residual->GetComponent(0, 1);
@@ -115,7 +115,7 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   certificate.intersections_self = static_cast<int>(crossings->GetComponent(1, 0));
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();
-  if (data->GetFieldData()->HasArray("worn_reasons"))  // absent before version 0.2
+  if (data->GetFieldData()->HasArray("worn_reasons"))  // absent in early files
     certificate.worn_reasons = strings(path, data->GetFieldData(), "worn_reasons");
 
   // The contact force, where the drape knew it, and whatever else is there.
@@ -131,8 +131,8 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   return file;
 }
 
-TriangleMesh read_body_vtp(const std::filesystem::path& path) {
+geometry::TriangleMesh read_body_vtp(const std::filesystem::path& path) {
   return surface_of(path, read_sealed_vtp(path, "body.vtp"));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

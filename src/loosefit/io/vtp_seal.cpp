@@ -2,7 +2,7 @@
 
 #include "loosefit/base/sha256.h"
 
-namespace loosefit {
+namespace loosefit::io {
 
 std::string vtp_seal(const std::string& bytes_before) {
   return "<!-- sha256 " + sha256_hex(bytes_before) + " -->\n";
@@ -15,4 +15,4 @@ bool vtp_seal_matches(const std::string& file) {
   return file.compare(body, length, vtp_seal(file.substr(0, body))) == 0;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

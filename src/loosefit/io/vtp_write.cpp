@@ -18,7 +18,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/vtp_seal.h"
 
-namespace loosefit {
+namespace loosefit::io {
 namespace {
 
 void add_array(vtkFieldData* to, const std::string& name, int components,
@@ -95,8 +95,8 @@ void write(const std::filesystem::path& path, vtkPolyData* data) {
 
 }  // namespace
 
-void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, const Drape& drape,
-                     const std::vector<PerformanceMap>& maps,
+void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& garment,
+                     const drape::Drape& drape, const std::vector<maps::PerformanceMap>& maps,
                      const std::vector<VtpArray>& point_arrays,
                      const std::vector<VtpArray>& cell_arrays) {
   const std::size_t points = garment.vertex_count, cells = garment.triangles.size();
@@ -107,11 +107,12 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   // The surface.
   vtkNew<vtkPolyData> data;
   set_surface(data, drape.positions, garment.triangles,
-              vertex_normals(drape.positions, garment.triangles));
+              geometry::vertex_normals(drape.positions, garment.triangles));
 
   // Per point: maps, then what ties the mesh to its pattern.
   vtkPointData* point_data = data->GetPointData();
-  for (const PerformanceMap& map : maps) add_array(point_data, map.array, 1, map.values, points);
+  for (const maps::PerformanceMap& map : maps)
+    add_array(point_data, map.array, 1, map.values, points);
   add_array(point_data, "pattern_uv", 2, flat(garment.vertex_uv), points);
   add_array(point_data, "panel_id", garment.vertex_panel);
   if (!drape.body_normal_force.empty())
@@ -129,7 +130,7 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   for (const VtpArray& a : cell_arrays) add_array(cell_data, a.name, a.components, a.values, cells);
 
   // The certificate and the names.
-  const Certificate& c = drape.certificate;
+  const drape::Certificate& c = drape.certificate;
   vtkFieldData* field = data->GetFieldData();
   add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);
   add_array(field, "intersections", {c.intersections_body, c.intersections_self});
@@ -140,18 +141,19 @@ void write_drape_vtp(const std::filesystem::path& path, const Garment& garment, 
   write(path, data);
 }
 
-void write_body_vtp(const std::filesystem::path& path, const Body& body) {
+void write_body_vtp(const std::filesystem::path& path, const body::Body& body) {
   vtkNew<vtkPolyData> data;
   set_surface(data, body.surface.vertices, body.surface.triangles,
-              body.normals.empty() ? vertex_normals(body.surface.vertices, body.surface.triangles)
-                                   : body.normals);
+              body.normals.empty()
+                  ? geometry::vertex_normals(body.surface.vertices, body.surface.triangles)
+                  : body.normals);
   if (!body.segment.empty()) {
     std::vector<int> segment;
-    for (Segment s : body.segment) segment.push_back(static_cast<int>(s));
+    for (body::Segment s : body.segment) segment.push_back(static_cast<int>(s));
     add_array(data->GetPointData(), "segment", segment);
     add_array(data->GetPointData(), "side", body.side);
   }
   write(path, data);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::io

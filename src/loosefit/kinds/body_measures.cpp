@@ -2,7 +2,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 NamedValues known_measures(const GarmentKind& kind, const std::map<std::string, double>& measured) {
   NamedValues values;
@@ -23,4 +23,4 @@ NamedValues draft_measures(const GarmentKind& kind, const std::map<std::string, 
   return known_measures(kind, measured);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,7 +4,7 @@
 
 #include "loosefit/kinds/kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// The measures of a body (Body::measured) that a kind of garment asks for and that are known.
 NamedValues known_measures(const GarmentKind& kind, const std::map<std::string, double>& measured);
@@ -12,4 +12,4 @@ NamedValues known_measures(const GarmentKind& kind, const std::map<std::string, 
 /// All of them. \throws InvalidInput naming a missing one.
 NamedValues draft_measures(const GarmentKind& kind, const std::map<std::string, double>& measured);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 void in_range(const std::string& key, double value, double low, double high,
@@ -29,4 +29,4 @@ void check_values(const std::vector<KindMeasure>& measures, const NamedValues& b
       in_range("fit." + key.name, value->second, key.low, key.high, key.unit);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -6,7 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 std::string lower(std::string text) {
@@ -31,4 +31,4 @@ std::vector<std::string> size_names(const std::vector<KindSize>& sizes) {
   return names;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

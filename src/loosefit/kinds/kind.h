@@ -10,7 +10,7 @@
 #include "loosefit/kinds/opening_use.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// A measure of the body that a draft needs.
 struct KindMeasure {
@@ -49,7 +49,7 @@ struct DraftRequest {
 
 /// A garment as it was drafted.
 struct DraftedGarment {
-  Pattern pattern;
+  pattern::Pattern pattern;
   NamedValues measures, fit;       ///< what it was drafted from in the end
   std::vector<std::string> notes;  ///< one for every value that gave way
   std::string details;             ///< one line for a tailor: what the draft arrived at
@@ -82,12 +82,12 @@ struct GarmentKind {
   std::function<DraftedGarment(const DraftRequest&)> draft;
   /// Levels of fit measured on the pieces, in the order to print them. `measures`: what is known
   /// of the body; levels that need more are left out. `fit`: what it was drafted from.
-  std::function<std::vector<FitLevel>(const Pattern&, const NamedValues& measures,
+  std::function<std::vector<FitLevel>(const pattern::Pattern&, const NamedValues& measures,
                                       const NamedValues& fit)>
       levels;
 
   /// How it is laid round the body; empty: where its pattern places the panels.
-  LayRound lay;
+  dress::LayRound lay;
   /// What goes through its openings; empty: told by how the pattern places them
   /// (drape/openings.h).
   std::vector<KindOpening> openings;
@@ -96,7 +96,7 @@ struct GarmentKind {
   std::string mark;
   /// Finds out by the seams which panel and edge is which part of the draft and notes it in
   /// Panel::part and PanelEdge::part; false, with the pattern unchanged, for another garment.
-  std::function<bool(Pattern&)> note_parts;
+  std::function<bool(pattern::Pattern&)> note_parts;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -7,15 +7,15 @@
 
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 using Place = std::pair<int, int>;  // panel, edge
 
 /// Every sewn edge with the one it is sewn to.
-std::map<Place, Place> sewn_edges(const Pattern& pattern) {
+std::map<Place, Place> sewn_edges(const pattern::Pattern& pattern) {
   std::map<Place, Place> sewn;
-  for (const Stitch& s : pattern.stitches) {
+  for (const pattern::Stitch& s : pattern.stitches) {
     const Place a{s.first.panel, s.first.edge}, b{s.second.panel, s.second.edge};
     sewn[a] = b;
     sewn[b] = a;
@@ -23,7 +23,7 @@ std::map<Place, Place> sewn_edges(const Pattern& pattern) {
   return sewn;
 }
 
-int edges_of(const Pattern& pattern, int panel) {
+int edges_of(const pattern::Pattern& pattern, int panel) {
   return static_cast<int>(pattern.panels[panel].edges.size());
 }
 
@@ -33,14 +33,15 @@ struct Turn {
 };
 using Match = std::vector<Turn>;
 
-Place image(const Match& match, const Pattern& pattern, const Place& edge) {
+Place image(const Match& match, const pattern::Pattern& pattern, const Place& edge) {
   const Turn& turn = match[edge.first];
   return {turn.panel, (edge.second + turn.shift) % edges_of(pattern, turn.panel)};
 }
 
 /// The map that follows from where the first panel goes: seam by seam.
-std::optional<Match> grow(const Pattern& draft, const std::map<Place, Place>& draft_sewn,
-                          const Pattern& pattern, const std::map<Place, Place>& sewn, Turn first) {
+std::optional<Match> grow(const pattern::Pattern& draft, const std::map<Place, Place>& draft_sewn,
+                          const pattern::Pattern& pattern, const std::map<Place, Place>& sewn,
+                          Turn first) {
   Match match(draft.panels.size());
   std::vector<char> used(pattern.panels.size(), 0);
   std::vector<int> open;
@@ -75,21 +76,22 @@ std::optional<Match> grow(const Pattern& draft, const std::map<Place, Place>& dr
 }
 
 /// Middles of the edges about that of the panel, in units of the panel's size.
-std::vector<Vec2> edge_middles(const Panel& panel) {
+std::vector<Vec2> edge_middles(const pattern::Panel& panel) {
   std::vector<Vec2> middles;
   Vec2 low = panel.vertices.front(), high = low;
   for (const Vec2& p : panel.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = std::max(1e-9, 0.5 * (high - low).norm());
   for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e)
-    middles.push_back((EdgePath(panel, e).at(0.5) - 0.5 * (low + high)) / size);
+    middles.push_back((pattern::EdgePath(panel, e).at(0.5) - 0.5 * (low + high)) / size);
   return middles;
 }
 
 /// How alike the panels lie: normals look the same way, edges are at the same places.
-double likeness(const Pattern& draft, const Pattern& pattern, const Match& match) {
+double likeness(const pattern::Pattern& draft, const pattern::Pattern& pattern,
+                const Match& match) {
   double sum = 0;
   for (int p = 0; p < static_cast<int>(match.size()); ++p) {
-    const Panel &a = draft.panels[p], &b = pattern.panels[match[p].panel];
+    const pattern::Panel &a = draft.panels[p], &b = pattern.panels[match[p].panel];
     sum += a.rotation.col(2).dot(b.rotation.col(2));
     const std::vector<Vec2> at_a = edge_middles(a), at_b = edge_middles(b);
     const std::size_t n = at_a.size();
@@ -101,11 +103,11 @@ double likeness(const Pattern& draft, const Pattern& pattern, const Match& match
 
 }  // namespace
 
-bool match_parts(const Pattern& draft, Pattern& pattern) {
+bool match_parts(const pattern::Pattern& draft, pattern::Pattern& pattern) {
   if (pattern.panels.size() != draft.panels.size() ||
       pattern.stitches.size() != draft.stitches.size() ||
       std::any_of(pattern.stitches.begin(), pattern.stitches.end(),
-                  [](const Stitch& s) { return s.right_wrong; }))
+                  [](const pattern::Stitch& s) { return s.right_wrong; }))
     return false;
   const auto draft_sewn = sewn_edges(draft), sewn = sewn_edges(pattern);
   std::optional<Match> best;
@@ -128,4 +130,4 @@ bool match_parts(const Pattern& draft, Pattern& pattern) {
   return true;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

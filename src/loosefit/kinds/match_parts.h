@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Finds out which panel and edge of a pattern is which part of `draft`, all of whose panels hang
 /// together by seams, and notes it in Panel::part and PanelEdge::part. It goes by how the pieces
@@ -10,6 +10,6 @@ namespace loosefit {
 /// and back, hem and neck may be sewn alike) it takes the one whose panels look the same way and
 /// have their edges where the draft has them. False, with the pattern unchanged, when there is
 /// none. Sewn like a draft is not yet drafted by us: the caller must know that from elsewhere.
-bool match_parts(const Pattern& draft, Pattern& pattern);
+bool match_parts(const pattern::Pattern& draft, pattern::Pattern& pattern);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -2,9 +2,9 @@
 #include <map>
 #include <string>
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Numbers by name: measures of a body, or the fit of a garment. SI units.
 using NamedValues = std::map<std::string, double>;
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// What an opening of a garment was made for.
 enum class OpeningUse {
@@ -18,4 +18,4 @@ enum class OpeningUse {
   hem     ///< round trunk or both legs
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -1,16 +1,16 @@
 #include "loosefit/kinds/pattern_file.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 GarmentKind pattern_file() {
   GarmentKind kind;
-  kind.name = Pattern{}.kind;
+  kind.name = pattern::Pattern{}.kind;
   kind.title = "pattern file";
-  kind.levels = [](const Pattern&, const NamedValues&, const NamedValues&) {
+  kind.levels = [](const pattern::Pattern&, const NamedValues&, const NamedValues&) {
     return std::vector<FitLevel>{};
   };
-  kind.note_parts = [](Pattern&) { return false; };
+  kind.note_parts = [](pattern::Pattern&) { return false; };
   return kind;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

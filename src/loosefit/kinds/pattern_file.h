@@ -1,10 +1,10 @@
 #pragma once
 #include "loosefit/kinds/kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// A garment that is only known from a pattern file: it is put on where its panels are placed, and
 /// what goes through its openings is told by how they lie to each other.
 GarmentKind pattern_file();
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -6,7 +6,7 @@
 #include "loosefit/kinds/shirt/shirt.h"
 #include "loosefit/kinds/tank_top/tank_top.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 const std::vector<GarmentKind>& garment_kinds() {
   static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(), tank_top(),
@@ -28,4 +28,4 @@ std::vector<std::string> drafted_kinds() {
   return names;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,7 +4,7 @@
 
 #include "loosefit/kinds/kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// All kinds of garments, the usual one first: the only list of them.
 const std::vector<GarmentKind>& garment_kinds();
@@ -15,4 +15,4 @@ const GarmentKind& garment_kind(const std::string& name);
 /// Names of the kinds that can be drafted.
 std::vector<std::string> drafted_kinds();
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -10,7 +10,7 @@
 #include "loosefit/maps/definitions/strain.h"
 #include "loosefit/maps/definitions/trellis_shear.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 std::vector<std::string> names_of(bool (*wanted)(const MapDefinition&)) {
@@ -62,4 +62,4 @@ const std::vector<std::string>& default_map_names() {
   return kNames;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

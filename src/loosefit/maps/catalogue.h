@@ -4,7 +4,7 @@
 
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// All maps, in the order in which they are made, written and reported. One definition per header
 /// of maps/definitions; a new map is a header there, a line in catalogue.cpp, a test, and its rows
@@ -21,4 +21,4 @@ const std::vector<std::string>& map_names();
 /// The paper's three, made when nothing is said.
 const std::vector<std::string>& default_map_names();
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

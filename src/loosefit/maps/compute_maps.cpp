@@ -6,7 +6,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/maps/vertex_reader.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// \throws InvalidInput when the input lacks what the map is made of.
@@ -40,21 +40,21 @@ std::vector<PerformanceMap> make_maps(const std::string& name, const MapInput& i
   return make_maps(*map, input);
 }
 
-std::vector<PerformanceMap> slip_maps(const Garment& garment, const DressedState& reference,
-                                      const DressedState& now) {
+std::vector<PerformanceMap> slip_maps(const garment::Garment& garment,
+                                      const DressedState& reference, const DressedState& now) {
   const std::vector<DressedState> states = {now};
   return make_maps("slip",
                    {garment, now.positions, now.worn, nullptr, nullptr, &reference, &states});
 }
 
-std::vector<PerformanceMap> orientation_error_maps(const Garment& garment,
+std::vector<PerformanceMap> orientation_error_maps(const garment::Garment& garment,
                                                    const DressedState& reference,
                                                    const std::vector<DressedState>& states) {
   return make_maps("orientation-error", {garment, reference.positions, reference.worn, nullptr,
                                          nullptr, &reference, &states});
 }
 
-void require_settled(const Certificate& c) {
+void require_settled(const drape::Certificate& c) {
   if (c.holds()) return;
   if (c.settled())
     throw Error(
@@ -68,7 +68,7 @@ void require_settled(const Certificate& c) {
       "summary.json tells why in settle.unsettled; --allow-unsettled makes maps all the same");
 }
 
-std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,
+std::vector<PerformanceMap> compute_maps(const garment::Garment& garment, const drape::Drape& drape,
                                          const WornGarment& worn,
                                          const std::vector<std::string>& names,
                                          const MapOptions& options) {
@@ -86,12 +86,12 @@ std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& dr
   return maps;
 }
 
-std::vector<PerformanceMap> compute_maps(const Garment& garment, const Drape& drape,
-                                         const PosedBody& body,
+std::vector<PerformanceMap> compute_maps(const garment::Garment& garment, const drape::Drape& drape,
+                                         const body::PosedBody& body,
                                          const std::vector<std::string>& names,
                                          const MapOptions& options) {
   if (!options.allow_unsettled) require_settled(drape.certificate);
   return compute_maps(garment, drape, relate(garment, drape.positions, body), names, options);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -4,17 +4,17 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 double GarmentGirth::hoop_strain() const {
   return flat > 0 ? draped / flat - 1 : std::numeric_limits<double>::quiet_NaN();
 }
 
-GarmentGirth torso_girth(const Garment& garment, const std::vector<Vec3>& positions,
+GarmentGirth torso_girth(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const WornGarment& worn, double level) {
   GarmentGirth girth{level};
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    if (worn.panel_part[garment.triangle_panel[t]] != BodyPart::trunk) continue;
+    if (worn.panel_part[garment.triangle_panel[t]] != body::BodyPart::trunk) continue;
     // A corner exactly on the plane counts as above: every triangle is cut in two edges or none.
     std::vector<Vec3> space;
     std::vector<Vec2> flat;
@@ -35,7 +35,7 @@ GarmentGirth torso_girth(const Garment& garment, const std::vector<Vec3>& positi
   return girth;
 }
 
-double chest_height(const Body& body) {
+double chest_height(const body::Body& body) {
   // The breast bone's landmark stands at chest level and moves with the posture.
   if (const auto sternum = body.landmarks.find("sternum"); sternum != body.landmarks.end())
     return sternum->second.z();
@@ -44,4 +44,4 @@ double chest_height(const Body& body) {
   throw InvalidInput("the body has no chest level, so no garment girth can be taken there");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -5,7 +5,7 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/worn_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// A horizontal cut through the draped torso of a garment.
 struct GarmentGirth {
@@ -17,11 +17,11 @@ struct GarmentGirth {
 };
 
 /// Cuts the panels that belong to the trunk at height `level`.
-GarmentGirth torso_girth(const Garment& garment, const std::vector<Vec3>& positions,
+GarmentGirth torso_girth(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const WornGarment& worn, double level);
 
 /// Height of the wearer's chest in this posture: Body::measured chest_level, carried with the body
 /// when it bends. \throws InvalidInput if the body has no chest level.
-double chest_height(const Body& body);
+double chest_height(const body::Body& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -11,14 +11,14 @@
 #include "loosefit/maps/skin_partner.h"
 #include "loosefit/maps/strain.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// The worn garment that maps are made of; only referred to.
 struct MapInput {
-  const Garment& garment;
+  const garment::Garment& garment;
   const std::vector<Vec3>& positions;
   const WornGarment& worn;
-  const Material* material = nullptr;
+  const fabric::Material* material = nullptr;
   const PressureField* pressure = nullptr;
   const DressedState* reference = nullptr;            ///< of maps over postures
   const std::vector<DressedState>* states = nullptr;  ///< in those postures; slip: one
@@ -26,9 +26,9 @@ struct MapInput {
 
 /// The cloth over a place of the skin.
 struct ClothOverSkin {
-  const BodyPartner& partner;
-  const Vec3& normal;        ///< of the cloth, unit
-  const Material* material;  ///< null only where MapDefinition::needs_material is false
+  const body::BodyPartner& partner;
+  const Vec3& normal;                ///< of the cloth, unit
+  const fabric::Material* material;  ///< null only where MapDefinition::needs_material is false
 };
 
 // How a quantity is read off the worn cloth, in SI units. The same function gives the value at a
@@ -36,7 +36,7 @@ struct ClothOverSkin {
 
 /// Of one triangle, from its deformation gradient; `direction` is that of the sensor in the pattern
 /// (unit, weft and warp), at a vertex the grain. At a vertex: mean over its triangles by flat area.
-using ReadGradient = double (*)(const DeformationGradient& f, const Vec2& direction);
+using ReadGradient = double (*)(const geometry::DeformationGradient& f, const Vec2& direction);
 /// Of one place and the skin under it.
 using ReadOverSkin = double (*)(const ClothOverSkin& at);
 /// Of a vertex field of the whole garment; at a sample linear over the triangle.
@@ -113,4 +113,4 @@ inline double millimetres(double metres) { return 1000 * metres; }
 inline double kilopascals(double pascals) { return pascals / 1000; }
 inline double in_degrees(double angle) { return degrees(angle); }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -8,7 +8,7 @@
 #include "loosefit/body/body_frame.h"
 #include "loosefit/maps/strain.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
@@ -41,10 +41,10 @@ Orientation orientation_of(const Mat3& relative) {
   return o;
 }
 
-Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
-                    const Vec2& direction) {
+Mat3 triangle_frame(const garment::Garment& garment, int triangle,
+                    const std::vector<Vec3>& positions, const Vec2& direction) {
   const Triangle& c = garment.triangles[triangle];
-  const Vec3 normal = triangle_normal(positions[c[0]], positions[c[1]], positions[c[2]]);
+  const Vec3 normal = geometry::triangle_normal(positions[c[0]], positions[c[1]], positions[c[2]]);
   const Vec3 image = garment_gradient(garment, triangle, positions) * direction;
   const double length = image.norm();
   Mat3 frame = Mat3::Constant(kNan);
@@ -54,11 +54,11 @@ Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3
   return frame;
 }
 
-std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>& positions,
+std::vector<Mat3> vertex_frames(const garment::Garment& garment, const std::vector<Vec3>& positions,
                                 const std::vector<Vec3>& normals, const Vec2& direction) {
   std::vector<Vec3> image(garment.vertex_count, Vec3::Zero());
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
-    const double area = flat_area(garment.triangle_uv[t]);
+    const double area = geometry::flat_area(garment.triangle_uv[t]);
     if (!(area > 0)) continue;
     const Vec3 along = garment_gradient(garment, t, positions) * direction;
     for (int v : garment.triangles[t])
@@ -78,17 +78,18 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-std::vector<Orientation> vertex_orientations(const Garment& garment,
+std::vector<Orientation> vertex_orientations(const garment::Garment& garment,
                                              const std::vector<Vec3>& positions,
                                              const WornGarment& worn, const Vec2& direction) {
   const std::vector<Mat3> frames = vertex_frames(garment, positions, worn.normals, direction);
   std::vector<Orientation> orientations(garment.vertex_count, {kNan, kNan, kNan, kNan, kNan});
   for (int v = 0; v < garment.vertex_count; ++v) {
-    const SurfaceFrame body = surface_frame(worn.partners[v].normal, worn.segment_axes[v]);
+    const body::SurfaceFrame body =
+        body::surface_frame(worn.partners[v].normal, worn.segment_axes[v]);
     if (body.has_direction && frames[v].allFinite())
       orientations[v] = orientation_of(body.axes.transpose() * frames[v]);
   }
   return orientations;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

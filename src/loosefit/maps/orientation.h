@@ -4,7 +4,7 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/worn_garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Orientation of a place of the garment relative to the body under it, R = F_bᵀ F_g with the body
 /// frame F_b = [s a n] (body/body_frame.h) and the garment frame F_g of the same build, its a the
@@ -41,13 +41,13 @@ inline const Vec2 kGrain = Vec2(0, 1);
 
 /// Frame of a garment triangle: n its normal, a = F d/|F d| (in its plane anyway), s = a × n; all
 /// NaN for a triangle without area.
-Mat3 triangle_frame(const Garment& garment, int triangle, const std::vector<Vec3>& positions,
-                    const Vec2& direction = kGrain);
+Mat3 triangle_frame(const garment::Garment& garment, int triangle,
+                    const std::vector<Vec3>& positions, const Vec2& direction = kGrain);
 
 /// Frame at every garment vertex: the vertex normal (unit, from `normals`), and the mean of F d
 /// over the triangles round the vertex in its own panel (Garment::vertex_panel; across a seam the
 /// pattern directions of two panels need not agree), weighted by flat area and projected.
-std::vector<Mat3> vertex_frames(const Garment& garment, const std::vector<Vec3>& positions,
+std::vector<Mat3> vertex_frames(const garment::Garment& garment, const std::vector<Vec3>& positions,
                                 const std::vector<Vec3>& normals, const Vec2& direction = kGrain);
 
 /// Angle between two unit vectors as atan2(|a × b|, a · b), exact also near zero [rad].
@@ -55,9 +55,9 @@ double angle_between(const Vec3& a, const Vec3& b);
 
 /// Of every vertex of the cloth, in its vertex_frames, against the body at its partner; all NaN
 /// where the body gives no long axis (SurfaceFrame::has_direction).
-std::vector<Orientation> vertex_orientations(const Garment& garment,
+std::vector<Orientation> vertex_orientations(const garment::Garment& garment,
                                              const std::vector<Vec3>& positions,
                                              const WornGarment& worn,
                                              const Vec2& direction = kGrain);
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

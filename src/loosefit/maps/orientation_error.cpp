@@ -8,7 +8,7 @@
 #include "loosefit/maps/orientation.h"
 #include "loosefit/maps/statistics.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 double calibrated_error(const Mat3& now, const Mat3& reference) {
   return rotation_angle(now * reference.transpose());
@@ -23,25 +23,25 @@ ErrorSummary summarise(const std::vector<double>& errors) {
   return {std::sqrt(squares / static_cast<double>(errors.size())), s.p95};
 }
 
-std::vector<ErrorSummary> vertex_orientation_errors(const Garment& garment,
+std::vector<ErrorSummary> vertex_orientation_errors(const garment::Garment& garment,
                                                     const DressedState& reference,
                                                     const std::vector<DressedState>& states,
                                                     const Vec2& direction) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   require_fit(garment, reference);
-  const std::vector<SkinPoint> partners = skin_partners(reference);
+  const std::vector<body::SkinPoint> partners = skin_partners(reference);
   /// R = F_bᵀ F_g of every vertex in one state.
   const auto relative = [&](const DressedState& state) {
     std::vector<Mat3> r = vertex_frames(garment, state.positions, state.worn.normals, direction);
     for (std::size_t v = 0; v < r.size(); ++v)
-      r[v] = frame_of(partners[v], state.body).axes.transpose() * r[v];
+      r[v] = body::frame_of(partners[v], state.body).axes.transpose() * r[v];
     return r;
   };
   std::vector<std::vector<double>> errors(garment.vertex_count);
   const std::vector<Mat3> calibrated = relative(reference);
   for (const DressedState& state : states) {
     require_fit(garment, state);
-    require_same_wearer(reference.body, state.body);
+    body::require_same_wearer(reference.body, state.body);
     const std::vector<Mat3> now = relative(state);
     for (std::size_t v = 0; v < now.size(); ++v)
       errors[v].push_back(calibrated_error(now[v], calibrated[v]));
@@ -55,4 +55,4 @@ std::vector<ErrorSummary> vertex_orientation_errors(const Garment& garment,
   return summaries;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

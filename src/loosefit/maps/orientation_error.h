@@ -3,7 +3,7 @@
 
 #include "loosefit/maps/skin_partner.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Angle of E = R R_refᵀ: how far a sensor that was calibrated at R_ref reads wrong at R, both
 /// relative to the body (docs/theory/sensor_metrics.md 3.3) [rad]. The same whatever tangent the
@@ -22,9 +22,9 @@ ErrorSummary summarise(const std::vector<double>& errors);
 /// reference, in which the reference itself should not be counted [rad]. The body frame is that of
 /// the material partner (maps/skin_partner.h); NaN where the cloth has no frame. \throws
 /// InvalidInput for no states, or another body or garment.
-std::vector<ErrorSummary> vertex_orientation_errors(const Garment& garment,
+std::vector<ErrorSummary> vertex_orientation_errors(const garment::Garment& garment,
                                                     const DressedState& reference,
                                                     const std::vector<DressedState>& states,
                                                     const Vec2& direction = Vec2(0, 1));
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// How an array of a map is called, written and drawn.
 struct MapArrayStyle {
@@ -26,4 +26,4 @@ struct PerformanceMap : MapArrayStyle {
   std::vector<double> values;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -13,7 +13,7 @@
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/maps/surface_curvature.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// Body under the middle of a garment edge.
@@ -24,23 +24,24 @@ struct Middle {
 };
 
 /// Per edge of the garment.
-std::vector<Middle> middles_near_body(const MeshTopology& topology, const std::vector<Vec3>& x,
-                                      const PosedBody& body, double reach) {
+std::vector<Middle> middles_near_body(const geometry::MeshTopology& topology,
+                                      const std::vector<Vec3>& x, const body::PosedBody& body,
+                                      double reach) {
   const auto& edges = topology.edges();
-  const ClosestPointTree& tree = body.tree();
-  std::vector<ClosestPoint> under(edges.size());
+  const geometry::ClosestPointTree& tree = body.tree();
+  std::vector<geometry::ClosestPoint> under(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     const auto& [a, b] = edges[i];
     under[i] = tree.query(0.5 * (x[a] + x[b]), reach);
   });
   std::vector<char> wanted(body->surface.vertices.size(), 0);
-  for (const ClosestPoint& hit : under)
+  for (const geometry::ClosestPoint& hit : under)
     if (hit.triangle >= 0)
       for (int v : body->surface.triangles[hit.triangle]) wanted[v] = 1;
   const std::vector<Mat3> curvatures = vertex_curvatures(body->surface, wanted);
   std::vector<Middle> middles(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const ClosestPoint& hit = under[i];
+    const geometry::ClosestPoint& hit = under[i];
     if (hit.triangle < 0) continue;
     Middle& middle = middles[i];
     middle.distance = hit.distance;
@@ -52,7 +53,7 @@ std::vector<Middle> middles_near_body(const MeshTopology& topology, const std::v
   return middles;
 }
 
-void check(const Garment& garment, const Drape& drape, const Body& body) {
+void check(const garment::Garment& garment, const drape::Drape& drape, const body::Body& body) {
   const auto n = static_cast<std::size_t>(garment.vertex_count);
   if (drape.body_normal_force.empty())
     throw InvalidInput("pressure: the drape does not know the forces of its contact",
@@ -67,18 +68,18 @@ void check(const Garment& garment, const Drape& drape, const Body& body) {
 
 }  // namespace
 
-double contact_tolerance(const Material& material) {
+double contact_tolerance(const fabric::Material& material) {
   return std::max(0.75 * material.thickness, 0.0005);
 }
 
-std::vector<Mat3> membrane_tension(const Garment& garment, const std::vector<Vec3>& x,
-                                   const Material& material) {
-  const MembraneEnergy membrane(garment.triangles, garment.triangle_uv,
-                                garment.triangle_membrane_factor, material);
+std::vector<Mat3> membrane_tension(const garment::Garment& garment, const std::vector<Vec3>& x,
+                                   const fabric::Material& material) {
+  const fabric::MembraneEnergy membrane(garment.triangles, garment.triangle_uv,
+                                        garment.triangle_membrane_factor, material);
   std::vector<Mat3> tension;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const DeformationGradient f =
-        deformation_gradient(garment.triangle_uv[t], garment.triangles[t], x);
+    const geometry::DeformationGradient f =
+        geometry::deformation_gradient(garment.triangle_uv[t], garment.triangles[t], x);
     const Vec3 s = membrane.state(static_cast<int>(t), x).stress;
     Mat2 stress;
     stress << s[0], s[2], s[2], s[1];
@@ -89,8 +90,9 @@ std::vector<Mat3> membrane_tension(const Garment& garment, const std::vector<Vec
   return tension;
 }
 
-PressureField contact_pressure(const Garment& garment, const Drape& drape, const PosedBody& body,
-                               const Material& material, double gravity) {
+PressureField contact_pressure(const garment::Garment& garment, const drape::Drape& drape,
+                               const body::PosedBody& body, const fabric::Material& material,
+                               double gravity) {
   check(garment, drape, body);
   const std::vector<Vec3>& x = drape.positions;
   const std::size_t n = x.size();
@@ -102,7 +104,7 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
 
   std::vector<double> worn_area;
   for (const Triangle& t : garment.triangles) {
-    worn_area.push_back(triangle_area(x[t[0]], x[t[1]], x[t[2]]));
+    worn_area.push_back(geometry::triangle_area(x[t[0]], x[t[1]], x[t[2]]));
     for (int v : t) field.area[v] += worn_area.back() / 3;
   }
   for (std::size_t i = 0; i < n; ++i)
@@ -117,7 +119,7 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
                : garment.vertex_mass[v] * gravity / field.area[v];
   };
   constexpr double kHeldOff = 0.01;  // pressed triangles held off beyond this are none [m]
-  const MeshTopology topology(garment.triangles);
+  const geometry::MeshTopology topology(garment.triangles);
   const std::vector<Middle> middles = middles_near_body(topology, x, body, kHeldOff);
   const std::vector<Mat3> tension = membrane_tension(garment, x, material);
   const double touch = 0.5 * material.thickness + contact_tolerance(material);
@@ -132,7 +134,7 @@ PressureField contact_pressure(const Garment& garment, const Drape& drape, const
       pressed = pressed && drape.body_normal_force[corner[k]] > 0;
     }
     if (!(nearest <= (pressed ? kHeldOff : touch))) continue;
-    const Vec3 normal = triangle_normal(x[corner[0]], x[corner[1]], x[corner[2]]);
+    const Vec3 normal = geometry::triangle_normal(x[corner[0]], x[corner[1]], x[corner[2]]);
     for (int k = 0; k < 3; ++k) {
       const int a = corner[k], b = corner[(k + 1) % 3];
       field.touching[a] = 1;
@@ -169,8 +171,9 @@ std::vector<double> pressure_class_shares(const PressureField& field) {
   return share;
 }
 
-PressureAgreement compare_pressures(const PressureField& field, const std::vector<Region>& regions,
-                                    std::optional<Region> only) {
+PressureAgreement compare_pressures(const PressureField& field,
+                                    const std::vector<body::Region>& regions,
+                                    std::optional<body::Region> only) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   PressureAgreement a;
   double squares = 0;
@@ -205,4 +208,4 @@ PressureAgreement compare_pressures(const PressureField& field, const std::vecto
   return a;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

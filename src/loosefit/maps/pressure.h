@@ -8,7 +8,7 @@
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Contact pressure between cloth and body by two independent estimates
 /// (docs/theory/validation.md 6.2; for the second: generalised Laplace law, e.g. Teyeme et al.
@@ -38,15 +38,17 @@ struct PressureField {
 /// Largest gap between the cloth's inner face and the skin that counts as contact [m]: three
 /// quarters of the thickness (1.5 × the contact offset), at least 0.5 mm
 /// (docs/theory/sensor_metrics.md 4).
-double contact_tolerance(const Material& material);
+double contact_tolerance(const fabric::Material& material);
 
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.
-PressureField contact_pressure(const Garment& garment, const Drape& drape, const PosedBody& body,
-                               const Material& material, double gravity = kGravity);
+PressureField contact_pressure(const garment::Garment& garment, const drape::Drape& drape,
+                               const body::PosedBody& body, const fabric::Material& material,
+                               double gravity = kGravity);
 
 /// Membrane tension N = F S Fᵀ/J of each triangle as worn, a 3×3 tensor in its plane [N/m].
-std::vector<Mat3> membrane_tension(const Garment& garment, const std::vector<Vec3>& positions,
-                                   const Material& material);
+std::vector<Mat3> membrane_tension(const garment::Garment& garment,
+                                   const std::vector<Vec3>& positions,
+                                   const fabric::Material& material);
 
 /// How the two estimates compare over the touching cloth (or the part of it in a region).
 struct PressureAgreement {
@@ -59,8 +61,9 @@ struct PressureAgreement {
   double correlation = 0;     ///< Pearson, area-weighted; NaN when one of them is constant
 };
 /// Means and rms are NaN without contact. Only vertices with `regions[i] == *only` if given.
-PressureAgreement compare_pressures(const PressureField& field, const std::vector<Region>& regions,
-                                    std::optional<Region> only = {});
+PressureAgreement compare_pressures(const PressureField& field,
+                                    const std::vector<body::Region>& regions,
+                                    std::optional<body::Region> only = {});
 
 /// Bounds of the classes of docs/theory/sensor_metrics.md 5 [Pa], and the classes from no contact
 /// on: below the first bound an electrode is unreliable, then marginal, then good, then firm, and
@@ -71,4 +74,4 @@ inline constexpr const char* kPressureClassNames[] = {"none", "unreliable", "mar
 /// Share of the worn area in each class by the contact-force estimate; they sum to one.
 std::vector<double> pressure_class_shares(const PressureField& field);
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

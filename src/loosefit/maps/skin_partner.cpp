@@ -6,19 +6,20 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
-std::vector<SkinPoint> skin_partners(const DressedState& reference) {
+std::vector<body::SkinPoint> skin_partners(const DressedState& reference) {
   const std::vector<Vec3>& axes = reference.body.axes();
-  std::vector<SkinPoint> partners;
+  std::vector<body::SkinPoint> partners;
   partners.reserve(reference.worn.partners.size());
-  for (const BodyPartner& partner : reference.worn.partners)
-    partners.push_back(skin_point(reference.body, axes, partner.exact));
+  for (const body::BodyPartner& partner : reference.worn.partners)
+    partners.push_back(body::skin_point(reference.body, axes, partner.exact));
   return partners;
 }
 
-Vec3 offset_on_skin(const SkinPoint& partner, const Body& body, const Vec3& position) {
-  return frame_of(partner, body).axes.transpose() * (position - position_of(partner, body));
+Vec3 offset_on_skin(const body::SkinPoint& partner, const body::Body& body, const Vec3& position) {
+  return body::frame_of(partner, body).axes.transpose() *
+         (position - body::position_of(partner, body));
 }
 
 Slip slip_of(const Vec3& change, bool has_direction) {
@@ -27,7 +28,7 @@ Slip slip_of(const Vec3& change, bool has_direction) {
   return {change.x(), change.y(), change.head<2>().norm()};
 }
 
-void require_fit(const Garment& garment, const DressedState& state) {
+void require_fit(const garment::Garment& garment, const DressedState& state) {
   const auto n = static_cast<std::size_t>(garment.vertex_count);
   if (state.positions.size() == n && state.worn.partners.size() == n) return;
   throw InvalidInput("a dressed state: found " + std::to_string(state.positions.size()) +
@@ -35,12 +36,12 @@ void require_fit(const Garment& garment, const DressedState& state) {
                      " partners, expected " + std::to_string(n) + ", as many as garment vertices");
 }
 
-std::vector<Slip> vertex_slips(const Garment& garment, const DressedState& reference,
+std::vector<Slip> vertex_slips(const garment::Garment& garment, const DressedState& reference,
                                const DressedState& now) {
   require_fit(garment, reference);
   require_fit(garment, now);
-  require_same_wearer(reference.body, now.body);
-  const std::vector<SkinPoint> partners = skin_partners(reference);
+  body::require_same_wearer(reference.body, now.body);
+  const std::vector<body::SkinPoint> partners = skin_partners(reference);
   std::vector<Slip> slips;
   for (std::size_t v = 0; v < partners.size(); ++v) {
     const Vec3 change = offset_on_skin(partners[v], now.body, now.positions[v]) -
@@ -50,4 +51,4 @@ std::vector<Slip> vertex_slips(const Garment& garment, const DressedState& refer
   return slips;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/quantile.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 MapStatistics statistics(const std::vector<double>& values, const std::vector<double>& weights) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -39,11 +39,11 @@ MapStatistics statistics(const std::vector<double>& values, const std::vector<do
   return s;
 }
 
-std::map<Region, MapStatistics> regional_statistics(const std::vector<double>& values,
-                                                    const std::vector<double>& weights,
-                                                    const std::vector<Region>& regions) {
-  std::map<Region, MapStatistics> result;
-  for (Region region : all_regions()) {
+std::map<body::Region, MapStatistics> regional_statistics(
+    const std::vector<double>& values, const std::vector<double>& weights,
+    const std::vector<body::Region>& regions) {
+  std::map<body::Region, MapStatistics> result;
+  for (body::Region region : body::all_regions()) {
     std::vector<double> own, own_weights;
     for (std::size_t i = 0; i < values.size(); ++i)
       if (regions[i] == region) {
@@ -56,4 +56,4 @@ std::map<Region, MapStatistics> regional_statistics(const std::vector<double>& v
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -5,7 +5,7 @@
 #include "loosefit/body/regions.h"
 #include "loosefit/maps/performance_map.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Area-weighted summary of one map; every field NaN when nothing is defined.
 struct MapStatistics {
@@ -20,8 +20,8 @@ struct MapStatistics {
 MapStatistics statistics(const std::vector<double>& values, const std::vector<double>& weights);
 
 /// The same within each region that has a value; `regions` per vertex.
-std::map<Region, MapStatistics> regional_statistics(const std::vector<double>& values,
-                                                    const std::vector<double>& weights,
-                                                    const std::vector<Region>& regions);
+std::map<body::Region, MapStatistics> regional_statistics(const std::vector<double>& values,
+                                                          const std::vector<double>& weights,
+                                                          const std::vector<body::Region>& regions);
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -7,22 +7,22 @@
 
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-DeformationGradient garment_gradient(const Garment& garment, int triangle,
-                                     const std::vector<Vec3>& positions) {
-  return deformation_gradient(garment.triangle_uv[triangle], garment.triangles[triangle],
-                              positions);
+geometry::DeformationGradient garment_gradient(const garment::Garment& garment, int triangle,
+                                               const std::vector<Vec3>& positions) {
+  return geometry::deformation_gradient(garment.triangle_uv[triangle], garment.triangles[triangle],
+                                        positions);
 }
 
-double strain_along(const DeformationGradient& f, const Vec2& direction) {
+double strain_along(const geometry::DeformationGradient& f, const Vec2& direction) {
   return (f * direction).norm() - 1;
 }
 
-TriangleStrain triangle_strain(const Garment& garment, int triangle,
+TriangleStrain triangle_strain(const garment::Garment& garment, int triangle,
                                const std::vector<Vec3>& positions) {
   return triangle_strain(garment_gradient(garment, triangle, positions));
 }
@@ -31,7 +31,7 @@ double slack_of(const TriangleStrain& strain) {
   return std::isnan(strain.min) ? kNan : strain.min < kSlackStrain ? 1.0 : 0.0;
 }
 
-TriangleStrain triangle_strain(const DeformationGradient& f) {
+TriangleStrain triangle_strain(const geometry::DeformationGradient& f) {
   const double uu = f.col(0).squaredNorm(), vv = f.col(1).squaredNorm();
   const double uv_product = f.col(0).dot(f.col(1));
   // Eigenvalues of FᵀF. std::max passes NaN of its first argument on.
@@ -40,7 +40,7 @@ TriangleStrain triangle_strain(const DeformationGradient& f) {
           std::sqrt(std::max(mean - spread, 0.0)) - 1};
 }
 
-std::vector<TriangleStrain> triangle_strains(const Garment& garment,
+std::vector<TriangleStrain> triangle_strains(const garment::Garment& garment,
                                              const std::vector<Vec3>& positions) {
   std::vector<TriangleStrain> strains;
   strains.reserve(garment.triangles.size());
@@ -49,11 +49,12 @@ std::vector<TriangleStrain> triangle_strains(const Garment& garment,
   return strains;
 }
 
-std::vector<double> to_vertices(const Garment& garment, const std::vector<double>& per_triangle) {
+std::vector<double> to_vertices(const garment::Garment& garment,
+                                const std::vector<double>& per_triangle) {
   std::vector<double> sum(garment.vertex_count, 0.0), weight(garment.vertex_count, 0.0);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     if (std::isnan(per_triangle[t])) continue;
-    const double area = flat_area(garment.triangle_uv[t]);
+    const double area = geometry::flat_area(garment.triangle_uv[t]);
     for (int v : garment.triangles[t]) {
       sum[v] += area * per_triangle[t];
       weight[v] += area;
@@ -63,11 +64,12 @@ std::vector<double> to_vertices(const Garment& garment, const std::vector<double
   return sum;
 }
 
-std::vector<double> vertical_strain(const Garment& garment, const std::vector<Vec3>& positions) {
+std::vector<double> vertical_strain(const garment::Garment& garment,
+                                    const std::vector<Vec3>& positions) {
   constexpr double kSameEdge = 1e-9;  // [m]
-  const MeshTopology topology(garment.triangles);
+  const geometry::MeshTopology topology(garment.triangles);
   // In the pattern, from the edge's lower to its higher vertex.
-  const auto flat = [&](const MeshTopology::Side& side) -> Vec2 {
+  const auto flat = [&](const geometry::MeshTopology::Side& side) -> Vec2 {
     const auto& [t, k] = side;
     const Vec2 along = garment.triangle_uv[t][(k + 1) % 3] - garment.triangle_uv[t][k];
     return garment.triangles[t][k] < garment.triangles[t][(k + 1) % 3] ? along : Vec2(-along);
@@ -96,11 +98,11 @@ std::vector<double> vertical_strain(const Garment& garment, const std::vector<Ve
   return sum;
 }
 
-std::vector<double> vertex_areas(const Garment& garment) {
+std::vector<double> vertex_areas(const garment::Garment& garment) {
   std::vector<double> areas(garment.vertex_count, 0.0);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int v : garment.triangles[t]) areas[v] += flat_area(garment.triangle_uv[t]) / 3;
+    for (int v : garment.triangles[t]) areas[v] += geometry::flat_area(garment.triangle_uv[t]) / 3;
   return areas;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

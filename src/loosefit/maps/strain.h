@@ -4,12 +4,12 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/geometry/flat_triangle.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// F of one garment triangle, from pattern (u, v) to space: dx = F du. Columns are the images of
 /// weft and warp. NaN for a triangle without flat area.
-DeformationGradient garment_gradient(const Garment& garment, int triangle,
-                                     const std::vector<Vec3>& positions);
+geometry::DeformationGradient garment_gradient(const garment::Garment& garment, int triangle,
+                                               const std::vector<Vec3>& positions);
 
 /// Strain of one garment triangle. F is the 3×2 deformation gradient from pattern coordinates (u
 /// weft, v warp) to space, dx = F du; the stretch along a unit pattern direction d is |F d| and
@@ -22,16 +22,16 @@ struct TriangleStrain {
 };
 
 /// From the deformation gradient; NaN for that of a triangle without flat area.
-TriangleStrain triangle_strain(const DeformationGradient& f);
-TriangleStrain triangle_strain(const Garment& garment, int triangle,
+TriangleStrain triangle_strain(const geometry::DeformationGradient& f);
+TriangleStrain triangle_strain(const garment::Garment& garment, int triangle,
                                const std::vector<Vec3>& positions);
 /// The same of every triangle.
-std::vector<TriangleStrain> triangle_strains(const Garment& garment,
+std::vector<TriangleStrain> triangle_strains(const garment::Garment& garment,
                                              const std::vector<Vec3>& positions);
 
 /// Strain |F d| − 1 along the unit direction d = (weft, warp) of the pattern, the reading of a
 /// strain sensor that is sewn on along d (docs/theory/sensor_metrics.md 6). NaN without flat area.
-double strain_along(const DeformationGradient& f, const Vec2& direction);
+double strain_along(const geometry::DeformationGradient& f, const Vec2& direction);
 
 /// Cloth whose least principal strain is below this is slack: buckled within an element, so that no
 /// strain sensor reads it (docs/theory/sensor_metrics.md 6).
@@ -41,7 +41,8 @@ double slack_of(const TriangleStrain& strain);
 
 /// Mean of a triangle quantity at each vertex, weighted by flat triangle area; NaN where no
 /// triangle with a value touches the vertex.
-std::vector<double> to_vertices(const Garment& garment, const std::vector<double>& per_triangle);
+std::vector<double> to_vertices(const garment::Garment& garment,
+                                const std::vector<double>& per_triangle);
 
 /// Elongation of the garment edges along the grain, the paper's "vertical strain": initial and
 /// actual distances between neighbouring particles are compared,
@@ -54,9 +55,10 @@ std::vector<double> to_vertices(const Garment& garment, const std::vector<double
 /// garment whatever the posture. Edges that lie on a seam are left out: they have two rest lengths.
 /// A vertex without another edge gets NaN. (Harms, Amft, Tröster 2012, section 2.2.) `warp` above
 /// is the same quantity free of the mesh's edge directions.
-std::vector<double> vertical_strain(const Garment& garment, const std::vector<Vec3>& positions);
+std::vector<double> vertical_strain(const garment::Garment& garment,
+                                    const std::vector<Vec3>& positions);
 
 /// Lumped flat area of each vertex: a third of its triangles [m²]. The weights of all statistics.
-std::vector<double> vertex_areas(const Garment& garment);
+std::vector<double> vertex_areas(const garment::Garment& garment);
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 /// Normals that are exact where all vertices round a corner lie on a sphere (Max 1999).
-std::vector<Vec3> sphere_exact_normals(const TriangleMesh& surface) {
+std::vector<Vec3> sphere_exact_normals(const geometry::TriangleMesh& surface) {
   std::vector<Vec3> normals(surface.vertices.size(), Vec3::Zero());
   for (const Triangle& t : surface.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -63,7 +63,8 @@ Mat3 across(const Mat3& tensor, const Vec3& normal) {
 
 }  // namespace
 
-std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface, const std::vector<char>& wanted) {
+std::vector<Mat3> vertex_curvatures(const geometry::TriangleMesh& surface,
+                                    const std::vector<char>& wanted) {
   const auto count = static_cast<int>(surface.vertices.size());
   const std::vector<Vec3> normals = sphere_exact_normals(surface);
   std::vector<std::vector<int>> ring(count);
@@ -86,8 +87,8 @@ std::vector<Mat3> vertex_curvatures(const TriangleMesh& surface, const std::vect
   return curvatures;
 }
 
-Mat3 curvature_at(const TriangleMesh& surface, const std::vector<Mat3>& vertex_curvatures,
-                  const ClosestPoint& at, const Vec3& normal) {
+Mat3 curvature_at(const geometry::TriangleMesh& surface, const std::vector<Mat3>& vertex_curvatures,
+                  const geometry::ClosestPoint& at, const Vec3& normal) {
   Mat3 sum = Mat3::Zero();
   const Triangle& corner = surface.triangles[at.triangle];
   for (int k = 0; k < 3; ++k) sum += at.barycentric[k] * vertex_curvatures[corner[k]];
@@ -102,4 +103,4 @@ Mat3 offset_curvature(const Mat3& curvature, double distance) {
          eigen.eigenvectors().transpose();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -2,7 +2,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 
 template <class Read, class Value>
@@ -30,7 +30,8 @@ std::vector<double> VertexReader::of(ReadGradient read) {
   }
   std::vector<double> per_triangle;
   per_triangle.reserve(gradients_->size());
-  for (const DeformationGradient& f : *gradients_) per_triangle.push_back(read(f, kGrain));
+  for (const geometry::DeformationGradient& f : *gradients_)
+    per_triangle.push_back(read(f, kGrain));
   return to_vertices(input_.garment, per_triangle);
 }
 
@@ -60,4 +61,4 @@ std::vector<double> VertexReader::of(ReadError read) {
   return each(read, *errors_);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -4,7 +4,7 @@
 
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Reads arrays of maps at all vertices of one worn garment. What several arrays share (gradients,
 /// orientations, slips, errors) is computed for the first that asks. Keeps a reference to the
@@ -25,10 +25,10 @@ class VertexReader {
   std::vector<double> of(ReadError read);
 
   const MapInput& input_;
-  std::optional<std::vector<DeformationGradient>> gradients_;
+  std::optional<std::vector<geometry::DeformationGradient>> gradients_;
   std::optional<std::vector<Orientation>> orientations_;
   std::optional<std::vector<Slip>> slips_;
   std::optional<std::vector<ErrorSummary>> errors_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -4,16 +4,16 @@
 #include "loosefit/body/body_frame.h"
 #include "loosefit/maps/strain.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
-WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions,
-                   const PosedBody& body) {
+WornGarment relate(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                   const body::PosedBody& body) {
   if (static_cast<int>(positions.size()) != garment.vertex_count)
     throw InvalidInput("maps: " + std::to_string(positions.size()) + " positions for " +
                        std::to_string(garment.vertex_count) + " garment vertices");
-  const PartnerFinder& finder = body.partners();
+  const body::PartnerFinder& finder = body.partners();
   WornGarment worn;
-  worn.normals = vertex_normals(positions, garment.triangles);
+  worn.normals = geometry::vertex_normals(positions, garment.triangles);
   worn.areas = vertex_areas(garment);
 
   std::vector<std::vector<Vec3>> panel_points(garment.panel_names.size());
@@ -22,15 +22,15 @@ WornGarment relate(const Garment& garment, const std::vector<Vec3>& positions,
   for (const auto& points : panel_points) worn.panel_part.push_back(finder.part_of(points));
   for (int panel : garment.vertex_panel) worn.vertex_part.push_back(worn.panel_part[panel]);
 
-  worn.partners = find_partners(finder, positions, worn.normals, worn.vertex_part);
-  const std::vector<Region>& regions = body.regions();
+  worn.partners = body::find_partners(finder, positions, worn.normals, worn.vertex_part);
+  const std::vector<body::Region>& regions = body.regions();
   const std::vector<Vec3>& axes = body.axes();
-  for (const BodyPartner& partner : worn.partners) {
-    worn.regions.push_back(region_of(regions, body->surface, partner.exact));
+  for (const body::BodyPartner& partner : worn.partners) {
+    worn.regions.push_back(body::region_of(regions, body->surface, partner.exact));
     worn.segment_axes.push_back(
-        at_point(body->surface, axes, partner.exact.triangle, partner.exact.barycentric));
+        body::at_point(body->surface, axes, partner.exact.triangle, partner.exact.barycentric));
   }
   return worn;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

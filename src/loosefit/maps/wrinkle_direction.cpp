@@ -9,7 +9,7 @@
 #include "loosefit/body/body_frame.h"
 #include "loosefit/geometry/flat_triangle.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSteps = 4;  // one implicit step has a long tail and would eat wide folds
@@ -18,13 +18,13 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Lumped mass M and stiffness L of linear elements on the flat, sewn cloth; a vertex that no
 /// triangle touches stays as it is.
-Sparse diffusion_matrix(const Garment& garment, double time, Eigen::VectorXd& mass) {
+Sparse diffusion_matrix(const garment::Garment& garment, double time, Eigen::VectorXd& mass) {
   mass = Eigen::VectorXd::Zero(garment.vertex_count);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const auto& uv = garment.triangle_uv[t];
     const Triangle& corner = garment.triangles[t];
-    const double twice_area = std::abs(cross(uv[1] - uv[0], uv[2] - uv[0]));
+    const double twice_area = std::abs(geometry::cross(uv[1] - uv[0], uv[2] - uv[0]));
     if (!(twice_area > 0)) continue;
     for (int k = 0; k < 3; ++k) {
       mass[corner[k]] += twice_area / 6;
@@ -46,8 +46,8 @@ Sparse diffusion_matrix(const Garment& garment, double time, Eigen::VectorXd& ma
 
 }  // namespace
 
-std::vector<Vec3> smoothed_normals(const Garment& garment, const std::vector<Vec3>& normals,
-                                   double width) {
+std::vector<Vec3> smoothed_normals(const garment::Garment& garment,
+                                   const std::vector<Vec3>& normals, double width) {
   Eigen::VectorXd mass;
   const Eigen::SimplicialLDLT<Sparse> solver(
       diffusion_matrix(garment, 0.5 * width * width / kSteps, mass));
@@ -62,11 +62,12 @@ std::vector<Vec3> smoothed_normals(const Garment& garment, const std::vector<Vec
   return smooth;
 }
 
-std::vector<Vec2> wrinkle_slopes(const Garment& garment, const WornGarment& worn, double width) {
+std::vector<Vec2> wrinkle_slopes(const garment::Garment& garment, const WornGarment& worn,
+                                 double width) {
   const std::vector<Vec3> smooth = smoothed_normals(garment, worn.normals, width);
   std::vector<Vec2> slopes(garment.vertex_count, Vec2::Constant(kNan));
   for (int v = 0; v < garment.vertex_count; ++v) {
-    const SurfaceFrame frame = surface_frame(smooth[v], worn.segment_axes[v]);
+    const body::SurfaceFrame frame = body::surface_frame(smooth[v], worn.segment_axes[v]);
     if (!frame.has_direction || !(smooth[v].squaredNorm() > 0)) continue;
     const Vec3 n = frame.axes.transpose() * worn.normals[v];
     const double sine = std::hypot(n.x(), n.y());
@@ -93,11 +94,11 @@ WrinkleDirection wrinkle_direction(const std::vector<Vec2>& slopes,
           std::sqrt(trace)};
 }
 
-std::map<Region, WrinkleDirection> regional_wrinkles(const Garment& garment,
-                                                     const WornGarment& worn, double width) {
+std::map<body::Region, WrinkleDirection> regional_wrinkles(const garment::Garment& garment,
+                                                           const WornGarment& worn, double width) {
   const std::vector<Vec2> slopes = wrinkle_slopes(garment, worn, width);
-  std::map<Region, WrinkleDirection> result;
-  for (Region region : all_regions()) {
+  std::map<body::Region, WrinkleDirection> result;
+  for (body::Region region : body::all_regions()) {
     std::vector<Vec2> own;
     std::vector<double> areas;
     for (std::size_t v = 0; v < slopes.size(); ++v)
@@ -111,4 +112,4 @@ std::map<Region, WrinkleDirection> regional_wrinkles(const Garment& garment,
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Active set: the particles that move while all others rest (ActiveSetUser).
 struct ActiveSet {
@@ -38,4 +38,4 @@ class IndexSubset {
   std::vector<int> list_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

@@ -4,7 +4,7 @@
 
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 namespace {
 
 /// Sum of 3 x 3 blocks in registers.
@@ -117,4 +117,4 @@ void BlockGather::add(const std::vector<Mat3>& blocks, BlockMatrix& h,
   });
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

@@ -6,7 +6,7 @@
 #include "loosefit/particles/active_set.h"
 #include "loosefit/particles/block_matrix.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Adds the 3 x 3 blocks of elements to a BlockMatrix on all threads: for each place of the matrix
 /// the list of its contributions is known, in the order of the elements, so that the bits do not
@@ -43,4 +43,4 @@ class BlockGather {
   mutable std::uint64_t pattern_id_ = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

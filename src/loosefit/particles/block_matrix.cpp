@@ -3,7 +3,7 @@
 #include <atomic>
 #include <functional>
 
-namespace loosefit {
+namespace loosefit::particles {
 
 void BlockPattern::compress() {
   for (auto& rows : rows_of_column_) {
@@ -64,4 +64,4 @@ void BlockMatrix::add_product(const std::vector<Vec3>& x, std::vector<Vec3>& y) 
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

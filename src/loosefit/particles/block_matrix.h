@@ -6,7 +6,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Set of 3 x 3 blocks of a symmetric matrix; only row ≥ column is kept.
 class BlockPattern {
@@ -75,4 +75,4 @@ class BlockMatrix {
   std::vector<Mat3> blocks_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

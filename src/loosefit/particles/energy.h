@@ -5,7 +5,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/particles/block_matrix.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// One 3-vector per particle: positions [m], displacements [m], forces [N] or gradients [N].
 using VectorField = std::vector<Vec3>;
@@ -43,4 +43,4 @@ class Energy {
   virtual void add_hessian(const VectorField& x, BlockMatrix& h, HessianKind kind) const = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

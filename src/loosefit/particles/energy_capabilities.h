@@ -2,7 +2,7 @@
 #include "loosefit/particles/active_set.h"
 #include "loosefit/particles/energy.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 // What an energy may be besides a potential. An energy inherits the classes that apply to it;
 // ParticleSystem asks each energy which they are.
@@ -57,4 +57,4 @@ class ActiveSetUser {
   virtual void set_active_set(const ActiveSet* active_set) = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace loosefit {
+namespace loosefit::particles {
 
 double GravityEnergy::value(const VectorField& x) const {
   constexpr std::size_t kChains = 4;  // independent sums, always the same ones
@@ -18,4 +18,4 @@ void GravityEnergy::add_gradient(const VectorField& x, VectorField& g) const {
   for (std::size_t i = 0; i < x.size(); ++i) g[i][2] += masses_[i] * gravity_;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

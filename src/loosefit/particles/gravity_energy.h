@@ -3,7 +3,7 @@
 
 #include "loosefit/particles/energy.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Dead weight: Π = Σ m_i g z_i, force (0, 0, −m_i g).  m_i [kg], g [m/s²], z up.
 class GravityEnergy : public Energy {
@@ -21,4 +21,4 @@ class GravityEnergy : public Energy {
   double gravity_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

@@ -4,7 +4,7 @@
 
 #include "loosefit/particles/tile.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 ParticleGather::ParticleGather(const std::vector<int>& particle) {
   int particles = 0;
@@ -42,4 +42,4 @@ void ParticleGather::add(const std::vector<Vec3>& force, VectorField& g,
     if (p < particles) add_to(p, force, g);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

@@ -4,7 +4,7 @@
 #include "loosefit/particles/active_set.h"
 #include "loosefit/particles/energy.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Adds the forces at the corners of elements to their particles on all threads; every particle
 /// adds its own in the order of the elements, so the bits do not depend on the threads.
@@ -23,4 +23,4 @@ class ParticleGather {
   std::vector<int> corner_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

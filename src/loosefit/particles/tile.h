@@ -6,7 +6,7 @@
 #include "loosefit/particles/active_set.h"
 #include "loosefit/particles/energy.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Element kernels work on tiles of this many elements, structure of arrays: their loops over a
 /// tile have no branch and no call, so that the compiler vectorises them. No fewer than the widest
@@ -99,7 +99,7 @@ inline double sum_of(const TileRow& row) {
 /// Four numbers that stand together in memory, for loops that the compiler does not vectorise.
 using Quad [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
-}  // namespace loosefit
+}  // namespace loosefit::particles
 
 /// Compiles a function once for each vector width and picks one when the program starts. Without
 /// contraction of products and sums all of them give the same bits.

@@ -3,7 +3,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::particles {
 
 /// Σ a_i · b_i, in the order of the particles.
 inline double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -12,4 +12,4 @@ inline double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::particles

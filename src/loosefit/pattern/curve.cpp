@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 struct Arc {
@@ -124,4 +124,4 @@ EdgeCurve reversed_curve(EdgeCurve curve) {
   return curve;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

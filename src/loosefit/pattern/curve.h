@@ -3,7 +3,7 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// Point of the curve from `a` to `b` at parameter t in [0, 1] (Bernstein form; circles by angle,
 /// W3C SVG 1.1 appendix F.6 in y-up axes).
@@ -21,4 +21,4 @@ EdgeCurve mirrored_curve(EdgeCurve curve);
 /// The curve travelled from `b` to `a`.
 EdgeCurve reversed_curve(EdgeCurve curve);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

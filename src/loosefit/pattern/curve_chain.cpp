@@ -2,7 +2,7 @@
 
 #include "loosefit/pattern/curve.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 CurveChain& CurveChain::line_to(const Vec2& p) {
   curves.push_back({});
@@ -44,4 +44,4 @@ CurveChain CurveChain::mirrored() const {
   return image;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -3,7 +3,7 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// A run of curves from `start`; knots[i] is the end of curves[i].
 struct CurveChain {
@@ -19,4 +19,4 @@ struct CurveChain {
   CurveChain mirrored() const;  ///< under x → -x
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

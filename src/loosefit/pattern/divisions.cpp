@@ -11,7 +11,7 @@
 #include "loosefit/pattern/pattern_check.h"
 #include "loosefit/pattern/self_crossing.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 constexpr int kMostDivisions = 20000;  // of one edge
@@ -131,4 +131,4 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
                       "a panel is extremely narrow; check the pattern");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

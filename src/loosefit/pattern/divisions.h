@@ -3,7 +3,7 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// Number of mesh segments of every edge of every panel for a wanted edge length [m]: the two sides
 /// of a seam get the count of the longer one, free edges their own, all at least 1. Raised where a
@@ -16,4 +16,4 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
 /// 0.
 std::vector<Vec2> divided_outline(const Panel& panel, const std::vector<int>& divisions);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -2,7 +2,7 @@
 
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 Panel draft_panel(const std::string& name, const std::string& label,
                   const std::vector<std::pair<std::string, CurveChain>>& loop) {
@@ -35,4 +35,4 @@ void sew_edges(Pattern& pattern, const std::string& name, const std::string& pan
   pattern.stitches.push_back(stitch);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -6,7 +6,7 @@
 #include "loosefit/pattern/curve_chain.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// A panel of a draft from its edges in order, counter-clockwise, each beginning where the last one
 /// ends; name and part of panel and edges are the same.
@@ -17,4 +17,4 @@ Panel draft_panel(const std::string& name, const std::string& label,
 void sew_edges(Pattern& pattern, const std::string& name, const std::string& panel_a,
                const std::string& edge_a, const std::string& panel_b, const std::string& edge_b);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

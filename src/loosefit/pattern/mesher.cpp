@@ -25,7 +25,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -82,14 +82,14 @@ struct Triangulation {
 };
 
 double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const double twice_area = std::abs(cross(b - a, c - a));
+  const double twice_area = std::abs(geometry::cross(b - a, c - a));
   return twice_area > 0 ? (b - a).norm() * (c - b).norm() * (a - c).norm() / (2 * twice_area)
                         : std::numeric_limits<double>::infinity();
 }
 
 Vec2 circumcentre(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
-  const double d = 2 * cross(u, v);
+  const double d = 2 * geometry::cross(u, v);
   return a + Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
                   u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
                  d;
@@ -177,7 +177,7 @@ bool break_chords(std::vector<Vec2>& points, const std::vector<Triangle>& triang
 /// One sweep: every interior point to the area centroid of its triangles, unless one would flip.
 void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int outline) {
   const auto twice_area = [](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return cross(b - a, c - a);
+    return geometry::cross(b - a, c - a);
   };
   std::vector<std::vector<int>> around(points.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -263,4 +263,4 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -3,7 +3,7 @@
 
 #include "loosefit/pattern/panel_mesh.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// Irregular triangle mesh of a panel whose edge e is divided into divisions[e] segments:
 /// constrained Delaunay triangulation refined at circumcentres (Chew 1989; Shewchuk 2000), but
@@ -12,4 +12,4 @@ namespace loosefit {
 /// panel cannot be meshed.
 PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

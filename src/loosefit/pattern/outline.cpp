@@ -6,7 +6,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/curve.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 EdgePath::EdgePath(const Panel& panel, int edge) : curves_(panel.edges[edge].curves) {
   const PanelEdge& e = panel.edges[edge];
@@ -81,7 +81,7 @@ double signed_area(const std::vector<Vec2>& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 p = polygon[i] - polygon[0], q = polygon[(i + 1) % polygon.size()] - polygon[0];
-    twice += cross(p, q);
+    twice += geometry::cross(p, q);
   }
   return twice / 2;
 }
@@ -121,4 +121,4 @@ int find_edge_part(const Panel& panel, const std::string& part) {
   return -1;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -4,7 +4,7 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// One panel edge measured along its arc. Copies what it needs from the panel.
 class EdgePath {
@@ -42,4 +42,4 @@ int find_edge(const Panel& panel, const std::string& name);
 /// The same by PanelEdge::part.
 int find_edge_part(const Panel& panel, const std::string& part);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -4,18 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "loosefit/base/check.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 double smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
   double smallest = kPi;
   const Vec2 corner[3] = {a, b, c};
   for (int i = 0; i < 3; ++i) {
     const Vec2 u = corner[(i + 1) % 3] - corner[i], v = corner[(i + 2) % 3] - corner[i];
-    smallest = std::min(smallest, std::atan2(cross(u, v), u.dot(v)));
+    smallest = std::min(smallest, std::atan2(geometry::cross(u, v), u.dot(v)));
   }
   return smallest;
 }
@@ -42,7 +43,7 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
   fine.vertices = coarse.vertices;
   parents.clear();
   for (int i = 0; i < static_cast<int>(coarse.vertices.size()); ++i) parents.push_back({i, i});
-  const MeshTopology topology(coarse.triangles);
+  const geometry::MeshTopology topology(coarse.triangles);
   std::vector<int> middle_of(topology.edges().size(), -1);
   // A new vertex in the middle of every edge, numbered as the triangles meet them.
   const auto middle = [&](int triangle, int corner) {
@@ -73,7 +74,9 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
     const int segments = static_cast<int>(chain.size()) - 1;
     std::vector<int> finer{chain[0]};
     for (int i = 0; i < segments; ++i) {
-      const int m = middle_of[topology.find(chain[i], chain[i + 1])];
+      const int edge = topology.find(chain[i], chain[i + 1]);
+      require(edge >= 0, "the outline of a panel runs along edges of its mesh");
+      const int m = middle_of[edge];
       on_curve[m] = path.at((i + 0.5) / segments);
       moved[m] = true;
       finer.push_back(m);
@@ -95,4 +98,4 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
   return fine;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

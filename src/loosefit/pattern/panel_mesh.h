@@ -4,7 +4,7 @@
 
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// Flat triangle mesh of one panel.
 struct PanelMesh {
@@ -31,4 +31,4 @@ MeshQuality mesh_quality(const PanelMesh& mesh);
 PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
                     std::vector<std::array<int, 2>>& parents);
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -1,6 +1,6 @@
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 int Pattern::find_panel(const std::string& panel_name) const {
   for (std::size_t p = 0; p < panels.size(); ++p)
@@ -14,4 +14,4 @@ int Pattern::find_part(const std::string& part) const {
   return -1;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -5,7 +5,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 
 /// Shape of one curve between two points, in panel coordinates [m].
 struct EdgeCurve {
@@ -63,4 +63,4 @@ struct Pattern {
   int find_part(const std::string& part) const;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

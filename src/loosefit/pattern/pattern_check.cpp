@@ -9,7 +9,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
 constexpr double kLargest = 20;     // extent of a piece [m]
@@ -120,4 +120,4 @@ void check_pattern(const Pattern& pattern) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "loosefit/geometry/flat_triangle.h"
-namespace loosefit {
+namespace loosefit::pattern {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return geometry::cross(b - a, c - a); }
 
 bool within_box(const Vec2& a, const Vec2& b, const Vec2& p) {
   return std::min(a.x(), b.x()) <= p.x() && p.x() <= std::max(a.x(), b.x()) &&
@@ -51,4 +51,4 @@ std::pair<int, int> first_self_crossing(const std::vector<Vec2>& polygon) {
   return {-1, -1};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::pattern

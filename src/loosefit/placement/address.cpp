@@ -9,7 +9,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/placement/ray.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kOnSkin = 5e-4;    // [m]
@@ -77,7 +77,7 @@ Vec3 SegmentAxes::point(const Vec3& percent) const {
   return axes * (low + (high - low).cwiseProduct(percent) / 100);
 }
 
-BodyAddresses::BodyAddresses(const Body& body) : body_(body), landmarks_(body.landmarks) {
+BodyAddresses::BodyAddresses(const body::Body& body) : body_(body), landmarks_(body.landmarks) {
   landmarks_.merge(address_landmarks(body));
 }
 
@@ -136,7 +136,7 @@ std::optional<SegmentAxes> BodyAddresses::axes(BodySegment segment, int side) co
   }
 }
 
-std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) const {
+std::optional<BodyAddress> BodyAddresses::address(const geometry::ClosestPoint& skin) const {
   // The segment of the nearest vertex decides; hands count to the forearm, feet to the leg.
   if (skin.triangle < 0) return std::nullopt;
   int nearest = 0;
@@ -144,18 +144,18 @@ std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) cons
   const int vertex = body_.surface.triangles[skin.triangle][nearest];
   BodyAddress found;
   switch (body_.segment[vertex]) {
-    case Segment::upper_arm:
+    case body::Segment::upper_arm:
       found.segment = BodySegment::upper_arm;
       break;
-    case Segment::forearm:
-    case Segment::hand:
+    case body::Segment::forearm:
+    case body::Segment::hand:
       found.segment = BodySegment::forearm;
       break;
-    case Segment::thigh:
+    case body::Segment::thigh:
       found.segment = BodySegment::thigh;
       break;
-    case Segment::shank:
-    case Segment::foot:
+    case body::Segment::shank:
+    case body::Segment::foot:
       found.segment = BodySegment::lower_leg;
       break;
     default:
@@ -176,39 +176,40 @@ std::optional<BodyAddress> BodyAddresses::address(const ClosestPoint& skin) cons
 }
 
 bool BodyAddresses::belongs(int vertex, const BodyAddress& address) const {
-  const Segment own = body_.segment[vertex];
+  const body::Segment own = body_.segment[vertex];
   if (has_side(address.segment) && (body_.side[vertex] >= 0 ? 1 : -1) != address.side) return false;
   switch (address.segment) {
     case BodySegment::chest:
-      return own == Segment::torso || own == Segment::neck || own == Segment::head;
+      return own == body::Segment::torso || own == body::Segment::neck ||
+             own == body::Segment::head;
     case BodySegment::abdomen:
-      return own == Segment::torso;
+      return own == body::Segment::torso;
     case BodySegment::upper_arm:
-      return own == Segment::upper_arm;
+      return own == body::Segment::upper_arm;
     case BodySegment::forearm:
-      return own == Segment::forearm || own == Segment::hand;
+      return own == body::Segment::forearm || own == body::Segment::hand;
     case BodySegment::thigh:
-      return own == Segment::thigh;
+      return own == body::Segment::thigh;
     default:
-      return own == Segment::shank || own == Segment::foot;
+      return own == body::Segment::shank || own == body::Segment::foot;
   }
 }
 
-ClosestPoint BodyAddresses::nearest(const Vec3& point, const BodyAddress& address) const {
-  ClosestPoint best;
+geometry::ClosestPoint BodyAddresses::nearest(const Vec3& point, const BodyAddress& address) const {
+  geometry::ClosestPoint best;
   for (int i = 0; i < static_cast<int>(body_.surface.triangles.size()); ++i) {
     const Triangle& t = body_.surface.triangles[i];
     if (!belongs(t[0], address) && !belongs(t[1], address) && !belongs(t[2], address)) continue;
     const Vec3 &a = body_.surface.vertices[t[0]], &b = body_.surface.vertices[t[1]],
                &c = body_.surface.vertices[t[2]];
-    const Vec3 w = closest_barycentric(point, a, b, c);
+    const Vec3 w = geometry::closest_barycentric(point, a, b, c);
     const Vec3 on = w[0] * a + w[1] * b + w[2] * c;
     if (const double d = (on - point).norm(); d < best.distance) best = {i, w, on, d};
   }
   return best;
 }
 
-ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
+geometry::ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
   // Segments come in pairs or not; the address has to say the same.
   const std::string words = name(address.segment);
   if (has_side(address.segment) != (address.side != 0))
@@ -221,7 +222,7 @@ ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
                        "a segment whose landmarks and joints this body has");
   // A point that lies on the segment's skin already is taken as it is.
   const Vec3 point = frame->point(address.percent);
-  const ClosestPoint near = nearest(point, address);
+  const geometry::ClosestPoint near = nearest(point, address);
   if (near.triangle < 0)
     throw InvalidInput(InputPlace{"", 0, "segment"}, words, "a segment that this body has");
   if (near.distance <= kOnSkin) return near;
@@ -252,4 +253,4 @@ ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
   return {best->triangle, best->barycentric, best->point, 0};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

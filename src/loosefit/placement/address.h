@@ -8,7 +8,7 @@
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/placement/address_landmarks.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Segments with an anatomical address (UNISEP, Shirazi et al. 2024; docs/theory/sensor_metrics.md
 /// 9).
@@ -55,29 +55,29 @@ struct SegmentAxes {
 /// Anatomical addresses on one body in its posture. Keeps a reference to the body.
 class BodyAddresses {
  public:
-  explicit BodyAddresses(const Body& body);
+  explicit BodyAddresses(const body::Body& body);
 
   /// Axes of a segment; nothing when the body lacks landmarks or joints for them.
   std::optional<SegmentAxes> axes(BodySegment segment, int side) const;
   /// Address of a point of the skin: chest above the xiphoid, abdomen below it, head and neck with
   /// the chest, hands and feet with forearm and lower leg. Nothing without axes.
-  std::optional<BodyAddress> address(const ClosestPoint& skin) const;
+  std::optional<BodyAddress> address(const geometry::ClosestPoint& skin) const;
   /// The skin at an address. Skin within half a millimetre of the point is taken as it is;
   /// otherwise the point is moved square to Z, away from or towards the middle of the segment
   /// (X = Y = 50), to the nearest skin of the segment. \throws InvalidInput, key "segment",
   /// "side" or "ratios": side missing or too much, no axes on this body, a point in the middle of
   /// the segment, no skin there (with the nearest address on the segment).
-  ClosestPoint skin(const BodyAddress& address) const;
+  geometry::ClosestPoint skin(const BodyAddress& address) const;
 
   /// Landmarks of the body and those of address_landmarks().
   const std::map<std::string, Vec3>& landmarks() const { return landmarks_; }
-  const Body& body() const { return body_; }
+  const body::Body& body() const { return body_; }
 
  private:
   bool belongs(int vertex, const BodyAddress& address) const;
-  ClosestPoint nearest(const Vec3& point, const BodyAddress& address) const;
-  const Body& body_;
+  geometry::ClosestPoint nearest(const Vec3& point, const BodyAddress& address) const;
+  const body::Body& body_;
   std::map<std::string, Vec3> landmarks_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -13,7 +13,7 @@
 #include "loosefit/placement/footprint_unfold.h"
 #include "loosefit/placement/ray.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kEdgeSlack = 1e-4;    // [m]
@@ -36,19 +36,21 @@ std::string place_text(const Vec2& p) {
 
 }  // namespace
 
-Vec2 pattern_place(const Garment& garment, const GarmentPoint& point) {
+Vec2 pattern_place(const garment::Garment& garment, const GarmentPoint& point) {
   const auto& uv = garment.triangle_uv[point.triangle];
   return point.barycentric[0] * uv[0] + point.barycentric[1] * uv[1] + point.barycentric[2] * uv[2];
 }
 
-Vec3 at(const Garment& garment, const GarmentPoint& point, const std::vector<Vec3>& field) {
+Vec3 at(const garment::Garment& garment, const GarmentPoint& point,
+        const std::vector<Vec3>& field) {
   Vec3 value = Vec3::Zero();
   for (int k = 0; k < 3; ++k)
     value += point.barycentric[k] * field[garment.triangles[point.triangle][k]];
   return value;
 }
 
-GarmentPoint pattern_point(const Garment& garment, const std::string& panel, const Vec2& place) {
+GarmentPoint pattern_point(const garment::Garment& garment, const std::string& panel,
+                           const Vec2& place) {
   const auto& names = garment.panel_names;
   const auto found = std::find(names.begin(), names.end(), panel);
   if (found == names.end())
@@ -62,7 +64,7 @@ GarmentPoint pattern_point(const Garment& garment, const std::string& panel, con
     if (garment.triangle_panel[t] != index) continue;
     const auto& uv = garment.triangle_uv[t];
     const Vec3 a = lifted(uv[0]), b = lifted(uv[1]), c = lifted(uv[2]);
-    const Vec3 weights = closest_barycentric(lifted(place), a, b, c);
+    const Vec3 weights = geometry::closest_barycentric(lifted(place), a, b, c);
     const Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
     if (const double d = (point - lifted(place)).norm(); d < distance) {
       distance = d;
@@ -78,15 +80,16 @@ GarmentPoint pattern_point(const Garment& garment, const std::string& panel, con
   return best;
 }
 
-GarmentOverSkin::GarmentOverSkin(const Garment& garment, const std::vector<Vec3>& positions,
-                                 PosedBody body, const WornGarment& worn)
+GarmentOverSkin::GarmentOverSkin(const garment::Garment& garment,
+                                 const std::vector<Vec3>& positions, body::PosedBody body,
+                                 const maps::WornGarment& worn)
     : garment_(garment),
       positions_(positions),
       body_(std::move(body)),
       worn_(worn),
       neighbours_(triangle_neighbours(garment)) {}
 
-BodyPartner GarmentOverSkin::under(const GarmentPoint& point) const {
+body::BodyPartner GarmentOverSkin::under(const GarmentPoint& point) const {
   return body_.partners().find(at(garment_, point, positions_),
                                at(garment_, point, worn_.normals).normalized(),
                                worn_.panel_part[garment_.triangle_panel[point.triangle]]);
@@ -106,10 +109,10 @@ GarmentPoint GarmentOverSkin::over_by_vertices(const Vec3& target, const Vec3& s
     const Vec3 low = partner(0).cwiseMin(partner(1)).cwiseMin(partner(2)),
                high = partner(0).cwiseMax(partner(1)).cwiseMax(partner(2));
     if ((target - target.cwiseMax(low).cwiseMin(high)).norm() > least + kSameMiss) continue;
-    if (facing &&
-        triangle_normal(positions_[v[0]], positions_[v[1]], positions_[v[2]]).dot(normal) <= 0)
+    if (facing && geometry::triangle_normal(positions_[v[0]], positions_[v[1]], positions_[v[2]])
+                          .dot(normal) <= 0)
       continue;
-    const Vec3 w = closest_barycentric(target, partner(0), partner(1), partner(2));
+    const Vec3 w = geometry::closest_barycentric(target, partner(0), partner(1), partner(2));
     const double miss = (w[0] * partner(0) + w[1] * partner(1) + w[2] * partner(2) - target).norm();
     if (miss > least + kSameMiss) continue;
     least = std::min(least, miss);
@@ -129,7 +132,7 @@ bool GarmentOverSkin::at_free_edge(const GarmentPoint& point) const {
   return false;
 }
 
-GarmentOverSkin::Over GarmentOverSkin::over(const ClosestPoint& skin) const {
+GarmentOverSkin::Over GarmentOverSkin::over(const geometry::ClosestPoint& skin) const {
   // The skin's normal says from which side cloth has to lie over it.
   const Triangle& face = body_->surface.triangles[skin.triangle];
   Vec3 normal = Vec3::Zero();
@@ -175,8 +178,8 @@ bool GarmentOverSkin::is_below_cloth(const Vec3& skin, const Vec3& normal) const
                      [](const RayCrossing& c) { return c.distance <= kCoverReach; });
 }
 
-std::string off_skin(const Garment& garment, const std::vector<Vec3>& positions,
-                     const WornGarment& worn, const GarmentPoint& point) {
+std::string off_skin(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                     const maps::WornGarment& worn, const GarmentPoint& point) {
   Vec3 skin = Vec3::Zero();
   for (int k = 0; k < 3; ++k)
     skin += point.barycentric[k] * worn.partners[garment.triangles[point.triangle][k]].exact.point;
@@ -184,15 +187,16 @@ std::string off_skin(const Garment& garment, const std::vector<Vec3>& positions,
   return gap > kCoverReach ? far_off(gap) : std::string();
 }
 
-double angle_in_pattern(const Garment& garment, const std::vector<Vec3>& positions,
+double angle_in_pattern(const garment::Garment& garment, const std::vector<Vec3>& positions,
                         const std::vector<int>& triangles, const Vec3& axis) {
   Vec2 sum = Vec2::Zero();
   for (int t : triangles) {
     if (garment.triangle_panel[t] != garment.triangle_panel[triangles.front()]) continue;
     const auto& uv = garment.triangle_uv[t];
-    const double twice_area = std::abs(cross(uv[1] - uv[0], uv[2] - uv[0]));
+    const double twice_area = std::abs(geometry::cross(uv[1] - uv[0], uv[2] - uv[0]));
     if (twice_area < 1e-16) continue;
-    const DeformationGradient gradient = deformation_gradient(uv, garment.triangles[t], positions);
+    const geometry::DeformationGradient gradient =
+        geometry::deformation_gradient(uv, garment.triangles[t], positions);
     const Mat2 metric = gradient.transpose() * gradient;
     if (std::abs(metric.determinant()) < 1e-12) continue;
     sum += twice_area * (metric.inverse() * (gradient.transpose() * axis));
@@ -201,4 +205,4 @@ double angle_in_pattern(const Garment& garment, const std::vector<Vec3>& positio
   return std::atan2(-sum.x(), sum.y());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

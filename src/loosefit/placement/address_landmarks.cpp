@@ -5,7 +5,7 @@
 
 #include "loosefit/placement/ray.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kXiphoid = 0.30;  // breast level → navel; women .28, men .34, children .31
@@ -21,7 +21,7 @@ std::optional<Vec3> place(const std::map<std::string, Vec3>& of, const std::stri
 
 std::string sided(const std::string& name, int side) { return name + (side > 0 ? "_L" : "_R"); }
 
-std::optional<Vec3> joint(const Body& body, const std::string& name, int side) {
+std::optional<Vec3> joint(const body::Body& body, const std::string& name, int side) {
   return place(body.joints, sided(name, side));
 }
 
@@ -31,7 +31,7 @@ Vec3 square_to(const Vec3& n, const Vec3& v) {
   return rest.norm() > 1e-9 ? rest.normalized() : Vec3(Vec3::Zero());
 }
 
-Vec3 right_of(const Body& body) {
+Vec3 right_of(const body::Body& body) {
   for (const auto* names : {&body.landmarks, &body.joints})
     for (const char* name : {"acromion", "shoulder"}) {
       const auto l = place(*names, sided(name, 1)), r = place(*names, sided(name, -1));
@@ -42,7 +42,7 @@ Vec3 right_of(const Body& body) {
 
 /// Puts skin points into the list, by rays.
 struct SkinRays {
-  const Body& body;
+  const body::Body& body;
   std::map<std::string, Vec3>& points;
   void add(const std::string& name, const Vec3& from, const Vec3& direction) {
     if (const auto hit = ray_exit(body.surface, from, direction)) points[name] = *hit;
@@ -51,14 +51,14 @@ struct SkinRays {
   std::optional<Vec3> trunk_exit(const Vec3& from, const Vec3& direction) const {
     std::optional<RayCrossing> first;
     for (const RayCrossing& hit : ray_crossings(body.surface, from, direction, [this](int t) {
-           return body.segment[body.surface.triangles[t][0]] == Segment::torso;
+           return body.segment[body.surface.triangles[t][0]] == body::Segment::torso;
          }))
       if (hit.leaving && (!first || hit.distance < first->distance)) first = hit;
     return first ? std::optional<Vec3>(first->point) : std::nullopt;
   }
 };
 
-void add_pelvis(const Body& body, SkinRays& rays) {
+void add_pelvis(const body::Body& body, SkinRays& rays) {
   const auto l = joint(body, "hip", 1), r = joint(body, "hip", -1);
   if (!l || !r || (*r - *l).norm() < 1e-3) return;
   // In every posture of the model the pelvis stays upright.
@@ -76,7 +76,7 @@ void add_pelvis(const Body& body, SkinRays& rays) {
   if (const auto skin = rays.trunk_exit(middle, -front)) rays.points["psis"] = *skin;
 }
 
-void add_arm(const Body& body, int side, SkinRays& rays) {
+void add_arm(const body::Body& body, int side, SkinRays& rays) {
   const auto arm = arm_of(body, side);
   if (!arm) return;
   const Vec3 lateral = -side * arm->across;
@@ -89,7 +89,7 @@ void add_arm(const Body& body, int side, SkinRays& rays) {
   rays.add(sided("wrist_medial", side), wrist, -out);
 }
 
-void add_leg(const Body& body, int side, SkinRays& rays) {
+void add_leg(const body::Body& body, int side, SkinRays& rays) {
   const auto leg = leg_of(body, side);
   if (!leg) return;
   const Vec3 lateral = -side * leg->across;
@@ -105,7 +105,7 @@ void add_leg(const Body& body, int side, SkinRays& rays) {
 
 }  // namespace
 
-std::optional<TrunkAxes> trunk_axes(const Body& body) {
+std::optional<TrunkAxes> trunk_axes(const body::Body& body) {
   const auto breast = place(body.landmarks, "sternum"), back = place(body.landmarks, "back_waist");
   if (!breast || !back) return std::nullopt;
   TrunkAxes axes;
@@ -118,7 +118,7 @@ std::optional<TrunkAxes> trunk_axes(const Body& body) {
   return axes;
 }
 
-std::optional<BentLimb> arm_of(const Body& body, int side) {
+std::optional<BentLimb> arm_of(const body::Body& body, int side) {
   const auto s = joint(body, "shoulder", side), e = joint(body, "elbow", side),
              w = joint(body, "wrist", side);
   if (!s || !e || !w || (*e - *s).norm() < 1e-3 || (*w - *e).norm() < 1e-3) return std::nullopt;
@@ -142,7 +142,7 @@ std::optional<BentLimb> arm_of(const Body& body, int side) {
   return arm;
 }
 
-std::optional<BentLimb> leg_of(const Body& body, int side) {
+std::optional<BentLimb> leg_of(const body::Body& body, int side) {
   const auto l = joint(body, "hip", 1), r = joint(body, "hip", -1), h = joint(body, "hip", side),
              k = joint(body, "knee", side), a = joint(body, "ankle", side);
   if (!l || !r || !k || !a || (*k - *h).norm() < 1e-3 || (*a - *k).norm() < 1e-3)
@@ -157,7 +157,7 @@ std::optional<BentLimb> leg_of(const Body& body, int side) {
   return leg;
 }
 
-std::map<std::string, Vec3> address_landmarks(const Body& body) {
+std::map<std::string, Vec3> address_landmarks(const body::Body& body) {
   std::map<std::string, Vec3> points;
   SkinRays rays{body, points};
   if (const auto trunk = trunk_axes(body)) {
@@ -174,4 +174,4 @@ std::map<std::string, Vec3> address_landmarks(const Body& body) {
   return points;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -5,7 +5,7 @@
 
 #include "loosefit/body/body.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Directions of the trunk in this posture, unit and at right angles to each other.
 struct TrunkAxes {
@@ -17,7 +17,7 @@ struct TrunkAxes {
 
 /// Right from the acromia (or shoulder joints), down from C7 to the back waist; an upright wearer's
 /// where the body lacks them. Nothing without the landmarks sternum and back_waist.
-std::optional<TrunkAxes> trunk_axes(const Body& body);
+std::optional<TrunkAxes> trunk_axes(const body::Body& body);
 
 /// Flexion of an elbow or knee: directions of the two bones that meet there, and the inside of the
 /// bend.
@@ -30,9 +30,9 @@ struct BentLimb {
 
 /// The arm of one side (+1 left). Hinge: normal of the plane of upper arm and forearm; of an arm
 /// bent by less than 10° the trunk's right. Nothing without its joints.
-std::optional<BentLimb> arm_of(const Body& body, int side);
+std::optional<BentLimb> arm_of(const body::Body& body, int side);
 /// The leg. Hinge: the line through the hip joints, square to the thigh. Nothing without joints.
-std::optional<BentLimb> leg_of(const Body& body, int side);
+std::optional<BentLimb> leg_of(const body::Body& body, int side);
 
 /// Palpable landmarks beyond those of the body, where a geometric rule finds them on its surface
 /// (docs/theory/sensor_metrics.md 9): xiphoid (breast level to navel, 30 %: the underbust level),
@@ -43,6 +43,6 @@ std::optional<BentLimb> leg_of(const Body& body, int side);
 /// where a ray from the trunk's middle or from the joint leaves the skin; good to some millimetres
 /// on the geometry, to a centimetre or two on the anatomy. What the body has no joints for is
 /// missing.
-std::map<std::string, Vec3> address_landmarks(const Body& body);
+std::map<std::string, Vec3> address_landmarks(const body::Body& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

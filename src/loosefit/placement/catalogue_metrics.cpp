@@ -3,17 +3,17 @@
 #include "loosefit/base/error.h"
 #include "loosefit/maps/catalogue.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 /// Errors compare the rotations of two states: no state has a value of its own.
-bool compares_states(OverStates states) {
-  return states == OverStates::error_rms || states == OverStates::error_p95 ||
-         states == OverStates::error_of_donnings;
+bool compares_states(maps::OverStates states) {
+  return states == maps::OverStates::error_rms || states == maps::OverStates::error_p95 ||
+         states == maps::OverStates::error_of_donnings;
 }
 
 int find(const std::vector<FootprintReading>& readings, const std::string& array,
-         OverFootprint over) {
+         maps::OverFootprint over) {
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (readings[i].array->style.array == array && readings[i].over == over)
       return static_cast<int>(i);
@@ -25,9 +25,9 @@ int find(const std::vector<FootprintReading>& readings, const std::string& array
 const std::vector<FootprintReading>& footprint_readings() {
   static const std::vector<FootprintReading> kReadings = [] {
     std::vector<FootprintReading> readings;
-    for (const MapDefinition& map : map_catalogue())
-      for (const MapArray& array : map.arrays)
-        for (const SiteMetric& metric : array.metrics)
+    for (const maps::MapDefinition& map : maps::map_catalogue())
+      for (const maps::MapArray& array : map.arrays)
+        for (const maps::SiteMetric& metric : array.metrics)
           if (!compares_states(metric.states) &&
               find(readings, array.style.array, metric.footprint) < 0)
             readings.push_back({&map, &array, metric.footprint});
@@ -36,7 +36,7 @@ const std::vector<FootprintReading>& footprint_readings() {
   return kReadings;
 }
 
-int footprint_reading(const std::string& array, OverFootprint over) {
+int footprint_reading(const std::string& array, maps::OverFootprint over) {
   const int index = find(footprint_readings(), array, over);
   if (index < 0) throw Error("no metric of a site is made of the array " + array);
   return index;
@@ -45,9 +45,9 @@ int footprint_reading(const std::string& array, OverFootprint over) {
 const std::vector<CatalogueMetric>& catalogue_metrics() {
   static const std::vector<CatalogueMetric> kMetrics = [] {
     std::vector<CatalogueMetric> metrics;
-    for (const MapDefinition& map : map_catalogue())
-      for (const MapArray& array : map.arrays)
-        for (const SiteMetric& metric : array.metrics)
+    for (const maps::MapDefinition& map : maps::map_catalogue())
+      for (const maps::MapArray& array : map.arrays)
+        for (const maps::SiteMetric& metric : array.metrics)
           metrics.push_back({&metric, &array,
                              compares_states(metric.states)
                                  ? -1
@@ -57,20 +57,20 @@ const std::vector<CatalogueMetric>& catalogue_metrics() {
   return kMetrics;
 }
 
-const char* needs(OverStates states) {
+const char* needs(maps::OverStates states) {
   switch (states) {
-    case OverStates::swing:
-    case OverStates::least_posture:
-    case OverStates::contact_duty:
-    case OverStates::greatest_change:
-    case OverStates::error_rms:
-    case OverStates::error_p95:
+    case maps::OverStates::swing:
+    case maps::OverStates::least_posture:
+    case maps::OverStates::contact_duty:
+    case maps::OverStates::greatest_change:
+    case maps::OverStates::error_rms:
+    case maps::OverStates::error_p95:
       return "several postures";
-    case OverStates::error_of_donnings:
+    case maps::OverStates::error_of_donnings:
       return "several donnings";
     default:
       return "";
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kVacuumPermittivity = 8.8541878128e-12;  // F/m, CODATA 2018
@@ -110,4 +110,4 @@ MetricValues with_derived(const MetricValues& metrics,
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

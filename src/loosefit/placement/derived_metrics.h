@@ -6,7 +6,7 @@
 #include "loosefit/placement/footprint.h"
 #include "loosefit/placement/metric_names.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A number about the sensor that derived metrics need, as a scorecard states it in [sensor].
 struct SensorParameter {
@@ -45,4 +45,4 @@ MetricValues with_derived(const MetricValues& metrics,
                           const std::map<std::string, double>& parameters,
                           const FootprintShape& footprint);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,7 +8,7 @@
 #include "loosefit/maps/statistics.h"
 #include "loosefit/placement/footprint_unfold.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr int kSplit = 6;            // a triangle is sampled at the centres of 36 equal parts,
@@ -16,7 +16,7 @@ constexpr double kFinest = 0.001;    // or of more until these are below this ed
 constexpr int kSplitMost = 24;       // … or so many a side
 constexpr double kLineStep = 0.001;  // [m]
 
-Vec2 flat_point(const Garment& garment, int triangle, const Vec3& b) {
+Vec2 flat_point(const garment::Garment& garment, int triangle, const Vec3& b) {
   const auto& uv = garment.triangle_uv[triangle];
   return b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
 }
@@ -37,8 +37,8 @@ struct Patch {
   double least() const { return disc ? shape.radius : shape.size.minCoeff(); }
 };
 
-Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                   const Vec2& centre, const Patch& patch, double angle,
+Footprint of_patch(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                   int triangle, const Vec2& centre, const Patch& patch, double angle,
                    const TriangleNeighbours* neighbours) {
   const Vec2 along = axis_in_pattern(angle), across(along.y(), -along.x());
   Footprint result;
@@ -46,8 +46,8 @@ Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, i
     const Triangle& v = garment.triangles[flat.triangle];
     const double pieces = longest_edge(flat.corners) / std::max(kFinest, patch.least() / 6);
     const int split = std::clamp(static_cast<int>(std::ceil(pieces)), kSplit, kSplitMost);
-    const double part =
-        triangle_area(positions[v[0]], positions[v[1]], positions[v[2]]) / (split * split);
+    const double part = geometry::triangle_area(positions[v[0]], positions[v[1]], positions[v[2]]) /
+                        (split * split);
     for (int i = 0; i < split; ++i)
       for (int j = 0; j < split - i; ++j)
         for (int down = 0; down < (i + j < split - 1 ? 2 : 1); ++down) {
@@ -62,7 +62,7 @@ Footprint of_patch(const Garment& garment, const std::vector<Vec3>& positions, i
   return result;
 }
 
-Footprint of_line(const Garment& garment, int triangle, const Vec2& centre, double length,
+Footprint of_line(const garment::Garment& garment, int triangle, const Vec2& centre, double length,
                   double angle, const TriangleNeighbours* neighbours) {
   const Vec2 along = axis_in_pattern(angle);
   const std::vector<FlatTriangle> plane = unfold(garment, triangle, centre, length / 2, neighbours);
@@ -104,9 +104,9 @@ double outer_radius(const FootprintShape& footprint) {
 
 Vec2 axis_in_pattern(double angle) { return {-std::sin(angle), std::cos(angle)}; }
 
-Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, const FootprintShape& shape, double angle,
-                    const TriangleNeighbours* neighbours) {
+Footprint footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                    int triangle, const Vec3& barycentric, const FootprintShape& shape,
+                    double angle, const TriangleNeighbours* neighbours) {
   const Vec2 centre = flat_point(garment, triangle, barycentric);
   Footprint result;
   switch (shape.kind) {
@@ -124,15 +124,15 @@ Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, 
   return result;
 }
 
-Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, double radius) {
+Footprint footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                    int triangle, const Vec3& barycentric, double radius) {
   FootprintShape disc;
   disc.radius = radius;
   return footprint(garment, positions, triangle, barycentric, disc, 0);
 }
 
-Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                          const Vec3& barycentric, const Vec3& normal) {
+Footprint girth_footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                          int triangle, const Vec3& barycentric, const Vec3& normal) {
   if (!(normal.norm() > 0))
     throw InvalidInput("a girth line needs the direction that it runs round");
   // Slightly inside its triangle, so that the plane cuts it even if the place is one of its
@@ -179,7 +179,7 @@ Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& posit
   return result;
 }
 
-FootprintValue average(const Footprint& footprint, const Garment& garment,
+FootprintValue average(const Footprint& footprint, const garment::Garment& garment,
                        const std::vector<double>& vertex_values) {
   std::vector<double> values, weights;
   for (const Footprint::Sample& sample : footprint.samples) {
@@ -193,8 +193,8 @@ FootprintValue average(const Footprint& footprint, const Garment& garment,
     values.push_back(weight > 0 ? sum / weight : std::numeric_limits<double>::quiet_NaN());
     weights.push_back(sample.area);
   }
-  const MapStatistics s = statistics(values, weights);
+  const maps::MapStatistics s = maps::statistics(values, weights);
   return {s.area_mean, s.p95};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -4,7 +4,7 @@
 #include "loosefit/garment/garment.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Radius over which a sensor averages when nothing is said: an IMU board [m]
 /// (docs/theory/sensor_metrics.md 1).
@@ -42,19 +42,19 @@ struct Footprint {
 /// laid flat against the nearest stretch of it, and what would lie beyond a free edge is left out.
 /// Never empty. Who makes many gives the garment's triangle_neighbours (footprint_unfold.h).
 /// \throws InvalidInput for a girth, which needs the drape (girth_footprint).
-Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, const FootprintShape& shape, double angle,
-                    const std::vector<std::array<int, 3>>* neighbours = nullptr);
+Footprint footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                    int triangle, const Vec3& barycentric, const FootprintShape& shape,
+                    double angle, const std::vector<std::array<int, 3>>* neighbours = nullptr);
 
 /// The same for a disc.
-Footprint footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                    const Vec3& barycentric, double radius);
+Footprint footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                    int triangle, const Vec3& barycentric, double radius);
 
 /// The line in which the draped garment is cut by the plane through the place with this normal:
 /// that piece of it which hangs together with the place. One sample per triangle, half way.
 /// \throws InvalidInput for a normal of length zero.
-Footprint girth_footprint(const Garment& garment, const std::vector<Vec3>& positions, int triangle,
-                          const Vec3& barycentric, const Vec3& normal);
+Footprint girth_footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                          int triangle, const Vec3& barycentric, const Vec3& normal);
 
 /// Area of a footprint [m²]; 0 for a line and a girth.
 double area(const FootprintShape& footprint);
@@ -68,7 +68,7 @@ struct FootprintValue {
 };
 
 /// Mean and worst of a vertex field over the footprint; NaN vertices are passed over.
-FootprintValue average(const Footprint& footprint, const Garment& garment,
+FootprintValue average(const Footprint& footprint, const garment::Garment& garment,
                        const std::vector<double>& vertex_values);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -9,14 +9,14 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
 
 double distance(const std::array<Vec2, 3>& corners, const Vec2& p) {
   const Vec3 a = lifted(corners[0]), b = lifted(corners[1]), c = lifted(corners[2]);
-  const Vec3 w = closest_barycentric(lifted(p), a, b, c);
+  const Vec3 w = geometry::closest_barycentric(lifted(p), a, b, c);
   return (w[0] * a + w[1] * b + w[2] * c - lifted(p)).norm();
 }
 
@@ -32,11 +32,11 @@ struct Layout {
 Layout against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from, const Vec2& to,
                const Vec2& apex) {
   const Vec2 target = (b - a).normalized(), has = (to - from).normalized();
-  const double c = target.dot(has), s = cross(has, target);
+  const double c = target.dot(has), s = geometry::cross(has, target);
   Layout layout;
   layout.turn << c, -s, s, c;
   // Turned on, the neighbour would cover this piece: a right-to-wrong seam. Turn it over first.
-  if ((cross(to - from, apex - from) > 0) == (cross(b - a, inner - a) > 0))
+  if ((geometry::cross(to - from, apex - from) > 0) == (geometry::cross(b - a, inner - a) > 0))
     layout.turn *= 2 * has * has.transpose() - Mat2::Identity();
   layout.shift = (a + b) / 2 - layout.turn * (from + to) / 2;
   return layout;
@@ -46,13 +46,13 @@ Layout against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from
 
 Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p) {
   const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0], d = p - corners[0];
-  const double whole = cross(a, b);
-  const double second = cross(d, b) / whole, third = cross(a, d) / whole;
+  const double whole = geometry::cross(a, b);
+  const double second = geometry::cross(d, b) / whole, third = geometry::cross(a, d) / whole;
   return {1 - second - third, second, third};
 }
 
-TriangleNeighbours triangle_neighbours(const Garment& garment) {
-  const MeshTopology topology(garment.triangles);
+TriangleNeighbours triangle_neighbours(const garment::Garment& garment) {
+  const geometry::MeshTopology topology(garment.triangles);
   TriangleNeighbours beyond(garment.triangles.size(), {-1, -1, -1});
   for (int e = 0; e < topology.edge_count(); ++e) {
     const auto sides = topology.sides(e);
@@ -64,7 +64,7 @@ TriangleNeighbours triangle_neighbours(const Garment& garment) {
   return beyond;
 }
 
-std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
+std::vector<FlatTriangle> unfold(const garment::Garment& garment, int triangle, const Vec2& centre,
                                  double reach, const TriangleNeighbours* neighbours) {
   // The neighbours may be given, since many footprints share one garment.
   TriangleNeighbours own;
@@ -122,4 +122,4 @@ std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec
   return found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -4,7 +4,7 @@
 
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A triangle of the garment laid into the plane of another piece.
 struct FlatTriangle {
@@ -15,7 +15,7 @@ struct FlatTriangle {
 /// For every triangle and each of its edges (corner k → k + 1): the triangle beyond, −1 at a free
 /// edge.
 using TriangleNeighbours = std::vector<std::array<int, 3>>;
-TriangleNeighbours triangle_neighbours(const Garment& garment);
+TriangleNeighbours triangle_neighbours(const garment::Garment& garment);
 
 /// All triangles that come within `reach` [m] of `centre`, a place in pattern coordinates of
 /// `triangle`. Pieces of the same panel stay where the pattern has them; across a seam the
@@ -23,10 +23,10 @@ TriangleNeighbours triangle_neighbours(const Garment& garment);
 /// middles. Each triangle comes once, by the way that brings it nearest. In order of distance.
 /// `neighbours` are those of the garment; found anew when not given, which costs more than the
 /// rest.
-std::vector<FlatTriangle> unfold(const Garment& garment, int triangle, const Vec2& centre,
+std::vector<FlatTriangle> unfold(const garment::Garment& garment, int triangle, const Vec2& centre,
                                  double reach, const TriangleNeighbours* neighbours = nullptr);
 
 /// Barycentric weights of `p` in a triangle of the plane; all 0 … 1 inside. NaN without area.
 Vec3 weights_in(const std::array<Vec2, 3>& corners, const Vec2& p);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

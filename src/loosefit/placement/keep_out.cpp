@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 InvalidInput refused(const std::string& text, const std::string& hint) {
@@ -42,8 +42,8 @@ double KeepOutZone::distance(const Vec2& at) const {
 void add_keep_out(const std::string& text, KeepOut& keep_out) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) {
-    const auto region = find_region(text);
-    if (!region) throw refused(text, did_you_mean(text, region_names()));
+    const auto region = body::find_region(text);
+    if (!region) throw refused(text, did_you_mean(text, body::region_names()));
     keep_out.regions.push_back(*region);
     return;
   }
@@ -73,4 +73,4 @@ void check_keep_out(const KeepOut& keep_out, const std::vector<std::string>& pan
                          "a panel of the pattern", did_you_mean(zone.panel, panels));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

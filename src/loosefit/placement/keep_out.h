@@ -6,7 +6,7 @@
 #include "loosefit/base/types.h"
 #include "loosefit/body/regions.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Part of a panel where no sensor may be sewn: a pocket, a zip, a wash label.
 struct KeepOutZone {
@@ -24,7 +24,7 @@ struct KeepOutZone {
 /// Everything that is kept free.
 struct KeepOut {
   std::vector<KeepOutZone> zones;
-  std::vector<Region> regions;  ///< of the body, under the garment
+  std::vector<body::Region> regions;  ///< of the body, under the garment
   bool empty() const { return zones.empty() && regions.empty(); }
 };
 
@@ -37,4 +37,4 @@ void add_keep_out(const std::string& text, KeepOut& keep_out);
 /// \throws InvalidInput for a zone on a panel that is not one of these, with a did-you-mean.
 void check_keep_out(const KeepOut& keep_out, const std::vector<std::string>& panels);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -5,11 +5,11 @@
 
 #include "loosefit/placement/catalogue_metrics.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 /// Of derived_metrics.h.
 std::vector<MetricName> derived_names() {
-  const char* postures = needs(OverStates::swing);
+  const char* postures = needs(maps::OverStates::swing);
   return {
       {"usable_signal_ratio", "-", "strain swing over the sensor's error", postures},
       {"pre_strain_margin", "-", "strain less its range over postures", postures},
@@ -48,4 +48,4 @@ std::string metric_with_need(const std::string& name) {
   return metric && !metric->needs.empty() ? name + " (" + metric->needs + ")" : name;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Numbers by which a site is judged, by metric name; the unit is part of the name. A metric that
 /// is not known is left out (or NaN), never zero.
@@ -27,4 +27,4 @@ const MetricName* find_metric(const std::string& name);
 /// "coe_rms_deg (several postures)", or the bare name when any drape has it.
 std::string metric_with_need(const std::string& name);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -10,17 +10,17 @@
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/placement/resample.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kInside = -1e-9;  // a point on an edge must not fall between two triangles
 constexpr int kLatticePerSpacing = 8;
 
 /// Barycentric weights in the flat triangle; NaN when it has no area.
-Vec3 flat_barycentric(const FlatCorners& uv, const Vec2& p) {
-  const double area = cross(uv[1] - uv[0], uv[2] - uv[0]);
-  const double b = cross(p - uv[0], uv[2] - uv[0]) / area;
-  const double c = cross(uv[1] - uv[0], p - uv[0]) / area;
+Vec3 flat_barycentric(const geometry::FlatCorners& uv, const Vec2& p) {
+  const double area = geometry::cross(uv[1] - uv[0], uv[2] - uv[0]);
+  const double b = geometry::cross(p - uv[0], uv[2] - uv[0]) / area;
+  const double c = geometry::cross(uv[1] - uv[0], p - uv[0]) / area;
   return {1 - b - c, b, c};
 }
 
@@ -66,14 +66,15 @@ class Kept {
 
 }  // namespace
 
-Vec3 at_place(const Garment& garment, const PatternPlace& place, const std::vector<Vec3>& field) {
+Vec3 at_place(const garment::Garment& garment, const PatternPlace& place,
+              const std::vector<Vec3>& field) {
   const Triangle& corner = garment.triangles[place.triangle];
   Vec3 value = Vec3::Zero();
   for (int k = 0; k < 3; ++k) value += place.barycentric[k] * field[corner[k]];
   return value;
 }
 
-PatternLocator::PatternLocator(const Garment& garment)
+PatternLocator::PatternLocator(const garment::Garment& garment)
     : garment_(garment), grids_(garment.panel_names.size()) {
   std::vector<Box> boxes(grids_.size());
   double widest = 1e-4;
@@ -124,7 +125,7 @@ std::vector<PatternPlace> poisson_places(const PatternLocator& locator, double s
   if (!(spacing >= 0.001 && spacing <= 1))
     throw InvalidInput("candidate spacing: found " + shortest(spacing) +
                        ", expected metres from 0.001 to 1");
-  const Garment& garment = locator.garment();
+  const garment::Garment& garment = locator.garment();
   const double pitch = spacing / kLatticePerSpacing;
   std::vector<PatternPlace> pool, places;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -150,7 +151,7 @@ std::vector<PatternPlace> poisson_places(const PatternLocator& locator, double s
   return places;
 }
 
-PanelBorders::PanelBorders(const Garment& garment)
+PanelBorders::PanelBorders(const garment::Garment& garment)
     : seams_(garment.panel_names.size()), free_(garment.panel_names.size()) {
   // An edge of the flat panel belongs to one of its triangles; so does a seam's, but the sewn mesh
   // has a second triangle at the same two vertices.
@@ -161,7 +162,7 @@ PanelBorders::PanelBorders(const Garment& garment)
     return FlatEdge{p.x(), p.y(), q.x(), q.y()};
   };
   std::map<std::pair<int, FlatEdge>, int> in_panel;
-  const MeshTopology topology(garment.triangles);
+  const geometry::MeshTopology topology(garment.triangles);
   const auto each = [&](const auto& visit) {
     for (std::size_t t = 0; t < garment.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
@@ -189,4 +190,4 @@ double PanelBorders::distance(const std::vector<Segment>& segments, const Vec2& 
   return nearest;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

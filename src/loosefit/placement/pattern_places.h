@@ -6,7 +6,7 @@
 
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A place in the pattern with the triangle of the sewn mesh that it lies in.
 struct PatternPlace {
@@ -17,16 +17,17 @@ struct PatternPlace {
 };
 
 /// A vertex field at a place, linear over its triangle.
-Vec3 at_place(const Garment& garment, const PatternPlace& place, const std::vector<Vec3>& field);
+Vec3 at_place(const garment::Garment& garment, const PatternPlace& place,
+              const std::vector<Vec3>& field);
 
 /// Finds triangles of a garment by their place in the flat pattern. Keeps a reference to the
 /// garment. Panels are looked up on a grid of cells of a few triangles each.
 class PatternLocator {
  public:
-  explicit PatternLocator(const Garment& garment);
+  explicit PatternLocator(const garment::Garment& garment);
   /// Nothing outside the panel. On a shared edge the lower triangle index counts.
   std::optional<PatternPlace> find(int panel, const Vec2& at) const;
-  const Garment& garment() const { return garment_; }
+  const garment::Garment& garment() const { return garment_; }
 
  private:
   struct Grid {
@@ -34,7 +35,7 @@ class PatternLocator {
     int columns = 0, rows = 0;
     std::vector<std::vector<int>> triangles;  ///< per cell, ascending
   };
-  const Garment& garment_;
+  const garment::Garment& garment_;
   double cell_ = 0;
   std::vector<Grid> grids_;  ///< per panel
 };
@@ -50,7 +51,7 @@ std::vector<PatternPlace> poisson_places(const PatternLocator& locator, double s
 /// Outlines of the panels as the mesh has them, seams apart from free edges (hems, openings).
 class PanelBorders {
  public:
-  explicit PanelBorders(const Garment& garment);
+  explicit PanelBorders(const garment::Garment& garment);
   /// Flat distance [m] to the nearest seam of that panel; infinity without one.
   double to_seam(int panel, const Vec2& at) const { return distance(seams_[panel], at); }
   double to_free_edge(int panel, const Vec2& at) const { return distance(free_[panel], at); }
@@ -61,4 +62,4 @@ class PanelBorders {
   std::vector<std::vector<Segment>> seams_, free_;  ///< per panel
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -11,7 +11,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/placement/resample.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr int kFewSamples = 8;
@@ -156,4 +156,4 @@ Ranking rank_sites(const std::vector<SiteSamples>& sites, const Scorecard& score
   return ranking;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -6,7 +6,7 @@
 
 #include "loosefit/placement/site_score.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A site with its metrics: one map per sample. Sample k of every site is the same donning (or
 /// body), so that resampling keeps the sites of one drape together.
@@ -59,4 +59,4 @@ struct Ranking {
 Ranking rank_sites(const std::vector<SiteSamples>& sites, const Scorecard& scorecard,
                    const RankOptions& options = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

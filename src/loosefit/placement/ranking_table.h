@@ -10,7 +10,7 @@
 #include "loosefit/placement/sites.h"
 #include "loosefit/placement/tolerance.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Where a ranked site lies.
 struct RankedPlace {
@@ -40,4 +40,4 @@ struct RankingTable {
   std::vector<UncoveredSite> uncovered;   ///< given places without skin under them; not ranked
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 using Kind = FootprintShape::Kind;
@@ -25,7 +25,7 @@ std::vector<Site> described(const RankingGround& ground, const std::vector<Site>
   return revisit_sites(sites, ground.garment, ground.positions, ground.body, ground.worn, {});
 }
 
-PatternPlace some_place(const Garment& garment) {
+PatternPlace some_place(const garment::Garment& garment) {
   PatternPlace place;
   place.panel = garment.triangle_panel.at(0);
   place.triangle = 0;
@@ -160,4 +160,4 @@ WearerSamples Wearers::at(const PatternPlace& place, const FootprintShape& shape
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -5,7 +5,7 @@
 
 #include "loosefit/placement/sensor_probe.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// One wearer of those over whom sites are ranked.
 struct RankingWearer {
@@ -57,4 +57,4 @@ class Wearers {
   std::vector<std::vector<Site>> sites_;  ///< per wearer: its own, with the scorecard's sensor
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 // A ray along the mesh's plane of symmetry runs through edges and must not slip between triangles.
 constexpr double kSlack = 1e-9;
@@ -12,7 +12,7 @@ constexpr double kBoxSlack = 1e-7;  ///< more than kSlack times any edge [m]
 /// The surface seen along a ray, which is a point then: what does not cover it is quickly told.
 class SeenAlong {
  public:
-  SeenAlong(const TriangleMesh& surface, const Vec3& origin, const Vec3& direction)
+  SeenAlong(const geometry::TriangleMesh& surface, const Vec3& origin, const Vec3& direction)
       : at_(surface.vertices.size()) {
     const Vec3 across = direction.unitOrthogonal(), other = direction.cross(across).normalized();
     for (std::size_t i = 0; i < at_.size(); ++i) {
@@ -33,7 +33,7 @@ class SeenAlong {
 };
 }  // namespace
 
-std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& origin,
+std::vector<RayCrossing> ray_crossings(const geometry::TriangleMesh& surface, const Vec3& origin,
                                        const Vec3& direction,
                                        const std::function<bool(int)>& accept) {
   std::vector<RayCrossing> found;
@@ -59,7 +59,7 @@ std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& 
   return found;
 }
 
-std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
+std::optional<Vec3> ray_exit(const geometry::TriangleMesh& surface, const Vec3& origin,
                              const Vec3& direction) {
   std::optional<RayCrossing> nearest;
   for (const RayCrossing& crossing : ray_crossings(surface, origin, direction))
@@ -68,4 +68,4 @@ std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
   return nearest->point;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

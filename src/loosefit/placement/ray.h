@@ -5,7 +5,7 @@
 
 #include "loosefit/geometry/triangle_mesh.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Where a ray passes a triangle.
 struct RayCrossing {
@@ -19,12 +19,12 @@ struct RayCrossing {
 /// All triangles that the ray from `origin` in `direction` passes and that `accept` admits (empty:
 /// all), in order of their index (Möller and Trumbore 1997). Grazed triangles do not count; a
 /// crossing on an edge is told once for each of its triangles.
-std::vector<RayCrossing> ray_crossings(const TriangleMesh& surface, const Vec3& origin,
+std::vector<RayCrossing> ray_crossings(const geometry::TriangleMesh& surface, const Vec3& origin,
                                        const Vec3& direction,
                                        const std::function<bool(int)>& accept = {});
 
 /// First point at which the ray leaves the surface; nothing if it never does.
-std::optional<Vec3> ray_exit(const TriangleMesh& surface, const Vec3& origin,
+std::optional<Vec3> ray_exit(const geometry::TriangleMesh& surface, const Vec3& origin,
                              const Vec3& direction);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

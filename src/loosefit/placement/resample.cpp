@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 /// Uniform index below `n`. std::uniform_int_distribution differs between standard libraries; the
@@ -32,4 +32,4 @@ std::vector<int> shuffled(int n, std::uint64_t seed) {
   return order;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

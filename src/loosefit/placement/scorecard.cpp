@@ -9,7 +9,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/placement/derived_metrics.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 std::optional<double> known(const MetricValues& metrics, const std::string& name) {
@@ -89,4 +89,4 @@ Scorecard known_part(const Scorecard& scorecard, const MetricValues& metrics) {
   return part;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,7 +8,7 @@
 #include "loosefit/placement/footprint.h"
 #include "loosefit/placement/metric_names.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Linear ramp of one limit: 1 at `good`, 0 at `fail`. Their order tells the direction: more is
 /// better when good > fail, less is better when good < fail; never equal.
@@ -43,7 +43,7 @@ struct Scorecard {
   bool around = false;  ///< its axis runs around the body segment, otherwise along it
   std::map<std::string, double> parameters;  ///< of derived_metrics.h, SI
   std::vector<Criterion> criteria;
-  std::vector<Region> regions;        ///< where a search looks by default; empty: everywhere
+  std::vector<body::Region> regions;  ///< where a search looks by default; empty: everywhere
   std::vector<std::string> left_out;  ///< metrics of criteria dropped by known_part()
 };
 
@@ -70,4 +70,4 @@ Score score(const MetricValues& metrics, const Scorecard& scorecard);
 /// Scores by it are upper bounds of the full ones.
 Scorecard known_part(const Scorecard& scorecard, const MetricValues& metrics);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace loosefit {
+namespace loosefit::placement {
 
 SensorProbe::SensorProbe(const RankingGround& ground, const Scorecard& scorecard)
     : ground_(ground),
@@ -57,4 +57,4 @@ WearerSamples SensorProbe::measured(const SensorPatch& patch) const {
   return site_metrics_by_donning(ground_.meter.measure(patch), ground_.meter.reference_posture());
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -12,15 +12,15 @@
 #include "loosefit/placement/site_metrics.h"
 #include "loosefit/placement/sites.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A garment in its reference posture, and the meter that knows all postures and donnings. Only
 /// referred to.
 struct RankingGround {
-  const Garment& garment;
+  const garment::Garment& garment;
   const std::vector<Vec3>& positions;
-  PosedBody body;
-  const WornGarment& worn;
+  body::PosedBody body;
+  const maps::WornGarment& worn;
   const SiteMeter& meter;
 };
 
@@ -61,4 +61,4 @@ class SensorProbe {
   PatternLocator locator_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,7 +8,7 @@
 #include "loosefit/maps/orientation_error.h"
 #include "loosefit/maps/statistics.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 using Values = std::vector<double>;
 using Read = std::function<double(const SiteState&)>;
@@ -47,7 +47,7 @@ double duty(const Values& v) {
 
 double range(const Values& v) {
   constexpr std::size_t kMany = 20;  // below, a percentile is the extreme itself
-  const MapStatistics s = statistics(v, Values(v.size(), 1.0));
+  const maps::MapStatistics s = maps::statistics(v, Values(v.size(), 1.0));
   return v.size() >= kMany ? s.p95 - s.p5 : s.max - s.min;
 }
 
@@ -69,31 +69,33 @@ class Summary {
   void add(const CatalogueMetric& source) {
     const Read of = [&](const SiteState& s) { return s.readings[source.reading]; };
     switch (source.metric->states) {
-      case OverStates::reference:
+      case maps::OverStates::reference:
         return set(source, read(references_, of), mean);
-      case OverStates::reference_angle:
+      case maps::OverStates::reference_angle:
         return set(source, read(references_, of), mean_angle);
-      case OverStates::mean:
+      case maps::OverStates::mean:
         return set(source, read(states_, of), mean);
-      case OverStates::least:
+      case maps::OverStates::least:
         return set(source, read(states_, of), least);
-      case OverStates::greatest:
+      case maps::OverStates::greatest:
         return set(source, read(states_, of), greatest);
-      case OverStates::swing:
+      case maps::OverStates::swing:
         return set(source, swings(of), mean);
-      case OverStates::least_posture:
+      case maps::OverStates::least_posture:
         if (!postured_.empty()) set(source, read(states_, of), least);
         return;
-      case OverStates::contact_duty:
+      case maps::OverStates::contact_duty:
         if (!postured_.empty()) set(source, read(states_, of), duty);
         return;
-      case OverStates::greatest_change:
+      case maps::OverStates::greatest_change:
         return set(source, read(others_, of), greatest);
-      case OverStates::error_rms:
-        return set(source, calibrated_errors(), [](const Values& v) { return summarise(v).rms; });
-      case OverStates::error_p95:
-        return set(source, calibrated_errors(), [](const Values& v) { return summarise(v).p95; });
-      case OverStates::error_of_donnings:
+      case maps::OverStates::error_rms:
+        return set(source, calibrated_errors(),
+                   [](const Values& v) { return maps::summarise(v).rms; });
+      case maps::OverStates::error_p95:
+        return set(source, calibrated_errors(),
+                   [](const Values& v) { return maps::summarise(v).p95; });
+      case maps::OverStates::error_of_donnings:
         return;  // over pairs of donnings, which one donning by itself has not: see below
     }
   }
@@ -118,7 +120,7 @@ class Summary {
       for (const SiteState& reference : references_)
         if (reference.donning == s.donning && reference.on_skin.allFinite() &&
             s.on_skin.allFinite())
-          errors.push_back(calibrated_error(s.on_skin, reference.on_skin));
+          errors.push_back(maps::calibrated_error(s.on_skin, reference.on_skin));
     return errors;
   }
 
@@ -137,7 +139,7 @@ Values donning_errors(const std::vector<SiteState>& states, int reference, int d
       if (a.posture == reference && b.posture == reference && a.donning != b.donning &&
           (a.donning == donning || b.donning == donning) && a.garment_frame.allFinite() &&
           b.garment_frame.allFinite())
-        errors.push_back(rotation_angle(a.garment_frame.transpose() * b.garment_frame));
+        errors.push_back(maps::rotation_angle(a.garment_frame.transpose() * b.garment_frame));
     }
   return errors;
 }
@@ -156,12 +158,12 @@ std::vector<std::map<std::string, double>> site_metrics_by_donning(
   for (const auto& [donning, own] : by_donning(states)) {
     all.push_back(summarised(own, reference_posture));
     const Values errors = donning_errors(states, reference_posture, donning);
-    if (!errors.empty()) all.back()["donning_coe_deg"] = degrees(summarise(errors).rms);
+    if (!errors.empty()) all.back()["donning_coe_deg"] = degrees(maps::summarise(errors).rms);
   }
   return all;
 }
 
-SiteMeter::SiteMeter(const Garment& garment, const Material& material,
+SiteMeter::SiteMeter(const garment::Garment& garment, const fabric::Material& material,
                      const std::vector<WornState>& states, int reference_posture)
     : reference_posture_(reference_posture) {
   if (states.empty()) throw InvalidInput("site metrics need at least one state");
@@ -172,7 +174,7 @@ SiteMeter::SiteMeter(const Garment& garment, const Material& material,
       throw InvalidInput("site metrics: found posture " + std::to_string(state.posture) +
                          " of donning " + std::to_string(state.donning) +
                          " twice, expected it once");
-    require_same_wearer(states[0].body, state.body);
+    body::require_same_wearer(states[0].body, state.body);
     meters_.emplace_back(garment, material, state);
   }
   for (const WornState& state : states) {
@@ -193,4 +195,4 @@ std::vector<SiteState> SiteMeter::measure(const SensorPatch& patch) const {
   return states;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

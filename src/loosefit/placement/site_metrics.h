@@ -6,7 +6,7 @@
 
 #include "loosefit/placement/site_state.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// The numbers by which a site is judged, from what it meets in its states; units in the names.
 /// What the states do not tell is left out, never made up. Each donning is summed up by itself, in
@@ -49,8 +49,8 @@ class SiteMeter {
   /// posture is missing (its drape did not settle) counts with what needs no reference.
   /// \throws InvalidInput for no states, two states of the same posture and donning, a state that
   /// does not fit the garment, or bodies that are not one wearer's.
-  SiteMeter(const Garment& garment, const Material& material, const std::vector<WornState>& states,
-            int reference_posture = 0);
+  SiteMeter(const garment::Garment& garment, const fabric::Material& material,
+            const std::vector<WornState>& states, int reference_posture = 0);
 
   /// One entry per state, in their order. Safe to call from several threads.
   std::vector<SiteState> measure(const SensorPatch& patch) const;
@@ -62,4 +62,4 @@ class SiteMeter {
   int reference_posture_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,7 +8,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/placement/ray.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kElectrodeRadius = 0.010;  // [m] (docs/theory/sensor_metrics.md 1)
@@ -100,7 +100,7 @@ const std::vector<Preset>& all_presets() {
 
 }  // namespace
 
-SitePoints::SitePoints(const Body& body) : addresses_(body) {}
+SitePoints::SitePoints(const body::Body& body) : addresses_(body) {}
 
 std::optional<Vec3> SitePoints::find(const std::string& name) const {
   for (const Preset& preset : all_presets())
@@ -141,4 +141,4 @@ std::optional<FootprintShape> preset_footprint(const std::string& name) {
   return std::nullopt;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

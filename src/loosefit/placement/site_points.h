@@ -6,7 +6,7 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/site_spec.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Named points of one body: its landmarks, those of address_landmarks(), and presets. Keeps a
 /// reference to the body.
@@ -30,7 +30,7 @@ namespace loosefit {
 /// | thigh_L/R, shank_L/R    | lateral, half way, and 20 % from the ankle (UNISEP's IMU)        |
 class SitePoints {
  public:
-  explicit SitePoints(const Body& body);
+  explicit SitePoints(const body::Body& body);
   /// Names that `at` knows: presets that this body has, then landmarks.
   std::vector<std::string> names() const;
   /// Surface point. Presets win over landmarks of the same name: the wrist of a sensor is above the
@@ -48,4 +48,4 @@ class SitePoints {
 /// Footprint of the sensor that a preset is made for; nothing for other names. Body-independent.
 std::optional<FootprintShape> preset_footprint(const std::string& name);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

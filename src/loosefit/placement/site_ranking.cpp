@@ -9,7 +9,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 using Kind = FootprintShape::Kind;
@@ -24,9 +24,9 @@ void merge(const WearerSamples& samples, MetricValues& known) {
       if (std::isfinite(value)) known[name] = value;
 }
 
-std::string names(const std::vector<Region>& regions) {
+std::string names(const std::vector<body::Region>& regions) {
   std::vector<std::string> words;
-  for (Region region : regions) words.push_back(name(region));
+  for (body::Region region : regions) words.push_back(body::name(region));
   return join(words);
 }
 
@@ -142,14 +142,14 @@ class Table {
 
   RankedPlace described(const Site& site) const {
     RankedPlace place;
-    place.region = name(site.region);
+    place.region = body::name(site.region);
     place.panel = site.panel;
     place.at = site.at;
     place.position = site.position;
     place.angle = site.angle;
     place.anatomy = site.anatomy;
     place.shape = site.shape;
-    const Garment& garment = ground_.garment;
+    const garment::Garment& garment = ground_.garment;
     if (site.shape.kind == Kind::girth)
       for (const Footprint::Sample& sample : site.footprint.samples) {
         Vec2 at = Vec2::Zero();
@@ -227,4 +227,4 @@ RankingTable make_ranking(const RankingGround& ground, const RankingWish& wish) 
   return make_ranking(std::vector<RankingWearer>{{"", ground}}, wish);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

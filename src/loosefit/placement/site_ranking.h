@@ -8,7 +8,7 @@
 #include "loosefit/placement/site_search.h"
 #include "loosefit/placement/sites.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// What is to be ranked.
 struct RankingWish {
@@ -37,4 +37,4 @@ RankingTable make_ranking(const std::vector<RankingWearer>& wearers, const Ranki
 /// The same for one wearer.
 RankingTable make_ranking(const RankingGround& ground, const RankingWish& wish);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -7,7 +7,7 @@
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecard& scorecard) {
   if (samples.empty()) throw InvalidInput("a site to be scored has no sample");
@@ -49,4 +49,4 @@ SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecar
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -5,7 +5,7 @@
 
 #include "loosefit/placement/scorecard.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Share of the samples (donnings, later bodies) that may fall below the robust score.
 inline constexpr double kRobustShare = 0.05;
@@ -28,4 +28,4 @@ struct SiteScore {
 /// \throws InvalidInput without samples or criteria.
 SiteScore score_samples(const std::vector<MetricValues>& samples, const Scorecard& scorecard);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -10,11 +10,11 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
-void check(const Garment& garment, const SearchField& field, const SearchConstraints& constraints,
-           const SearchOptions& options) {
+void check(const garment::Garment& garment, const SearchField& field,
+           const SearchConstraints& constraints, const SearchOptions& options) {
   if (options.best < 1 || options.best > 1000)
     throw InvalidInput(fmt::format("number of sites: found {}, expected 1 to 1000", options.best));
   for (double length :
@@ -34,8 +34,8 @@ void check(const Garment& garment, const SearchField& field, const SearchConstra
 /// Whether a sensor may sit at a place; counts the first reason against it.
 class Admission {
  public:
-  Admission(const Garment& garment, const SearchField& field, const SearchConstraints& constraints,
-            double radius)
+  Admission(const garment::Garment& garment, const SearchField& field,
+            const SearchConstraints& constraints, double radius)
       : garment_(garment),
         field_(field),
         constraints_(constraints),
@@ -64,14 +64,14 @@ class Admission {
 
  private:
   /// Whether the place lies over one of these parts of the body.
-  bool over(const PatternPlace& place, const std::vector<Region>& regions) const {
+  bool over(const PatternPlace& place, const std::vector<body::Region>& regions) const {
     int nearest = 0;
     place.barycentric.maxCoeff(&nearest);
-    const Region here = field_.regions[garment_.triangles[place.triangle][nearest]];
+    const body::Region here = field_.regions[garment_.triangles[place.triangle][nearest]];
     return std::find(regions.begin(), regions.end(), here) != regions.end();
   }
 
-  const Garment& garment_;
+  const garment::Garment& garment_;
   const SearchField& field_;
   const SearchConstraints& constraints_;
   double radius_;
@@ -113,7 +113,7 @@ std::string shortfall(const SearchResult& result, int wanted) {
 
 }  // namespace
 
-SearchResult search_sites(const Garment& garment, const SearchField& field,
+SearchResult search_sites(const garment::Garment& garment, const SearchField& field,
                           const Scorecard& scorecard, const SearchConstraints& constraints,
                           const SearchOptions& options) {
   check(garment, field, constraints, options);
@@ -158,7 +158,7 @@ SearchResult search_sites(const Garment& garment, const SearchField& field,
   return result;
 }
 
-PlaceTest keeps_clear(const Garment& garment, const SearchField& field,
+PlaceTest keeps_clear(const garment::Garment& garment, const SearchField& field,
                       const SearchConstraints& constraints, double radius) {
   const auto admission = std::make_shared<Admission>(garment, field, constraints, radius);
   return [admission](const PatternPlace& place) {
@@ -179,4 +179,4 @@ Tolerance site_tolerance(const PatternLocator& locator, const SearchField& field
   return tolerance(flat, place.at, field.along ? field.along(place) : Vec2(Vec2::UnitY()), options);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -9,7 +9,7 @@
 #include "loosefit/placement/site_score.h"
 #include "loosefit/placement/tolerance.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Where a sensor may sit. Distances to borders and zones are those of its outline: the circle
 /// about the scorecard's footprint stays clear of them.
@@ -17,7 +17,7 @@ struct SearchConstraints {
   double spacing = 0.05;  ///< least straight distance between the centres of two sites, as worn [m]
   double seam_clearance = 0.01, edge_clearance = 0.01;  ///< to seams; to hems and openings [m]
   KeepOut keep_out;
-  std::vector<Region> regions;  ///< only over these parts of the body; empty: all
+  std::vector<body::Region> regions;  ///< only over these parts of the body; empty: all
 };
 
 struct SearchOptions {
@@ -38,7 +38,7 @@ struct SearchField {
   /// Per garment vertex: where it lies as worn in the reference posture [m], for spacing.
   std::vector<Vec3> positions;
   /// Per garment vertex: body region under it; may be empty when no regions are named.
-  std::vector<Region> regions;
+  std::vector<body::Region> regions;
   /// Whether there is skin under a place; empty: everywhere. Other places are no candidates.
   std::function<bool(const PatternPlace&)> covers = {};
   /// Told the share of the candidates that is measured; may throw to stop the search.
@@ -67,7 +67,7 @@ struct SearchResult {
 /// out and counted.
 /// \throws InvalidInput for options out of range, an unknown panel of a zone (with a did-you-mean),
 /// or fields that do not fit the garment.
-SearchResult search_sites(const Garment& garment, const SearchField& field,
+SearchResult search_sites(const garment::Garment& garment, const SearchField& field,
                           const Scorecard& scorecard, const SearchConstraints& constraints,
                           const SearchOptions& options = {});
 
@@ -75,7 +75,7 @@ using PlaceTest = std::function<bool(const PatternPlace&)>;
 
 /// Whether a sensor with an outline of this radius keeps clear of seams, edges, zones and regions
 /// as `constraints` ask. Keeps references to garment, field and constraints.
-PlaceTest keeps_clear(const Garment& garment, const SearchField& field,
+PlaceTest keeps_clear(const garment::Garment& garment, const SearchField& field,
                       const SearchConstraints& constraints, double radius);
 
 /// Tolerance of a place by the robust score of the field; a shift ends where it cannot be rated,
@@ -84,4 +84,4 @@ Tolerance site_tolerance(const PatternLocator& locator, const SearchField& field
                          const Scorecard& scorecard, const PatternPlace& place,
                          const ToleranceOptions& options = {}, const PlaceTest& allowed = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

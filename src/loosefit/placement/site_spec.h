@@ -5,7 +5,7 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/footprint.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// The sensor as a part of the garment: what lies under a disc or rectangle footprint.
 struct SensorBoard {
@@ -27,4 +27,4 @@ struct SiteSpec {
   std::optional<SensorBoard> board = {};  ///< simulated as a stiff part
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,7 +8,7 @@
 #include "loosefit/maps/statistics.h"
 #include "loosefit/maps/strain.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 constexpr double kNan = SiteState::kUnknown;
 
@@ -19,8 +19,9 @@ Mat3 mean_rotation(const Mat3& sum, double weight) {
   if (!sum.allFinite() || !(weight > 0)) return Mat3::Constant(kNan);
   const Mat3 mean = sum / weight;
   const Eigen::SelfAdjointEigenSolver<Mat3> squares(mean.transpose() * mean);
-  return squares.eigenvalues()[0] < kLeastAgreement * kLeastAgreement ? Mat3(Mat3::Constant(kNan))
-                                                                      : nearest_rotation(sum);
+  return squares.eigenvalues()[0] < kLeastAgreement * kLeastAgreement
+             ? Mat3(Mat3::Constant(kNan))
+             : geometry::nearest_rotation(sum);
 }
 }  // namespace
 
@@ -32,16 +33,17 @@ struct StateMeter::Sample {
   Vec2 direction;         ///< in the sample's panel
   Vec3 position;
   Vec3 normal;  ///< of the cloth, unit
-  BodyPartner partner;
-  SurfaceFrame body;  ///< at the partner
+  body::BodyPartner partner;
+  body::SurfaceFrame body;  ///< at the partner
 };
 
-StateMeter::StateMeter(const Garment& garment, const Material& material, const WornState& state)
+StateMeter::StateMeter(const garment::Garment& garment, const fabric::Material& material,
+                       const WornState& state)
     : garment_(garment), material_(material), state_(state) {
-  require_fit(garment, {state.positions, state.body, state.worn});
-  const MapInput input{garment, state.positions, state.worn, &material_, state.pressure};
+  maps::require_fit(garment, {state.positions, state.body, state.worn});
+  const maps::MapInput input{garment, state.positions, state.worn, &material_, state.pressure};
   for (const FootprintReading& reading : footprint_readings()) {
-    const auto* field = std::get_if<ReadField>(&reading.array->read);
+    const auto* field = std::get_if<maps::ReadField>(&reading.array->read);
     const bool known = !reading.map->needs_forces || (state.pressure && !state.pressure->empty());
     if (field && known) fields_[reading.array] = (*field)(input);
   }
@@ -78,10 +80,10 @@ std::vector<StateMeter::Sample> StateMeter::sampled(const SensorPatch& patch) co
     // The skin under it, with the frame that orientations are told in.
     sample.partner = state_.body.partners().find_on_surface(sample.position, sample.normal,
                                                             state_.worn.panel_part[panel]);
-    const ClosestPoint& exact = sample.partner.exact;
-    sample.body = surface_frame(
-        sample.partner.normal,
-        at_point(state_.body->surface, state_.body.axes(), exact.triangle, exact.barycentric));
+    const geometry::ClosestPoint& exact = sample.partner.exact;
+    sample.body = body::surface_frame(sample.partner.normal,
+                                      body::at_point(state_.body->surface, state_.body.axes(),
+                                                     exact.triangle, exact.barycentric));
     samples.push_back(sample);
   }
   return samples;
@@ -93,7 +95,7 @@ Mat3 StateMeter::cloth_frame(const SensorPatch& patch, const std::vector<Sample>
   Mat3 frame = Mat3::Identity();
   const auto frame_at = [&](const Sample& sample) -> const Mat3& {
     if (sample.triangle != last || !patch.sample_directions.empty())
-      frame = triangle_frame(garment_, sample.triangle, state_.positions, sample.direction);
+      frame = maps::triangle_frame(garment_, sample.triangle, state_.positions, sample.direction);
     last = sample.triangle;
     return frame;
   };
@@ -106,7 +108,7 @@ Mat3 StateMeter::cloth_frame(const SensorPatch& patch, const std::vector<Sample>
     const Mat3& own = frame_at(sample);
     if (!own.allFinite()) continue;
     // Beyond a seam the pattern runs another way: the sensor's axis goes straight on.
-    sum += sample.weight * (sample.own_panel ? own : surface_frame(own.col(2), along).axes);
+    sum += sample.weight * (sample.own_panel ? own : body::surface_frame(own.col(2), along).axes);
     weight += sample.weight;
   }
   return mean_rotation(sum, weight);
@@ -133,23 +135,24 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
                                              : Vec3(Vec3::Zero());
   const std::vector<Vec3> none(state_.body.axes().size(), Vec3::Zero());
   for (const Sample& sample : samples) {
-    skin.points.push_back(skin_point(state_.body, skin.has_direction ? state_.body.axes() : none,
-                                     sample.partner.exact, otherwise));
-    skin.offsets.push_back(offset_on_skin(skin.points.back(), state_.body, sample.position));
+    skin.points.push_back(body::skin_point(state_.body,
+                                           skin.has_direction ? state_.body.axes() : none,
+                                           sample.partner.exact, otherwise));
+    skin.offsets.push_back(maps::offset_on_skin(skin.points.back(), state_.body, sample.position));
   }
   return skin;
 }
 
-std::vector<double> StateMeter::sample_values(const MapArray& array, const SensorPatch& patch,
+std::vector<double> StateMeter::sample_values(const maps::MapArray& array, const SensorPatch& patch,
                                               const std::vector<Sample>& samples) const {
   std::vector<double> values(samples.size(), kNan);
-  if (const auto* of_gradient = std::get_if<ReadGradient>(&array.read)) {
+  if (const auto* of_gradient = std::get_if<maps::ReadGradient>(&array.read)) {
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (samples[i].own_panel || !array.along_sensor)
         values[i] =
-            (*of_gradient)(garment_gradient(garment_, samples[i].triangle, state_.positions),
+            (*of_gradient)(maps::garment_gradient(garment_, samples[i].triangle, state_.positions),
                            samples[i].direction);
-  } else if (const auto* over_skin = std::get_if<ReadOverSkin>(&array.read)) {
+  } else if (const auto* over_skin = std::get_if<maps::ReadOverSkin>(&array.read)) {
     for (std::size_t i = 0; i < samples.size(); ++i)
       values[i] = (*over_skin)({samples[i].partner, samples[i].normal, &material_});
   } else if (const auto field = fields_.find(&array); field != fields_.end()) {
@@ -167,18 +170,20 @@ void StateMeter::add_readings(const SensorPatch& patch, const std::vector<Sample
                               SiteState& site) const {
   std::vector<double> weights;
   for (const Sample& sample : samples) weights.push_back(sample.weight);
-  const MapArray* summed_up = nullptr;  // readings of one array stand next to each other
-  MapStatistics summary;
+  const maps::MapArray* summed_up = nullptr;  // readings of one array stand next to each other
+  maps::MapStatistics summary;
   for (const FootprintReading& reading : footprint_readings()) {
-    const MapArray& array = *reading.array;
-    if (reading.over == OverFootprint::rigid) {
-      const auto* of_slip = std::get_if<ReadSlip>(&array.read);
+    const maps::MapArray& array = *reading.array;
+    if (reading.over == maps::OverFootprint::rigid) {
+      const auto* of_slip = std::get_if<maps::ReadSlip>(&array.read);
       site.readings.push_back(of_slip ? (*of_slip)(site.slip) : array.rigid(site.orientation));
       continue;
     }
-    if (summed_up != &array) summary = statistics(sample_values(array, patch, samples), weights);
+    if (summed_up != &array)
+      summary = maps::statistics(sample_values(array, patch, samples), weights);
     summed_up = &array;
-    site.readings.push_back(reading.over == OverFootprint::mean ? summary.area_mean : summary.p95);
+    site.readings.push_back(reading.over == maps::OverFootprint::mean ? summary.area_mean
+                                                                      : summary.p95);
   }
 }
 
@@ -196,17 +201,17 @@ void StateMeter::add_orientation(const std::vector<Sample>& samples, SiteState& 
   if (!site.garment_frame.allFinite()) return;
   const Mat3 body = mean_rotation(frames, directed);
   if (2 * directed >= all && body.allFinite()) {
-    site.orientation = orientation_of(body.transpose() * site.garment_frame);
+    site.orientation = maps::orientation_of(body.transpose() * site.garment_frame);
   } else if (normals.norm() > 0) {
-    const Mat3 any = surface_frame(normals.normalized(), Vec3::Zero()).axes;
+    const Mat3 any = body::surface_frame(normals.normalized(), Vec3::Zero()).axes;
     site.orientation.angular_deviation =
-        orientation_of(any.transpose() * site.garment_frame).angular_deviation;
+        maps::orientation_of(any.transpose() * site.garment_frame).angular_deviation;
   }
 }
 
 void StateMeter::add_change(const SkinUnderSensor& reference, const std::vector<Sample>& samples,
                             SiteState& site) const {
-  require_same_wearer(*reference.body, state_.body);
+  body::require_same_wearer(*reference.body, state_.body);
   if (reference.points.size() != samples.size())
     throw InvalidInput("a sensor's reference: found " + std::to_string(reference.points.size()) +
                        " places on the skin, expected " + std::to_string(samples.size()) +
@@ -215,15 +220,16 @@ void StateMeter::add_change(const SkinUnderSensor& reference, const std::vector<
   Vec3 change = Vec3::Zero();
   double weight = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const SkinPoint& point = reference.points[i];
-    frames += samples[i].weight * frame_of(point, state_.body).axes;
-    change += samples[i].weight *
-              (offset_on_skin(point, state_.body, samples[i].position) - reference.offsets[i]);
+    const body::SkinPoint& point = reference.points[i];
+    frames += samples[i].weight * body::frame_of(point, state_.body).axes;
+    change += samples[i].weight * (maps::offset_on_skin(point, state_.body, samples[i].position) -
+                                   reference.offsets[i]);
     weight += samples[i].weight;
   }
   const Mat3 skin = mean_rotation(frames, weight);
   site.on_skin = skin.transpose() * site.garment_frame;
-  if (weight > 0 && skin.allFinite()) site.slip = slip_of(change / weight, reference.has_direction);
+  if (weight > 0 && skin.allFinite())
+    site.slip = maps::slip_of(change / weight, reference.has_direction);
 }
 
 SiteState StateMeter::measure(const SensorPatch& patch, const SkinUnderSensor* reference) const {
@@ -238,4 +244,4 @@ SiteState StateMeter::measure(const SensorPatch& patch, const SkinUnderSensor* r
   return site;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

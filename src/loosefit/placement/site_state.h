@@ -11,7 +11,7 @@
 #include "loosefit/placement/catalogue_metrics.h"
 #include "loosefit/placement/footprint.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// The cloth under one sensor and the direction of the sensor's axis.
 struct SensorPatch {
@@ -27,9 +27,9 @@ struct SensorPatch {
 struct WornState {
   int posture = 0, donning = 0;  ///< indices of the study
   const std::vector<Vec3>& positions;
-  PosedBody body;
-  const WornGarment& worn;
-  const PressureField* pressure = nullptr;  ///< null where the drape does not know its forces
+  body::PosedBody body;
+  const maps::WornGarment& worn;
+  const maps::PressureField* pressure = nullptr;  ///< null where the drape does not know its forces
 };
 
 /// What a sensor meets in one state. NaN: not known or not defined.
@@ -43,11 +43,11 @@ struct SiteState {
   /// Against the mean body frame under the footprint (closest points;
   /// docs/theory/sensor_metrics.md 3.2) [rad]. Without a segment axis there only the angular
   /// deviation is known.
-  Orientation orientation{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
+  maps::Orientation orientation{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   /// Relative rotation R = F_bᵀ F_g with the frame of the skin that lay under the footprint in the
   /// reference state and has moved with the body since.
   Mat3 on_skin = Mat3::Constant(kUnknown);
-  Slip slip{kUnknown, kUnknown, kUnknown};  ///< of the footprint's mean against that skin [m]
+  maps::Slip slip{kUnknown, kUnknown, kUnknown};  ///< of the footprint's mean against that skin [m]
   /// What the sensor reads of the arrays of the catalogue, in SI units, in the order of
   /// footprint_readings() (catalogue_metrics.h).
   std::vector<double> readings = {};
@@ -55,8 +55,8 @@ struct SiteState {
 
 /// The skin under a sensor in its reference state: the partners of the footprint's samples.
 struct SkinUnderSensor {
-  const Body* body = nullptr;  ///< reference body
-  std::vector<SkinPoint> points;
+  const body::Body* body = nullptr;  ///< reference body
+  std::vector<body::SkinPoint> points;
   std::vector<Vec3> offsets;   ///< of the cloth against them (offset_on_skin)
   bool has_direction = false;  ///< the frames carry the segment's long axis
 };
@@ -64,7 +64,8 @@ struct SkinUnderSensor {
 /// Measures sensors in one state. Keeps references to everything the state refers to.
 class StateMeter {
  public:
-  StateMeter(const Garment& garment, const Material& material, const WornState& state);
+  StateMeter(const garment::Garment& garment, const fabric::Material& material,
+             const WornState& state);
   const WornState& state() const { return state_; }
 
   /// What lies under the sensor now, to be the reference of other states.
@@ -83,14 +84,14 @@ class StateMeter {
                   SiteState& site) const;
   void add_readings(const SensorPatch& patch, const std::vector<Sample>& samples,
                     SiteState& site) const;
-  std::vector<double> sample_values(const MapArray& array, const SensorPatch& patch,
+  std::vector<double> sample_values(const maps::MapArray& array, const SensorPatch& patch,
                                     const std::vector<Sample>& samples) const;
 
-  const Garment& garment_;
-  Material material_;
+  const garment::Garment& garment_;
+  fabric::Material material_;
   WornState state_;
   /// Vertex fields [SI] of those arrays that are read of the whole garment, as far as known.
-  std::map<const MapArray*, std::vector<double>> fields_;
+  std::map<const maps::MapArray*, std::vector<double>> fields_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -8,20 +8,20 @@
 #include "loosefit/base/text.h"
 #include "loosefit/placement/site_points.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 /// Everything that finding sites on one drape needs, made once.
 struct Finder {
-  const Garment& garment;
+  const garment::Garment& garment;
   const std::vector<Vec3>& positions;
-  const PosedBody& body;
-  const WornGarment& worn;
-  const std::vector<PerformanceMap>& maps;
+  const body::PosedBody& body;
+  const maps::WornGarment& worn;
+  const std::vector<maps::PerformanceMap>& maps;
   GarmentOverSkin over_skin{garment, positions, body, worn};
   SitePoints points{body};
 
-  ClosestPoint skin(const SiteSpec& spec) const {
+  geometry::ClosestPoint skin(const SiteSpec& spec) const {
     return spec.landmark.empty() && spec.anatomy ? points.addresses().skin(*spec.anatomy)
                                                  : body.tree().query(points.at(spec.landmark));
   }
@@ -48,7 +48,7 @@ struct Finder {
     site.at = pattern_place(garment, site.point);
     site.position = at(garment, site.point, positions);
     site.not_covering = off_skin(garment, positions, worn, site.point);
-    const BodyPartner partner = over_skin.under(site.point);
+    const body::BodyPartner partner = over_skin.under(site.point);
     site.body_point = partner.exact.point;
     site.anatomy = points.addresses().address(partner.exact);
     int nearest = 0;
@@ -70,7 +70,7 @@ struct Finder {
     const double angle = angle_in_pattern(garment, positions, triangles, along);
     site.segment_angle = std::isnan(angle) ? 0 : angle;
     site.values.clear();
-    for (const PerformanceMap& map : maps)
+    for (const maps::PerformanceMap& map : maps)
       site.values[map.array] = average(site.footprint, garment, map.values);
   }
 };
@@ -104,7 +104,8 @@ InvalidInput not_covered(const Finder& finder, const SiteSpec& spec, std::size_t
 
 }  // namespace
 
-void check_sites(const Garment& garment, const Body& body, const std::vector<SiteSpec>& wished) {
+void check_sites(const garment::Garment& garment, const body::Body& body,
+                 const std::vector<SiteSpec>& wished) {
   if (wished.empty()) return;
   const SitePoints points(body);
   for (std::size_t i = 0; i < wished.size(); ++i) {
@@ -122,9 +123,9 @@ void check_sites(const Garment& garment, const Body& body, const std::vector<Sit
   }
 }
 
-std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
-                             const PosedBody& body, const WornGarment& worn,
-                             const std::vector<PerformanceMap>& maps,
+std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                             const body::PosedBody& body, const maps::WornGarment& worn,
+                             const std::vector<maps::PerformanceMap>& maps,
                              const std::vector<SiteSpec>& wished, bool with_presets,
                              std::vector<UncoveredSite>* uncovered) {
   check_sites(garment, body, wished);
@@ -154,9 +155,10 @@ std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& po
   return sites;
 }
 
-std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
-                                const std::vector<Vec3>& positions, const PosedBody& body,
-                                const WornGarment& worn, const std::vector<PerformanceMap>& maps) {
+std::vector<Site> revisit_sites(const std::vector<Site>& sites, const garment::Garment& garment,
+                                const std::vector<Vec3>& positions, const body::PosedBody& body,
+                                const maps::WornGarment& worn,
+                                const std::vector<maps::PerformanceMap>& maps) {
   if (sites.empty()) return {};
   const Finder finder{garment, positions, body, worn, maps};
   std::vector<Site> revisited = sites;
@@ -164,8 +166,8 @@ std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& g
   return revisited;
 }
 
-std::vector<Attachment> site_boards(const std::vector<SiteSpec>& sites) {
-  std::vector<Attachment> boards;
+std::vector<garment::Attachment> site_boards(const std::vector<SiteSpec>& sites) {
+  std::vector<garment::Attachment> boards;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const SiteSpec& site = sites[i];
     if (!site.board) continue;
@@ -176,7 +178,7 @@ std::vector<Attachment> site_boards(const std::vector<SiteSpec>& sites) {
     if (site.panel.empty())
       throw InvalidInput(InputPlace{"", 0, site_key(i, "board")}, "a board without a place",
                          "panel and at", "");
-    Board board;
+    garment::Board board;
     board.centre = site.at;
     board.angle = site.angle;
     if (site.footprint.kind == FootprintShape::Kind::disc)
@@ -191,4 +193,4 @@ std::vector<Attachment> site_boards(const std::vector<SiteSpec>& sites) {
   return boards;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

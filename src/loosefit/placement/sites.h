@@ -13,7 +13,7 @@
 #include "loosefit/placement/footprint.h"
 #include "loosefit/placement/site_spec.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// A place on the garment with what a sensor would meet there.
 struct Site {
@@ -22,7 +22,7 @@ struct Site {
   Vec2 at = Vec2::Zero();          ///< pattern coordinates [m]
   Vec3 position = Vec3::Zero();    ///< on the draped garment [m]
   Vec3 body_point = Vec3::Zero();  ///< the skin under it: its partner on the body [m]
-  Region region = Region::chest;
+  body::Region region = body::Region::chest;
   std::map<std::string, FootprintValue> values;  ///< by PerformanceMap::array
   GarmentPoint point = {};                       ///< the same as `panel` and `at`
   std::optional<BodyAddress> anatomy = {};       ///< of body_point; nothing without landmarks
@@ -49,26 +49,28 @@ struct UncoveredSite {
 /// error. Every site has both addresses. \throws InvalidInput with a key as check_sites: unknown
 /// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
 /// not cover (with the nearest place that it does).
-std::vector<Site> find_sites(const Garment& garment, const std::vector<Vec3>& positions,
-                             const PosedBody& body, const WornGarment& worn,
-                             const std::vector<PerformanceMap>& maps,
+std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                             const body::PosedBody& body, const maps::WornGarment& worn,
+                             const std::vector<maps::PerformanceMap>& maps,
                              const std::vector<SiteSpec>& wished, bool with_presets = true,
                              std::vector<UncoveredSite>* uncovered = nullptr);
 
 /// The same sensors in another drape of the same garment (other posture, repeat): pattern place and
 /// footprint are kept, everything that depends on drape and body is made anew.
-std::vector<Site> revisit_sites(const std::vector<Site>& sites, const Garment& garment,
-                                const std::vector<Vec3>& positions, const PosedBody& body,
-                                const WornGarment& worn, const std::vector<PerformanceMap>& maps);
+std::vector<Site> revisit_sites(const std::vector<Site>& sites, const garment::Garment& garment,
+                                const std::vector<Vec3>& positions, const body::PosedBody& body,
+                                const maps::WornGarment& worn,
+                                const std::vector<maps::PerformanceMap>& maps);
 
 /// What can be said of wished sites before the garment is draped: panel, place in it, landmark and
 /// anatomical address. \throws InvalidInput with key `site[i].panel`, `.at`, `.landmark`,
 /// `.segment`, `.side` or `.ratios`.
-void check_sites(const Garment& garment, const Body& body, const std::vector<SiteSpec>& wished);
+void check_sites(const garment::Garment& garment, const body::Body& body,
+                 const std::vector<SiteSpec>& wished);
 
 /// The boards of sites with a place in the pattern as attachments of the same name, disc or
 /// rectangle as their footprint. \throws InvalidInput, key `site[i].footprint`, for a board under a
 /// line; `site[i].board` for a site without a place in the pattern.
-std::vector<Attachment> site_boards(const std::vector<SiteSpec>& sites);
+std::vector<garment::Attachment> site_boards(const std::vector<SiteSpec>& sites);
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 namespace {
 
 constexpr double kResolution = 1e-6;  // [m]
@@ -73,4 +73,4 @@ Tolerance tolerance(const FlatScore& score, const Vec2& at, const Vec2& directio
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::placement {
 
 /// Score of a place of one panel by its flat coordinates [m]; nothing outside the panel, and where
 /// no sensor may be.
@@ -34,4 +34,4 @@ struct Tolerance {
 Tolerance tolerance(const FlatScore& score, const Vec2& at, const Vec2& direction,
                     const ToleranceOptions& options = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::placement

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-namespace loosefit {
+namespace loosefit::render {
 
-ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep) {
+ClippedSurface clipped(const geometry::TriangleMesh& mesh, const std::vector<double>& keep) {
   ClippedSurface result;
-  TriangleMesh& part = result.mesh;
+  geometry::TriangleMesh& part = result.mesh;
   std::vector<int> kept(mesh.vertices.size(), -1);
   std::map<std::pair<int, int>, int> split;
   // Vertices of the part: kept ones once each, and one on every edge that is cut.
@@ -48,7 +48,7 @@ ClippedSurface clipped(const TriangleMesh& mesh, const std::vector<double>& keep
   return result;
 }
 
-void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<int, 2>>& rim,
+void close_with_fan(geometry::TriangleMesh& mesh, const std::vector<std::array<int, 2>>& rim,
                     const Vec3& outwards) {
   if (rim.empty()) return;
   Vec3 centre = Vec3::Zero();
@@ -58,9 +58,9 @@ void close_with_fan(TriangleMesh& mesh, const std::vector<std::array<int, 2>>& r
     const int first = static_cast<int>(mesh.vertices.size());
     const Vec3 a = mesh.vertices[i], b = mesh.vertices[j];
     mesh.vertices.insert(mesh.vertices.end(), {centre, a, b});
-    const bool flip = triangle_normal(centre, a, b).dot(outwards) < 0;
+    const bool flip = geometry::triangle_normal(centre, a, b).dot(outwards) < 0;
     mesh.triangles.push_back({first, first + (flip ? 2 : 1), first + (flip ? 1 : 2)});
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 using Lab = Eigen::Vector3d;
 
@@ -94,11 +94,11 @@ const ColourTable& diverging_colours() {
   return table;
 }
 
-const ColourTable& colours_of(const PerformanceMap& map) {
+const ColourTable& colours_of(const maps::PerformanceMap& map) {
   return map.diverging ? diverging_colours() : sequential_colours();
 }
 
-double colour_share(const PerformanceMap& map, double value) {
+double colour_share(const maps::PerformanceMap& map, double value) {
   if (std::isnan(value)) return value;
   const std::vector<double>& breaks = map.breaks;
   if (breaks.size() < 2)
@@ -111,4 +111,4 @@ double colour_share(const PerformanceMap& map, double value) {
   return 0;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

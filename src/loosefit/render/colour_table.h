@@ -4,7 +4,7 @@
 
 #include "loosefit/maps/performance_map.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 using Rgb = std::array<std::uint8_t, 3>;
 using ColourTable = std::array<Rgb, 256>;
@@ -18,12 +18,12 @@ const ColourTable& sequential_colours();
 const ColourTable& diverging_colours();
 
 /// The table a map is drawn with.
-const ColourTable& colours_of(const PerformanceMap& map);
+const ColourTable& colours_of(const maps::PerformanceMap& map);
 
 inline constexpr Rgb kUndefinedColour = {128, 128, 128};  ///< NaN
 
 /// Place of a value on the map's colour bar: 0 at range_low, 1 at range_high, linear between the
 /// map's breaks; beyond the ends it stays at them. NaN for NaN.
-double colour_share(const PerformanceMap& map, double value);
+double colour_share(const maps::PerformanceMap& map, double value);
 
-}  // namespace loosefit
+}  // namespace loosefit::render

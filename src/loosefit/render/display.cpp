@@ -10,7 +10,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 constexpr const char* kHint =
     "start it with: xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" loosefit …   (package "
@@ -54,4 +54,4 @@ void check_display() {
     throw Error("pictures need a display: no X server answers at DISPLAY '" + text + "'", kHint);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-namespace loosefit {
+namespace loosefit::render {
 
-GarmentLines garment_lines(const Garment& garment) {
+GarmentLines garment_lines(const garment::Garment& garment) {
   struct Side {
     int panel = 0;
     Vec2 low, high;  ///< pattern position at the lower and the higher vertex
@@ -33,4 +33,4 @@ GarmentLines garment_lines(const Garment& garment) {
   return lines;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -4,7 +4,7 @@
 
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 /// Mesh edges to be drawn on a garment.
 struct GarmentLines {
@@ -13,6 +13,6 @@ struct GarmentLines {
 };
 
 /// Sorted by vertex index, so equal garments give equal pictures.
-GarmentLines garment_lines(const Garment& garment);
+GarmentLines garment_lines(const garment::Garment& garment);
 
-}  // namespace loosefit
+}  // namespace loosefit::render

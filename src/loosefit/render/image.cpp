@@ -17,7 +17,7 @@
 
 VTK_MODULE_INIT(vtkRenderingFreeType)
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 /// 8-bit value → linear light.
 const std::array<float, 256>& linear_light() {
@@ -102,4 +102,4 @@ void write_png(const std::filesystem::path& path, const Image& image) {
     throw IoError("cannot write " + path.string(), "is the folder there, writable and not full?");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

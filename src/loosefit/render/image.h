@@ -5,7 +5,7 @@
 
 #include "loosefit/render/colour_table.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 /// 8-bit RGB raster, row 0 at the top.
 struct Image {
@@ -33,4 +33,4 @@ void draw_text(Image& image, const std::string& text, int x, int y, int size, in
 /// \throws IoError when the file cannot be written in full.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-}  // namespace loosefit
+}  // namespace loosefit::render

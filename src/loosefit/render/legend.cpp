@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::render {
 
 std::string tick_text(double value) {
   char text[32];
@@ -13,7 +13,7 @@ std::string tick_text(double value) {
   return text[0] == '-' ? "\u2212" + std::string(text + 1) : text;
 }
 
-void draw_legend(Image& image, const PerformanceMap& map, int height) {
+void draw_legend(Image& image, const maps::PerformanceMap& map, int height) {
   // Title with unit above the bar.
   const int top = image.height - height, text_size = height / 5;
   const int left = image.width / 8, right = image.width - left;
@@ -53,4 +53,4 @@ void draw_legend(Image& image, const PerformanceMap& map, int height) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -8,7 +8,7 @@
 #include "loosefit/render/clipped_surface.h"
 #include "loosefit/render/garment_lines.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 constexpr double kNeckShare =
     0.4;  // of the way from the neck joint to the head joint: below the jaw
@@ -16,34 +16,35 @@ constexpr double kInsideCloth = 0.03;  // the form ends this far above the hem [
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
 constexpr double kHanging = 0.8;       // cosine between a thigh that hangs and the vertical
 
-std::optional<Vec3> joint(const Body& body, const char* name) {
+std::optional<Vec3> joint(const body::Body& body, const char* name) {
   const auto found = body.joints.find(name);
   return found == body.joints.end() ? std::nullopt : std::optional<Vec3>(found->second);
 }
 
-bool below_waist(Segment s) {
-  return s == Segment::thigh || s == Segment::shank || s == Segment::foot;
+bool below_waist(body::Segment s) {
+  return s == body::Segment::thigh || s == body::Segment::shank || s == body::Segment::foot;
 }
 
-bool on_arm(Segment s) {
-  return s == Segment::upper_arm || s == Segment::forearm || s == Segment::hand;
+bool on_arm(body::Segment s) {
+  return s == body::Segment::upper_arm || s == body::Segment::forearm || s == body::Segment::hand;
 }
 
-bool on_trunk(const Body& body, const Vec3& p) {
+bool on_trunk(const body::Body& body, const Vec3& p) {
   double nearest = std::numeric_limits<double>::infinity();
-  Segment segment = Segment::torso;
+  body::Segment segment = body::Segment::torso;
   for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
     if (const double d = (body.surface.vertices[v] - p).squaredNorm(); d < nearest) {
       nearest = d;
       segment = body.segment[v];
     }
-  return segment == Segment::torso || below_waist(segment);
+  return segment == body::Segment::torso || below_waist(segment);
 }
 
 /// Height along the trunk axis at which the form ends: a little above the mean of the hem, or at
 /// its lowest point.
-double hem_height(const Body& body, const Garment& garment, const std::vector<Vec3>& positions,
-                  const Vec3& axis, const Vec3& hips, const Vec3& neck, bool at_lowest) {
+double hem_height(const body::Body& body, const garment::Garment& garment,
+                  const std::vector<Vec3>& positions, const Vec3& axis, const Vec3& hips,
+                  const Vec3& neck, bool at_lowest) {
   const double middle = 0.5 * (hips + neck).dot(axis);
   double sum = 0, lowest = std::numeric_limits<double>::infinity();
   int count = 0;
@@ -61,14 +62,14 @@ double hem_height(const Body& body, const Garment& garment, const std::vector<Ve
 struct LiftedThigh {
   int side = 0;  ///< as in Body::side
   Vec3 hip, along;
-  bool has(const Body& body, int v) const {
+  bool has(const body::Body& body, int v) const {
     return below_waist(body.segment[v]) && (body.side[v] >= 0) == (side > 0);
   }
   /// How far from the end of the stub towards the hip.
   double within_stub(const Vec3& p) const { return kThighStub - (p - hip).dot(along); }
 };
 
-std::vector<LiftedThigh> lifted_thighs(const Body& body) {
+std::vector<LiftedThigh> lifted_thighs(const body::Body& body) {
   std::vector<LiftedThigh> lifted;
   for (const auto& [side, suffix] : {std::pair{1, "_L"}, {-1, "_R"}}) {
     const auto hip = joint(body, (std::string("hip") + suffix).c_str());
@@ -93,7 +94,7 @@ struct NeckCut {
 
 /// Across the trunk's axis, for it is then seen edge-on from the front, tilted towards the neck's
 /// only as far as it takes to leave no jaw: heads lean forward.
-NeckCut neck_cut(const Body& body, const Vec3& neck, const Vec3& head, const Vec3& axis) {
+NeckCut neck_cut(const body::Body& body, const Vec3& neck, const Vec3& head, const Vec3& axis) {
   const double length = (head - neck).norm();
   NeckCut cut{neck + kNeckShare * (head - neck), axis, 0.6 * length + 0.15};
   const Vec3 along = (head - neck) / length;
@@ -101,7 +102,7 @@ NeckCut neck_cut(const Body& body, const Vec3& neck, const Vec3& head, const Vec
     cut.normal = (axis + share * (along - axis)).normalized();
     bool jaw = false;
     for (std::size_t v = 0; v < body.surface.vertices.size() && !jaw; ++v)
-      jaw = body.segment[v] == Segment::head && cut.below(body.surface.vertices[v]) > 0;
+      jaw = body.segment[v] == body::Segment::head && cut.below(body.surface.vertices[v]) > 0;
     if (!jaw) break;
   }
   return cut;
@@ -110,7 +111,8 @@ NeckCut neck_cut(const Body& body, const Vec3& neck, const Vec3& head, const Vec
 /// A body that is cut piece by piece.
 class Form {
  public:
-  explicit Form(const Body& body) : mesh_(body.surface), origin_(body.surface.vertices.size()) {
+  explicit Form(const body::Body& body)
+      : mesh_(body.surface), origin_(body.surface.vertices.size()) {
     std::iota(origin_.begin(), origin_.end(), 0);
   }
 
@@ -128,17 +130,17 @@ class Form {
     close_with_fan(mesh_, part.rim, *lid);
     origin_.resize(mesh_.vertices.size(), beside);
   }
-  TriangleMesh take() { return std::move(mesh_); }
+  geometry::TriangleMesh take() { return std::move(mesh_); }
 
  private:
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
   std::vector<int> origin_;
 };
 
 }  // namespace
 
-TriangleMesh mannequin(const Body& body, const Garment& garment,
-                       const std::vector<Vec3>& positions) {
+geometry::TriangleMesh mannequin(const body::Body& body, const garment::Garment& garment,
+                                 const std::vector<Vec3>& positions) {
   const std::vector<Vec3>& points = body.surface.vertices;
   const auto neck = joint(body, "neck"), head = joint(body, "head");
   const auto hip_left = joint(body, "hip_L"), hip_right = joint(body, "hip_R");
@@ -162,8 +164,8 @@ TriangleMesh mannequin(const Body& body, const Garment& garment,
   // Those stubs end where the cloth does, for a cut inside it would leave half of them.
   const double hem = hem_height(body, garment, positions, axis, hips, nape, !lifted.empty());
   form.cut([&](int v, const Vec3& p) {
-    const Segment segment = body.segment[v];
-    return segment == Segment::torso || below_waist(segment) ? p.dot(axis) - hem : 1.0;
+    const body::Segment segment = body.segment[v];
+    return segment == body::Segment::torso || below_waist(segment) ? p.dot(axis) - hem : 1.0;
   });
   if (neck && head && *neck != *head) {
     const NeckCut end = neck_cut(body, *neck, *head, axis);
@@ -173,4 +175,4 @@ TriangleMesh mannequin(const Body& body, const Garment& garment,
   return form.take();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -9,7 +9,7 @@
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 constexpr Rgb kCloth = {226, 231, 238};
 constexpr double kMapAmbient = 0.55;  // light left in the deepest shade of a map
@@ -37,13 +37,13 @@ Image with_foot(const Image& image, int foot) {
   return sheet;
 }
 
-void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
-                 const std::vector<PerformanceMap>& maps) {
+void check_sizes(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                 const std::vector<maps::PerformanceMap>& maps) {
   const auto n = static_cast<std::size_t>(garment.vertex_count);
   if (positions.size() != n)
     throw InvalidInput("pictures: " + std::to_string(positions.size()) + " positions for " +
                        std::to_string(n) + " garment vertices");
-  for (const PerformanceMap& map : maps)
+  for (const maps::PerformanceMap& map : maps)
     if (map.values.size() != n)
       throw InvalidInput("pictures: map " + map.array + " has " +
                          std::to_string(map.values.size()) + " values for " + std::to_string(n) +
@@ -51,24 +51,25 @@ void check_sizes(const Garment& garment, const std::vector<Vec3>& positions,
 }
 }  // namespace
 
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
-                                     const Garment& garment, const std::vector<Vec3>& positions,
-                                     const std::vector<PerformanceMap>& maps,
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const body::Body& body,
+                                     const garment::Garment& garment,
+                                     const std::vector<Vec3>& positions,
+                                     const std::vector<maps::PerformanceMap>& maps,
                                      const PictureOptions& options,
                                      const std::function<void(double)>& after_each) {
   check_sizes(garment, positions, maps);
   // One scene for all pictures: what changes is view, opacity and colours.
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
-  const TriangleMesh form = mannequin(body, garment, positions);
+  const geometry::TriangleMesh form = mannequin(body, garment, positions);
   const bool layered = !options.under.triangles.empty();
   Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams,
                layered ? &options.under : nullptr},
               options.width, options.height - foot, options.supersampling,
               options.ambient_occlusion);
   // Pictures in all, for the progress.
-  std::vector<const PerformanceMap*> drawn;
-  for (const PerformanceMap& map : maps)
+  std::vector<const maps::PerformanceMap*> drawn;
+  for (const maps::PerformanceMap& map : maps)
     if (map.pictured) drawn.push_back(&map);
   const double total = static_cast<double>(
       options.views.size() * (drawn.size() + (options.undecorated ? (layered ? 2 : 1) : 0)));
@@ -98,7 +99,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
       scene.set_opacity(1);
     }
     // The maps, each with its legend below.
-    for (const PerformanceMap* map : drawn) {
+    for (const maps::PerformanceMap* map : drawn) {
       Image image = with_foot(
           scaled_down(lit(scene.colours(map), light, kMapAmbient), options.supersampling), foot);
       draw_legend(image, *map, foot);
@@ -108,4 +109,4 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Bod
   return pictures;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -9,7 +9,7 @@
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/render/view.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 /// Size and quality of the pictures.
 struct PictureOptions {
@@ -17,8 +17,8 @@ struct PictureOptions {
   int supersampling = 2;           ///< drawn this many times larger, then averaged down
   bool ambient_occlusion = true;   ///< depth in the folds; about half a second per picture
   std::vector<View> views = {View::front, View::back};
-  bool undecorated = true;  ///< also the plain drape: drape-<view>.png
-  TriangleMesh under;       ///< cloth worn under the garment, in a colour of its own
+  bool undecorated = true;       ///< also the plain drape: drape-<view>.png
+  geometry::TriangleMesh under;  ///< cloth worn under the garment, in a colour of its own
 };
 
 /// One written picture.
@@ -33,10 +33,11 @@ struct Picture {
 /// grey. Cloth worn under the garment is drawn too, and with `undecorated` also through the
 /// garment: layers-<view>.png. `after_each` is called with the share done and may throw to stop.
 /// \throws Error when there is no X display (check_display), IoError when a file cannot be written.
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const Body& body,
-                                     const Garment& garment, const std::vector<Vec3>& positions,
-                                     const std::vector<PerformanceMap>& maps,
+std::vector<Picture> render_pictures(const std::filesystem::path& dir, const body::Body& body,
+                                     const garment::Garment& garment,
+                                     const std::vector<Vec3>& positions,
+                                     const std::vector<maps::PerformanceMap>& maps,
                                      const PictureOptions& options = {},
                                      const std::function<void(double)>& after_each = nullptr);
 
-}  // namespace loosefit
+}  // namespace loosefit::render

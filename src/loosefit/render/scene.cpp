@@ -27,7 +27,7 @@
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkInteractionStyle)
 
-namespace loosefit {
+namespace loosefit::render {
 namespace {
 constexpr Rgb kMannequin = {176, 176, 176};
 constexpr Rgb kUnder = {150, 166, 200};
@@ -52,7 +52,8 @@ void set_surface(vtkPolyData* data, const std::vector<Vec3>& positions,
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  for (const Vec3& n : vertex_normals(positions, triangles)) normals->InsertNextTuple(n.data());
+  for (const Vec3& n : geometry::vertex_normals(positions, triangles))
+    normals->InsertNextTuple(n.data());
   data->SetPoints(points_of(positions));
   data->SetPolys(cells);
   data->GetPointData()->SetNormals(normals);
@@ -239,7 +240,7 @@ Image Scene::light() {
   return w.draw();
 }
 
-Image Scene::colours(const PerformanceMap* map, Rgb cloth) {
+Image Scene::colours(const maps::PerformanceMap* map, Rgb cloth) {
   Window& w = *window_;
   w.renderer->SetUseSSAO(false);
   for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, false);
@@ -272,4 +273,4 @@ Image Scene::colours(const PerformanceMap* map, Rgb cloth) {
   return w.draw();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

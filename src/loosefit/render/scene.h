@@ -8,16 +8,16 @@
 #include "loosefit/render/image.h"
 #include "loosefit/render/view.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 /// What stands before the camera.
 struct SceneContent {
-  const TriangleMesh& body;
-  const std::vector<Vec3>& positions;      ///< garment
-  const std::vector<Triangle>& triangles;  ///< garment
-  std::vector<std::array<int, 2>> lines;   ///< dark lines on the garment (vertex pairs)
-  std::vector<std::array<int, 2>> seams;   ///< thinner lines
-  const TriangleMesh* under = nullptr;     ///< cloth between body and garment
+  const geometry::TriangleMesh& body;
+  const std::vector<Vec3>& positions;             ///< garment
+  const std::vector<Triangle>& triangles;         ///< garment
+  std::vector<std::array<int, 2>> lines;          ///< dark lines on the garment (vertex pairs)
+  std::vector<std::array<int, 2>> seams;          ///< thinner lines
+  const geometry::TriangleMesh* under = nullptr;  ///< cloth between body and garment
 };
 
 /// One VTK window that draws a garment on its mannequin. Light and colour are drawn apart, because
@@ -35,11 +35,11 @@ class Scene {
   /// Grey light of the scene as if all was white, 0..255; background 255. Not scaled down.
   Image light();
   /// Unlit colours: garment by `map` (plain `cloth` when null), mannequin, lines. Not scaled down.
-  Image colours(const PerformanceMap* map, Rgb cloth = {255, 255, 255});
+  Image colours(const maps::PerformanceMap* map, Rgb cloth = {255, 255, 255});
 
  private:
   struct Window;
   std::unique_ptr<Window> window_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::render

@@ -2,7 +2,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::render {
 
 const char* name(View view) {
   switch (view) {
@@ -24,4 +24,4 @@ View view_from_name(const std::string& text) {
   throw InvalidInput("unknown view '" + text + "', expected front, back, left or right");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::render

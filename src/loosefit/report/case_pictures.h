@@ -6,16 +6,16 @@
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Draws a case into its folder, as [output] of its scenario asks: every map of the studied garment
 /// into maps/, those of the garments under it into their folders, plain pictures of the postures of
 /// the first donning into theirs. Returns those of the studied garment in the reference state.
 /// \throws as render_pictures, Cancelled.
-std::vector<Picture> draw_case(const std::filesystem::path& folder, const CaseResult& result,
-                               Progress& progress);
+std::vector<render::Picture> draw_case(const std::filesystem::path& folder,
+                                       const study::CaseResult& result, Progress& progress);
 
 /// Names of the files that draw_case may write for a scenario, relative to its folder.
-std::vector<std::filesystem::path> planned_pictures(const Scenario& scenario);
+std::vector<std::filesystem::path> planned_pictures(const scenario::Scenario& scenario);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -7,7 +7,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -90,4 +90,4 @@ std::string Table::html() const {
          "</tbody></table></div>\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

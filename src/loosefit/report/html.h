@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Text safe inside elements and quoted attributes; control characters and what is not UTF-8 are
 /// replaced by U+FFFD.
@@ -35,4 +35,4 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -4,13 +4,13 @@
 
 #include "loosefit/report/html.h"
 
-namespace loosefit {
-std::string with_unit(const PerformanceMap& map) {
+namespace loosefit::report {
+std::string with_unit(const maps::PerformanceMap& map) {
   const std::string unit = map.percent ? "%" : map.unit;
   return unit.empty() || unit == "–" ? map.title : map.title + " [" + unit + "]";
 }
 
-std::string value_text(const PerformanceMap& map, double value) {
+std::string value_text(const maps::PerformanceMap& map, double value) {
   return fixed(map.percent ? 100 * value : value, map.decimals);
 }
 
@@ -19,4 +19,4 @@ std::string spaced(std::string text) {
   return text;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

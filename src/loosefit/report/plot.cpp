@@ -10,7 +10,7 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/svg.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 constexpr double kWidth = 560;
@@ -164,4 +164,4 @@ std::string svg_plot(const Plot& plot) {
   return svg + "</svg>\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Curves and points over two axes, for a page.
 struct Plot {
@@ -32,4 +32,4 @@ struct AxisTicks {
 /// logarithmic
 AxisTicks axis_ticks(const std::vector<double>& values, bool logarithmic);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

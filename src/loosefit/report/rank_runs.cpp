@@ -17,23 +17,23 @@
 #include "loosefit/study/rank_case.h"
 #include "loosefit/study/run_case.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 /// The drape to be judged: an earlier output, or a scenario that is run first; with its maps.
-CaseResult mapped_case(const std::string& input, bool allow_unsettled, Progress& progress) {
-  CaseResult result;
+study::CaseResult mapped_case(const std::string& input, bool allow_unsettled, Progress& progress) {
+  study::CaseResult result;
   if (std::filesystem::is_directory(input)) {
-    result = load_case(input, progress);
+    result = study::load_case(input, progress);
   } else {
-    RunOptions options;
+    study::RunOptions options;
     options.allow_unsettled = allow_unsettled;
     options.only_drape = true;
-    result = run_case(read_scenario(input), progress, options);
+    result = study::run_case(io::read_scenario(input), progress, options);
   }
   progress.stage("maps");
   try {
-    result.take_maps(map_case(result, allow_unsettled));
+    result.take_maps(study::map_case(result, allow_unsettled));
   } catch (const Error& error) {
     if (result.certificate().holds()) throw;
     throw Error(input + ": " + error.what(), error.hint());  // which of several
@@ -74,20 +74,20 @@ std::string folder_of(const RankRuns& asked) {
 }  // namespace
 
 RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
-                     const std::function<void(const RankingTable&)>& before_writing) {
+                     const std::function<void(const placement::RankingTable&)>& before_writing) {
   // What can fail early does so before the runs.
   const std::vector<std::string> names = names_of(asked.inputs);
   RankedRuns ranked;
   ranked.folder = folder_of(asked);
-  std::optional<RunFolder> files;
+  std::optional<io::RunFolder> files;
   if (!ranked.folder.empty()) {
-    files.emplace(asked.output.empty() ? RunFolder::update(ranked.folder, "ranking")
-                                       : RunFolder::add(ranked.folder, "ranking"));
+    files.emplace(asked.output.empty() ? io::RunFolder::update(ranked.folder, "ranking")
+                                       : io::RunFolder::add(ranked.folder, "ranking"));
     files->announce(ranking_files(asked.wish.scorecard.name));
   }
 
-  std::deque<CaseResult> results;
-  std::vector<RankedRun> runs;
+  std::deque<study::CaseResult> results;
+  std::vector<study::RankedRun> runs;
   for (std::size_t i = 0; i < names.size(); ++i) {
     results.push_back(mapped_case(asked.inputs[i], asked.allow_unsettled, progress));
     runs.push_back({names[i], &results.back()});
@@ -95,15 +95,15 @@ RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
 
   StageClock clock(progress);
   clock.stage("placement");
-  RankingWish wish = asked.wish;
+  placement::RankingWish wish = asked.wish;
   wish.progress = [&clock](double share) {
     clock.check_cancelled();
     clock.update(share, "search");
   };
-  ranked.table = rank_cases(runs, wish, asked.with_sites);
+  ranked.table = study::rank_cases(runs, wish, asked.with_sites);
   clock.stop();
   ranked.all_hold = std::ranges::all_of(
-      results, [](const CaseResult& result) { return result.certificate().holds(); });
+      results, [](const study::CaseResult& result) { return result.certificate().holds(); });
 
   if (before_writing) before_writing(ranked.table);
   if (files) {
@@ -114,4 +114,4 @@ RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
   return ranked;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -6,13 +6,13 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/placement/site_ranking.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// A ranking over several runs as the samples of one population.
 struct RankRuns {
   /// Folders of earlier runs or drapes, or scenario files, which are run first.
   std::vector<std::string> inputs;
-  RankingWish wish;
+  placement::RankingWish wish;
   bool with_sites = true;        ///< rank the sites of the first scenario, and presets
   bool allow_unsettled = false;  ///< rank even by a drape that is not settled and worn
   /// Folder for the files of the ranking; empty: the input, if it is a single folder, else none.
@@ -21,7 +21,7 @@ struct RankRuns {
 
 /// What it gave.
 struct RankedRuns {
-  RankingTable table;
+  placement::RankingTable table;
   bool all_hold = true;   ///< the drapes of all runs are settled and worn
   std::string folder;     ///< with the files; empty when none were written
   std::string set_aside;  ///< as FolderOutput::set_aside
@@ -30,7 +30,8 @@ struct RankedRuns {
 /// `loosefit rank`. `before_writing` gets the ranking before its files are written, which may fail.
 /// \throws InvalidInput for the same input twice, which would count as two
 /// samples; as load_case, run_case, rank_cases, RunFolder.
-RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
-                     const std::function<void(const RankingTable&)>& before_writing = nullptr);
+RankedRuns rank_runs(
+    const RankRuns& asked, Progress& progress,
+    const std::function<void(const placement::RankingTable&)>& before_writing = nullptr);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -15,18 +15,18 @@
 #include "loosefit/placement/derived_metrics.h"
 #include "loosefit/report/sewing_plan.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Values of every metric of one site over its samples; NaN where a sample lacks one.
-std::map<std::string, std::vector<double>> by_metric(const SiteSamples& site,
-                                                     const Scorecard& scorecard) {
+std::map<std::string, std::vector<double>> by_metric(const placement::SiteSamples& site,
+                                                     const placement::Scorecard& scorecard) {
   std::map<std::string, std::vector<double>> values;
   for (std::size_t k = 0; k < site.samples.size(); ++k)
     for (const auto& [name, value] :
-         with_derived(site.samples[k], scorecard.parameters, scorecard.footprint)) {
+         placement::with_derived(site.samples[k], scorecard.parameters, scorecard.footprint)) {
       auto& list = values[name];
       list.resize(site.samples.size(), std::nan(""));
       list[k] = value;
@@ -39,29 +39,30 @@ double known_median(std::vector<double> values) {
   return median(values);
 }
 
-const char* word(Tolerance::End end) {
-  return end == Tolerance::End::score     ? "score"
-         : end == Tolerance::End::outline ? "outline"
-                                          : "reach";
+const char* word(placement::Tolerance::End end) {
+  return end == placement::Tolerance::End::score     ? "score"
+         : end == placement::Tolerance::End::outline ? "outline"
+                                                     : "reach";
 }
 
 /// Sites that fail altogether are not better or worse than each other.
-bool fails_or_unrated(const RankedSite& site) {
+bool fails_or_unrated(const placement::RankedSite& site) {
   return !site.score.rated() || site.score.robust <= 0;
 }
 
-bool shared(const RankedSite& site, const Ranking& ranking) {
-  return std::count_if(ranking.sites.begin(), ranking.sites.end(),
-                       [&](const RankedSite& other) { return other.rank == site.rank; }) > 1;
+bool shared(const placement::RankedSite& site, const placement::Ranking& ranking) {
+  return std::count_if(
+             ranking.sites.begin(), ranking.sites.end(),
+             [&](const placement::RankedSite& other) { return other.rank == site.rank; }) > 1;
 }
 
-std::string range(const std::optional<Interval>& interval, int decimals) {
+std::string range(const std::optional<placement::Interval>& interval, int decimals) {
   if (!interval) return {};
   return fmt::format("{:.{}f}-{:.{}f}", interval->low, decimals, interval->high, decimals);
 }
 
 /// The sample that a robust score is that of, by name, where there are several.
-std::string worst_sample(const RankingTable& table, const RankedSite& site) {
+std::string worst_sample(const placement::RankingTable& table, const placement::RankedSite& site) {
   const int sample = site.score.robust_sample;
   return table.sample_names.size() > 1 && sample >= 0 &&
                  sample < static_cast<int>(table.sample_names.size())
@@ -70,9 +71,10 @@ std::string worst_sample(const RankingTable& table, const RankedSite& site) {
 }
 
 /// Cells of the terminal table; with one sample there is nothing to say on spread.
-std::vector<std::string> text_row(const RankingTable& table, const RankedSite& site) {
-  const Ranking& ranking = table.ranking;
-  const SiteScore& score = site.score;
+std::vector<std::string> text_row(const placement::RankingTable& table,
+                                  const placement::RankedSite& site) {
+  const placement::Ranking& ranking = table.ranking;
+  const placement::SiteScore& score = site.score;
   const bool many = ranking.samples > 1;
   if (!score.rated()) {
     std::vector<std::string> row = {"-", printable(site.name),
@@ -98,11 +100,11 @@ double readable(double value) { return std::round(value * 1e8) / 1e8; }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json interval_json(const std::optional<Interval>& interval) {
+Json interval_json(const std::optional<placement::Interval>& interval) {
   return interval ? Json{interval->low, interval->high} : Json(nullptr);
 }
 
-Json tolerance_json(const std::optional<Tolerance>& tolerance) {
+Json tolerance_json(const std::optional<placement::Tolerance>& tolerance) {
   if (!tolerance) return nullptr;
   return {{"along_mm", 1e3 * tolerance->along},
           {"around_mm", 1e3 * tolerance->around},
@@ -111,32 +113,32 @@ Json tolerance_json(const std::optional<Tolerance>& tolerance) {
           {"along_in_pattern", {tolerance->direction.x(), tolerance->direction.y()}}};
 }
 
-Json address_json(const std::optional<BodyAddress>& address) {
+Json address_json(const std::optional<placement::BodyAddress>& address) {
   if (!address) return nullptr;
   const Vec3& percent = address->percent;
   return {{"words", address->str()},
-          {"segment", name(address->segment)},
-          {"side", side_name(*address)},
+          {"segment", placement::name(address->segment)},
+          {"side", io::side_name(*address)},
           {"percent", {percent.x(), percent.y(), percent.z()}}};
 }
 
-Json footprint_json(const FootprintShape& shape) {
+Json footprint_json(const placement::FootprintShape& shape) {
   switch (shape.kind) {
-    case FootprintShape::Kind::disc:
+    case placement::FootprintShape::Kind::disc:
       return {{"radius_m", shape.radius}};
-    case FootprintShape::Kind::rectangle:
+    case placement::FootprintShape::Kind::rectangle:
       return {{"size_m", {shape.size.x(), shape.size.y()}}};
-    case FootprintShape::Kind::line:
+    case placement::FootprintShape::Kind::line:
       return {{"length_m", shape.length}};
-    case FootprintShape::Kind::girth:
+    case placement::FootprintShape::Kind::girth:
       break;
   }
   return {{"girth", true}};
 }
 
-Json site_json(const RankingTable& table, const RankedSite& site) {
-  const RankedPlace& place = table.places[site.index];
-  const SiteScore& score = site.score;
+Json site_json(const placement::RankingTable& table, const placement::RankedSite& site) {
+  const placement::RankedPlace& place = table.places[site.index];
+  const placement::SiteScore& score = site.score;
   const bool rated = score.rated();
   Json json = {{"name", site.name},
                {"rank", fails_or_unrated(site) ? Json(nullptr) : Json(site.rank)},
@@ -173,48 +175,49 @@ Json site_json(const RankingTable& table, const RankedSite& site) {
   return json;
 }
 
-std::vector<std::string> csv_row(const RankingTable& table, const RankedSite& site,
+std::vector<std::string> csv_row(const placement::RankingTable& table,
+                                 const placement::RankedSite& site,
                                  const std::set<std::string>& metrics) {
-  const RankedPlace& place = table.places[site.index];
-  const SiteScore& score = site.score;
-  const auto rated = [&](double v) { return score.rated() ? csv_field(v) : std::string(); };
+  const placement::RankedPlace& place = table.places[site.index];
+  const placement::SiteScore& score = site.score;
+  const auto rated = [&](double v) { return score.rated() ? io::csv_field(v) : std::string(); };
   std::vector<std::string> row = {fails_or_unrated(site) ? "" : std::to_string(site.rank),
-                                  csv_field(site.name), rated(score.robust), rated(score.median),
-                                  rated(score.passing)};
+                                  io::csv_field(site.name), rated(score.robust),
+                                  rated(score.median), rated(score.passing)};
   for (const auto& interval : {site.robust_interval, site.median_interval, site.rank_interval}) {
-    row.push_back(interval ? csv_field(interval->low) : "");
-    row.push_back(interval ? csv_field(interval->high) : "");
+    row.push_back(interval ? io::csv_field(interval->low) : "");
+    row.push_back(interval ? io::csv_field(interval->high) : "");
   }
   for (const std::string& text :
        {join(site.tied_with, "; "), score.rated() ? score.metric : "", score.reason,
         worst_sample(table, site), place.region, place.panel})
-    row.push_back(csv_field(text));
+    row.push_back(io::csv_field(text));
   for (double v :
        {place.at.x(), place.at.y(), degrees(place.angle), place.position.x(), place.position.y(),
         place.position.z(), 1e3 * place.to_seam, 1e3 * place.to_edge})
-    row.push_back(csv_field(readable(v)));
-  for (const std::string& text : address_fields(place.anatomy)) row.push_back(text);
-  row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->along) : "");
-  row.push_back(place.tolerance ? csv_field(1e3 * place.tolerance->around) : "");
+    row.push_back(io::csv_field(readable(v)));
+  for (const std::string& text : io::address_fields(place.anatomy)) row.push_back(text);
+  row.push_back(place.tolerance ? io::csv_field(1e3 * place.tolerance->along) : "");
+  row.push_back(place.tolerance ? io::csv_field(1e3 * place.tolerance->around) : "");
   const auto values = by_metric(table.sites[site.index], table.scorecard);
   for (const std::string& metric : metrics)
-    row.push_back(values.count(metric) ? csv_field(known_median(values.at(metric))) : "");
+    row.push_back(values.count(metric) ? io::csv_field(known_median(values.at(metric))) : "");
   return row;
 }
 
 }  // namespace
 
-std::vector<std::string> ranking_notes(const RankingTable& table) {
+std::vector<std::string> ranking_notes(const placement::RankingTable& table) {
   std::vector<std::string> notes = table.ranking.notes;
   if (!table.scorecard.left_out.empty()) {
     std::vector<std::string> left_out;
     for (const std::string& metric : table.scorecard.left_out)
-      left_out.push_back(metric_with_need(metric));
+      left_out.push_back(placement::metric_with_need(metric));
     notes.push_back("scores are upper bounds: not looked at: " + join(left_out));
   }
   notes.insert(notes.end(), table.notes.begin(), table.notes.end());
   std::vector<std::string> presets, own;
-  for (const UncoveredSite& site : table.uncovered)
+  for (const placement::UncoveredSite& site : table.uncovered)
     (site.preset ? presets : own)
         .push_back(site.preset ? site.name : site.name + " (" + site.why + ")");
   if (!own.empty()) notes.push_back("not covered by the garment, so not ranked: " + join(own));
@@ -223,15 +226,15 @@ std::vector<std::string> ranking_notes(const RankingTable& table) {
   return notes;
 }
 
-std::string rank_text(const RankedSite& site, const Ranking& ranking) {
+std::string rank_text(const placement::RankedSite& site, const placement::Ranking& ranking) {
   if (fails_or_unrated(site)) return "-";
   return std::to_string(site.rank) + (shared(site, ranking) ? "=" : "");
 }
 
-std::string ranking_verdict(const RankingTable& table) {
+std::string ranking_verdict(const placement::RankingTable& table) {
   if (table.ranking.sites.empty()) return {};
-  const RankedSite& first = table.ranking.sites.front();
-  const SiteScore& score = first.score;
+  const placement::RankedSite& first = table.ranking.sites.front();
+  const placement::SiteScore& score = first.score;
   if (!score.rated()) return "no site can be rated: " + first.name + " is " + score.reason;
   if (score.robust >= table.scorecard.pass) return {};
   if (score.robust <= 0 && table.ranking.sites.size() > 1)
@@ -241,11 +244,12 @@ std::string ranking_verdict(const RankingTable& table) {
                      score.robust, table.scorecard.pass, score.reason);
 }
 
-std::string ranking_text(const RankingTable& table) {
+std::string ranking_text(const placement::RankingTable& table) {
   std::vector<std::vector<std::string>> rows = {{"rank", "site", "score", "limited by"}};
   if (table.ranking.samples > 1)
     rows = {{"rank", "site", "score", "90 %", "median", "pass", "rank 90 %", "limited by"}};
-  for (const RankedSite& site : table.ranking.sites) rows.push_back(text_row(table, site));
+  for (const placement::RankedSite& site : table.ranking.sites)
+    rows.push_back(text_row(table, site));
   std::vector<std::size_t> width(rows[0].size(), 0);
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
@@ -265,9 +269,9 @@ std::string ranking_text(const RankingTable& table) {
   return text;
 }
 
-std::string ranking_csv(const RankingTable& table) {
+std::string ranking_csv(const placement::RankingTable& table) {
   std::set<std::string> metrics;
-  for (const SiteSamples& site : table.sites)
+  for (const placement::SiteSamples& site : table.sites)
     for (const auto& entry : by_metric(site, table.scorecard)) metrics.insert(entry.first);
   // clang-format off
   std::vector<std::string> head = {
@@ -276,26 +280,27 @@ std::string ranking_csv(const RankingTable& table) {
       "limiting_reason", "limiting_sample", "region", "panel", "u_m", "v_m", "angle_deg", "x_m",
       "y_m", "z_m", "to_seam_mm", "to_edge_mm"};
   // clang-format on
-  head.insert(head.end(), address_columns().begin(), address_columns().end());
+  head.insert(head.end(), io::address_columns().begin(), io::address_columns().end());
   head.insert(head.end(), {"tolerance_along_mm", "tolerance_around_mm"});
   head.insert(head.end(), metrics.begin(), metrics.end());
-  std::string text = csv_line(head);
-  for (const RankedSite& site : table.ranking.sites)
-    text += csv_line(csv_row(table, site, metrics));
+  std::string text = io::csv_line(head);
+  for (const placement::RankedSite& site : table.ranking.sites)
+    text += io::csv_line(csv_row(table, site, metrics));
   return text;
 }
 
-std::string ranking_json(const RankingTable& table) {
+std::string ranking_json(const placement::RankingTable& table) {
   Json json = {{"modality", table.scorecard.name},     {"title", table.scorecard.title},
                {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
                {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
                {"left_out", table.scorecard.left_out}, {"notes", ranking_notes(table)}};
   json["verdict"] = ranking_verdict(table);
   json["uncovered"] = Json::array();
-  for (const UncoveredSite& site : table.uncovered)
+  for (const placement::UncoveredSite& site : table.uncovered)
     json["uncovered"].push_back({{"name", site.name}, {"preset", site.preset}, {"why", site.why}});
   Json& sites = json["sites"] = Json::array();
-  for (const RankedSite& site : table.ranking.sites) sites.push_back(site_json(table, site));
+  for (const placement::RankedSite& site : table.ranking.sites)
+    sites.push_back(site_json(table, site));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -304,12 +309,12 @@ std::vector<std::string> ranking_files(const std::string& scorecard) {
           "sewing-plan-" + scorecard + ".svg"};
 }
 
-void write_ranking(const std::filesystem::path& folder, const RankingTable& table,
-                   const Pattern& pattern) {
+void write_ranking(const std::filesystem::path& folder, const placement::RankingTable& table,
+                   const pattern::Pattern& pattern) {
   const std::vector<std::string> files = ranking_files(table.scorecard.name);
-  write_text_file((folder / files[0]).string(), ranking_csv(table));
-  write_text_file((folder / files[1]).string(), ranking_json(table));
-  write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
+  io::write_text_file((folder / files[0]).string(), ranking_csv(table));
+  io::write_text_file((folder / files[1]).string(), ranking_json(table));
+  io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -1,6 +1,6 @@
 #include "loosefit/report/report_style.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 const char* const kReportStyle = R"css(
 :root { --ink: #1c2126; --soft: #5b6670; --rule: #d9dee3; --paper: #ffffff; --wash: #f4f6f8;
@@ -42,4 +42,4 @@ svg text { font: 11px system-ui, sans-serif; fill: var(--soft); }
   figure, tr { break-inside: avoid; } .pictures { grid-template-columns: repeat(4, 1fr); } }
 )css";
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// The style sheet of the report page.
 extern const char* const kReportStyle;
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -4,11 +4,11 @@
 
 #include "loosefit/report/plot.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
-std::string residual_chart(const std::vector<SettleSample>& history, double tolerance) {
+std::string residual_chart(const std::vector<drape::SettleSample>& history, double tolerance) {
   Plot::Series residual{"residual", {}, {}, true};
-  for (const SettleSample& sample : history) {
+  for (const drape::SettleSample& sample : history) {
     if (!(sample.residual > 0) || !std::isfinite(sample.residual)) continue;
     residual.x.push_back(sample.seconds - history.front().seconds);
     residual.y.push_back(sample.residual);
@@ -22,4 +22,4 @@ std::string residual_chart(const std::vector<SettleSample>& history, double tole
   return svg_plot(plot);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -4,10 +4,10 @@
 
 #include "loosefit/drape/drape.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Residual over the seconds of settling on a logarithmic scale with the tolerance as a line;
 /// empty for a history of less than two samples. Inline SVG.
-std::string residual_chart(const std::vector<SettleSample>& history, double tolerance);
+std::string residual_chart(const std::vector<drape::SettleSample>& history, double tolerance);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

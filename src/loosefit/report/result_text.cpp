@@ -6,15 +6,15 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string number_or_dash(double value) {
   return std::isnan(value) ? fmt::format("{:>10}", "-") : fmt::format("{:10.4g}", value);
 }
 
-std::string certificate_text(const CaseResult& result) {
-  const Certificate& certificate = result.certificate();
+std::string certificate_text(const study::CaseResult& result) {
+  const drape::Certificate& certificate = result.certificate();
   std::string text =
       fmt::format("{}: residual {:.2e}, intersections body {} self {} ({})\n",
                   certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
@@ -30,16 +30,16 @@ std::string certificate_text(const CaseResult& result) {
   return text;
 }
 
-std::string map_table(const std::vector<CaseMap>& maps) {
+std::string map_table(const std::vector<study::CaseMap>& maps) {
   if (maps.empty()) return {};
   std::string text = fmt::format("{:24} {:>10} {:>10} {:>10}\n", "map", "p5", "median", "p95");
-  for (const CaseMap& map : maps)
+  for (const study::CaseMap& map : maps)
     text += fmt::format("{:24} {} {} {}\n", map.map.array, number_or_dash(map.overall.p5),
                         number_or_dash(map.overall.median), number_or_dash(map.overall.p95));
   return text;
 }
 
-std::string timings(const CaseResult& result) {
+std::string timings(const study::CaseResult& result) {
   double total = 0;
   std::string stages;
   for (const StageClock::Entry& entry : result.seconds) {
@@ -52,7 +52,7 @@ std::string timings(const CaseResult& result) {
 
 }  // namespace
 
-std::string result_text(const CaseResult& result) {
+std::string result_text(const study::CaseResult& result) {
   std::string text;
   for (const std::string& warning : result.warnings)
     text += fmt::format("warning: {}\n", terminal_line(warning));
@@ -64,4 +64,4 @@ std::string result_text(const CaseResult& result) {
   return text + timings(result);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

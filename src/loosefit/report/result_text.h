@@ -3,10 +3,10 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// The result of a case in a few lines for a terminal: warnings, certificate, fit, maps, timings.
 /// Names that come from files are escaped (terminal_line).
-std::string result_text(const CaseResult& result);
+std::string result_text(const study::CaseResult& result);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

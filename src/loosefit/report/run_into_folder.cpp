@@ -7,16 +7,16 @@
 #include "loosefit/report/write_output.h"
 #include "loosefit/study/load_case.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
-std::string verdict(const Certificate& certificate) {
+std::string verdict(const drape::Certificate& certificate) {
   if (certificate.holds()) return "settled";
   if (!certificate.settled()) return "not settled";
   return "not worn: " + join(certificate.worn_reasons, "; ");
 }
 
-FolderOutput output_of(CaseResult result, std::optional<TimedRanking> ranking) {
+FolderOutput output_of(study::CaseResult result, std::optional<TimedRanking> ranking) {
   FolderOutput output{.result = std::move(result), .ranking = {}, .set_aside = {}};
   if (ranking) output.ranking = std::move(ranking->table);
   return output;
@@ -24,19 +24,20 @@ FolderOutput output_of(CaseResult result, std::optional<TimedRanking> ranking) {
 
 }  // namespace
 
-FolderOutput run_into_folder(const Scenario& scenario, const std::filesystem::path& folder,
-                             const RunOptions& options, bool pictures, Progress& progress) {
+FolderOutput run_into_folder(const scenario::Scenario& scenario,
+                             const std::filesystem::path& folder, const study::RunOptions& options,
+                             bool pictures, Progress& progress) {
   const OutputParts parts{.log = true,
                           .sites = !options.only_drape,
                           .pictures = pictures && !options.only_drape,
                           .report = !options.only_drape};
   // What can fail early does so before the simulation.
-  if (parts.pictures) check_display();
-  RunFolder files = RunFolder::create(folder);
+  if (parts.pictures) render::check_display();
+  io::RunFolder files = io::RunFolder::create(folder);
   files.announce(planned_files(scenario, parts));
-  RunLog log(files.path() / "log.jsonl", progress);
+  io::RunLog log(files.path() / "log.jsonl", progress);
 
-  CaseResult result = run_case(scenario, log, options);
+  study::CaseResult result = study::run_case(scenario, log, options);
   std::optional<TimedRanking> ranking = rank_as_asked(result, log);
   result = write_output(files.path(), std::move(result), parts, ranking, log);
 
@@ -49,14 +50,14 @@ FolderOutput run_into_folder(const Scenario& scenario, const std::filesystem::pa
 FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptions& options,
                             Progress& progress) {
   const OutputParts parts{.pictures = options.pictures, .report = options.report};
-  if (parts.pictures) check_display();
-  RunFolder files = RunFolder::update(folder);
+  if (parts.pictures) render::check_display();
+  io::RunFolder files = io::RunFolder::update(folder);
   files.leave_if_edited("scenario.toml");
 
-  CaseResult result = load_case(folder, progress);
+  study::CaseResult result = study::load_case(folder, progress);
   if (!options.maps.empty()) result.scenario.output.maps = options.maps;
   files.announce(planned_files(result.scenario, parts));
-  result = remap_case(std::move(result), options.allow_unsettled, progress);
+  result = study::remap_case(std::move(result), options.allow_unsettled, progress);
   std::optional<TimedRanking> ranking;
   if (parts.report) ranking = rank_as_asked(result, progress);
   result = write_output(files.path(), std::move(result), parts, ranking, progress);
@@ -67,4 +68,4 @@ FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptio
   return output;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -10,12 +10,12 @@
 #include "loosefit/study/run_case.h"
 
 // Whole commands on the folder of a run, whose files appear all at once or not at all.
-namespace loosefit {
+namespace loosefit::report {
 
 /// What such a command has made.
 struct FolderOutput {
-  CaseResult result;
-  std::optional<RankingTable> ranking;
+  study::CaseResult result;
+  std::optional<placement::RankingTable> ranking;
   /// Folder in the output to which files that stood in the way were moved; mostly none.
   std::string set_aside;
 };
@@ -24,8 +24,9 @@ struct FolderOutput {
 /// with a log into a new folder or in place of an earlier output (RunFolder::create). Pictures need
 /// a display, which is asked for first. A drape alone gets neither pictures nor report.
 /// \throws as run_case, rank_as_asked, write_output, RunFolder.
-FolderOutput run_into_folder(const Scenario& scenario, const std::filesystem::path& folder,
-                             const RunOptions& options, bool pictures, Progress& progress);
+FolderOutput run_into_folder(const scenario::Scenario& scenario,
+                             const std::filesystem::path& folder, const study::RunOptions& options,
+                             bool pictures, Progress& progress);
 
 /// What to make again of an earlier output beside maps and sites.
 struct RedoOptions {
@@ -40,4 +41,4 @@ struct RedoOptions {
 FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptions& options,
                             Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -10,13 +10,13 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string millimetres(double metres) { return fmt::format("{:.0f}", 1000 * metres); }
 std::string percent(double share) { return signed_number(100 * share, 3) + " %"; }
 
-Table fit_table(const CaseResult& result) {
+Table fit_table(const study::CaseResult& result) {
   Table table({"Level", "garment [mm]", "body [mm]", "fit (BGM)"});
   for (const auto& [level, mobility] : result.studied().pattern.fit) {
     const auto girth = result.studied().pattern.girths.find(level);
@@ -27,10 +27,10 @@ Table fit_table(const CaseResult& result) {
   return table;
 }
 
-Table body_table(const CaseResult& result) {
+Table body_table(const study::CaseResult& result) {
   Table table({"Measure", "asked [mm]", "measured [mm]", "difference [mm]"});
   std::set<std::string> done;
-  for (const MeasureRow& row : result.body.asked) {
+  for (const body::MeasureRow& row : result.body.asked) {
     table.add({row.name, millimetres(row.asked), millimetres(row.measured),
                signed_number(std::round(1000 * (row.measured - row.asked)), 2)});
     done.insert(row.name);
@@ -44,27 +44,27 @@ Table body_table(const CaseResult& result) {
   return table;
 }
 
-Table garment_table(const CaseResult& result) {
-  const Garment& garment = result.studied().mesh();
-  const Material& m = result.scenario.studied().material.material;
+Table garment_table(const study::CaseResult& result) {
+  const garment::Garment& garment = result.studied().mesh();
+  const fabric::Material& m = result.scenario.studied().material.material;
   Table table({"Garment and cloth", ""});
   table.add({"vertices, triangles",
              fmt::format("{}, {}", garment.vertex_count, garment.triangles.size())});
   table.add({"flat area", number(garment.area) + " m²"});
   table.add({"mass", number(1000 * garment.mass) + " g"});
   table.add({"cloth", m.name});
-  table.add({"bending length", number(1000 * bending_length(m)) + " mm"});
+  table.add({"bending length", number(1000 * io::bending_length(m)) + " mm"});
   return table;
 }
 
-std::string constants_table(const MaterialCard& card) {
+std::string constants_table(const scenario::MaterialCard& card) {
   Table table({"Constant", "value", "unit", "from"});
-  for (const ConstantInUse& c : constants_in_use(card))
+  for (const io::ConstantInUse& c : io::constants_in_use(card))
     table.add({c.key, shortest(c.value), c.unit, c.from});
   return table.html();
 }
 
-Table time_table(const CaseResult& result) {
+Table time_table(const study::CaseResult& result) {
   Table table({"Stage", "seconds"});
   double total = 0;
   for (const StageClock::Entry& entry : result.seconds) {
@@ -78,10 +78,10 @@ Table time_table(const CaseResult& result) {
 
 }  // namespace
 
-std::string fit_section(const CaseResult& result) {
+std::string fit_section(const study::CaseResult& result) {
   std::string fit = element("h2", "Fit");
   if (const Table table = fit_table(result); !table.empty()) fit += table.html();
-  if (const GarmentGirth& chest = result.studied().maps.chest;
+  if (const maps::GarmentGirth& chest = result.studied().maps.chest;
       !result.studied().maps.maps.empty() && chest.flat > 0) {
     fit +=
         element("p", "Cut at chest level (" + millimetres(chest.level) +
@@ -93,11 +93,11 @@ std::string fit_section(const CaseResult& result) {
   return element("div", element("div", fit) + element("div", body), "columns");
 }
 
-std::string provenance_section(const CaseResult& result) {
+std::string provenance_section(const study::CaseResult& result) {
   Table library({"Version", ""});
   for (const auto& [name, number_text] : versions()) library.add({name, number_text});
   std::string cloth = garment_table(result).html();
-  const Material& m = result.scenario.studied().material.material;
+  const fabric::Material& m = result.scenario.studied().material.material;
   if (!m.source.empty()) cloth += element("p", "Constants: " + escaped(m.source));
   std::string html = element("h2", "Where the numbers come from");
   html += element("div",
@@ -111,7 +111,7 @@ std::string provenance_section(const CaseResult& result) {
             constants_table(result.scenario.garments[l].material);
   html += element("h3", "Scenario, every default written out");
   return html + "<details><summary>scenario.toml</summary><pre>" +
-         escaped(scenario_toml(result.scenario)) + "</pre></details>\n";
+         escaped(io::scenario_toml(result.scenario)) + "</pre></details>\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -8,11 +8,11 @@
 #include "loosefit/report/residual_chart.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
-std::string who(const CaseResult& result) {
-  const ScenarioBody& body = result.scenario.body;
+std::string who(const study::CaseResult& result) {
+  const scenario::ScenarioBody& body = result.scenario.body;
   if (!body.file.empty()) return "a scanned body";
   const bool child = body.age < 16;
   const char* sex = body.sex < 0.25   ? (child ? "girl" : "woman")
@@ -21,8 +21,8 @@ std::string who(const CaseResult& result) {
   return fmt::format("a {} of {:.0f} years and {:.2f} m", sex, body.age, body.height);
 }
 
-std::string what(const CaseResult& result) {
-  const GarmentSpec& garment = result.scenario.studied().spec;
+std::string what(const study::CaseResult& result) {
+  const scenario::GarmentSpec& garment = result.scenario.studied().spec;
   std::string text =
       garment.file.empty() ? garment.kind : std::filesystem::path(garment.file).filename().string();
   std::replace(text.begin(), text.end(), '-', ' ');
@@ -38,7 +38,7 @@ std::string count_text(int count) { return count < 0 ? "not tested" : std::to_st
 
 }  // namespace
 
-std::string headline_section(const CaseResult& result) {
+std::string headline_section(const study::CaseResult& result) {
   std::string html = element("h1", "Does loose fitting matter here?");
   std::string sentence = "The " + what(result) + " on " + who(result);
   const auto chest = result.studied().pattern.fit.find("chest");
@@ -60,9 +60,9 @@ std::string headline_section(const CaseResult& result) {
   return html;
 }
 
-std::string certificate_section(const CaseResult& result) {
-  const Certificate& c = result.certificate();
-  const SettleReport& settling = result.studied().drape.report;
+std::string certificate_section(const study::CaseResult& result) {
+  const drape::Certificate& c = result.certificate();
+  const drape::SettleReport& settling = result.studied().drape.report;
   const double tolerance = result.scenario.simulation.residual_tolerance;
   std::string text;
   if (c.holds()) {
@@ -93,8 +93,8 @@ std::string certificate_section(const CaseResult& result) {
                       fact("crossings with the body", count_text(c.intersections_body)) +
                       fact("crossings with itself", count_text(c.intersections_self)) +
                       (result.worn_under().empty() ? ""
-                                            : fact("of these, between garments",
-                                                   count_text(c.intersections_layers))) +
+                                                   : fact("of these, between garments",
+                                                          count_text(c.intersections_layers))) +
                       fact("stopped:", c.stop_reason) +
                       fact("worn:", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   if (settling.total().iterations > 0)
@@ -104,4 +104,4 @@ std::string certificate_section(const CaseResult& result) {
   return html + residual_chart(settling.history, tolerance);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

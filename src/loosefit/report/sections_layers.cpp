@@ -5,14 +5,14 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
-std::vector<std::string> row(const std::string& place, const CaseGarment& garment,
-                             const Material& material) {
+std::vector<std::string> row(const std::string& place, const study::CaseGarment& garment,
+                             const fabric::Material& material) {
   double force = 0, distance = std::nan("");
   for (double f : garment.drape.body_normal_force) force += f;
-  for (const CaseMap& map : garment.maps.maps)
+  for (const study::CaseMap& map : garment.maps.maps)
     if (map.map.array == "distance_mm") distance = map.overall.median;
   const auto& fit = garment.pattern.fit;
   const auto chest = fit.find("chest");
@@ -28,15 +28,15 @@ std::vector<std::string> row(const std::string& place, const CaseGarment& garmen
 
 }  // namespace
 
-std::string layer_section(const CaseResult& result) {
+std::string layer_section(const study::CaseResult& result) {
   if (result.worn_under().empty()) return {};
   Table table({"Garment", "pattern", "cloth", "fit at the chest", "mass [g]",
                "median distance from the skin [mm]", "normal force on the skin [N]",
                "mean pressure where it touches the skin [kPa]"});
   for (std::size_t g = 0; g < result.garments.size(); ++g)
-    table.add(row(g < result.worn_under().size() ? fmt::format("under {}", g + 1)
-                                                 : "studied, outermost",
-                  result.garments[g], result.scenario.garments[g].material.material));
+    table.add(
+        row(g < result.worn_under().size() ? fmt::format("under {}", g + 1) : "studied, outermost",
+            result.garments[g], result.scenario.garments[g].material.material));
   return element("h2", "Worn over each other") + table.html() +
          element("p",
                  "From the skin outwards. All garments settled together, with friction between "
@@ -47,4 +47,4 @@ std::string layer_section(const CaseResult& result) {
                  "skin, whatever lies between.");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -7,7 +7,7 @@
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string embedded(const std::filesystem::path& file) {
@@ -17,8 +17,8 @@ std::string embedded(const std::filesystem::path& file) {
   return "data:image/png;base64," + base64(bytes);
 }
 
-std::string title_of(const CaseResult& result, const std::string& map) {
-  for (const CaseMap& entry : result.studied().maps.maps)
+std::string title_of(const study::CaseResult& result, const std::string& map) {
+  for (const study::CaseMap& entry : result.studied().maps.maps)
     if (entry.map.map == map) return entry.map.title;
   if (map == "layers") return "What is worn under it";
   return map == "drape" ? "The garment as it hangs" : map;
@@ -26,18 +26,19 @@ std::string title_of(const CaseResult& result, const std::string& map) {
 
 }  // namespace
 
-std::string picture_section(const CaseResult& result, const std::vector<Picture>& pictures) {
+std::string picture_section(const study::CaseResult& result,
+                            const std::vector<render::Picture>& pictures) {
   if (pictures.empty()) return {};
-  std::vector<View> views;
-  for (const Picture& picture : pictures)
+  std::vector<render::View> views;
+  for (const render::Picture& picture : pictures)
     if (std::find(views.begin(), views.end(), picture.view) == views.end())
       views.push_back(picture.view);
   std::string html = element("h2", "The drape and its maps");
-  for (View view : views) {
+  for (render::View view : views) {
     std::string row;
-    for (const Picture& picture : pictures) {
+    for (const render::Picture& picture : pictures) {
       if (picture.view != view) continue;
-      const std::string title = title_of(result, picture.map) + ", " + name(view);
+      const std::string title = title_of(result, picture.map) + ", " + render::name(view);
       row += "<figure><img alt=\"" + escaped(title) + "\" src=\"" + embedded(picture.file) +
              "\"><figcaption>" + escaped(title) + "</figcaption></figure>\n";
     }
@@ -51,29 +52,29 @@ std::string picture_section(const CaseResult& result, const std::vector<Picture>
              "means that a value is not defined. Seams and edges are drawn dark.");
 }
 
-std::string map_section(const CaseResult& result) {
+std::string map_section(const study::CaseResult& result) {
   if (result.studied().maps.maps.empty()) return {};
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
-  for (const CaseMap& entry : result.studied().maps.maps) {
-    const MapStatistics& s = entry.overall;
+  for (const study::CaseMap& entry : result.studied().maps.maps) {
+    const maps::MapStatistics& s = entry.overall;
     std::vector<std::string> row = {with_unit(entry.map)};
     for (double value : {s.min, s.p5, s.median, s.p95, s.max, s.area_mean})
       row.push_back(value_text(entry.map, value));
     overall.add(row);
   }
   std::vector<std::string> head = {"Region"};
-  std::vector<const CaseMap*> shown;
-  for (const CaseMap& entry : result.studied().maps.maps) {
+  std::vector<const study::CaseMap*> shown;
+  for (const study::CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry);
     head.push_back(with_unit(entry.map));
   }
   head.push_back("area [dm²]");
   Table regions(head);
-  for (Region region : all_regions()) {
-    std::vector<std::string> row = {spaced(name(region))};
+  for (body::Region region : body::all_regions()) {
+    std::vector<std::string> row = {spaced(body::name(region))};
     double area = 0;
-    for (const CaseMap* entry : shown) {
+    for (const study::CaseMap* entry : shown) {
       const auto found = entry->regional.find(region);
       const bool has = found != entry->regional.end();
       row.push_back(has ? value_text(entry->map, found->second.median) + " (" +
@@ -93,21 +94,21 @@ std::string map_section(const CaseResult& result) {
                  "wearer's.");
 }
 
-std::string site_section(const CaseResult& result) {
+std::string site_section(const study::CaseResult& result) {
   if (result.sites.empty() || result.studied().maps.maps.empty()) return {};
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
-  std::vector<const PerformanceMap*> shown;
-  for (const CaseMap& entry : result.studied().maps.maps) {
+  std::vector<const maps::PerformanceMap*> shown;
+  for (const study::CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
   }
   Table table(head);
-  for (const Site& site : result.sites) {
+  for (const placement::Site& site : result.sites) {
     std::vector<std::string> row = {spaced(site.name), spaced(site.panel),
                                     fixed(1000 * site.at.x(), 0), fixed(1000 * site.at.y(), 0),
-                                    spaced(name(site.region))};
-    for (const PerformanceMap* map : shown) {
+                                    spaced(body::name(site.region))};
+    for (const maps::PerformanceMap* map : shown) {
       const auto value = site.values.find(map->array);
       row.push_back(value == site.values.end() ? "–"
                                                : value_text(*map, value->second.mean) + " (" +
@@ -116,18 +117,18 @@ std::string site_section(const CaseResult& result) {
     table.add(row);
   }
   std::string bare;
-  for (const UncoveredSite& site : result.uncovered_sites)
+  for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       bare += element("li", escaped(site.name + " is not covered by the garment: " + site.why));
-  for (const Site& site : result.sites)
+  for (const placement::Site& site : result.sites)
     if (!site.not_covering.empty())
       bare += element("li", escaped(site.name + " has no skin under it: " + site.not_covering));
   return element("h2", "Sensor sites") + table.html() +
          (bare.empty() ? bare : element("ul", bare)) +
          element("p",
-                 "Mean over a disc of " + number(1000 * kFootprintRadius, 2) +
+                 "Mean over a disc of " + number(1000 * placement::kFootprintRadius, 2) +
                      " mm radius on the cloth, in brackets the value that 95 % of the disc stay "
                      "below. u runs along the weft, v along the warp of the flat panel.");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

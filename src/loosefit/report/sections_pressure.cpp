@@ -3,12 +3,12 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string kilopascal(double pascal) { return fixed(pascal / 1000, 3); }
 
-std::vector<std::string> row(std::string place, const PressureAgreement& a) {
+std::vector<std::string> row(std::string place, const maps::PressureAgreement& a) {
   std::replace(place.begin(), place.end(), '_', ' ');
   return {std::move(place),
           fixed(100 * a.contact_area, 2),
@@ -22,14 +22,15 @@ std::vector<std::string> row(std::string place, const PressureAgreement& a) {
 
 }  // namespace
 
-std::string pressure_section(const CaseResult& result) {
-  const CasePressure& pressure = result.studied().maps.pressure;
+std::string pressure_section(const study::CaseResult& result) {
+  const study::CasePressure& pressure = result.studied().maps.pressure;
   if (pressure.field.empty()) return {};
   Table table({"Where", "contact [dm²]", "mean, by force [kPa]", "by tension [kPa]",
                "normal force [N]", "by tension [N]", "rms difference [kPa]", "correlation"});
   table.add(row("whole garment", pressure.overall));
-  for (const auto& [region, agreement] : pressure.regional) table.add(row(name(region), agreement));
-  const std::vector<double> shares = pressure_class_shares(pressure.field);
+  for (const auto& [region, agreement] : pressure.regional)
+    table.add(row(body::name(region), agreement));
+  const std::vector<double> shares = maps::pressure_class_shares(pressure.field);
   Table classes({"Of the worn cloth", "no contact", "below 0.3 kPa", "0.3 to 0.7", "0.7 to 2.7",
                  "2.7 to 4", "above 4"});
   std::vector<std::string> percent = {"share"};
@@ -48,4 +49,4 @@ std::string pressure_section(const CaseResult& result) {
                  "4 kPa most wearers are uncomfortable.");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

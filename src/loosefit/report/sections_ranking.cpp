@@ -7,13 +7,13 @@
 #include "loosefit/report/sections.h"
 #include "loosefit/report/svg.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 constexpr double kWidth = 640, kRow = 24, kName = 170, kRight = 16, kTop = 8, kBottom = 34;
 
 /// Scores on a scale from 0 to 1: the robust one as a disc with its interval, the median as a bar.
-std::string score_chart(const RankingTable& table) {
+std::string score_chart(const placement::RankingTable& table) {
   const auto& sites = table.ranking.sites;
   const double height = kTop + kRow * static_cast<double>(sites.size()) + kBottom;
   const double bottom = height - kBottom;
@@ -26,7 +26,7 @@ std::string score_chart(const RankingTable& table) {
                   "stroke=\"#1d6b3a\" stroke-dasharray=\"5 4\"") +
          "\n";
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const RankedSite& site = sites[i];
+    const placement::RankedSite& site = sites[i];
     const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
     svg += svg_text(kName - 8, y + 4, "end", escaped(site.name));
     if (!site.score.rated()) {
@@ -49,18 +49,18 @@ std::string score_chart(const RankingTable& table) {
          "</svg>\n";
 }
 
-std::string interval_text(const std::optional<Interval>& interval, int decimals) {
+std::string interval_text(const std::optional<placement::Interval>& interval, int decimals) {
   return interval ? fixed(interval->low, decimals) + " … " + fixed(interval->high, decimals) : "–";
 }
 
 }  // namespace
 
-std::string ranking_section(const RankingTable* table) {
+std::string ranking_section(const placement::RankingTable* table) {
   if (!table || table->ranking.sites.empty()) return {};
   const auto& sites = table->ranking.sites;
   Table rows({"site", "rank", "score", "90 %", "median", "passing", "rank 90 %", "limited by"});
-  for (const RankedSite& site : sites) {
-    const SiteScore& score = site.score;
+  for (const placement::RankedSite& site : sites) {
+    const placement::SiteScore& score = site.score;
     if (!score.rated()) {
       rows.add({site.name, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", score.reason});
       continue;
@@ -84,4 +84,4 @@ std::string ranking_section(const RankingTable* table) {
   return notes.empty() ? html : html + element("ul", notes);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -5,16 +5,16 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string place(const Vec2& at) { return fmt::format("{:.3f}, {:.3f}", at.x(), at.y()); }
 
-std::string worst_table(const std::vector<UnbalancedVertex>& worst) {
+std::string worst_table(const std::vector<drape::UnbalancedVertex>& worst) {
   std::vector<std::string> head = {"vertex", "panel", "u, v [m]", "near", "net [N]"};
-  for (const char* kind : kForceNames) head.push_back(std::string(kind) + " [N]");
+  for (const char* kind : drape::kForceNames) head.push_back(std::string(kind) + " [N]");
   Table table(head);
-  for (const UnbalancedVertex& v : worst) {
+  for (const drape::UnbalancedVertex& v : worst) {
     std::vector<std::string> row = {std::to_string(v.vertex), v.panel, place(v.at), v.near,
                                     number(v.net, 2)};
     for (double force : v.force) row.push_back(number(force, 2));
@@ -23,9 +23,9 @@ std::string worst_table(const std::vector<UnbalancedVertex>& worst) {
   return table.html();
 }
 
-std::string cut_table(const std::vector<CutTriangle>& cuts) {
+std::string cut_table(const std::vector<drape::CutTriangle>& cuts) {
   Table table({"triangle", "panel", "u, v [m]", "cuts"});
-  for (const CutTriangle& c : cuts)
+  for (const drape::CutTriangle& c : cuts)
     table.add({std::to_string(c.triangle), c.panel, place(c.at),
                (c.body ? "the body: " : "the cloth: ") + c.with});
   return table.html();
@@ -33,10 +33,10 @@ std::string cut_table(const std::vector<CutTriangle>& cuts) {
 
 }  // namespace
 
-std::string unsettled_section(const CaseResult& result) {
-  const std::optional<Unsettled>& unsettled = result.studied().drape.unsettled;
+std::string unsettled_section(const study::CaseResult& result) {
+  const std::optional<drape::Unsettled>& unsettled = result.studied().drape.unsettled;
   if (!unsettled) return {};
-  const Unsettled& u = *unsettled;
+  const drape::Unsettled& u = *unsettled;
   std::string html = element("h2", "Why it did not settle");
   html += element("p", escaped("In short: " + u.why + "."));
   html += element("p", escaped("What may help: " + u.hint + "."));
@@ -50,4 +50,4 @@ std::string unsettled_section(const CaseResult& result) {
   return html;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -3,18 +3,18 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
-double seconds_of(const CaseResult& result) {
+double seconds_of(const study::CaseResult& result) {
   double sum = 0;
   for (const StageClock::Entry& entry : result.seconds)
     if (entry.stage == "dress" || entry.stage == "settle") sum += entry.seconds;
   return sum;
 }
 
-std::vector<std::string> row(const std::string& name, const StateId& id, const Certificate& c,
-                             double seconds) {
+std::vector<std::string> row(const std::string& name, const study::StateId& id,
+                             const drape::Certificate& c, double seconds) {
   return {name, std::to_string(id.donning + 1),
           c.holds()     ? "settled"
           : c.settled() ? "not worn"
@@ -24,19 +24,20 @@ std::vector<std::string> row(const std::string& name, const StateId& id, const C
 
 }  // namespace
 
-std::string wear_section(const CaseResult& result) {
-  const CaseWear& wear = result.wear;
+std::string wear_section(const study::CaseResult& result) {
+  const study::CaseWear& wear = result.wear;
   if (wear.states.empty()) return {};
   Table table({"posture", "donning", "drape", "residual", "seconds, side by side", "slip median mm",
                "slip 95 % mm", "slip greatest mm"});
-  auto first = row(wear.postures.front(), StateId{}, result.certificate(), seconds_of(result));
+  auto first =
+      row(wear.postures.front(), study::StateId{}, result.certificate(), seconds_of(result));
   first.insert(first.end(), 3, "–");
   table.add(first);
-  for (const CaseState& s : wear.states) {
+  for (const study::CaseState& s : wear.states) {
     auto cells = row(s.name, s.id, s.certificate(), s.seconds);
     if (!s.left_out.empty()) cells[2] = s.left_out;
     const bool known = s.counts() && !s.id.in_reference_posture() && !s.maps.maps.empty();
-    const MapStatistics slip = known ? s.maps.maps.front().overall : MapStatistics{};
+    const maps::MapStatistics slip = known ? s.maps.maps.front().overall : maps::MapStatistics{};
     for (double value : {slip.median, slip.p95, slip.max})
       cells.push_back(known ? fixed(value, 1) : "–");
     table.add(cells);
@@ -52,7 +53,7 @@ std::string wear_section(const CaseResult& result) {
     Table how(
         {"donning", "shift left mm", "shift back mm", "shift up mm", "twist deg", "friction ×"});
     for (std::size_t k = 0; k < wear.donnings.size(); ++k) {
-      const CaseDonning& d = wear.donnings[k];
+      const study::CaseDonning& d = wear.donnings[k];
       how.add({std::to_string(k + 1), fixed(1000 * d.shift.x(), 1), fixed(1000 * d.shift.y(), 1),
                fixed(1000 * d.shift.z(), 1), fixed(degrees(d.twist), 1), fixed(d.friction, 2)});
     }
@@ -61,4 +62,4 @@ std::string wear_section(const CaseResult& result) {
   return html;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

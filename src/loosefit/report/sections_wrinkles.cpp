@@ -3,21 +3,21 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 /// Below this coherence the direction of the folds says nothing worth printing.
 constexpr double kPlainCoherence = 0.2;
 
-std::string row_name(Region region) {
-  std::string text = name(region);
+std::string row_name(body::Region region) {
+  std::string text = body::name(region);
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
 
 }  // namespace
 
-std::string wrinkle_section(const CaseResult& result) {
+std::string wrinkle_section(const study::CaseResult& result) {
   if (result.studied().maps.wrinkles.empty()) return {};
   Table table({"Region", "slope [deg]", "direction [deg]", "coherence"});
   for (const auto& [region, w] : result.studied().maps.wrinkles)
@@ -28,11 +28,11 @@ std::string wrinkle_section(const CaseResult& result) {
          element(
              "p",
              "Slope: rms tilt of the cloth out of its shape smoothed over " +
-                 number(1000 * kWrinkleWidth, 2) +
+                 number(1000 * maps::kWrinkleWidth, 2) +
                  " mm. Direction: of the folds' lines against the long axis of the body "
                  "segment, on the trunk 0 is upright and 90 level, positive counter-clockwise "
                  "seen from outside. Coherence: 1 when all folds run alike, 0 when no direction "
                  "is preferred.");
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

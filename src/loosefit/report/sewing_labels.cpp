@@ -8,7 +8,7 @@
 
 #include "loosefit/report/sewing_marks.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 constexpr double kLarge = 6, kSmall = 4, kLine = 5;  // font sizes and row [mm]
@@ -78,4 +78,4 @@ std::string SewingLabels::place(const Vec2& centre, double radius, std::vector<s
   return out;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

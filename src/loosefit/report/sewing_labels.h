@@ -5,7 +5,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Finds room for the words beside the sensors of one piece: not over its lines, outline, sensors
 /// or other words as far as there is room. All points are those of the sheet [mm], y down.
@@ -26,4 +26,4 @@ class SewingLabels {
   std::vector<Box> boxes_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::report

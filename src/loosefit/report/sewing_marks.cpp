@@ -8,10 +8,10 @@
 
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
-using Kind = FootprintShape::Kind;
+using Kind = placement::FootprintShape::Kind;
 
 constexpr const char* kPass = "#0a7d3c";
 constexpr const char* kShort = "#b35900";
@@ -23,15 +23,15 @@ std::string path(const std::string& kind, const std::string& data, const std::st
   return fmt::format("    <path class=\"{}\" d=\"{}\" {}/>\n", kind, data, style);
 }
 
-std::string polyline(const std::vector<Vec2>& points, const PanelOnSheet& sheet) {
+std::string polyline(const std::vector<Vec2>& points, const io::PanelOnSheet& sheet) {
   std::string data;
   for (const Vec2& p : points) data += (data.empty() ? "M " : " L ") + point(sheet.at(p));
   return data;
 }
 
-std::vector<Vec2> edge_points(const Panel& panel, int edge) {
+std::vector<Vec2> edge_points(const pattern::Panel& panel, int edge) {
   constexpr int kPieces = 200;
-  const EdgePath along(panel, edge);
+  const pattern::EdgePath along(panel, edge);
   std::vector<Vec2> points;
   for (int i = 0; i <= kPieces; ++i) points.push_back(along.at(static_cast<double>(i) / kPieces));
   return points;
@@ -50,7 +50,7 @@ Vec2 closest(const std::vector<Vec2>& points, const Vec2& at) {
 }
 
 /// Extent of the sensor along its axis from its centre [mm].
-double reach(const FootprintShape& shape) {
+double reach(const placement::FootprintShape& shape) {
   switch (shape.kind) {
     case Kind::disc:
       return 1e3 * shape.radius;
@@ -64,10 +64,11 @@ double reach(const FootprintShape& shape) {
   return 0;
 }
 
-std::string outline(const RankedPlace& place, const PanelOnSheet& sheet, const char* colour) {
+std::string outline(const placement::RankedPlace& place, const io::PanelOnSheet& sheet,
+                    const char* colour) {
   const std::string style =
       fmt::format("fill=\"{0}\" fill-opacity=\"0.15\" stroke=\"{0}\" stroke-width=\"0.8\"", colour);
-  const Vec2 along = axis_in_pattern(place.angle), across(along.y(), -along.x());
+  const Vec2 along = placement::axis_in_pattern(place.angle), across(along.y(), -along.x());
   if (place.shape.kind == Kind::disc) {
     const Vec2 at = sheet.at(place.at);
     return fmt::format(
@@ -90,8 +91,9 @@ std::string outline(const RankedPlace& place, const PanelOnSheet& sheet, const c
   return {};
 }
 
-std::string axis(const RankedPlace& place, const PanelOnSheet& sheet, const char* colour) {
-  const Vec2 along = axis_in_pattern(place.angle), across(along.y(), -along.x());
+std::string axis(const placement::RankedPlace& place, const io::PanelOnSheet& sheet,
+                 const char* colour) {
+  const Vec2 along = placement::axis_in_pattern(place.angle), across(along.y(), -along.x());
   const double length = 1e-3 * (reach(place.shape) + kArrow);
   const Vec2 tip = place.at + length * along, back = tip - 0.005 * along;
   return path("axis",
@@ -100,7 +102,8 @@ std::string axis(const RankedPlace& place, const PanelOnSheet& sheet, const char
               fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"", colour));
 }
 
-std::string ellipse(const RankedPlace& place, const PanelOnSheet& sheet, const char* colour) {
+std::string ellipse(const placement::RankedPlace& place, const io::PanelOnSheet& sheet,
+                    const char* colour) {
   if (!place.tolerance) return {};
   const Vec2 at = sheet.at(place.at), along = place.tolerance->direction;
   // The sheet's y runs downwards, and so does its sense of rotation.
@@ -112,7 +115,8 @@ std::string ellipse(const RankedPlace& place, const PanelOnSheet& sheet, const c
       degrees(std::atan2(-along.y(), along.x())), colour);
 }
 
-std::string distances(const RankedPlace& place, const Panel& panel, const PanelOnSheet& sheet) {
+std::string distances(const placement::RankedPlace& place, const pattern::Panel& panel,
+                      const io::PanelOnSheet& sheet) {
   std::string out;
   for (const EdgeDistance& distance : edge_distances(panel, place.at)) {
     out += path("distance", polyline({place.at, distance.foot}, sheet),
@@ -136,7 +140,7 @@ std::string distances(const RankedPlace& place, const Panel& panel, const PanelO
 
 }  // namespace
 
-std::vector<EdgeDistance> edge_distances(const Panel& panel, const Vec2& at) {
+std::vector<EdgeDistance> edge_distances(const pattern::Panel& panel, const Vec2& at) {
   std::vector<EdgeDistance> all;
   for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
     const Vec2 foot = closest(edge_points(panel, e), at);
@@ -155,13 +159,14 @@ std::vector<EdgeDistance> edge_distances(const Panel& panel, const Vec2& at) {
   return {all[0], *second};
 }
 
-std::string forbidden_marks(const Panel& panel, const std::set<int>& sewn,
-                            const SearchConstraints& constraints, const PanelOnSheet& sheet) {
-  const std::string clip = "clip-" + svg_escaped(panel.name);
+std::string forbidden_marks(const pattern::Panel& panel, const std::set<int>& sewn,
+                            const placement::SearchConstraints& constraints,
+                            const io::PanelOnSheet& sheet) {
+  const std::string clip = "clip-" + io::svg_escaped(panel.name);
   std::string out = fmt::format(
       "    <clipPath id=\"{}\"><path d=\"{} Z\"/></clipPath>\n    <g class=\"forbidden\" "
       "clip-path=\"url(#{})\" opacity=\"0.18\">\n",
-      clip, polyline(outline_polygon(panel), sheet), clip);
+      clip, polyline(pattern::outline_polygon(panel), sheet), clip);
   for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
     const double clearance =
         sewn.count(e) ? constraints.seam_clearance : constraints.edge_clearance;
@@ -170,9 +175,9 @@ std::string forbidden_marks(const Panel& panel, const std::set<int>& sewn,
         "border", polyline(edge_points(panel, e), sheet),
         fmt::format("fill=\"none\" stroke=\"#c00000\" stroke-width=\"{:.2f}\"", 2e3 * clearance));
   }
-  for (const KeepOutZone& zone : constraints.keep_out.zones) {
+  for (const placement::KeepOutZone& zone : constraints.keep_out.zones) {
     if (zone.panel != panel.name) continue;
-    if (zone.shape == KeepOutZone::Shape::disc) {
+    if (zone.shape == placement::KeepOutZone::Shape::disc) {
       const Vec2 at = sheet.at(zone.centre);
       out += fmt::format(
           "    <circle class=\"zone\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" "
@@ -190,8 +195,8 @@ std::string forbidden_marks(const Panel& panel, const std::set<int>& sewn,
   return out + "    </g>\n";
 }
 
-std::string sensor_marks(const RankedPlace& place, const Panel& panel, const PanelOnSheet& sheet,
-                         bool passes) {
+std::string sensor_marks(const placement::RankedPlace& place, const pattern::Panel& panel,
+                         const io::PanelOnSheet& sheet, bool passes) {
   const char* colour = passes ? kPass : kShort;
   const Vec2 at = sheet.at(place.at);
   std::string out = ellipse(place, sheet, colour) + outline(place, sheet, colour);
@@ -203,8 +208,8 @@ std::string sensor_marks(const RankedPlace& place, const Panel& panel, const Pan
   return out + distances(place, panel, sheet);
 }
 
-std::string line_marks(const RankedPlace& place, const std::string& panel,
-                       const PanelOnSheet& sheet) {
+std::string line_marks(const placement::RankedPlace& place, const std::string& panel,
+                       const io::PanelOnSheet& sheet) {
   std::string out;
   for (const auto& [name, at] : place.line) {
     if (name != panel) continue;
@@ -216,8 +221,8 @@ std::string line_marks(const RankedPlace& place, const std::string& panel,
   return out;
 }
 
-std::string failing_mark(const RankedPlace& place, const std::string& name,
-                         const PanelOnSheet& sheet) {
+std::string failing_mark(const placement::RankedPlace& place, const std::string& name,
+                         const io::PanelOnSheet& sheet) {
   const Vec2 at = sheet.at(place.at);
   return path("failing",
               fmt::format("M {} L {} M {} L {}", point(at + Vec2(-2, -2)), point(at + Vec2(2, 2)),
@@ -226,8 +231,8 @@ std::string failing_mark(const RankedPlace& place, const std::string& name,
          rimmed_text(at + Vec2(4, 1.5), 4, name, "start", "#606060");
 }
 
-std::vector<Vec2> marked_points(const RankedPlace& place, const Panel& panel,
-                                const PanelOnSheet& sheet) {
+std::vector<Vec2> marked_points(const placement::RankedPlace& place, const pattern::Panel& panel,
+                                const io::PanelOnSheet& sheet) {
   constexpr int kPieces = 40;
   std::vector<Vec2> points;
   const Vec2 centre = sheet.at(place.at);
@@ -236,10 +241,11 @@ std::vector<Vec2> marked_points(const RankedPlace& place, const Panel& panel,
       points.push_back(centre + static_cast<double>(i) / kPieces * (to - centre));
   };
   for (const EdgeDistance& d : edge_distances(panel, place.at)) line_to(sheet.at(d.foot));
-  const Vec2 along = 1e-3 * (reach(place.shape) + kArrow) * axis_in_pattern(place.angle);
+  const Vec2 along = 1e-3 * (reach(place.shape) + kArrow) * placement::axis_in_pattern(place.angle);
   line_to(sheet.at(place.at + along));
   line_to(sheet.at(place.at - along));
-  const double radius = place.shape.kind == Kind::line ? 2 : 1e3 * outer_radius(place.shape);
+  const double radius =
+      place.shape.kind == Kind::line ? 2 : 1e3 * placement::outer_radius(place.shape);
   for (int i = 0; i < kPieces; ++i) {
     const double turn = 2 * kPi * i / kPieces;
     points.push_back(centre + radius * Vec2(std::cos(turn), std::sin(turn)));
@@ -253,7 +259,7 @@ std::string rimmed_text(const Vec2& at, double size, const std::string& words, c
       "    <text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:g}\" text-anchor=\"{}\" fill=\"{}\" "
       "stroke=\"white\" stroke-width=\"1.2\" stroke-linejoin=\"round\" "
       "paint-order=\"stroke\">{}</text>\n",
-      at.x(), at.y(), size, anchor, colour, svg_escaped(words));
+      at.x(), at.y(), size, anchor, colour, io::svg_escaped(words));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

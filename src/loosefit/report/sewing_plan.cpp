@@ -12,36 +12,37 @@
 #include "loosefit/report/sewing_labels.h"
 #include "loosefit/report/sewing_marks.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 std::string millimetres(double metres) { return fmt::format("{:.0f}", 1e3 * metres); }
 
-std::string sensor_words(const FootprintShape& shape) {
+std::string sensor_words(const placement::FootprintShape& shape) {
   switch (shape.kind) {
-    case FootprintShape::Kind::disc:
+    case placement::FootprintShape::Kind::disc:
       return fmt::format("disc of {} mm", millimetres(2 * shape.radius));
-    case FootprintShape::Kind::rectangle:
+    case placement::FootprintShape::Kind::rectangle:
       return fmt::format("{} x {} mm", millimetres(shape.size.x()), millimetres(shape.size.y()));
-    case FootprintShape::Kind::line:
+    case placement::FootprintShape::Kind::line:
       return fmt::format("line of {} mm", millimetres(shape.length));
-    case FootprintShape::Kind::girth:
+    case placement::FootprintShape::Kind::girth:
       break;
   }
   return "line round the body";
 }
 
-bool shared(const RankedSite& site, const Ranking& ranking) {
-  return std::count_if(ranking.sites.begin(), ranking.sites.end(),
-                       [&](const RankedSite& other) { return other.rank == site.rank; }) > 1;
+bool shared(const placement::RankedSite& site, const placement::Ranking& ranking) {
+  return std::count_if(
+             ranking.sites.begin(), ranking.sites.end(),
+             [&](const placement::RankedSite& other) { return other.rank == site.rank; }) > 1;
 }
 
 /// "2= best_3", as the table on the terminal has it.
-std::string numbered(const RankedSite& site, const Ranking& ranking) {
+std::string numbered(const placement::RankedSite& site, const placement::Ranking& ranking) {
   return fmt::format("{}{} {}", site.rank, shared(site, ranking) ? "=" : "", site.name);
 }
 
-std::string score_words(const RankedSite& site) {
+std::string score_words(const placement::RankedSite& site) {
   std::string words = fmt::format("score {:.2f}", site.score.robust);
   if (site.robust_interval)
     words +=
@@ -49,14 +50,14 @@ std::string score_words(const RankedSite& site) {
   return words;
 }
 
-std::string tolerance_words(const RankedPlace& place) {
+std::string tolerance_words(const placement::RankedPlace& place) {
   if (!place.tolerance) return {};
   return fmt::format("±{:.0f} mm along, ±{:.0f} mm around", 1e3 * place.tolerance->along,
                      1e3 * place.tolerance->around);
 }
 
-std::string site_line(const RankingTable& table, const RankedSite& site) {
-  const RankedPlace& place = table.places[site.index];
+std::string site_line(const placement::RankingTable& table, const placement::RankedSite& site) {
+  const placement::RankedPlace& place = table.places[site.index];
   std::string line = fmt::format(
       "{}: {} at u {:.1f}, v {:.1f} mm, axis {:.0f}° from the grain (counter-clockwise), {}",
       numbered(site, table.ranking), place.panel, 1e3 * place.at.x(), 1e3 * place.at.y(),
@@ -68,27 +69,29 @@ std::string site_line(const RankingTable& table, const RankedSite& site) {
   return line + ": " + site.score.reason;
 }
 
-bool recommended(const RankedSite& site) { return site.score.rated() && site.score.robust > 0; }
+bool recommended(const placement::RankedSite& site) {
+  return site.score.rated() && site.score.robust > 0;
+}
 
-std::vector<Vec2> outline_on_sheet(const Panel& panel, const PanelOnSheet& sheet) {
+std::vector<Vec2> outline_on_sheet(const pattern::Panel& panel, const io::PanelOnSheet& sheet) {
   std::vector<Vec2> points;
-  for (const Vec2& p : outline_polygon(panel)) points.push_back(sheet.at(p));
+  for (const Vec2& p : pattern::outline_polygon(panel)) points.push_back(sheet.at(p));
   return points;
 }
 
-std::string panel_marks(const RankingTable& table, const Pattern& pattern, int panel,
-                        const PanelOnSheet& sheet) {
-  const Panel& piece = pattern.panels[panel];
+std::string panel_marks(const placement::RankingTable& table, const pattern::Pattern& pattern,
+                        int panel, const io::PanelOnSheet& sheet) {
+  const pattern::Panel& piece = pattern.panels[panel];
   std::set<int> sewn;
-  for (const Stitch& stitch : pattern.stitches)
-    for (const Stitch::Side& side : {stitch.first, stitch.second})
+  for (const pattern::Stitch& stitch : pattern.stitches)
+    for (const pattern::Stitch::Side& side : {stitch.first, stitch.second})
       if (side.panel == panel) sewn.insert(side.edge);
   std::string out = forbidden_marks(piece, sewn, table.constraints, sheet);
   SewingLabels labels(outline_on_sheet(piece, sheet));
-  std::vector<const RankedSite*> sites;
-  for (const RankedSite& site : table.ranking.sites) {
-    const RankedPlace& place = table.places[site.index];
-    if (place.shape.kind == FootprintShape::Kind::girth && recommended(site))
+  std::vector<const placement::RankedSite*> sites;
+  for (const placement::RankedSite& site : table.ranking.sites) {
+    const placement::RankedPlace& place = table.places[site.index];
+    if (place.shape.kind == placement::FootprintShape::Kind::girth && recommended(site))
       out += line_marks(place, piece.name, sheet);
     if (place.panel != piece.name) continue;
     if (!recommended(site)) {
@@ -100,10 +103,10 @@ std::string panel_marks(const RankingTable& table, const Pattern& pattern, int p
     labels.keep_off(marked_points(place, piece, sheet));
     sites.push_back(&site);
   }
-  for (const RankedSite* site : sites) {
-    const RankedPlace& place = table.places[site->index];
+  for (const placement::RankedSite* site : sites) {
+    const placement::RankedPlace& place = table.places[site->index];
     out +=
-        labels.place(sheet.at(place.at), 1e3 * outer_radius(place.shape),
+        labels.place(sheet.at(place.at), 1e3 * placement::outer_radius(place.shape),
                      {numbered(*site, table.ranking), score_words(*site), tolerance_words(place)});
   }
   return out;
@@ -111,13 +114,13 @@ std::string panel_marks(const RankingTable& table, const Pattern& pattern, int p
 
 }  // namespace
 
-std::string sewing_plan_svg(const RankingTable& table, const Pattern& pattern) {
-  SheetMarks marks;
+std::string sewing_plan_svg(const placement::RankingTable& table, const pattern::Pattern& pattern) {
+  io::SheetMarks marks;
   marks.title = "Where to sew: " + table.scorecard.title;
   marks.words =
       "print at 100 %: the control square must measure 100 mm; outside of the cloth, no seam "
       "allowance; equal numbers are sewn together";
-  marks.over_panel = [&](int panel, const PanelOnSheet& sheet) {
+  marks.over_panel = [&](int panel, const io::PanelOnSheet& sheet) {
     return panel_marks(table, pattern, panel, sheet);
   };
   marks.lines = {
@@ -127,16 +130,16 @@ std::string sewing_plan_svg(const RankingTable& table, const Pattern& pattern) {
                   "mm to a seam, {:g} mm to a hem or opening, or kept free; grey cross: fails, or "
                   "is not rated",
                   1e3 * table.constraints.seam_clearance, 1e3 * table.constraints.edge_clearance)};
-  for (const RankedSite& site : table.ranking.sites)
+  for (const placement::RankedSite& site : table.ranking.sites)
     if (recommended(site)) marks.lines.push_back(site_line(table, site));
   if (marks.lines.size() == 2) marks.lines.push_back("no place is recommended");
   if (!table.scorecard.left_out.empty()) {
     std::string words = "scores are upper bounds, not looked at:";
     for (const std::string& metric : table.scorecard.left_out)
-      words += " " + metric_with_need(metric);
+      words += " " + placement::metric_with_need(metric);
     marks.lines.push_back(words);
   }
-  return pattern_svg(pattern, marks);
+  return io::pattern_svg(pattern, marks);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -4,7 +4,7 @@
 #include "loosefit/pattern/pattern.h"
 #include "loosefit/placement/ranking_table.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Where to sew: the pattern at 1:1 as an SVG, seen from the outside, with every site of a ranking
 /// that scores above 0: outline of the sensor, arrow along its axis, ellipse of the tolerance
@@ -12,6 +12,6 @@ namespace loosefit {
 /// not run alike. Places where nothing may be sewn, near seams and hems and in keep-out zones, are
 /// shaded. Sites that fail or are not rated are only crosses. Below stand scale, signs, and a line
 /// per recommended site with both addresses. \throws GeometryError for an invalid pattern.
-std::string sewing_plan_svg(const RankingTable& table, const Pattern& pattern);
+std::string sewing_plan_svg(const placement::RankingTable& table, const pattern::Pattern& pattern);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

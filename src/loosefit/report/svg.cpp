@@ -4,7 +4,7 @@
 
 #include "loosefit/report/html.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 std::string svg_open(double width, double height, const std::string& label) {
   return fmt::format(
@@ -24,4 +24,4 @@ std::string svg_text(double x, double y, const std::string& anchor, const std::s
                      anchor, more, content);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// Parts of inline SVG drawings; lengths in pixels, x to the right, y down.
 
@@ -16,4 +16,4 @@ std::string svg_line(double x1, double y1, double x2, double y2, const std::stri
 std::string svg_text(double x, double y, const std::string& anchor, const std::string& content,
                      const std::string& more = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::report

@@ -11,7 +11,7 @@
 #include "loosefit/study/rank_case.h"
 #include "loosefit/study/wear_states.h"
 
-namespace loosefit {
+namespace loosefit::report {
 namespace {
 
 using Path = std::filesystem::path;
@@ -21,24 +21,25 @@ void append(std::vector<Path>& files, const std::vector<Path>& more) {
 }
 
 /// What write_case_files writes of garments under the studied one and of states.
-std::vector<Path> planned_drapes(const Scenario& scenario) {
+std::vector<Path> planned_drapes(const scenario::Scenario& scenario) {
   const int under = static_cast<int>(scenario.worn_under().size());
   std::vector<Path> files;
   for (int g = 0; g < under; ++g)
-    append(files, {under_folder(g) / "drape.vtp", under_folder(g) / "pattern.json"});
-  const CaseWear wear = plan_wear(scenario);
-  for (const StateId& id : planned_states(wear)) {
-    const Path folder = state_folder(id, wear.postures[id.posture]);
+    append(files, {study::under_folder(g) / "drape.vtp", study::under_folder(g) / "pattern.json"});
+  const study::CaseWear wear = study::plan_wear(scenario);
+  for (const study::StateId& id : study::planned_states(wear)) {
+    const Path folder = study::state_folder(id, wear.postures[id.posture]);
     files.push_back(folder / "drape.vtp");
     if (id.in_first_donning()) files.push_back(folder / "body.vtp");
-    for (int g = 0; g < under; ++g) files.push_back(folder / under_folder(g) / "drape.vtp");
+    for (int g = 0; g < under; ++g) files.push_back(folder / study::under_folder(g) / "drape.vtp");
   }
   return files;
 }
 
 }  // namespace
 
-std::vector<std::string> planned_files(const Scenario& scenario, const OutputParts& parts) {
+std::vector<std::string> planned_files(const scenario::Scenario& scenario,
+                                       const OutputParts& parts) {
   std::vector<Path> files = {"summary.json", "drape.vtp", "body.vtp", "pattern.json",
                              "scenario.toml"};
   append(files, planned_drapes(scenario));
@@ -47,30 +48,33 @@ std::vector<std::string> planned_files(const Scenario& scenario, const OutputPar
   if (parts.sites) files.push_back("sites.csv");
   if (parts.report) files.push_back("report.html");
   if (parts.report && !scenario.ranking.modality.empty())
-    for (const std::string& file : ranking_files(load_scorecard(scenario.ranking.modality).name))
+    for (const std::string& file :
+         ranking_files(io::load_scorecard(scenario.ranking.modality).name))
       files.emplace_back(file);
   std::vector<std::string> names;
   for (const Path& file : files) names.push_back(file.generic_string());
   return names;
 }
 
-std::optional<TimedRanking> rank_as_asked(const CaseResult& result, Progress& progress) {
+std::optional<TimedRanking> rank_as_asked(const study::CaseResult& result, Progress& progress) {
   if (result.scenario.ranking.modality.empty() || result.studied().maps.maps.empty()) return {};
   StageClock clock(progress);
   clock.stage("placement");
-  RankingWish wish = ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
+  placement::RankingWish wish =
+      study::ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
   wish.progress = [&clock](double share) {
     clock.check_cancelled();
     clock.update(share, "search");
   };
-  TimedRanking ranking{rank_cases({{"run", &result}}, wish, true)};
+  TimedRanking ranking{study::rank_cases({{"run", &result}}, wish, true)};
   clock.stop();
   ranking.seconds = clock.entries().front().seconds;
   return ranking;
 }
 
-CaseResult write_output(const Path& folder, CaseResult result, const OutputParts& parts,
-                        const std::optional<TimedRanking>& ranking, Progress& progress) {
+study::CaseResult write_output(const Path& folder, study::CaseResult result,
+                               const OutputParts& parts, const std::optional<TimedRanking>& ranking,
+                               Progress& progress) {
   StageClock clock(progress);
   clock.stage("report");
   if (ranking) {
@@ -78,15 +82,15 @@ CaseResult write_output(const Path& folder, CaseResult result, const OutputParts
     for (StageClock::Entry& entry : result.seconds)
       if (entry.stage == "placement") entry.seconds += ranking->seconds;
   }
-  write_case_files(folder, result);
-  std::vector<Picture> pictures;
+  study::write_case_files(folder, result);
+  std::vector<render::Picture> pictures;
   if (parts.pictures) pictures = draw_case(folder, result, clock);
   if (parts.report) write_report(folder, result, pictures, ranking ? &ranking->table : nullptr);
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});
   result.peak_memory_mb = peak_memory_mb();
-  write_summary_file(folder, result);
+  study::write_summary_file(folder, result);
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

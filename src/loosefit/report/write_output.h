@@ -9,7 +9,7 @@
 #include "loosefit/study/case_result.h"
 
 // All files of a case.
-namespace loosefit {
+namespace loosefit::report {
 
 /// What to write beside the drape.
 struct OutputParts {
@@ -19,23 +19,24 @@ struct OutputParts {
 /// Names of the files that these parts of a scenario's output may have, relative to its folder:
 /// asked before the simulation, which may then leave some out (postures that do not settle, maps of
 /// a sealed drape). \throws as load_scorecard.
-std::vector<std::string> planned_files(const Scenario& scenario, const OutputParts& parts);
+std::vector<std::string> planned_files(const scenario::Scenario& scenario,
+                                       const OutputParts& parts);
 
 /// A ranking, and what it took.
 struct TimedRanking {
-  RankingTable table;
+  placement::RankingTable table;
   double seconds = 0;
 };
 
 /// Ranks sites as [ranking] of the scenario asks, as part of stage "placement". Nothing when it
 /// asks for none or there are no maps. \throws as rank_cases.
-std::optional<TimedRanking> rank_as_asked(const CaseResult& result, Progress& progress);
+std::optional<TimedRanking> rank_as_asked(const study::CaseResult& result, Progress& progress);
 
 /// Writes the files of a case into `folder`, which exists: data, ranking when there is one,
 /// pictures and report if `parts` asks for them, summary.json last. Returns the case with what that
 /// took (stage "report", peak memory). \throws IoError, Cancelled; Error without a display.
-CaseResult write_output(const std::filesystem::path& folder, CaseResult result,
-                        const OutputParts& parts, const std::optional<TimedRanking>& ranking,
-                        Progress& progress);
+study::CaseResult write_output(const std::filesystem::path& folder, study::CaseResult result,
+                               const OutputParts& parts, const std::optional<TimedRanking>& ranking,
+                               Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

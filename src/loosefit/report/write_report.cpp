@@ -6,10 +6,11 @@
 #include "loosefit/report/report_style.h"
 #include "loosefit/report/sections.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
-std::string report_html(const CaseResult& result, const std::vector<Picture>& pictures,
-                        const RankingTable* ranking) {
+std::string report_html(const study::CaseResult& result,
+                        const std::vector<render::Picture>& pictures,
+                        const placement::RankingTable* ranking) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>Loosefit report</title>\n<style>" +
@@ -23,9 +24,10 @@ std::string report_html(const CaseResult& result, const std::vector<Picture>& pi
          "</body>\n</html>\n";
 }
 
-void write_report(const std::filesystem::path& dir, const CaseResult& result,
-                  const std::vector<Picture>& pictures, const RankingTable* ranking) {
-  write_text_file((dir / "report.html").string(), report_html(result, pictures, ranking));
+void write_report(const std::filesystem::path& dir, const study::CaseResult& result,
+                  const std::vector<render::Picture>& pictures,
+                  const placement::RankingTable* ranking) {
+  io::write_text_file((dir / "report.html").string(), report_html(result, pictures, ranking));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::report

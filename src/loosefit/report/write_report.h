@@ -7,7 +7,7 @@
 #include "loosefit/render/render_pictures.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::report {
 
 /// The report of one case as one self-contained HTML page: no scripts, no outside resources, the
 /// pictures embedded; dark on light, fits a phone and a sheet of paper. Parts: who wears what, the
@@ -15,11 +15,13 @@ namespace loosefit {
 /// numbers per map, region and site, postures and donnings, the ranking where there is one, fit,
 /// body, material, timings, versions and the resolved scenario. A result without maps or pictures
 /// gets a page without those parts. \throws IoError when a picture cannot be read.
-std::string report_html(const CaseResult& result, const std::vector<Picture>& pictures,
-                        const RankingTable* ranking = nullptr);
+std::string report_html(const study::CaseResult& result,
+                        const std::vector<render::Picture>& pictures,
+                        const placement::RankingTable* ranking = nullptr);
 
 /// Writes it to DIR/report.html. \throws IoError when the file cannot be written in full.
-void write_report(const std::filesystem::path& dir, const CaseResult& result,
-                  const std::vector<Picture>& pictures, const RankingTable* ranking = nullptr);
+void write_report(const std::filesystem::path& dir, const study::CaseResult& result,
+                  const std::vector<render::Picture>& pictures,
+                  const placement::RankingTable* ranking = nullptr);
 
-}  // namespace loosefit
+}  // namespace loosefit::report

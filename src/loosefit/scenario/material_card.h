@@ -7,12 +7,12 @@
 #include "loosefit/fabric/kes_units.h"
 #include "loosefit/fabric/material.h"
 
-namespace loosefit {
+namespace loosefit::scenario {
 
 /// One figure of a card in the unit in which it was measured.
 struct KesFigure {
   std::string key;  ///< "B_warp"
-  KesUnit unit;
+  fabric::KesUnit unit;
   double value;
 };
 
@@ -26,7 +26,7 @@ struct OwnConstants {
 /// A material card: the constants with where they come from and what to think of them.
 struct MaterialCard {
   std::string key;  ///< name of the shipped card or absolute path of its file
-  Material material;
+  fabric::Material material;
   std::string title;
   std::string status;              ///< how far the numbers can be trusted
   std::vector<KesFigure> kes;      ///< as measured, in the units of the KES instruments
@@ -38,4 +38,4 @@ struct MaterialCard {
   OwnConstants own;  ///< what a scenario has put in their place
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::scenario

@@ -14,7 +14,7 @@
 
 // Plain values: what a scenario asks for, with every default. Nothing here reads, writes or
 // decides.
-namespace loosefit {
+namespace loosefit::scenario {
 
 /// [body]: a parametric person or a mesh file.
 struct ScenarioBody {
@@ -23,8 +23,8 @@ struct ScenarioBody {
   double height = 1.68;                        ///< [m]
   std::map<std::string, double> measurements;  ///< wished tape measures [m]
   double muscle = 0.5, proportions = 0.5, cup = 0.5, firmness = 0.5;
-  Posture posture;                             ///< in which the maps are made
-  Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
+  body::Posture posture;                             ///< in which the maps are made
+  body::Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
   std::string file;   ///< mesh file instead of the parametric person; absolute
   std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
   std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
@@ -58,10 +58,10 @@ struct ScenarioSimulation {
   int repeats = 1;                ///< drapes from perturbed starts: folds are not unique
   double start_perturbation = 0;  ///< rms shift of the dressed start [m]
   /// These four as in DrapeOptions, which has the defaults.
-  double residual_tolerance = DrapeOptions{}.residual_tolerance;
-  double gravity = DrapeOptions{}.gravity;
-  double time_budget = DrapeOptions{}.time_budget;
-  int max_iterations = DrapeOptions{}.max_iterations;
+  double residual_tolerance = drape::DrapeOptions{}.residual_tolerance;
+  double gravity = drape::DrapeOptions{}.gravity;
+  double time_budget = drape::DrapeOptions{}.time_budget;
+  int max_iterations = drape::DrapeOptions{}.max_iterations;
   int threads = 0;  ///< 0 = all cores; results do not depend on it
 };
 
@@ -97,8 +97,8 @@ struct Scenario {
   std::map<std::string, int> lines;  ///< where each key stands in it ("attachment[0].at"), likewise
   ScenarioBody body;
   std::vector<ScenarioGarment> garments{1};  ///< the innermost first; the last one is studied
-  std::vector<Attachment> attachments;
-  std::vector<SiteSpec> sites;
+  std::vector<garment::Attachment> attachments;
+  std::vector<placement::SiteSpec> sites;
   ScenarioSimulation simulation;
   ScenarioOutput output;
   ScenarioRanking ranking;
@@ -116,4 +116,4 @@ struct Scenario {
   }
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::scenario

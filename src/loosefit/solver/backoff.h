@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Exponential backoff: when to try again what may fail. Each failure in a row doubles the pause
 /// before the next try.
@@ -26,4 +26,4 @@ class Backoff {
   int pause_ = 0, next_pause_ = 1;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

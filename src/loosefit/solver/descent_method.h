@@ -3,7 +3,7 @@
 #include "loosefit/solver/newton_step.h"
 #include "loosefit/solver/solver_work.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Minimises the energy of one (pseudo-)time step,  Π(x) + Σ m_i/(2 dt²) |x_i − x̂_i|²,  an
 /// iteration at a time. Newton is the one of the program; bench/solver races others in the same
@@ -15,13 +15,14 @@ class DescentMethod {
   /// move of a particle in one step [m].
   virtual void restart(double max_move) = 0;
   /// One iteration. target = x̂, dt [s]; dt = ∞ leaves out the inertia term.
-  virtual StepOutcome iterate(VectorField& x, const VectorField& target, double dt) = 0;
+  virtual StepOutcome iterate(particles::VectorField& x, const particles::VectorField& target,
+                              double dt) = 0;
   /// LaggedState::begin_step of all energies.
-  virtual void begin_step(const VectorField& x, double dt) = 0;
+  virtual void begin_step(const particles::VectorField& x, double dt) = 0;
   /// ∂Π/∂x at x [N], remembered until x or the energies change. \post the next `iterate` at x is
   /// cheaper
-  virtual const VectorField& gradient(const VectorField& x) = 0;
+  virtual const particles::VectorField& gradient(const particles::VectorField& x) = 0;
   virtual const SolverWork& work() const = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

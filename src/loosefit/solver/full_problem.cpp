@@ -2,14 +2,14 @@
 
 #include "loosefit/solver/stopwatch.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
-double FullProblem::evaluate(const VectorField& x, VectorField& g) {
+double FullProblem::evaluate(const particles::VectorField& x, particles::VectorField& g) {
   const Stopwatch watch(work_.evaluate);
   return system_.potential_and_gradient(x, g);
 }
 
-void FullProblem::assemble(const VectorField& x, HessianKind kind) {
+void FullProblem::assemble(const particles::VectorField& x, particles::HessianKind kind) {
   const Stopwatch watch(work_.assemble);
   tangent_.assemble(x, kind);
 }
@@ -22,19 +22,19 @@ bool FullProblem::factorise(double shift) {
   return linear_.factorise(tangent_.matrix(), shift_, system_.held);
 }
 
-void FullProblem::solve(const VectorField& g, VectorField& dx) {
+void FullProblem::solve(const particles::VectorField& g, particles::VectorField& dx) {
   const Stopwatch watch(work_.solve);
   linear_.solve(g, dx);
 }
 
-double FullProblem::max_step(const VectorField& x, const VectorField& dx) {
+double FullProblem::max_step(const particles::VectorField& x, const particles::VectorField& dx) {
   const Stopwatch watch(work_.collide);
   return system_.max_step(x, dx);
 }
 
-void FullProblem::begin_step(const VectorField& x, double dt) {
+void FullProblem::begin_step(const particles::VectorField& x, double dt) {
   const Stopwatch watch(work_.refresh);
   system_.begin_step(x, dt);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

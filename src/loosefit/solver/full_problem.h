@@ -4,7 +4,7 @@
 #include "loosefit/solver/solver_work.h"
 #include "loosefit/solver/tangent_matrix.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Newton's problem of all particles of a system. Counts its work and keeps the pattern of the
 /// matrix between calls.
@@ -13,14 +13,14 @@ class FullProblem : public NewtonProblem {
   explicit FullProblem(const ParticleSystem& system, const PrecisionTuning& tuning = {})
       : system_(system), tangent_(system), linear_(tuning) {}
 
-  double evaluate(const VectorField& x, VectorField& g) override;
-  void restrict(VectorField& /*force*/) const override {}
-  void assemble(const VectorField& x, HessianKind kind) override;
+  double evaluate(const particles::VectorField& x, particles::VectorField& g) override;
+  void restrict(particles::VectorField& /*force*/) const override {}
+  void assemble(const particles::VectorField& x, particles::HessianKind kind) override;
   bool factorise(double shift) override;
-  void solve(const VectorField& g, VectorField& dx) override;
-  double max_step(const VectorField& x, const VectorField& dx) override;
+  void solve(const particles::VectorField& g, particles::VectorField& dx) override;
+  double max_step(const particles::VectorField& x, const particles::VectorField& dx) override;
   /// LaggedState::begin_step of all energies.
-  void begin_step(const VectorField& x, double dt);
+  void begin_step(const particles::VectorField& x, double dt);
 
   SolverWork& work() { return work_; }
   const SolverWork& work() const { return work_; }
@@ -36,4 +36,4 @@ class FullProblem : public NewtonProblem {
   SolverWork work_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

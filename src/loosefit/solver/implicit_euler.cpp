@@ -2,7 +2,7 @@
 
 #include "loosefit/solver/newton.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 class ImplicitEuler : public Integrator {
@@ -10,28 +10,28 @@ class ImplicitEuler : public Integrator {
   ImplicitEuler(const ParticleSystem& system, const SolverTuning& tuning)
       : system_(system), tuning_(tuning) {}
 
-  SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
+  SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) override {
     Newton newton(system_, tuning_);
     newton.restart(options.max_move);
-    system_.set_tangent(BendingTangent::plate);
+    system_.set_tangent(particles::BendingTangent::plate);
     SettleOutcome outcome;
-    VectorField v(x.size(), Vec3::Zero());
+    particles::VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;
-    for (int step = 0;; ++step) {
+    while (true) {
       outcome.work = newton.work();
       if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
-      if (step >= options.max_iterations) {
+      if (outcome.work.iterations >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
-      if (options.watch && options.watch(step, outcome.residual)) {
+      if (options.watch && options.watch(outcome.work.iterations, outcome.residual)) {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }
       // Free flight from here is the target of the inertia term.
       newton.begin_step(x, dt);
-      const VectorField start = x;
-      VectorField target(x.size());
+      const particles::VectorField start = x;
+      particles::VectorField target(x.size());
       for (std::size_t i = 0; i < x.size(); ++i)
         target[i] = system_.is_held(static_cast<int>(i)) ? x[i] : Vec3(x[i] + dt * v[i]);
       // Newton steps until the force has fallen far enough.
@@ -59,4 +59,4 @@ std::unique_ptr<Integrator> make_implicit_euler(const ParticleSystem& system,
   return std::make_unique<ImplicitEuler>(system, tuning);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -2,12 +2,13 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::solver {
 
-InertiaTerm::InertiaTerm(const ParticleSystem& system, const VectorField& target, double dt)
+InertiaTerm::InertiaTerm(const ParticleSystem& system, const particles::VectorField& target,
+                         double dt)
     : system_(system), target_(target), per_dt2_(std::isfinite(dt) ? 1 / (dt * dt) : 0) {}
 
-double InertiaTerm::energy(const VectorField& x) const {
+double InertiaTerm::energy(const particles::VectorField& x) const {
   double sum = 0;
   if (per_dt2_ > 0)
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -16,9 +17,9 @@ double InertiaTerm::energy(const VectorField& x) const {
   return sum;
 }
 
-void InertiaTerm::add_gradient(const VectorField& x, VectorField& g) const {
+void InertiaTerm::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   if (per_dt2_ > 0)
     for (std::size_t i = 0; i < x.size(); ++i) g[i] += gradient(static_cast<int>(i), x);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -4,17 +4,17 @@
 #include "loosefit/solver/rest_tolerance.h"
 #include "loosefit/solver/settle_outcome.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// When to stop settling, and what to tell on the way.
 struct SettleOptions {
   double tolerance = kRestTolerance;  ///< ‖F‖₂/‖W‖₂ [–]
-  int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
+  int max_iterations = 1000;  ///< Newton iterations, or time steps of the explicit integrator
   double max_move = 0.02;     ///< largest particle move per step, of all or of a region [m]
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
   /// Matrix of the Newton steps of the quasi-static integrator: changes the way and its cost, not
   /// the equilibrium. The plate tangent takes over when the hinge tangent finds no descent.
-  BendingTangent tangent = BendingTangent::plate;
+  particles::BendingTangent tangent = particles::BendingTangent::plate;
   /// Called about once per iteration with (iteration, residual); true asks to stop.
   std::function<bool(int, double)> watch;
 };
@@ -25,7 +25,7 @@ struct SettleOptions {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  virtual SettleOutcome settle(VectorField& x, const SettleOptions& options) = 0;
+  virtual SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

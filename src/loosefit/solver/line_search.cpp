@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Doubles t while that pays. energy: φ(t), t the trial point that was kept last.
@@ -47,4 +47,4 @@ SearchResult line_search(SearchLine& line, const SearchStart& start,
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

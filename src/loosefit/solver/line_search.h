@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/solver/solver_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// The energy along a search direction, φ(t) = E(x(t)), with one trial point at a time.
 class SearchLine {
@@ -39,4 +39,4 @@ struct SearchResult {
 SearchResult line_search(SearchLine& line, const SearchStart& start,
                          const LineSearchTuning& tuning);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -2,23 +2,23 @@
 
 #include <algorithm>
 
-namespace loosefit {
+namespace loosefit::solver {
 
-std::optional<MatrixKind> MatrixChoice::factorise(NewtonProblem& problem, const VectorField& x,
-                                                  double per_dt2) {
+std::optional<MatrixKind> MatrixChoice::factorise(NewtonProblem& problem,
+                                                  const particles::VectorField& x, double per_dt2) {
   if (tuning_.exact)
     if (const auto kind = try_exact(problem, x, per_dt2)) return kind;
   if (tuning_.half_compression && try_half_compression(problem, x, per_dt2))
     return MatrixKind::half_compression;
-  problem.assemble(x, HessianKind::projected);
+  problem.assemble(x, particles::HessianKind::projected);
   if (problem.factorise(per_dt2)) return MatrixKind::projected;
   return regularise(problem, per_dt2);
 }
 
-std::optional<MatrixKind> MatrixChoice::try_exact(NewtonProblem& problem, const VectorField& x,
-                                                  double per_dt2) {
+std::optional<MatrixKind> MatrixChoice::try_exact(NewtonProblem& problem,
+                                                  const particles::VectorField& x, double per_dt2) {
   if (!exact_backoff_.ready()) return std::nullopt;
-  problem.assemble(x, HessianKind::exact);
+  problem.assemble(x, particles::HessianKind::exact);
   if (problem.factorise(per_dt2)) {
     exact_backoff_.succeeded();
     return MatrixKind::exact;
@@ -43,10 +43,10 @@ bool MatrixChoice::try_mass_shift(NewtonProblem& problem) {
 
 /// Compressed cloth is about as stiff against buckling as its compression is strong: without the
 /// compression it would be far too stiff there, with half of it the matrix is mostly definite.
-bool MatrixChoice::try_half_compression(NewtonProblem& problem, const VectorField& x,
+bool MatrixChoice::try_half_compression(NewtonProblem& problem, const particles::VectorField& x,
                                         double per_dt2) {
   if (!half_backoff_.ready()) return false;
-  problem.assemble(x, HessianKind::half_compression);
+  problem.assemble(x, particles::HessianKind::half_compression);
   const bool definite = problem.factorise(per_dt2);
   definite ? half_backoff_.succeeded() : half_backoff_.failed();
   return definite;
@@ -60,4 +60,4 @@ std::optional<MatrixKind> MatrixChoice::regularise(NewtonProblem& problem, doubl
   return std::nullopt;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

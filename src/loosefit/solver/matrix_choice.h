@@ -5,7 +5,7 @@
 #include "loosefit/solver/newton_problem.h"
 #include "loosefit/solver/solver_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Which matrix a Newton step was taken with; each kind is tried when the ones before it are
 /// indefinite. The farther down, the safer and the slower.
@@ -30,12 +30,15 @@ class MatrixChoice {
 
   /// Factorises the matrix at x with the inertia 1/dt² [1/s²] of the time step, 0 in a static one.
   /// Returns its kind; nothing if even the last regularisation was not enough.
-  std::optional<MatrixKind> factorise(NewtonProblem& problem, const VectorField& x, double per_dt2);
+  std::optional<MatrixKind> factorise(NewtonProblem& problem, const particles::VectorField& x,
+                                      double per_dt2);
 
  private:
-  std::optional<MatrixKind> try_exact(NewtonProblem& problem, const VectorField& x, double per_dt2);
+  std::optional<MatrixKind> try_exact(NewtonProblem& problem, const particles::VectorField& x,
+                                      double per_dt2);
   bool try_mass_shift(NewtonProblem& problem);
-  bool try_half_compression(NewtonProblem& problem, const VectorField& x, double per_dt2);
+  bool try_half_compression(NewtonProblem& problem, const particles::VectorField& x,
+                            double per_dt2);
   std::optional<MatrixKind> regularise(NewtonProblem& problem, double per_dt2) const;
 
   MatrixTuning tuning_;
@@ -43,4 +46,4 @@ class MatrixChoice {
   double mass_shift_;  ///< [1/s²]
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -2,7 +2,7 @@
 
 #include "loosefit/solver/stopwatch.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 void Newton::restart(double max_move) {
   step_.set_max_move(max_move);
@@ -10,12 +10,12 @@ void Newton::restart(double max_move) {
   evaluated_ = false;
 }
 
-void Newton::begin_step(const VectorField& x, double dt) {
+void Newton::begin_step(const particles::VectorField& x, double dt) {
   problem_.begin_step(x, dt);
   evaluated_ = false;
 }
 
-const VectorField& Newton::gradient(const VectorField& x) {
+const particles::VectorField& Newton::gradient(const particles::VectorField& x) {
   if (!evaluated_ || x != at_.x) {
     at_.potential = problem_.evaluate(x, at_.gradient);
     at_.x = x;
@@ -24,7 +24,8 @@ const VectorField& Newton::gradient(const VectorField& x) {
   return at_.gradient;
 }
 
-StepOutcome Newton::iterate(VectorField& x, const VectorField& target, double dt) {
+StepOutcome Newton::iterate(particles::VectorField& x, const particles::VectorField& target,
+                            double dt) {
   const InertiaTerm inertia(system_, target, dt);
   gradient(x);
   ++problem_.work().iterations;
@@ -36,10 +37,10 @@ StepOutcome Newton::iterate(VectorField& x, const VectorField& target, double dt
   return outcome;
 }
 
-void Newton::relax_region(VectorField& x, const InertiaTerm& inertia) {
+void Newton::relax_region(particles::VectorField& x, const InertiaTerm& inertia) {
   if (system_.particles() < tuning_.region.min_particles) return;
   const Stopwatch watch(problem_.work().region);
-  VectorField force = at_.gradient;
+  particles::VectorField force = at_.gradient;
   inertia.add_gradient(x, force);
   const auto steps =
       region_.relax(x, force, inertia, step_.max_move(), problem_.order(), problem_.tangent());
@@ -48,4 +49,4 @@ void Newton::relax_region(VectorField& x, const InertiaTerm& inertia) {
   evaluated_ = false;  // a search also changes which pairs are in contact
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -3,7 +3,7 @@
 #include "loosefit/solver/full_problem.h"
 #include "loosefit/solver/region_relaxation.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Newton's method on all particles (NewtonStep), each step followed by steps of the few particles
 /// that bear most of the force that is left (RegionRelaxation). docs/decisions/0008 compares it
@@ -19,13 +19,14 @@ class Newton : public DescentMethod {
         region_(system, tuning) {}
 
   void restart(double max_move) override;
-  StepOutcome iterate(VectorField& x, const VectorField& target, double dt) override;
-  void begin_step(const VectorField& x, double dt) override;
-  const VectorField& gradient(const VectorField& x) override;
+  StepOutcome iterate(particles::VectorField& x, const particles::VectorField& target,
+                      double dt) override;
+  void begin_step(const particles::VectorField& x, double dt) override;
+  const particles::VectorField& gradient(const particles::VectorField& x) override;
   const SolverWork& work() const override { return problem_.work(); }
 
  private:
-  void relax_region(VectorField& x, const InertiaTerm& inertia);
+  void relax_region(particles::VectorField& x, const InertiaTerm& inertia);
 
   const ParticleSystem& system_;
   SolverTuning tuning_;
@@ -36,4 +37,4 @@ class Newton : public DescentMethod {
   bool evaluated_ = false;  ///< `at_` is a place with the present state of the energies
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -6,18 +6,19 @@
 #include "loosefit/base/check.h"
 #include "loosefit/particles/vector_sums.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
-double longest(const VectorField& dx) {
+double longest(const particles::VectorField& dx) {
   double squared = 0;
   for (const Vec3& d : dx) squared = std::max(squared, d.squaredNorm());
   return std::sqrt(squared);
 }
 
 /// ∂(Π + inertia)/∂x of the particles that may move [N].
-VectorField force_at(const NewtonProblem& problem, const InertiaTerm& inertia, const Iterate& at) {
-  VectorField force = at.gradient;
+particles::VectorField force_at(const NewtonProblem& problem, const InertiaTerm& inertia,
+                                const Iterate& at) {
+  particles::VectorField force = at.gradient;
   inertia.add_gradient(at.x, force);
   problem.restrict(force);
   return force;
@@ -26,8 +27,8 @@ VectorField force_at(const NewtonProblem& problem, const InertiaTerm& inertia, c
 /// The straight line x + t dx.
 class StraightLine : public SearchLine {
  public:
-  StraightLine(NewtonProblem& problem, const InertiaTerm& inertia, const VectorField& x,
-               const VectorField& dx)
+  StraightLine(NewtonProblem& problem, const InertiaTerm& inertia, const particles::VectorField& x,
+               const particles::VectorField& dx)
       : problem_(problem), inertia_(inertia), x_(x), dx_(dx) {}
 
   double energy(double t) override {
@@ -37,10 +38,10 @@ class StraightLine : public SearchLine {
     return trial_.potential + inertia_.energy(trial_.x);
   }
   // A trial that has been kept is still the one to be asked about.
-  double slope() override { return dot(force_at(problem_, inertia_, trial_), dx_); }
+  double slope() override { return particles::dot(force_at(problem_, inertia_, trial_), dx_); }
   double squared_force() override {
-    const VectorField force = force_at(problem_, inertia_, trial_);
-    return dot(force, force);
+    const particles::VectorField force = force_at(problem_, inertia_, trial_);
+    return particles::dot(force, force);
   }
   void keep() override { best_ = trial_; }
   Iterate& best() { return best_; }
@@ -48,8 +49,8 @@ class StraightLine : public SearchLine {
  private:
   NewtonProblem& problem_;
   const InertiaTerm& inertia_;
-  const VectorField& x_;
-  const VectorField& dx_;
+  const particles::VectorField& x_;
+  const particles::VectorField& dx_;
   Iterate trial_, best_;
 };
 
@@ -59,17 +60,17 @@ StepOutcome NewtonStep::take(NewtonProblem& problem, const InertiaTerm& inertia,
                              double min_force) {
   LOOSEFIT_ASSERT(at.gradient.size() == at.x.size());
   StepOutcome outcome;
-  const VectorField force = force_at(problem, inertia, at);
-  outcome.force = std::sqrt(dot(force, force));
+  const particles::VectorField force = force_at(problem, inertia, at);
+  outcome.force = std::sqrt(particles::dot(force, force));
   if (!(outcome.force > min_force)) return outcome;
 
   // Direction: downhill for a definite matrix, but for round-off.
   const auto kind = matrix_.factorise(problem, at.x, inertia.per_dt2());
   if (!kind) return outcome;
   outcome.exact = *kind == MatrixKind::exact;
-  VectorField dx;
+  particles::VectorField dx;
   problem.solve(force, dx);
-  double slope = dot(force, dx);
+  double slope = particles::dot(force, dx);
   if (!(slope < 0)) return outcome;
 
   // Length: other matrices than the exact one are too stiff along buckling directions, so look
@@ -98,4 +99,4 @@ StepOutcome NewtonStep::take(NewtonProblem& problem, const InertiaTerm& inertia,
   return outcome;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -3,13 +3,13 @@
 #include "loosefit/solver/line_search.h"
 #include "loosefit/solver/matrix_choice.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// A place with what a solver knows there.
 struct Iterate {
-  VectorField x;         ///< [m]
-  double potential = 0;  ///< Π [J], without inertia
-  VectorField gradient;  ///< ∂Π/∂x [N]
+  particles::VectorField x;         ///< [m]
+  double potential = 0;             ///< Π [J], without inertia
+  particles::VectorField gradient;  ///< ∂Π/∂x [N]
 };
 
 /// What one Newton step did.
@@ -43,4 +43,4 @@ class NewtonStep {
   double extension_;  ///< how far to look along a step whose matrix is not exact
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

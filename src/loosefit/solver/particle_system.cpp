@@ -3,49 +3,52 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::solver {
 
-void ParticleSystem::set_tangent(BendingTangent tangent) const {
-  for (Energy* e : energies)
-    if (auto* choice = dynamic_cast<TangentChoice*>(e)) choice->set_tangent(tangent);
+void ParticleSystem::set_tangent(particles::BendingTangent tangent) const {
+  for (particles::Energy* e : energies)
+    if (auto* choice = dynamic_cast<particles::TangentChoice*>(e)) choice->set_tangent(tangent);
 }
 
-void ParticleSystem::set_active_set(const ActiveSet* active_set) const {
-  for (Energy* e : energies)
-    if (auto* user = dynamic_cast<ActiveSetUser*>(e)) user->set_active_set(active_set);
+void ParticleSystem::set_active_set(const particles::ActiveSet* active_set) const {
+  for (particles::Energy* e : energies)
+    if (auto* user = dynamic_cast<particles::ActiveSetUser*>(e)) user->set_active_set(active_set);
 }
 
-void ParticleSystem::begin_step(const VectorField& x, double dt) const {
-  for (Energy* e : energies)
-    if (auto* lagged = dynamic_cast<LaggedState*>(e)) lagged->begin_step(x, dt);
+void ParticleSystem::begin_step(const particles::VectorField& x, double dt) const {
+  for (particles::Energy* e : energies)
+    if (auto* lagged = dynamic_cast<particles::LaggedState*>(e)) lagged->begin_step(x, dt);
 }
 
-double ParticleSystem::max_step(const VectorField& x, const VectorField& dx) const {
+double ParticleSystem::max_step(const particles::VectorField& x,
+                                const particles::VectorField& dx) const {
   double share = 1;
-  for (Energy* e : energies)
-    if (auto* limit = dynamic_cast<StepLimit*>(e)) share = std::min(share, limit->max_step(x, dx));
+  for (particles::Energy* e : energies)
+    if (auto* limit = dynamic_cast<particles::StepLimit*>(e))
+      share = std::min(share, limit->max_step(x, dx));
   return share;
 }
 
-double ParticleSystem::potential(const VectorField& x) const {
+double ParticleSystem::potential(const particles::VectorField& x) const {
   double sum = 0;
-  for (const Energy* e : energies) sum += e->value(x);
+  for (const particles::Energy* e : energies) sum += e->value(x);
   return sum;
 }
 
-VectorField ParticleSystem::gradient(const VectorField& x) const {
-  VectorField g(x.size(), Vec3::Zero());
-  for (const Energy* e : energies) e->add_gradient(x, g);
+particles::VectorField ParticleSystem::gradient(const particles::VectorField& x) const {
+  particles::VectorField g(x.size(), Vec3::Zero());
+  for (const particles::Energy* e : energies) e->add_gradient(x, g);
   if (!held.empty())
     for (std::size_t i = 0; i < x.size(); ++i)
       if (held[i]) g[i].setZero();
   return g;
 }
 
-double ParticleSystem::potential_and_gradient(const VectorField& x, VectorField& g) const {
+double ParticleSystem::potential_and_gradient(const particles::VectorField& x,
+                                              particles::VectorField& g) const {
   g.assign(x.size(), Vec3::Zero());
   double sum = 0;
-  for (const Energy* e : energies) sum += e->value_and_gradient(x, g);
+  for (const particles::Energy* e : energies) sum += e->value_and_gradient(x, g);
   if (!held.empty())
     for (std::size_t i = 0; i < x.size(); ++i)
       if (held[i]) g[i].setZero();
@@ -54,19 +57,19 @@ double ParticleSystem::potential_and_gradient(const VectorField& x, VectorField&
 
 double ParticleSystem::lagged_friction_force() const {
   double sum = 0;
-  for (const Energy* e : energies)
-    if (const auto* lagged = dynamic_cast<const LaggedState*>(e))
+  for (const particles::Energy* e : energies)
+    if (const auto* lagged = dynamic_cast<const particles::LaggedState*>(e))
       sum += std::pow(lagged->lagged_friction_force(), 2);
   return std::sqrt(sum);
 }
 
-std::uint64_t ParticleSystem::pattern_version(const VectorField& x) const {
+std::uint64_t ParticleSystem::pattern_version(const particles::VectorField& x) const {
   std::uint64_t sum = 0;  // versions only grow
-  for (const Energy* e : energies) sum += e->pattern_version(x);
+  for (const particles::Energy* e : energies) sum += e->pattern_version(x);
   return sum;
 }
 
-Residual residual_of(const ParticleSystem& system, const VectorField& gradient) {
+Residual residual_of(const ParticleSystem& system, const particles::VectorField& gradient) {
   Residual r;
   double force2 = 0, weight2 = 0, weight = 0, largest2 = -1;
   int free = 0;
@@ -94,4 +97,4 @@ Residual residual_of(const ParticleSystem& system, const VectorField& gradient) 
   return r;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

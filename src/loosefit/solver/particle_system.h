@@ -3,13 +3,13 @@
 
 #include "loosefit/particles/energy_capabilities.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// What the integrators see of a garment: particles, energies, masses, held particles. It does not
 /// own the energies. Each function asks the energies that have the capability in question
 /// (energy_capabilities.h).
 struct ParticleSystem {
-  std::vector<Energy*> energies;
+  std::vector<particles::Energy*> energies;
   std::vector<double> mass;  ///< [kg]
   /// Non-zero: a held particle, which does not move (Dirichlet condition); empty: all are free.
   std::vector<char> held;
@@ -18,19 +18,19 @@ struct ParticleSystem {
   int particles() const { return static_cast<int>(mass.size()); }
   bool is_held(int i) const { return !held.empty() && held[i]; }
 
-  void set_tangent(BendingTangent tangent) const;
-  void set_active_set(const ActiveSet* active_set) const;
-  void begin_step(const VectorField& x, double dt) const;
-  double max_step(const VectorField& x, const VectorField& dx) const;
-  double potential(const VectorField& x) const;
+  void set_tangent(particles::BendingTangent tangent) const;
+  void set_active_set(const particles::ActiveSet* active_set) const;
+  void begin_step(const particles::VectorField& x, double dt) const;
+  double max_step(const particles::VectorField& x, const particles::VectorField& dx) const;
+  double potential(const particles::VectorField& x) const;
   /// ∂Π/∂x, zero for held particles.
-  VectorField gradient(const VectorField& x) const;
+  particles::VectorField gradient(const particles::VectorField& x) const;
   /// Both at once; returns Π.
-  double potential_and_gradient(const VectorField& x, VectorField& g) const;
+  double potential_and_gradient(const particles::VectorField& x, particles::VectorField& g) const;
   /// ‖friction force‖ by which the lagged state departs from what the last place asks for [N].
   double lagged_friction_force() const;
   /// Changes when the union of all energies' patterns may have changed.
-  std::uint64_t pattern_version(const VectorField& x) const;
+  std::uint64_t pattern_version(const particles::VectorField& x) const;
 };
 
 /// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (docs/theory/solver.md 1).
@@ -39,6 +39,6 @@ struct Residual {
   double norm = 0, largest = 0;
   int worst_particle = -1;
 };
-Residual residual_of(const ParticleSystem& system, const VectorField& gradient);
+Residual residual_of(const ParticleSystem& system, const particles::VectorField& gradient);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Null: let OpenBLAS choose, as it is for other processors. Debian 12's does not use the AVX-512
@@ -33,4 +33,4 @@ void pin_blas(char** arguments) {
   execv("/proc/self/exe", arguments);  // returns only when it fails; then go on as we are
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

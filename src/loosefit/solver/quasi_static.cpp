@@ -6,7 +6,7 @@
 
 #include "loosefit/solver/newton.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ class QuasiStatic : public Integrator {
               const QuasiStaticTuning& tuning)
       : system_(system), tuning_(tuning), method_(std::move(method)) {}
 
-  SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
+  SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) override {
     start(x, options);
     SettleOutcome outcome;
     const auto end = [&](SettleOutcome::Reason reason) {
@@ -53,7 +53,7 @@ class QuasiStatic : public Integrator {
       choose_friction_interval(outcome);
       const Round round = minimise(x, options, outcome);
       if (round.stopped) return end(SettleOutcome::Reason::stopped);
-      if (stalls_ == tuning_.stalls_to_plate) system_.set_tangent(BendingTangent::plate);
+      if (stalls_ == tuning_.stalls_to_plate) system_.set_tangent(particles::BendingTangent::plate);
       choose_pseudo_step(round);
       if (detect_stall(round)) return end(SettleOutcome::Reason::stuck);
     }
@@ -61,7 +61,7 @@ class QuasiStatic : public Integrator {
 
  private:
   /// One step of the load history; everything after it iterates on its balance.
-  void start(const VectorField& x, const SettleOptions& options) {
+  void start(const particles::VectorField& x, const SettleOptions& options) {
     method_->restart(options.max_move);
     dt_ = options.first_dt;
     growth_ = tuning_.growth;
@@ -73,7 +73,7 @@ class QuasiStatic : public Integrator {
   }
 
   /// Contact sets, normal forces and anchors of the present place.
-  void renew_friction(const VectorField& x) { method_->begin_step(x, kInfinity); }
+  void renew_friction(const particles::VectorField& x) { method_->begin_step(x, kInfinity); }
 
   /// Static steps that only send the cloth to and fro between two shapes: damped ones follow.
   void detect_cycle(const SettleOutcome& now) {
@@ -99,9 +99,10 @@ class QuasiStatic : public Integrator {
   }
 
   /// Newton steps on the energy of one pseudo-step from x.
-  Round minimise(VectorField& x, const SettleOptions& options, const SettleOutcome& now) {
+  Round minimise(particles::VectorField& x, const SettleOptions& options,
+                 const SettleOutcome& now) {
     Round round;
-    const VectorField start = x;
+    const particles::VectorField start = x;
     const double dt = dt_ < tuning_.inertialess_dt ? dt_ : kInfinity;
     double first_force = -1;
     for (int k = 0; k < newton_per_step_; ++k) {
@@ -165,4 +166,4 @@ std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system,
   return std::make_unique<QuasiStatic>(system, std::move(method), tuning);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -4,7 +4,7 @@
 #include "loosefit/solver/descent_method.h"
 #include "loosefit/solver/integrator.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Pseudo-transient continuation: implicit steps without velocity whose length grows as they
 /// succeed, each minimised by Newton; the last ones are plain Newton on the force balance
@@ -17,4 +17,4 @@ std::unique_ptr<Integrator> make_quasi_static(const ParticleSystem& system,
                                               std::unique_ptr<DescentMethod> method,
                                               const QuasiStaticTuning& tuning = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 void RegionProblem::set_region(ResidualRegion region, TangentMatrix& tangent,
                                const std::vector<int>& order) {
@@ -22,16 +22,16 @@ void RegionProblem::set_region(ResidualRegion region, TangentMatrix& tangent,
   linear_.set_order(part);
 }
 
-double RegionProblem::evaluate(const VectorField& x, VectorField& g) {
+double RegionProblem::evaluate(const particles::VectorField& x, particles::VectorField& g) {
   return system_.potential_and_gradient(x, g);
 }
 
-void RegionProblem::restrict(VectorField& force) const {
+void RegionProblem::restrict(particles::VectorField& force) const {
   for (std::size_t i = 0; i < force.size(); ++i)
     if (!active_set_.inside[i]) force[i].setZero();
 }
 
-void RegionProblem::assemble(const VectorField& x, HessianKind kind) {
+void RegionProblem::assemble(const particles::VectorField& x, particles::HessianKind kind) {
   tangent_->assemble(x, kind, active_set_);
   restrict_to(region_, tangent_->matrix(), matrix_, blocks_);
 }
@@ -42,16 +42,16 @@ bool RegionProblem::factorise(double shift) {
   return linear_.factorise(matrix_, shift_, held_);
 }
 
-void RegionProblem::solve(const VectorField& g, VectorField& dx) {
-  VectorField force, step;
+void RegionProblem::solve(const particles::VectorField& g, particles::VectorField& dx) {
+  particles::VectorField force, step;
   for (int i : region_.particles) force.push_back(g[i]);
   linear_.solve(force, step);
   dx.assign(g.size(), Vec3::Zero());
   for (std::size_t k = 0; k < step.size(); ++k) dx[region_.particles[k]] = step[k];
 }
 
-double RegionProblem::max_step(const VectorField& x, const VectorField& dx) {
+double RegionProblem::max_step(const particles::VectorField& x, const particles::VectorField& dx) {
   return system_.max_step(x, dx);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -1,8 +1,9 @@
 #include "loosefit/solver/region_relaxation.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
-std::optional<int> RegionRelaxation::relax(VectorField& x, const VectorField& force,
+std::optional<int> RegionRelaxation::relax(particles::VectorField& x,
+                                           const particles::VectorField& force,
                                            const InertiaTerm& inertia, double max_move,
                                            const std::vector<int>& order, TangentMatrix& tangent) {
   ResidualRegion region = residual_region(tangent.matrix(), force, tuning_);
@@ -21,7 +22,7 @@ std::optional<int> RegionRelaxation::relax(VectorField& x, const VectorField& fo
   return steps;
 }
 
-int RegionRelaxation::relax_active_set(VectorField& x, const InertiaTerm& inertia) {
+int RegionRelaxation::relax_active_set(particles::VectorField& x, const InertiaTerm& inertia) {
   Iterate at;
   at.x = x;
   at.potential = problem_.evaluate(at.x, at.gradient);
@@ -37,4 +38,4 @@ int RegionRelaxation::relax_active_set(VectorField& x, const InertiaTerm& inerti
   return steps;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -4,7 +4,7 @@
 #include "loosefit/solver/newton_step.h"
 #include "loosefit/solver/region_problem.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Nonlinear elimination (Lanzkron, Rose and Wilkes 1996; Cai and Li 2011): after a Newton step on
 /// a drape nearly all of the unbalanced force is on a few vertices, the tips of folds, which the
@@ -24,11 +24,12 @@ class RegionRelaxation {
   /// pattern and memory, and is left with a matrix of no use; `order`: elimination order of all
   /// particles. max_move: of a particle in a step [m]. Returns the number of steps; nothing if the
   /// force is not on a few particles: then the energies have not been asked.
-  std::optional<int> relax(VectorField& x, const VectorField& force, const InertiaTerm& inertia,
-                           double max_move, const std::vector<int>& order, TangentMatrix& tangent);
+  std::optional<int> relax(particles::VectorField& x, const particles::VectorField& force,
+                           const InertiaTerm& inertia, double max_move,
+                           const std::vector<int>& order, TangentMatrix& tangent);
 
  private:
-  int relax_active_set(VectorField& x, const InertiaTerm& inertia);
+  int relax_active_set(particles::VectorField& x, const InertiaTerm& inertia);
 
   const ParticleSystem& system_;
   RegionTuning tuning_;
@@ -36,4 +37,4 @@ class RegionRelaxation {
   NewtonStep step_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -5,12 +5,12 @@
 
 #include "loosefit/base/check.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Particles that bear `share` of the sum of squares, the largest first; ties by number. None if
 /// that takes more than `most`.
-std::vector<int> seeds_of(const VectorField& force, double share, std::size_t most) {
+std::vector<int> seeds_of(const particles::VectorField& force, double share, std::size_t most) {
   std::vector<double> square(force.size());
   for (std::size_t i = 0; i < force.size(); ++i) square[i] = force[i].squaredNorm();
   const double all = std::accumulate(square.begin(), square.end(), 0.0);
@@ -30,7 +30,7 @@ std::vector<int> seeds_of(const VectorField& force, double share, std::size_t mo
 }
 
 /// Marks the neighbours of what is marked.
-void add_ring(const BlockMatrix& matrix, std::vector<char>& inside) {
+void add_ring(const particles::BlockMatrix& matrix, std::vector<char>& inside) {
   const auto &start = matrix.column_start(), &rows = matrix.rows();
   const std::vector<char> before = inside;
   for (int j = 0; j < matrix.particles(); ++j)
@@ -42,8 +42,8 @@ void add_ring(const BlockMatrix& matrix, std::vector<char>& inside) {
 
 }  // namespace
 
-ResidualRegion residual_region(const BlockMatrix& matrix, const VectorField& force,
-                               const RegionTuning& tuning) {
+ResidualRegion residual_region(const particles::BlockMatrix& matrix,
+                               const particles::VectorField& force, const RegionTuning& tuning) {
   const auto n = static_cast<double>(force.size());
   std::vector<char> inside(force.size(), 0);
   const auto seeds =
@@ -66,8 +66,8 @@ ResidualRegion residual_region(const BlockMatrix& matrix, const VectorField& for
   return region;
 }
 
-void restrict_to(const ResidualRegion& region, const BlockMatrix& matrix, BlockMatrix& part,
-                 RestrictedBlocks& blocks) {
+void restrict_to(const ResidualRegion& region, const particles::BlockMatrix& matrix,
+                 particles::BlockMatrix& part, RestrictedBlocks& blocks) {
   LOOSEFIT_ASSERT(blocks.of_pattern != matrix.pattern_id() ||
                   (part.particles() == static_cast<int>(region.particles.size()) &&
                    part.blocks().size() == blocks.source.size()));
@@ -85,10 +85,10 @@ void restrict_to(const ResidualRegion& region, const BlockMatrix& matrix, BlockM
         }
       part_start.push_back(static_cast<int>(part_rows.size()));
     }
-    part = BlockMatrix(std::move(part_start), std::move(part_rows));
+    part = particles::BlockMatrix(std::move(part_start), std::move(part_rows));
   }
   for (std::size_t k = 0; k < blocks.source.size(); ++k)
     part.block(static_cast<int>(k)) = matrix.blocks()[blocks.source[k]];
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -5,7 +5,7 @@
 #include "loosefit/particles/energy.h"
 #include "loosefit/solver/solver_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// A few particles that bear nearly all of the unbalanced force, with those around them.
 struct ResidualRegion {
@@ -17,8 +17,8 @@ struct ResidualRegion {
 /// The fewest particles that bear their share of the force, and as many rings round them as the
 /// tuning allows. Empty where that takes too many seeds, for then the force is spread out.
 /// Particles without force are never seeds. Of `matrix` only the pattern counts.
-ResidualRegion residual_region(const BlockMatrix& matrix, const VectorField& force,
-                               const RegionTuning& tuning);
+ResidualRegion residual_region(const particles::BlockMatrix& matrix,
+                               const particles::VectorField& force, const RegionTuning& tuning);
 
 /// Which blocks of a matrix those of a part of it are.
 struct RestrictedBlocks {
@@ -28,7 +28,7 @@ struct RestrictedBlocks {
 
 /// part = rows and columns of the region. `blocks` is brought up to date when the pattern is
 /// another one. \pre it was of the same region, or its `of_pattern` is 0
-void restrict_to(const ResidualRegion& region, const BlockMatrix& matrix, BlockMatrix& part,
-                 RestrictedBlocks& blocks);
+void restrict_to(const ResidualRegion& region, const particles::BlockMatrix& matrix,
+                 particles::BlockMatrix& part, RestrictedBlocks& blocks);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -4,16 +4,16 @@
 
 #include "loosefit/particles/vector_sums.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
-void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, VectorField& v,
-                              double dt) {
+void semi_implicit_euler_step(const ParticleSystem& system, particles::VectorField& x,
+                              particles::VectorField& v, double dt) {
   // Strain rates and friction are measured over the step that led here: start at x − v dt.
-  VectorField before(x.size());
+  particles::VectorField before(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) before[i] = x[i] - dt * v[i];
   system.begin_step(before, dt);
-  const VectorField g = system.gradient(x);
-  VectorField dx(x.size(), Vec3::Zero());
+  const particles::VectorField g = system.gradient(x);
+  particles::VectorField dx(x.size(), Vec3::Zero());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (system.is_held(static_cast<int>(i))) {
       v[i].setZero();
@@ -32,24 +32,26 @@ void semi_implicit_euler_step(const ParticleSystem& system, VectorField& x, Vect
 namespace {
 
 /// Largest eigenvalue of M⁻¹H by power iteration [1/s²].
-double largest_frequency2(const ParticleSystem& system, const VectorField& x, int iterations) {
-  BlockPattern pattern(system.particles());
-  for (const Energy* e : system.energies) e->add_pattern(x, pattern);
+double largest_frequency2(const ParticleSystem& system, const particles::VectorField& x,
+                          int iterations) {
+  particles::BlockPattern pattern(system.particles());
+  for (const particles::Energy* e : system.energies) e->add_pattern(x, pattern);
   pattern.compress();
-  BlockMatrix h(pattern);
-  for (const Energy* e : system.energies) e->add_hessian(x, h, HessianKind::projected);
+  particles::BlockMatrix h(pattern);
+  for (const particles::Energy* e : system.energies)
+    e->add_hessian(x, h, particles::HessianKind::projected);
   // Any start that is not orthogonal to the mode of the largest eigenvalue will do.
-  VectorField u(system.particles()), hu;
+  particles::VectorField u(system.particles()), hu;
   for (int i = 0; i < system.particles(); ++i)
     for (int c = 0; c < 3; ++c) u[i][c] = std::sin(1.0 + 7.3 * (3 * i + c));
-  double value = std::sqrt(dot(u, u));
+  double value = std::sqrt(particles::dot(u, u));
   for (int k = 0; k < iterations; ++k) {
     for (Vec3& v : u) v /= value;
     hu.assign(u.size(), Vec3::Zero());
     h.add_product(u, hu);
     for (int i = 0; i < system.particles(); ++i)
       hu[i] = system.is_held(i) ? Vec3::Zero() : Vec3(hu[i] / system.mass[i]);
-    value = std::sqrt(dot(hu, hu));
+    value = std::sqrt(particles::dot(hu, hu));
     if (!(value > 0)) break;
     u.swap(hu);
   }
@@ -61,9 +63,9 @@ class SemiImplicitEuler : public Integrator {
   SemiImplicitEuler(const ParticleSystem& system, const SemiImplicitTuning& tuning)
       : system_(system), tuning_(tuning) {}
 
-  SettleOutcome settle(VectorField& x, const SettleOptions& options) override {
+  SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) override {
     SettleOutcome outcome;
-    VectorField v(x.size(), Vec3::Zero());
+    particles::VectorField v(x.size(), Vec3::Zero());
     double dt = 0, kinetic_before = 0;
     for (int step = 0;; ++step) {
       if (step % tuning_.refresh_interval == 0) {
@@ -108,4 +110,4 @@ std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleSystem& syste
   return std::make_unique<SemiImplicitEuler>(system, tuning.semi_implicit);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

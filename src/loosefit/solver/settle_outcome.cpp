@@ -3,16 +3,16 @@
 #include <cmath>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::solver {
 
-bool check_convergence_at(const ParticleSystem& system, const VectorField& x, double tolerance,
-                          SettleOutcome& outcome) {
+bool check_convergence_at(const ParticleSystem& system, const particles::VectorField& x,
+                          double tolerance, SettleOutcome& outcome) {
   system.begin_step(x, std::numeric_limits<double>::infinity());
   return check_convergence(system, system.gradient(x), tolerance, outcome);
 }
 
-bool check_convergence(const ParticleSystem& system, const VectorField& gradient, double tolerance,
-                       SettleOutcome& outcome) {
+bool check_convergence(const ParticleSystem& system, const particles::VectorField& gradient,
+                       double tolerance, SettleOutcome& outcome) {
   const Residual r = residual_of(system, gradient);
   outcome.residual = r.norm;
   outcome.residual_max = r.largest;
@@ -38,4 +38,4 @@ std::string SettleOutcome::text() const {
   return {};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -4,7 +4,7 @@
 #include "loosefit/solver/particle_system.h"
 #include "loosefit/solver/solver_work.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Why and where settling stopped.
 struct SettleOutcome {
@@ -18,10 +18,10 @@ struct SettleOutcome {
 /// Measures the static force balance (no inertia, no viscosity) into the outcome; true when
 /// settling is over because it is met or not a number, with the reason set. gradient: ∂Π/∂x with
 /// friction renewed by the caller.
-bool check_convergence(const ParticleSystem& system, const VectorField& gradient, double tolerance,
-                       SettleOutcome& outcome);
+bool check_convergence(const ParticleSystem& system, const particles::VectorField& gradient,
+                       double tolerance, SettleOutcome& outcome);
 /// The same at x: renews friction first.
-bool check_convergence_at(const ParticleSystem& system, const VectorField& x, double tolerance,
-                          SettleOutcome& outcome);
+bool check_convergence_at(const ParticleSystem& system, const particles::VectorField& x,
+                          double tolerance, SettleOutcome& outcome);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

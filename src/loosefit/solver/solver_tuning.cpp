@@ -4,7 +4,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 void check_range(const char* name, double value, double low, double high) {
@@ -110,4 +110,4 @@ void SolverTuning::validate() const {
   check_range("semi_implicit.power_iterations", semi_implicit.power_iterations, 1, kLarge);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

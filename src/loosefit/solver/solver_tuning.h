@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/solver/linear/linear_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 // All tuning numbers of the nonlinear solver. They change the way to an equilibrium and its cost,
 // never the equilibrium, which the force balance alone defines (docs/theory/solver.md 1). "Swept":
@@ -139,4 +139,4 @@ struct SolverTuning {
   void validate() const;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// What solving took: counters, and wall seconds of its parts.
 struct SolverWork {
@@ -30,4 +30,4 @@ struct SolverWork {
   }
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

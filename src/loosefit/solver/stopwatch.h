@@ -1,7 +1,7 @@
 #pragma once
 #include <chrono>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Adds the wall time of its own life to a sum [s].
 class Stopwatch {
@@ -18,4 +18,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 struct Box {
@@ -28,9 +28,9 @@ double common_share(const Box& pattern, const Box& body) {
   return least;
 }
 
-Box box_of_panels(const Pattern& pattern, const RigidMotion& motion) {
+Box box_of_panels(const pattern::Pattern& pattern, const body::RigidMotion& motion) {
   Box box;
-  for (const Panel& panel : pattern.panels)
+  for (const pattern::Panel& panel : pattern.panels)
     for (const Vec2& v : panel.vertices)
       box.take(motion * (panel.rotation * Vec3(v.x(), v.y(), 0) + panel.translation));
   return box;
@@ -38,15 +38,17 @@ Box box_of_panels(const Pattern& pattern, const RigidMotion& motion) {
 
 }  // namespace
 
-void carry_with_scan(Pattern& pattern, const Body& body, std::vector<std::string>& warnings) {
+void carry_with_scan(pattern::Pattern& pattern, const body::Body& body,
+                     std::vector<std::string>& warnings) {
   constexpr double kRound = 0.5;
   constexpr double kTurn = 1, kShift = 0.02;  // what shows in a placement [°], [m]
-  const RigidMotion& motion = body.from_world;
-  if (motion.isApprox(RigidMotion::Identity(), 1e-12)) return;
+  const body::RigidMotion& motion = body.from_world;
+  if (motion.isApprox(body::RigidMotion::Identity(), 1e-12)) return;
   Box person;
   for (const Vec3& p : body.surface.vertices) person.take(p);
   const double moved = common_share(box_of_panels(pattern, motion), person);
-  const double unmoved = common_share(box_of_panels(pattern, RigidMotion::Identity()), person);
+  const double unmoved =
+      common_share(box_of_panels(pattern, body::RigidMotion::Identity()), person);
   if (moved < kRound && unmoved >= kRound) {
     warnings.push_back(
         "the panels are not round the scan in the coordinates of its file: they are taken as "
@@ -62,10 +64,10 @@ void carry_with_scan(Pattern& pattern, const Body& body, std::vector<std::string
         "or beside their place, turn the scan in its file to face -y (with y up: +z) over the "
         "origin",
         turned, shift));
-  for (Panel& panel : pattern.panels) {
+  for (pattern::Panel& panel : pattern.panels) {
     panel.translation = motion * panel.translation;
     panel.rotation = motion.linear() * panel.rotation;
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -9,28 +9,30 @@
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
-
+namespace loosefit::flesh {
 class SoftBody;
+}
+
+namespace loosefit::study {
 
 /// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
 /// Copies ask the same person, one caller at a time; see another_caller.
 struct CaseBody {
-  PosedBody body;  ///< in the wanted posture
-  BodyPath path;   ///< share 0 dressing posture … 1 `body`
+  body::PosedBody body;  ///< in the wanted posture
+  body::BodyPath path;   ///< share 0 dressing posture … 1 `body`
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
-  BodyPath wide_path;
-  Posture from, to;                   ///< of the path, unless it is a scan's
-  std::shared_ptr<SoftBody> person;   ///< whom all of these ask; null for a scan
-  std::vector<MeasureRow> asked;      ///< wishes against what the surface measures [m]
-  std::vector<std::string> warnings;  ///< from the fit or the scan's check
+  body::BodyPath wide_path;
+  body::Posture from, to;                   ///< of the path, unless it is a scan's
+  std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null for a scan
+  std::vector<body::MeasureRow> asked;      ///< wishes against what the surface measures [m]
+  std::vector<std::string> warnings;        ///< from the fit or the scan's check
 };
 
 /// The parametric person, or the scan when the scenario names a file (which keeps its posture).
 /// The baked body data are loaded once per process.
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
-CaseBody make_body(const ScenarioBody& wished);
+CaseBody make_body(const scenario::ScenarioBody& wished);
 
 /// The same wearer for somebody who asks at the same time as others: what it answers depends on
 /// nothing that they ask.
@@ -42,6 +44,6 @@ std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
 /// posture, along its wide one, which then is its path, with a warning.
 /// \throws GeometryError when it cannot be laid at all.
-Drape put_on(DrapeSession& session, CaseBody& body);
+drape::Drape put_on(drape::DrapeSession& session, CaseBody& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

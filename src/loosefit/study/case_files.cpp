@@ -10,7 +10,7 @@
 #include "loosefit/study/sites_csv.h"
 #include "loosefit/study/summary.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 namespace {
 
@@ -22,11 +22,11 @@ void write_worn_under(const std::filesystem::path& folder, const CaseResult& res
     const std::filesystem::path own = folder / under_folder(g);
     std::filesystem::create_directories(own);
     if (state) {
-      write_drape_vtp(own / "drape.vtp", garment.mesh(), state->drapes[g]);
+      io::write_drape_vtp(own / "drape.vtp", garment.mesh(), state->drapes[g]);
     } else {
-      write_drape_vtp(own / "drape.vtp", garment.mesh(), garment.drape,
-                      plain_maps(garment.maps.maps));
-      write_garmentcode(own / "pattern.json", garment.pattern.pattern);
+      io::write_drape_vtp(own / "drape.vtp", garment.mesh(), garment.drape,
+                          plain_maps(garment.maps.maps));
+      io::write_garmentcode(own / "pattern.json", garment.pattern.pattern);
     }
   }
 }
@@ -36,11 +36,11 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
     if (!state.draped()) continue;
     const std::filesystem::path own = folder / state_folder(state);
     std::filesystem::create_directories(own);
-    write_drape_vtp(own / "drape.vtp", result.studied().mesh(), state.drape(),
-                    plain_maps(state.maps.maps));
+    io::write_drape_vtp(own / "drape.vtp", result.studied().mesh(), state.drape(),
+                        plain_maps(state.maps.maps));
     write_worn_under(own, result, &state);
     if (state.id.in_first_donning())
-      write_body_vtp(own / "body.vtp", result.body_in(state.id.posture));
+      io::write_body_vtp(own / "body.vtp", result.body_in(state.id.posture));
   }
 }
 
@@ -48,20 +48,20 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
 
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result) {
   const CaseGarment& studied = result.studied();
-  const std::vector<PerformanceMap> maps = plain_maps(studied.maps.maps);
-  write_drape_vtp(folder / "drape.vtp", studied.mesh(), studied.drape, maps);
+  const std::vector<maps::PerformanceMap> maps = plain_maps(studied.maps.maps);
+  io::write_drape_vtp(folder / "drape.vtp", studied.mesh(), studied.drape, maps);
   write_worn_under(folder, result, nullptr);
-  write_body_vtp(folder / "body.vtp", result.body.body);
+  io::write_body_vtp(folder / "body.vtp", result.body.body);
   write_states(folder, result);
-  write_garmentcode(folder / "pattern.json", studied.pattern.pattern);
-  write_text_file((folder / "scenario.toml").string(), scenario_toml(result.scenario));
+  io::write_garmentcode(folder / "pattern.json", studied.pattern.pattern);
+  io::write_text_file((folder / "scenario.toml").string(), io::scenario_toml(result.scenario));
   if (!maps.empty())
-    write_text_file((folder / "sites.csv").string(),
-                    sites_csv(result.sites, result.uncovered_sites));
+    io::write_text_file((folder / "sites.csv").string(),
+                        sites_csv(result.sites, result.uncovered_sites));
 }
 
 void write_summary_file(const std::filesystem::path& folder, const CaseResult& result) {
-  write_text_file((folder / "summary.json").string(), summary_json(result));
+  io::write_text_file((folder / "summary.json").string(), summary_json(result));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -3,7 +3,7 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Writes drape.vtp, drape.vtp and pattern.json in under_folder for every garment under it,
 /// body.vtp, pattern.json, sites.csv (when there are maps), scenario.toml, and per posture and
@@ -14,4 +14,4 @@ void write_case_files(const std::filesystem::path& folder, const CaseResult& res
 /// Writes summary.json; last, so that its seconds are complete and a folder that has one is whole.
 void write_summary_file(const std::filesystem::path& folder, const CaseResult& result);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -1,6 +1,6 @@
 #include "loosefit/study/case_folders.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 std::filesystem::path under_folder(int garment) {
   return std::filesystem::path("under") / std::to_string(garment + 1);
@@ -11,4 +11,4 @@ std::filesystem::path state_folder(const StateId& id, const std::string& posture
   return std::filesystem::path("donnings") / std::to_string(id.donning + 1) / posture;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

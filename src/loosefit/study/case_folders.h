@@ -4,7 +4,7 @@
 #include "loosefit/study/case_state.h"
 
 // Where the files of a case lie in the folder of its run.
-namespace loosefit {
+namespace loosefit::study {
 
 /// Folder of a garment under the studied one, in that of a run or a state: "under/1" for garment 0,
 /// the innermost, and so on.
@@ -17,4 +17,4 @@ inline std::filesystem::path state_folder(const CaseState& state) {
   return state_folder(state.id, state.name);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

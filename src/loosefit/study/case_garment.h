@@ -12,38 +12,38 @@
 #include "loosefit/maps/wrinkle_direction.h"
 #include "loosefit/study/case_pattern.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// One map with its summary over the garment and per body region.
 struct CaseMap {
-  PerformanceMap map;
-  MapStatistics overall;
-  std::map<Region, MapStatistics> regional;
+  maps::PerformanceMap map;
+  maps::MapStatistics overall;
+  std::map<body::Region, maps::MapStatistics> regional;
 };
 
 /// Contact pressure of one garment: always made, the map "pressure" only shows it.
 struct CasePressure {
-  PressureField field;  ///< empty when the drape does not know its forces
-  PressureAgreement overall;
-  std::map<Region, PressureAgreement> regional;  ///< where the garment touches
+  maps::PressureField field;  ///< empty when the drape does not know its forces
+  maps::PressureAgreement overall;
+  std::map<body::Region, maps::PressureAgreement> regional;  ///< where the garment touches
 };
 
 /// Stage "maps" of one garment.
 struct CaseMaps {
-  WornGarment worn;
+  maps::WornGarment worn;
   std::vector<CaseMap> maps;
   CasePressure pressure;
-  GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
-  std::map<Region, WrinkleDirection> wrinkles;
+  maps::GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
+  std::map<body::Region, maps::WrinkleDirection> wrinkles;
 };
 
 /// One garment of a case, from its pattern to its maps. Lists begin with the innermost garment.
 struct CaseGarment {
   CasePattern pattern;
-  GarmentHierarchy hierarchy;
-  Drape drape;  ///< in the reference state; certificate and report are those of all garments
+  garment::GarmentHierarchy hierarchy;
+  drape::Drape drape;  ///< in the reference state; certificate and report are those of all garments
   CaseMaps maps;
-  const Garment& mesh() const { return hierarchy.finest(); }
+  const garment::Garment& mesh() const { return hierarchy.finest(); }
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::study

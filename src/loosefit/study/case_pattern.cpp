@@ -10,23 +10,25 @@
 #include "loosefit/kinds/registry.h"
 #include "loosefit/study/carry_with_scan.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-void measure_fit(CasePattern& result, const Body& body, const NamedValues& drafted_fit) {
-  const GarmentKind& kind = garment_kind(result.pattern.kind);
-  result.levels = kind.levels(result.pattern, known_measures(kind, body.measured), drafted_fit);
-  for (const FitLevel& level : result.levels) {
+void measure_fit(CasePattern& result, const body::Body& body,
+                 const kinds::NamedValues& drafted_fit) {
+  const kinds::GarmentKind& kind = kinds::garment_kind(result.pattern.kind);
+  result.levels =
+      kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+  for (const kinds::FitLevel& level : result.levels) {
     result.girths[level.name] = level.garment;
     if (level.body && *level.body > 0) result.fit[level.name] = level.garment / *level.body - 1;
   }
 }
 
 /// Panels that are sewn to each other, directly or through others, the largest group first.
-std::vector<std::vector<std::string>> sewn_groups(const Pattern& pattern) {
+std::vector<std::vector<std::string>> sewn_groups(const pattern::Pattern& pattern) {
   std::vector<int> group(pattern.panels.size());
   std::iota(group.begin(), group.end(), 0);
-  for (const Stitch& stitch : pattern.stitches) {
+  for (const pattern::Stitch& stitch : pattern.stitches) {
     const int from = group[stitch.second.panel], to = group[stitch.first.panel];
     std::replace(group.begin(), group.end(), from, to);
   }
@@ -58,30 +60,32 @@ void warn_of_unsewn(CasePattern& result) {
 
 }  // namespace
 
-DraftedGarment draft_garment(const GarmentSpec& wished, const NamedValues& measures,
-                             const std::set<std::string>& asked) {
-  const GarmentKind& kind = garment_kind(wished.kind);
-  DraftRequest request{measures, wished.size, wished.fit, {}};
-  for (const KindMeasure& m : kind.measures)
+kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
+                                    const kinds::NamedValues& measures,
+                                    const std::set<std::string>& asked) {
+  const kinds::GarmentKind& kind = kinds::garment_kind(wished.kind);
+  kinds::DraftRequest request{measures, wished.size, wished.fit, {}};
+  for (const kinds::KindMeasure& m : kind.measures)
     if (!asked.count("measures." + m.name)) request.yielding.insert("measures." + m.name);
   for (const std::string& name : wished.adapt) request.yielding.insert("fit." + name);
   return kind.draft(request);
 }
 
-CasePattern make_pattern(const GarmentSpec& wished, const Body& body) {
+CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body) {
   CasePattern result;
-  NamedValues fit;
+  kinds::NamedValues fit;
   if (!wished.file.empty()) {
-    PatternFile file = read_garmentcode(wished.file);
+    io::PatternFile file = io::read_garmentcode(wished.file);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
     carry_with_scan(result.pattern, body, result.warnings);
     warn_of_unsewn(result);
   } else {
     const bool made_to_measure = wished.size.empty();
-    DraftedGarment garment = draft_garment(
-        wished,
-        made_to_measure ? draft_measures(garment_kind(wished.kind), body.measured) : NamedValues{});
+    kinds::DraftedGarment garment = draft_garment(
+        wished, made_to_measure
+                    ? kinds::draft_measures(kinds::garment_kind(wished.kind), body.measured)
+                    : kinds::NamedValues{});
     result.pattern = std::move(garment.pattern);
     result.warnings = std::move(garment.notes);
     fit = std::move(garment.fit);
@@ -90,4 +94,4 @@ CasePattern make_pattern(const GarmentSpec& wished, const Body& body) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

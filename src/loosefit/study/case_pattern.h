@@ -9,12 +9,12 @@
 #include "loosefit/pattern/pattern.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Stage "pattern": the flat pieces and how they fit this body.
 struct CasePattern {
-  Pattern pattern;
-  std::vector<FitLevel> levels;          ///< of fit, in the order of the kind
+  pattern::Pattern pattern;
+  std::vector<kinds::FitLevel> levels;   ///< of fit, in the order of the kind
   std::map<std::string, double> girths;  ///< of the garment per level [m]: chest, waist, hip, …
   std::map<std::string, double> fit;     ///< BGM per level, garment girth / body girth − 1
   std::vector<std::string> warnings;     ///< of reading a pattern file, or of adapting the draft
@@ -24,11 +24,12 @@ struct CasePattern {
 /// command line alike. What nobody asked for gives way: the names `wished.adapt` of the fit, and
 /// measures that are not in `asked` ("measures.neck", …). A size brings measures and fit of its
 /// own.
-DraftedGarment draft_garment(const GarmentSpec& wished, const NamedValues& measures,
-                             const std::set<std::string>& asked = {});
+kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
+                                    const kinds::NamedValues& measures,
+                                    const std::set<std::string>& asked = {});
 
 /// Drafts the garment to the body's measures and the wished fit, or to a garment size, or reads the
 /// pattern file. \throws InvalidInput, GeometryError for what cannot be drafted or sewn.
-CasePattern make_pattern(const GarmentSpec& wished, const Body& body);
+CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -4,9 +4,9 @@
 
 #include "loosefit/base/check.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
-void CaseResult::take_drapes(std::vector<Drape> drapes) {
+void CaseResult::take_drapes(std::vector<drape::Drape> drapes) {
   require(drapes.size() == garments.size(), "one drape per garment");
   for (std::size_t g = 0; g < garments.size(); ++g) garments[g].drape = std::move(drapes[g]);
 }
@@ -27,4 +27,4 @@ void CaseResult::take_sites(SiteStage made) {
     wear.states[s].sites = std::move(made.in_states[s]);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

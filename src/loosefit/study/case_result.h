@@ -12,7 +12,7 @@
 #include "loosefit/study/case_garment.h"
 #include "loosefit/study/case_state.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// How the garments were put on for one donning.
 struct CaseDonning {
@@ -26,7 +26,7 @@ struct CaseWear {
   std::vector<std::string> postures;  ///< the first is the reference posture
   std::vector<CaseDonning> donnings;  ///< the first is undisturbed
   /// Per posture; none for the reference posture (CaseResult::body), nor without states.
-  std::vector<PosedBody> bodies;
+  std::vector<body::PosedBody> bodies;
   std::vector<CaseState> states;      ///< all but the reference state
   std::vector<std::string> warnings;  ///< of putting on again
 };
@@ -53,21 +53,21 @@ struct MapStage {
 
 /// Stage "placement".
 struct SiteStage {
-  std::vector<Site> sites;               ///< on the studied garment, in the reference state
-  std::vector<UncoveredSite> uncovered;  ///< those that it does not cover
+  std::vector<placement::Site> sites;  ///< on the studied garment, in the reference state
+  std::vector<placement::UncoveredSite> uncovered;  ///< those that it does not cover
   /// The same sensors in other states, as CaseWear::states; empty but in the reference posture.
-  std::vector<std::vector<Site>> in_states;
+  std::vector<std::vector<placement::Site>> in_states;
 };
 
 /// Everything one case yields, stage by stage. A drape that is not settled or not worn is sealed:
 /// maps and `sites` stay empty unless they were asked for all the same.
 struct CaseResult {
-  Scenario scenario;
+  scenario::Scenario scenario;
   CaseBody body;
   std::vector<CaseGarment> garments{1};  ///< the innermost first; the last one is studied
   CaseWear wear;
-  std::vector<Site> sites;  ///< on the studied garment
-  std::vector<UncoveredSite> uncovered_sites;
+  std::vector<placement::Site> sites;  ///< on the studied garment
+  std::vector<placement::UncoveredSite> uncovered_sites;
   CaseRepeats repeats;
   std::vector<StageClock::Entry> seconds;  ///< per stage, in order
   double peak_memory_mb = 0;
@@ -80,17 +80,17 @@ struct CaseResult {
     return std::span(garments).first(garments.size() - 1);
   }
   /// Of all garments together, in the reference state.
-  const Certificate& certificate() const { return studied().drape.certificate; }
+  const drape::Certificate& certificate() const { return studied().drape.certificate; }
   bool sealed() const { return !certificate().holds() && studied().maps.maps.empty(); }
   /// The wearer in a posture of `wear`.
-  const PosedBody& body_in(int posture) const {
+  const body::PosedBody& body_in(int posture) const {
     return posture == StateId::kReferencePosture ? body.body : wear.bodies[posture];
   }
   /// What the stages have made, each in its place. \throws Error unless there are as many as
   /// garments and states.
-  void take_drapes(std::vector<Drape> drapes);
+  void take_drapes(std::vector<drape::Drape> drapes);
   void take_maps(MapStage made);
   void take_sites(SiteStage made);
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Preset sites and those of the scenario on the studied garment, with what the maps say there;
 /// none in other states. \throws InvalidInput naming a site whose panel or landmark is unknown.
@@ -11,4 +11,4 @@ SiteStage find_case_sites(const CaseResult& mapped);
 /// posture of the other donnings.
 SiteStage make_sites(const CaseResult& mapped);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

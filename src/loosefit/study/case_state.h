@@ -7,7 +7,7 @@
 #include "loosefit/placement/sites.h"
 #include "loosefit/study/case_garment.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Names one drape of a case by its posture and its donning (indices into CaseWear). The reference
 /// state is the case's own drape: the first donning in the reference posture, in which the maps are
@@ -23,32 +23,35 @@ struct StateId {
 
 /// Stage "maps" of one state, of the studied garment.
 struct StateMaps {
-  WornGarment worn;
-  PressureField pressure;
+  maps::WornGarment worn;
+  maps::PressureField pressure;
   /// In the reference posture the maps of the case; else slip against it in the same donning.
   std::vector<CaseMap> maps;
-  std::map<Region, WrinkleDirection> wrinkles;
+  std::map<body::Region, maps::WrinkleDirection> wrinkles;
 };
 
 /// The garments in one more posture or after one more donning.
 struct CaseState {
   StateId id;
-  std::string name;                ///< of the posture
-  std::vector<Drape> drapes = {};  ///< one per garment, the innermost first; empty: none
-  double seconds = 0;              ///< to drape it
-  std::string left_out = {};       ///< why there is no drape to speak of; else empty
-  StateMaps maps = {};             ///< of a drape that counts
-  std::vector<Site> sites = {};    ///< the case's sites in this drape; reference posture only
+  std::string name;                       ///< of the posture
+  std::vector<drape::Drape> drapes = {};  ///< one per garment, the innermost first; empty: none
+  double seconds = 0;                     ///< to drape it
+  std::string left_out = {};              ///< why there is no drape to speak of; else empty
+  StateMaps maps = {};                    ///< of a drape that counts
+  std::vector<placement::Site> sites =
+      {};  ///< the case's sites in this drape; reference posture only
 
   bool draped() const { return !drapes.empty(); }
   /// Of the garment that is studied; certificate and report are those of all. \pre draped()
-  const Drape& drape() const {
+  const drape::Drape& drape() const {
     LOOSEFIT_ASSERT(draped());
     return drapes.back();
   }
   /// Holds for no drape when there is none.
-  Certificate certificate() const { return draped() ? drape().certificate : Certificate{}; }
+  drape::Certificate certificate() const {
+    return draped() ? drape().certificate : drape::Certificate{};
+  }
   bool counts() const { return left_out.empty() && certificate().holds(); }
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::study

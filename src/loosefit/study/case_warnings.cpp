@@ -7,7 +7,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/study/case_boards.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -27,7 +27,7 @@ void add_garments(Lines& all, const CaseResult& result) {
   }
 }
 
-void add_certificate(Lines& all, const Certificate& certificate) {
+void add_certificate(Lines& all, const drape::Certificate& certificate) {
   if (!certificate.settled())
     all.push_back(
         fmt::format("settle: not settled ({}): residual {:.2e}, intersections with the "
@@ -50,7 +50,7 @@ std::vector<std::string> state_warnings(const CaseResult& result) {
     const std::string where = wear.donnings.size() > 1
                                   ? fmt::format("{} of donning {}", s.name, s.id.donning + 1)
                                   : s.name;
-    const Certificate c = s.certificate();
+    const drape::Certificate c = s.certificate();
     all.push_back(fmt::format("postures: {} is left out of all statistics: {}", where,
                               s.left_out.empty() ? fmt::format("not settled ({}), residual {:.2e}",
                                                                c.stop_reason, c.residual)
@@ -68,10 +68,15 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   });
   add(all, "body", of_donnings);
   add_garments(all, result);
-  for (const UncoveredSite& site : result.uncovered_sites)
+  for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);
   add_certificate(all, result.certificate());
+  if (const double spacing = result.studied().drape.report.coarsened_field; spacing > 0)
+    all.push_back(fmt::format(
+        "settle: the field of distances to the skin has a spacing of {:.1f} mm, coarser "
+        "than asked for, since the cloth takes up so much room: contact is less exact",
+        1e3 * spacing));
   add(all, "settle", result.repeats.warnings);
   if (result.scenario.simulation.repeats > 1 && result.repeats.spread.empty())
     all.push_back("settle: no spread over repeats: it takes two drapes from different starts");
@@ -80,4 +85,4 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

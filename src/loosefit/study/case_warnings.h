@@ -4,7 +4,7 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Everything the user should know of a case, in stage order.
 std::vector<std::string> case_warnings(const CaseResult& result);
@@ -12,4 +12,4 @@ std::vector<std::string> case_warnings(const CaseResult& result);
 /// Which states do not count and why, one line each.
 std::vector<std::string> state_warnings(const CaseResult& result);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

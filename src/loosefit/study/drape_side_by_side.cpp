@@ -5,7 +5,7 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// Share of the memory of the machine that drapes side by side may take.
@@ -27,4 +27,4 @@ void drape_side_by_side(const std::vector<DrapeJob>& jobs, int at_once, Progress
   side_by_side(timed, at_once, progress);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

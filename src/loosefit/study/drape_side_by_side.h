@@ -5,7 +5,7 @@
 
 #include "loosefit/base/progress.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// How many more drapes to make side by side: one per thread, as far as memory goes. To be asked
 /// right after the first one, for none takes more than the process has taken until then.
@@ -21,4 +21,4 @@ struct DrapeJob {
 /// Makes all of them, `at_once` (≥ 1) at a time. \throws as side_by_side.
 void drape_side_by_side(const std::vector<DrapeJob>& jobs, int at_once, Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -15,7 +15,7 @@
 #include "loosefit/study/simulation_options.h"
 #include "loosefit/study/wear_states.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -27,7 +27,7 @@ struct Start {
   const std::vector<PosedWearer>& wearers;  ///< per posture
   int at_once;
 
-  const PosedBody& body_in(int posture) const {
+  const body::PosedBody& body_in(int posture) const {
     return posture == StateId::kReferencePosture ? reference.body.body : wear.bodies[posture];
   }
   CaseState undraped(const StateId& id) const {
@@ -42,8 +42,8 @@ struct Start {
 /// One state that is to be draped, and what its draping leaves for other states.
 struct Task {
   CaseState state;
-  std::shared_ptr<DrapeSession> session;        ///< of its donning
-  std::shared_ptr<const SoftBody> person = {};  ///< who has been in its posture
+  std::shared_ptr<drape::DrapeSession> session;        ///< of its donning
+  std::shared_ptr<const flesh::SoftBody> person = {};  ///< who has been in its posture
   std::vector<std::string> warnings = {};
 };
 
@@ -59,7 +59,7 @@ std::vector<Task> drape_all(const Start& start, std::vector<Task> tasks, Progres
                       task = drape(std::move(task), sharing, own);
                       task.state.seconds =
                           std::chrono::duration<double>(Clock::now() - began).count();
-                      const PosedBody& body = start.body_in(task.state.id.posture);
+                      const body::PosedBody& body = start.body_in(task.state.id.posture);
                       task.state = check_worn(std::move(task.state), body, start.reference);
                     }});
   drape_side_by_side(jobs, start.at_once, progress);
@@ -67,14 +67,14 @@ std::vector<Task> drape_all(const Start& start, std::vector<Task> tasks, Progres
 }
 
 Task follow(const Start& start, Task task, int sharing, Progress& progress) {
-  const Scenario& scenario = start.reference.scenario;
+  const scenario::Scenario& scenario = start.reference.scenario;
   const int posture = task.state.id.posture;
   // Beside what putting on asked, whoever goes there knows that posture alone.
-  auto person = std::make_shared<SoftBody>(*start.reference.body.person);
+  auto person = std::make_shared<flesh::SoftBody>(*start.reference.body.person);
   person->learn(*start.wearers[posture].person);
-  const BodyPath path = [&, to = named_posture(task.state.name)](double share) {
+  const body::BodyPath path = [&, to = body::named_posture(task.state.name)](double share) {
     if (share == 1) return start.body_in(posture);
-    return person->in(blend(scenario.body.posture, to, share));
+    return person->in(body::blend(scenario.body.posture, to, share));
   };
   task.state.drapes = split_drape(task.session->follow(path, progress, sharing), scenario,
                                   start.reference.garments);
@@ -86,12 +86,12 @@ Task follow(const Start& start, Task task, int sharing, Progress& progress) {
 Task put_on_again(const Start& start, Task task, int sharing, Progress& progress) {
   const CaseResult& reference = start.reference;
   const CaseDonning& how = start.wear.donnings[task.state.id.donning];
-  DrapeOptions options = drape_options(reference.scenario.simulation);
+  drape::DrapeOptions options = drape_options(reference.scenario.simulation);
   options.drapes_at_once = sharing;
   options.start_shift = how.shift;
   options.start_twist = how.twist;
   CaseBody body = another_caller(reference.body);
-  task.session = std::make_shared<DrapeSession>(
+  task.session = std::make_shared<drape::DrapeSession>(
       cloth_layers(reference.scenario, reference.garments, how.friction), options, progress);
   task.state.drapes =
       split_drape(put_on(*task.session, body), reference.scenario, reference.garments);
@@ -100,7 +100,7 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
 }
 
 /// The other postures of the first donning.
-std::vector<Task> drape_postures(const Start& start, std::shared_ptr<DrapeSession> first,
+std::vector<Task> drape_postures(const Start& start, std::shared_ptr<drape::DrapeSession> first,
                                  Progress& progress) {
   std::vector<Task> tasks;
   for (const StateId& id : planned_states(start.wear))
@@ -169,8 +169,8 @@ CaseWear gathered(CaseWear wear, std::vector<Task> tasks) {
 
 }  // namespace
 
-CaseWear drape_states(const CaseResult& reference, std::shared_ptr<DrapeSession> first, int at_once,
-                      Progress& progress) {
+CaseWear drape_states(const CaseResult& reference, std::shared_ptr<drape::DrapeSession> first,
+                      int at_once, Progress& progress) {
   CaseWear wear = plan_wear(reference.scenario);
   if (wear.postures.empty() || !reference.certificate().holds()) return wear;
   const bool postures = wear.postures.size() > 1, donnings = wear.donnings.size() > 1;
@@ -195,4 +195,4 @@ CaseWear drape_states(const CaseResult& reference, std::shared_ptr<DrapeSession>
   return gathered(std::move(wear), std::move(tasks));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -5,7 +5,7 @@
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Stages "postures" and "donnings" of a case whose reference state is draped: the garments, which
 /// have been put on in `first`, follow their wearer through the other postures; then each further
@@ -13,7 +13,7 @@ namespace loosefit {
 /// each other, so they are draped side by side, `at_once` at a time; unless the time budget ends
 /// one, the bits do not depend on how many. Does not throw when one fails to settle: that state
 /// says why and does not count. Without states when the reference state is not settled and worn.
-CaseWear drape_states(const CaseResult& reference, std::shared_ptr<DrapeSession> first, int at_once,
-                      Progress& progress);
+CaseWear drape_states(const CaseResult& reference, std::shared_ptr<drape::DrapeSession> first,
+                      int at_once, Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -3,11 +3,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/study/unsettled_advice.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// An error about a garment under the studied one, told with its section [[under]].
-InvalidInput in_section(const InvalidInput& error, const Scenario& scenario, std::size_t garment) {
+InvalidInput in_section(const InvalidInput& error, const scenario::Scenario& scenario,
+                        std::size_t garment) {
   if (garment + 1 == scenario.garments.size()) return error;
   const std::string& key = error.place().key;
   const std::string& file = scenario.garments[garment].spec.file;
@@ -19,7 +20,7 @@ InvalidInput in_section(const InvalidInput& error, const Scenario& scenario, std
 
 }  // namespace
 
-std::vector<CasePattern> make_patterns(const Scenario& scenario, const Body& body) {
+std::vector<CasePattern> make_patterns(const scenario::Scenario& scenario, const body::Body& body) {
   std::vector<CasePattern> patterns;
   for (std::size_t g = 0; g < scenario.garments.size(); ++g) try {
       patterns.push_back(make_pattern(scenario.garments[g].spec, body));
@@ -29,11 +30,12 @@ std::vector<CasePattern> make_patterns(const Scenario& scenario, const Body& bod
   return patterns;
 }
 
-std::vector<CaseGarment> mesh_garments(const Scenario& scenario,
+std::vector<CaseGarment> mesh_garments(const scenario::Scenario& scenario,
                                        const std::vector<CasePattern>& patterns,
-                                       const std::vector<Attachment>& attachments,
+                                       const std::vector<garment::Attachment>& attachments,
                                        MeshLevels levels) {
-  const auto build = levels == MeshLevels::all ? build_hierarchy : build_coarsest_level;
+  const auto build =
+      levels == MeshLevels::all ? garment::build_hierarchy : garment::build_coarsest_level;
   const double edge_length = scenario.simulation.edge_length;
   std::vector<CaseGarment> garments;
   for (std::size_t g = 0; g < patterns.size(); ++g) try {
@@ -42,21 +44,21 @@ std::vector<CaseGarment> mesh_garments(const Scenario& scenario,
       garment.pattern = patterns[g];
       garment.hierarchy =
           build(patterns[g].pattern, edge_length, scenario.garments[g].material.material,
-                studied ? attachments : std::vector<Attachment>{});
+                studied ? attachments : std::vector<garment::Attachment>{});
     } catch (const InvalidInput& error) {
       throw in_section(error, scenario, g);
     }
   return garments;
 }
 
-std::vector<ClothLayer> cloth_layers(const Scenario& scenario,
-                                     const std::vector<CaseGarment>& garments,
-                                     double friction_share) {
-  std::vector<ClothLayer> layers;
+std::vector<drape::ClothLayer> cloth_layers(const scenario::Scenario& scenario,
+                                            const std::vector<CaseGarment>& garments,
+                                            double friction_share) {
+  std::vector<drape::ClothLayer> layers;
   for (std::size_t g = 0; g < garments.size(); ++g) {
-    const ScenarioGarment& asked = scenario.garments[g];
-    ClothLayer& layer = layers.emplace_back(
-        ClothLayer{&garments[g].hierarchy, asked.material.material, asked.friction});
+    const scenario::ScenarioGarment& asked = scenario.garments[g];
+    drape::ClothLayer& layer = layers.emplace_back(
+        drape::ClothLayer{&garments[g].hierarchy, asked.material.material, asked.friction});
     layer.material.friction_body *= friction_share;
     layer.material.friction_self *= friction_share;
     if (layer.friction_over) *layer.friction_over *= friction_share;
@@ -64,19 +66,19 @@ std::vector<ClothLayer> cloth_layers(const Scenario& scenario,
   return layers;
 }
 
-std::vector<Drape> split_drape(const Drape& all, const Scenario& scenario,
-                               const std::vector<CaseGarment>& garments) {
-  const std::vector<ClothLayer> layers = cloth_layers(scenario, garments);
-  std::vector<Drape> drapes;
+std::vector<drape::Drape> split_drape(const drape::Drape& all, const scenario::Scenario& scenario,
+                                      const std::vector<CaseGarment>& garments) {
+  const std::vector<drape::ClothLayer> layers = cloth_layers(scenario, garments);
+  std::vector<drape::Drape> drapes;
   for (int l = 0; l < static_cast<int>(layers.size()); ++l)
-    drapes.push_back(drape_of_layer(all, layers, l));
-  Drape& studied = drapes.back();
+    drapes.push_back(drape::drape_of_layer(all, layers, l));
+  drape::Drape& studied = drapes.back();
   if (studied.unsettled) studied.unsettled->hint = unsettled_advice(scenario, studied);
   return drapes;
 }
 
-TriangleMesh surface_under_studied(const CaseResult& result, const CaseState* state) {
-  TriangleMesh all;
+geometry::TriangleMesh surface_under_studied(const CaseResult& result, const CaseState* state) {
+  geometry::TriangleMesh all;
   for (std::size_t g = 0; g < result.worn_under().size(); ++g) {
     const CaseGarment& garment = result.garments[g];
     const auto& positions = (state ? state->drapes[g] : garment.drape).positions;
@@ -88,4 +90,4 @@ TriangleMesh surface_under_studied(const CaseResult& result, const CaseState* st
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

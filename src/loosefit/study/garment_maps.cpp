@@ -2,17 +2,18 @@
 
 #include "loosefit/maps/compute_maps.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-CasePressure make_pressure(const DressedGarment& dressed, const WornGarment& worn, double gravity) {
+CasePressure make_pressure(const DressedGarment& dressed, const maps::WornGarment& worn,
+                           double gravity) {
   CasePressure made;
   if (dressed.drape.body_normal_force.empty()) return made;
   made.field =
-      contact_pressure(dressed.mesh, dressed.drape, dressed.body, dressed.material, gravity);
-  made.overall = compare_pressures(made.field, worn.regions);
-  for (Region region : all_regions()) {
-    const PressureAgreement here = compare_pressures(made.field, worn.regions, region);
+      maps::contact_pressure(dressed.mesh, dressed.drape, dressed.body, dressed.material, gravity);
+  made.overall = maps::compare_pressures(made.field, worn.regions);
+  for (body::Region region : body::all_regions()) {
+    const maps::PressureAgreement here = maps::compare_pressures(made.field, worn.regions, region);
     if (here.contact_area > 0) made.regional[region] = here;
   }
   return made;
@@ -20,17 +21,18 @@ CasePressure make_pressure(const DressedGarment& dressed, const WornGarment& wor
 
 }  // namespace
 
-CaseMaps make_maps(const DressedGarment& dressed, const Scenario& scenario, bool allow_unsettled) {
+CaseMaps make_maps(const DressedGarment& dressed, const scenario::Scenario& scenario,
+                   bool allow_unsettled) {
   CaseMaps made;
-  made.worn = relate(dressed.mesh, dressed.drape.positions, dressed.body);
+  made.worn = maps::relate(dressed.mesh, dressed.drape.positions, dressed.body);
   made.pressure = make_pressure(dressed, made.worn, scenario.simulation.gravity);
-  for (PerformanceMap& map :
-       compute_maps(dressed.mesh, dressed.drape, made.worn, scenario.output.maps,
-                    {allow_unsettled, &made.pressure.field, &dressed.material}))
+  for (maps::PerformanceMap& map :
+       maps::compute_maps(dressed.mesh, dressed.drape, made.worn, scenario.output.maps,
+                          {allow_unsettled, &made.pressure.field, &dressed.material}))
     made.maps.push_back(with_statistics(std::move(map), made.worn));
-  made.wrinkles = regional_wrinkles(dressed.mesh, made.worn);
-  made.chest =
-      torso_girth(dressed.mesh, dressed.drape.positions, made.worn, chest_height(dressed.body));
+  made.wrinkles = maps::regional_wrinkles(dressed.mesh, made.worn);
+  made.chest = maps::torso_girth(dressed.mesh, dressed.drape.positions, made.worn,
+                                 maps::chest_height(dressed.body));
   return made;
 }
 
@@ -40,18 +42,18 @@ CaseMaps make_studied_maps(const CaseResult& draped, bool allow_unsettled) {
                    draped.scenario, allow_unsettled);
 }
 
-CaseMap with_statistics(PerformanceMap map, const WornGarment& worn) {
+CaseMap with_statistics(maps::PerformanceMap map, const maps::WornGarment& worn) {
   CaseMap entry;
-  entry.overall = statistics(map.values, worn.areas);
-  entry.regional = regional_statistics(map.values, worn.areas, worn.regions);
+  entry.overall = maps::statistics(map.values, worn.areas);
+  entry.regional = maps::regional_statistics(map.values, worn.areas, worn.regions);
   entry.map = std::move(map);
   return entry;
 }
 
-std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps) {
-  std::vector<PerformanceMap> plain;
+std::vector<maps::PerformanceMap> plain_maps(const std::vector<CaseMap>& maps) {
+  std::vector<maps::PerformanceMap> plain;
   for (const CaseMap& entry : maps) plain.push_back(entry.map);
   return plain;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

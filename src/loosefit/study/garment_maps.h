@@ -4,27 +4,28 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// A garment as somebody wears it; only referred to.
 struct DressedGarment {
-  const Garment& mesh;
-  const Drape& drape;
-  const Material& material;
-  const PosedBody& body;
+  const garment::Garment& mesh;
+  const drape::Drape& drape;
+  const fabric::Material& material;
+  const body::PosedBody& body;
 };
 
 /// Stage "maps" of one garment: the maps that the scenario asks for, pressure, wrinkles and girth.
 /// \throws Error if the drape is not settled and worn, unless `allow_unsettled`.
-CaseMaps make_maps(const DressedGarment& dressed, const Scenario& scenario, bool allow_unsettled);
+CaseMaps make_maps(const DressedGarment& dressed, const scenario::Scenario& scenario,
+                   bool allow_unsettled);
 
 /// The same of the studied garment of a case in its reference state.
 CaseMaps make_studied_maps(const CaseResult& draped, bool allow_unsettled);
 
 /// One map with its statistics.
-CaseMap with_statistics(PerformanceMap map, const WornGarment& worn);
+CaseMap with_statistics(maps::PerformanceMap map, const maps::WornGarment& worn);
 
 /// The maps alone.
-std::vector<PerformanceMap> plain_maps(const std::vector<CaseMap>& maps);
+std::vector<maps::PerformanceMap> plain_maps(const std::vector<CaseMap>& maps);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -19,14 +19,14 @@
 #include "loosefit/study/repeat_drapes.h"
 #include "loosefit/study/wear_states.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 constexpr double kSameSkin = 1e-5;  ///< round-off of another processor, less than a map shows [m]
 
 /// The drape of a file, if it is of this garment.
-Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
-  DrapeFile file = read_drape_vtp(path);
+drape::Drape read_drape(const std::filesystem::path& path, const garment::Garment& garment) {
+  io::DrapeFile file = io::read_drape_vtp(path);
   if (file.garment.triangles != garment.triangles)
     throw InvalidInput({path.string(), 0, ""}, "another garment",
                        "the mesh that scenario.toml of the run makes with this version",
@@ -35,9 +35,9 @@ Drape read_drape(const std::filesystem::path& path, const Garment& garment) {
 }
 
 /// One per garment, from the folder of a run or a state.
-std::vector<Drape> read_drapes(const std::filesystem::path& folder,
-                               const std::vector<CaseGarment>& garments) {
-  std::vector<Drape> drapes;
+std::vector<drape::Drape> read_drapes(const std::filesystem::path& folder,
+                                      const std::vector<CaseGarment>& garments) {
+  std::vector<drape::Drape> drapes;
   const int studied = static_cast<int>(garments.size()) - 1;
   for (int g = 0; g < studied; ++g)
     drapes.push_back(read_drape(folder / under_folder(g) / "drape.vtp", garments[g].mesh()));
@@ -47,8 +47,8 @@ std::vector<Drape> read_drapes(const std::filesystem::path& folder,
 
 /// A drape lies on the body that it was made with: its certificate and every distance hold for that
 /// one alone.
-void check_body(const std::filesystem::path& path, const Body& body) {
-  const TriangleMesh drawn = read_body_vtp(path);
+void check_body(const std::filesystem::path& path, const body::Body& body) {
+  const geometry::TriangleMesh drawn = io::read_body_vtp(path);
   const std::vector<Vec3>& skin = body.surface.vertices;
   const bool same_mesh =
       drawn.triangles == body.surface.triangles && drawn.vertices.size() == skin.size();
@@ -77,7 +77,7 @@ CaseWear recall_wear(const std::filesystem::path& folder, const CaseResult& refe
   for (const StateId& id : planned_states(wear)) {
     CaseState state{.id = id, .name = wear.postures[id.posture]};
     const std::filesystem::path here = folder / state_folder(state);
-    const PosedBody& body =
+    const body::PosedBody& body =
         id.in_reference_posture() ? reference.body.body : wear.bodies[id.posture];
     if (id.in_first_donning() && (is_there(here / "drape.vtp") || is_there(here / "body.vtp")))
       check_body(here / "body.vtp", body);
@@ -95,11 +95,11 @@ CaseWear recall_wear(const std::filesystem::path& folder, const CaseResult& refe
 }  // namespace
 
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
-  repair_output(folder);
+  io::repair_output(folder);
   StageClock clock(progress);
-  const Scenario scenario = read_scenario((folder / "scenario.toml").string());
+  const scenario::Scenario scenario = io::read_scenario((folder / "scenario.toml").string());
   try {
-    site_boards(scenario.sites);  // refuses boards to which the run has given no place
+    placement::site_boards(scenario.sites);  // refuses boards to which the run has given no place
     CaseResult result = prepare_case(scenario, clock);
     check_body(folder / "body.vtp", result.body.body);
     result.take_drapes(
@@ -118,7 +118,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
       result.wear.states[s].seconds = recalled.state_seconds[s];
     return result;
   } catch (const InvalidInput& error) {
-    throw in_scenario(error, scenario);
+    throw io::in_scenario(error, scenario);
   }
 }
 
@@ -135,4 +135,4 @@ CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progres
   return loaded;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

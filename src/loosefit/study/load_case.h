@@ -5,7 +5,7 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// An earlier output taken up again: body, pattern and garment are made anew from its scenario.toml
 /// (the same bits), positions and certificate come from its drape.vtp, those of other postures and
@@ -21,4 +21,4 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress);
 /// worn, unless `allow_unsettled`.
 CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

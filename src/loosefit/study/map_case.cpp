@@ -3,7 +3,7 @@
 #include "loosefit/study/garment_maps.h"
 #include "loosefit/study/state_maps.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 MapStage map_case(const CaseResult& draped, bool allow_unsettled) {
   MapStage made;
@@ -19,4 +19,4 @@ MapStage map_case(const CaseResult& draped, bool allow_unsettled) {
   return made;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

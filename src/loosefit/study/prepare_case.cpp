@@ -3,9 +3,9 @@
 #include "loosefit/study/case_boards.h"
 #include "loosefit/study/garment_layers.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
-CaseResult prepare_case(const Scenario& scenario, Progress& progress) {
+CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) {
   CaseResult result;
   result.scenario = scenario;
 
@@ -19,8 +19,9 @@ CaseResult prepare_case(const Scenario& scenario, Progress& progress) {
   result.scenario.sites = place_boards(scenario, result.body, patterns, progress);
   progress.stage("garment");  // after the stages of a first, coarse drape
   result.garments = mesh_garments(scenario, patterns, all_attachments(result.scenario));
-  check_sites(result.studied().mesh(), result.body.body, scenario.sites);  // before the long part
+  placement::check_sites(result.studied().mesh(), result.body.body,
+                         scenario.sites);  // before the long part
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -14,7 +14,7 @@
 #include "loosefit/study/case_warnings.h"
 #include "loosefit/study/wear_states.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 constexpr double kSamePlace = 5e-4;  // [m]
@@ -22,38 +22,42 @@ constexpr double kSamePlace = 5e-4;  // [m]
 /// Every corner of `inner` on `outer`; how the curves are divided does not matter.
 bool lies_on(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
   return std::all_of(inner.begin(), inner.end(), [&](const Vec2& p) {
-    return (closest_on_polygon(outer, p) - p).norm() < kSamePlace;
+    return (pattern::closest_on_polygon(outer, p) - p).norm() < kSamePlace;
   });
 }
 
-SiteMeter meter_of(const CaseResult& result) {
-  return SiteMeter(result.studied().mesh(), result.scenario.studied().material.material,
-                   worn_states(result));
+placement::SiteMeter meter_of(const CaseResult& result) {
+  return placement::SiteMeter(result.studied().mesh(), result.scenario.studied().material.material,
+                              worn_states(result));
 }
 
-bool has(const std::vector<Site>& sites, const std::string& name) {
-  return std::any_of(sites.begin(), sites.end(), [&](const Site& s) { return s.name == name; });
+bool has(const std::vector<placement::Site>& sites, const std::string& name) {
+  return std::any_of(sites.begin(), sites.end(),
+                     [&](const placement::Site& s) { return s.name == name; });
 }
 
 /// Sites that all wearers have; the rest goes and is named. `wearers` hold those of each, `bare`
 /// what the garment of each does not cover.
-std::vector<Site> common(const std::vector<Site>& sites, const std::vector<RankingWearer>& wearers,
-                         const std::vector<std::vector<UncoveredSite>>& bare,
-                         std::vector<UncoveredSite>& uncovered, std::vector<std::string>& notes) {
-  std::vector<Site> kept;
+std::vector<placement::Site> common(const std::vector<placement::Site>& sites,
+                                    const std::vector<placement::RankingWearer>& wearers,
+                                    const std::vector<std::vector<placement::UncoveredSite>>& bare,
+                                    std::vector<placement::UncoveredSite>& uncovered,
+                                    std::vector<std::string>& notes) {
+  std::vector<placement::Site> kept;
   std::vector<std::string> gone;
-  for (const Site& site : sites) {
+  for (const placement::Site& site : sites) {
     const auto lacking =
         std::find_if(wearers.begin() + 1, wearers.end(),
-                     [&](const RankingWearer& w) { return !has(w.sites, site.name); });
+                     [&](const placement::RankingWearer& w) { return !has(w.sites, site.name); });
     if (lacking == wearers.end()) {
       kept.push_back(site);
     } else if (site.preset) {
       gone.push_back(site.name);
     } else {
-      const std::vector<UncoveredSite>& theirs = bare[lacking - wearers.begin()];
-      const auto named = std::find_if(theirs.begin(), theirs.end(),
-                                      [&](const UncoveredSite& u) { return u.name == site.name; });
+      const std::vector<placement::UncoveredSite>& theirs = bare[lacking - wearers.begin()];
+      const auto named =
+          std::find_if(theirs.begin(), theirs.end(),
+                       [&](const placement::UncoveredSite& u) { return u.name == site.name; });
       if (named != theirs.end()) {
         uncovered.push_back({site.name, false, named->why + " (" + printable(lacking->name) + ")"});
         continue;
@@ -92,28 +96,29 @@ std::vector<std::string> notes_on(const std::vector<RankedRun>& runs, bool same)
 
 }  // namespace
 
-RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed) {
-  RankingWish wish;
-  wish.scorecard = load_scorecard(asked.modality);
+placement::RankingWish ranking_wish(const scenario::ScenarioRanking& asked, std::uint64_t seed) {
+  placement::RankingWish wish;
+  wish.scorecard = io::load_scorecard(asked.modality);
   wish.best = asked.best;
   wish.partial = asked.partial;
   wish.search.seed = wish.rank.seed = seed;
   return wish;
 }
 
-bool same_pieces(const Pattern& a, const Pattern& b) {
+bool same_pieces(const pattern::Pattern& a, const pattern::Pattern& b) {
   if (a.panels.size() != b.panels.size()) return false;
-  for (const Panel& panel : a.panels) {
+  for (const pattern::Panel& panel : a.panels) {
     const int other = b.find_panel(panel.name);
     if (other < 0) return false;
-    const std::vector<Vec2> p = outline_polygon(panel), q = outline_polygon(b.panels[other]);
+    const std::vector<Vec2> p = pattern::outline_polygon(panel),
+                            q = pattern::outline_polygon(b.panels[other]);
     if (!lies_on(p, q) || !lies_on(q, p)) return false;
   }
   return true;
 }
 
-RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
-                        bool with_sites) {
+placement::RankingTable rank_cases(const std::vector<RankedRun>& runs,
+                                   const placement::RankingWish& wish, bool with_sites) {
   if (runs.empty()) throw InvalidInput("a ranking needs at least one run");
   const CaseResult& first = *runs.front().result;
   const bool same = std::all_of(runs.begin(), runs.end(), [&](const RankedRun& run) {
@@ -124,9 +129,9 @@ RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& w
                        "runs with the same pattern pieces",
                        "give every scenario the pattern.json of one run as [garment] pattern");
   // What each run tells of a place; and its own sites where garments are cut differently.
-  std::deque<SiteMeter> meters;
-  std::vector<RankingWearer> wearers;
-  std::vector<std::vector<UncoveredSite>> bare;
+  std::deque<placement::SiteMeter> meters;
+  std::vector<placement::RankingWearer> wearers;
+  std::vector<std::vector<placement::UncoveredSite>> bare;
   for (const RankedRun& run : runs) {
     const CaseResult& result = *run.result;
     const CaseGarment& garment = result.studied();
@@ -141,7 +146,7 @@ RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& w
     bare.back() = std::move(own.uncovered);
   }
   // Sites of the first run, as far as all have them.
-  RankingWish whole = wish;
+  placement::RankingWish whole = wish;
   std::vector<std::string> notes = notes_on(runs, same);
   if (with_sites) {
     SiteStage of_first = find_case_sites(first);
@@ -150,9 +155,9 @@ RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& w
     if (!same) whole.sites = common(whole.sites, wearers, bare, whole.uncovered, notes);
     wearers.front().sites.clear();
   }
-  RankingTable table = make_ranking(wearers, whole);
+  placement::RankingTable table = placement::make_ranking(wearers, whole);
   table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
   return table;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -6,7 +6,7 @@
 #include "loosefit/placement/site_ranking.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// One run of those over which sites are ranked.
 struct RankedRun {
@@ -15,10 +15,10 @@ struct RankedRun {
 };
 
 /// What the section [ranking] of a scenario asks for. \throws as load_scorecard.
-RankingWish ranking_wish(const ScenarioRanking& asked, std::uint64_t seed);
+placement::RankingWish ranking_wish(const scenario::ScenarioRanking& asked, std::uint64_t seed);
 
 /// Whether two patterns have the same pieces: names, and outlines to half a millimetre.
-bool same_pieces(const Pattern& a, const Pattern& b);
+bool same_pieces(const pattern::Pattern& a, const pattern::Pattern& b);
 
 /// Ranks sites over one or several runs, each donning of each a sample. Postures and donnings
 /// that do not count are named in the notes. Needs result.maps (worn garment and pressure) of every
@@ -27,7 +27,7 @@ bool same_pieces(const Pattern& a, const Pattern& b);
 /// otherwise each run finds its own by their names, and what some run lacks is left out and noted.
 /// What a garment does not cover is listed apart and not ranked.
 /// \throws InvalidInput as make_ranking; without runs; for wished sites that a run lacks.
-RankingTable rank_cases(const std::vector<RankedRun>& runs, const RankingWish& wish,
-                        bool with_sites);
+placement::RankingTable rank_cases(const std::vector<RankedRun>& runs,
+                                   const placement::RankingWish& wish, bool with_sites);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -10,7 +10,7 @@
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Json = nlohmann::json;
@@ -23,12 +23,12 @@ Number at(const Json& summary, const std::string& place) {
                                                                    : Number{0};
 }
 
-std::vector<PartWork> parts_in(const Json& summary) {
-  std::vector<PartWork> parts;
+std::vector<drape::PartWork> parts_in(const Json& summary) {
+  std::vector<drape::PartWork> parts;
   const Json::json_pointer place("/settle/parts");
   if (!summary.contains(place) || !summary[place].is_array()) return parts;
   for (const Json& part : summary[place]) {
-    SolverWork work;
+    solver::SolverWork work;
     work.iterations = at<int>(part, "/iterations");
     work.factorisations = at<int>(part, "/factorisations");
     work.assemble = at<double>(part, "/seconds/assemble");
@@ -63,12 +63,13 @@ Spread spread_at(const std::string& file, const std::string& key, const Json& en
   return spread;
 }
 
-CaseRepeats repeats_in(const std::string& file, const Json& summary, const Scenario& scenario) {
+CaseRepeats repeats_in(const std::string& file, const Json& summary,
+                       const scenario::Scenario& scenario) {
   CaseRepeats repeats;
   if (scenario.simulation.repeats < 2) return repeats;
   // Spreads hold for the sites and the garment that the scenario had then.
   if (!summary.contains("scenario_sha256") ||
-      summary["scenario_sha256"] != sha256_hex(scenario_toml(scenario))) {
+      summary["scenario_sha256"] != sha256_hex(io::scenario_toml(scenario))) {
     repeats.warnings.push_back(
         "scenario.toml has been changed since the drapes from other starts: their spread is left "
         "out");
@@ -95,8 +96,8 @@ std::vector<StageClock::Entry> draping_seconds(const Json& summary) {
   return seconds;
 }
 
-SettleReport report_in(const Json& summary) {
-  SettleReport report;
+drape::SettleReport report_in(const Json& summary) {
+  drape::SettleReport report;
   report.parts = parts_in(summary);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
   report.contacts_body = at<int>(summary, "/settle/contacts_body");
@@ -110,7 +111,7 @@ SettleReport report_in(const Json& summary) {
 
 RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseResult& loaded) {
   const std::string file = (folder / "summary.json").string();
-  const Json summary = Json::parse(read_text_file(file, 50000000), nullptr, false);
+  const Json summary = Json::parse(io::read_text_file(file, 50000000), nullptr, false);
   if (!summary.is_object())
     throw InvalidInput({file, 0, ""}, summary.is_discarded() ? "no JSON" : summary.type_name(),
                        "a summary.json as loosefit wrote it", kMakeAgain);
@@ -124,4 +125,4 @@ RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseRe
   return recalled;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -4,7 +4,7 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// The way out where files of an earlier output are damaged or do not belong together.
 inline constexpr char kMakeAgain[] = "make the drape again: loosefit run scenario.toml -o DIR";
@@ -12,7 +12,7 @@ inline constexpr char kMakeAgain[] = "make the drape again: loosefit run scenari
 /// What only the drapes of a run could tell.
 struct RecalledSummary {
   std::vector<StageClock::Entry> seconds;  ///< of draping
-  SettleReport report;                     ///< counters; without history
+  drape::SettleReport report;              ///< counters; without history
   CaseRepeats repeats;
   std::vector<double> state_seconds;  ///< as CaseWear::states
 };
@@ -22,4 +22,4 @@ struct RecalledSummary {
 /// \throws IoError when it is missing, InvalidInput when it is damaged.
 RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseResult& loaded);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

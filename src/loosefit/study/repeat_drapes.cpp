@@ -15,19 +15,19 @@
 #include "loosefit/study/garment_maps.h"
 #include "loosefit/study/simulation_options.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Samples = std::map<std::string, double>;
 
 /// What one drape has; places that a map leaves undefined have nothing.
-Samples samples_of(const std::vector<CaseMap>& maps, const std::vector<Site>& sites) {
+Samples samples_of(const std::vector<CaseMap>& maps, const std::vector<placement::Site>& sites) {
   Samples samples;
   const auto take = [&](const std::string& key, double value) {
     if (std::isfinite(value)) samples[key] = value;
   };
   for (const CaseMap& map : maps) take(map_spread_key(map.map.array), map.overall.area_mean);
-  for (const Site& site : sites)
+  for (const placement::Site& site : sites)
     for (const auto& [array, value] : site.values)
       take(site_spread_key(site.name, array), value.mean);
   return samples;
@@ -52,12 +52,12 @@ struct Repeat {
 
 Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& progress) {
   // Put on once more, from another start.
-  const Scenario& scenario = result.scenario;
+  const scenario::Scenario& scenario = result.scenario;
   CaseBody body = another_caller(result.body);
-  DrapeOptions options = drape_options(scenario.simulation, repeat);
+  drape::DrapeOptions options = drape_options(scenario.simulation, repeat);
   options.drapes_at_once = sharing;
-  DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
-  std::vector<Drape> drapes = split_drape(put_on(session, body), scenario, result.garments);
+  drape::DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
+  std::vector<drape::Drape> drapes = split_drape(put_on(session, body), scenario, result.garments);
 
   // Left out with the reason unless it is settled and worn.
   Repeat made;
@@ -65,23 +65,23 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
     made.warnings.push_back(fmt::format("repeat {} {}", repeat + 1, what));
   };
   for (const std::string& warning : warnings_since(result.body, body)) warn(warning);
-  if (const Certificate& c = drapes.back().certificate; !c.settled()) {
+  if (const drape::Certificate& c = drapes.back().certificate; !c.settled()) {
     warn(fmt::format("did not settle ({}); left out", c.stop_reason));
     return made;
   }
   drapes = check_worn(std::move(drapes), result.garments, body.body);
-  const Drape& drape = drapes.back();
+  const drape::Drape& drape = drapes.back();
   if (!drape.certificate.worn()) {
     warn(fmt::format("is not worn ({}); left out", join(drape.certificate.worn_reasons, "; ")));
     return made;
   }
 
   // The same maps, and the same sensors where they are sewn.
-  const Garment& mesh = result.studied().mesh();
+  const garment::Garment& mesh = result.studied().mesh();
   const CaseMaps maps =
       make_maps({mesh, drape, scenario.studied().material.material, body.body}, scenario, false);
-  const std::vector<Site> sites = revisit_sites(result.sites, mesh, drape.positions, body.body,
-                                                maps.worn, plain_maps(maps.maps));
+  const std::vector<placement::Site> sites = placement::revisit_sites(
+      result.sites, mesh, drape.positions, body.body, maps.worn, plain_maps(maps.maps));
   made.samples = samples_of(maps.maps, sites);
   return made;
 }
@@ -123,7 +123,7 @@ CaseRepeats repeat_drapes(const CaseResult& result, int at_once, Progress& progr
 CaseRepeats known_repeats(const CaseResult& result) {
   std::set<std::string> known;
   for (const CaseMap& map : result.studied().maps.maps) known.insert(map_spread_key(map.map.array));
-  for (const Site& site : result.sites)
+  for (const placement::Site& site : result.sites)
     for (const auto& [array, value] : site.values) known.insert(site_spread_key(site.name, array));
   CaseRepeats repeats = result.repeats;
   std::erase_if(repeats.spread, [&](const auto& entry) { return !known.contains(entry.first); });
@@ -136,4 +136,4 @@ std::string site_spread_key(const std::string& site, const std::string& array) {
   return "sites." + site + "." + array;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -4,7 +4,7 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// Stage "repeats": drapes again from other starts, `at_once` side by side, as often as the
 /// scenario's `repeats` asks beyond the first, and gathers the spread of every area mean and every
@@ -19,4 +19,4 @@ CaseRepeats known_repeats(const CaseResult& result);
 std::string map_spread_key(const std::string& array);
 std::string site_spread_key(const std::string& site, const std::string& array);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -15,9 +15,10 @@
 #include "loosefit/study/repeat_drapes.h"
 #include "loosefit/study/simulation_options.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
-CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options) try {
+CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
+                    const RunOptions& options) try {
   const ThreadLimit threads(scenario.simulation.threads);
   StageClock clock(progress);
 
@@ -25,9 +26,9 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
 
   int at_once = 1;
   {
-    const auto session = std::make_shared<DrapeSession>(
+    const auto session = std::make_shared<drape::DrapeSession>(
         cloth_layers(result.scenario, result.garments), drape_options(scenario.simulation), clock);
-    const Drape drape = put_on(*session, result.body);  // dress, settle
+    const drape::Drape drape = put_on(*session, result.body);  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
                                   result.garments, result.body.body));
     at_once = drapes_at_once();
@@ -50,7 +51,7 @@ CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptio
   result.warnings = case_warnings(result);
   return result;
 } catch (const InvalidInput& error) {
-  throw in_scenario(error, scenario);
+  throw io::in_scenario(error, scenario);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

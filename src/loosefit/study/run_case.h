@@ -2,7 +2,7 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// How a case is run, apart from what the scenario says.
 struct RunOptions {
@@ -14,6 +14,7 @@ struct RunOptions {
 /// report is made by the caller (report/run_into_folder.h). Does not throw when the drape fails to
 /// settle: its certificate says why and the result is sealed. \throws InvalidInput, GeometryError,
 /// IoError as the stages do; Cancelled.
-CaseResult run_case(const Scenario& scenario, Progress& progress, const RunOptions& options = {});
+CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
+                    const RunOptions& options = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::study

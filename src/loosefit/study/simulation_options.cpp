@@ -2,20 +2,20 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
-IntegratorKind integrator_kind(const std::string& word) {
-  if (word == "semi-implicit-euler") return IntegratorKind::semi_implicit_euler;
-  if (word == "implicit-euler") return IntegratorKind::implicit_euler;
-  if (word == "quasi-static") return IntegratorKind::quasi_static;
+drape::IntegratorKind integrator_kind(const std::string& word) {
+  if (word == "semi-implicit-euler") return drape::IntegratorKind::semi_implicit_euler;
+  if (word == "implicit-euler") return drape::IntegratorKind::implicit_euler;
+  if (word == "quasi-static") return drape::IntegratorKind::quasi_static;
   throw InvalidInput({"", 0, "simulation.integrator"}, "\"" + word + "\"",
                      "semi-implicit-euler, implicit-euler or quasi-static");
 }
 
 }  // namespace
 
-DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
+drape::DrapeOptions drape_options(const scenario::ScenarioSimulation& simulation, int repeat) {
   return {.integrator = integrator_kind(simulation.integrator),
           .residual_tolerance = simulation.residual_tolerance,
           .gravity = simulation.gravity,
@@ -25,4 +25,4 @@ DrapeOptions drape_options(const ScenarioSimulation& simulation, int repeat) {
           .start_perturbation = simulation.start_perturbation};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -10,7 +10,7 @@
 #include "loosefit/maps/skin_partner.h"
 #include "loosefit/study/garment_maps.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 /// Calls visit(i) for every state that counts, side by side. Isolated: what a state does in
@@ -22,15 +22,17 @@ void for_each_that_counts(const std::vector<CaseState>& states, const Visit& vis
   });
 }
 
-std::vector<CaseMap> with_statistics(std::vector<PerformanceMap> maps, const WornGarment& worn) {
+std::vector<CaseMap> all_with_statistics(std::vector<maps::PerformanceMap> maps,
+                                         const maps::WornGarment& worn) {
   std::vector<CaseMap> all;
-  for (PerformanceMap& map : maps) all.push_back(with_statistics(std::move(map), worn));
+  for (maps::PerformanceMap& map : maps) all.push_back(with_statistics(std::move(map), worn));
   return all;
 }
 
 /// The state of the same donning in the reference posture, against which slip is measured.
-DressedState reference_of(const StateId& id, const CaseResult& draped, const WornGarment& reference,
-                          const std::vector<StateMaps>& made) {
+maps::DressedState reference_of(const StateId& id, const CaseResult& draped,
+                                const maps::WornGarment& reference,
+                                const std::vector<StateMaps>& made) {
   if (!id.in_first_donning()) {
     const std::vector<CaseState>& states = draped.wear.states;
     for (std::size_t i = 0; i < states.size(); ++i)
@@ -42,48 +44,51 @@ DressedState reference_of(const StateId& id, const CaseResult& draped, const Wor
 
 }  // namespace
 
-std::vector<StateMaps> map_states(const CaseResult& draped, const WornGarment& reference) {
-  const Scenario& scenario = draped.scenario;
-  const Material& material = scenario.studied().material.material;
-  const Garment& mesh = draped.studied().mesh();
+std::vector<StateMaps> map_states(const CaseResult& draped, const maps::WornGarment& reference) {
+  const scenario::Scenario& scenario = draped.scenario;
+  const fabric::Material& material = scenario.studied().material.material;
+  const garment::Garment& mesh = draped.studied().mesh();
   const std::vector<CaseState>& states = draped.wear.states;
   std::vector<StateMaps> all(states.size());
 
   // What each state tells by itself.
   for_each_that_counts(states, [&](std::size_t i) {
-    const Drape& drape = states[i].drape();
-    const PosedBody& body = draped.body_in(states[i].id.posture);
+    const drape::Drape& drape = states[i].drape();
+    const body::PosedBody& body = draped.body_in(states[i].id.posture);
     StateMaps& made = all[i];
-    made.worn = relate(mesh, drape.positions, body);
+    made.worn = maps::relate(mesh, drape.positions, body);
     if (!drape.body_normal_force.empty())
-      made.pressure = contact_pressure(mesh, drape, body, material, scenario.simulation.gravity);
-    made.wrinkles = regional_wrinkles(mesh, made.worn);
+      made.pressure =
+          maps::contact_pressure(mesh, drape, body, material, scenario.simulation.gravity);
+    made.wrinkles = maps::regional_wrinkles(mesh, made.worn);
     if (states[i].id.in_reference_posture())
-      made.maps = with_statistics(compute_maps(mesh, drape, made.worn, scenario.output.maps,
-                                               {false, &made.pressure, &material}),
-                                  made.worn);
+      made.maps =
+          all_with_statistics(maps::compute_maps(mesh, drape, made.worn, scenario.output.maps,
+                                                 {false, &made.pressure, &material}),
+                              made.worn);
   });
 
   // Slip against the reference posture of the same donning.
   for_each_that_counts(states, [&](std::size_t i) {
     const StateId& id = states[i].id;
     if (id.in_reference_posture()) return;
-    const DressedState now{states[i].drape().positions, draped.body_in(id.posture), all[i].worn};
-    all[i].maps = with_statistics(slip_maps(mesh, reference_of(id, draped, reference, all), now),
-                                  all[i].worn);
+    const maps::DressedState now{states[i].drape().positions, draped.body_in(id.posture),
+                                 all[i].worn};
+    all[i].maps = all_with_statistics(
+        maps::slip_maps(mesh, reference_of(id, draped, reference, all), now), all[i].worn);
   });
   return all;
 }
 
-std::vector<CaseMap> posture_maps(const CaseResult& draped, const WornGarment& reference,
+std::vector<CaseMap> posture_maps(const CaseResult& draped, const maps::WornGarment& reference,
                                   const std::vector<StateMaps>& states) {
-  std::vector<DressedState> others;
-  PerformanceMap slip;
+  std::vector<maps::DressedState> others;
+  maps::PerformanceMap slip;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const CaseState& state = draped.wear.states[i];
     if (!state.id.in_first_donning() || !state.counts()) continue;
     others.push_back({state.drape().positions, draped.body_in(state.id.posture), states[i].worn});
-    const PerformanceMap& here = states[i].maps.front().map;
+    const maps::PerformanceMap& here = states[i].maps.front().map;
     if (slip.values.empty()) {
       slip = here;
       slip.title = "Slip on the skin, greatest over postures";
@@ -93,11 +98,12 @@ std::vector<CaseMap> posture_maps(const CaseResult& draped, const WornGarment& r
       slip.values[v] = std::max(slip.values[v], here.values[v]);
   }
   if (others.empty()) return {};
-  const DressedState own{draped.studied().drape.positions, draped.body.body, reference};
-  std::vector<PerformanceMap> maps = {std::move(slip)};
-  for (PerformanceMap& map : orientation_error_maps(draped.studied().mesh(), own, others))
+  const maps::DressedState own{draped.studied().drape.positions, draped.body.body, reference};
+  std::vector<maps::PerformanceMap> maps = {std::move(slip)};
+  for (maps::PerformanceMap& map :
+       maps::orientation_error_maps(draped.studied().mesh(), own, others))
     maps.push_back(std::move(map));
-  return with_statistics(std::move(maps), reference);
+  return all_with_statistics(std::move(maps), reference);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

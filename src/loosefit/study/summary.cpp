@@ -9,12 +9,12 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 
-namespace loosefit {
+namespace loosefit::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json statistics_json(const MapStatistics& s) {
+Json statistics_json(const maps::MapStatistics& s) {
   return {{"min", s.min}, {"p5", s.p5},   {"median", s.median},
           {"p95", s.p95}, {"max", s.max}, {"area_mean", s.area_mean}};
 }
@@ -25,21 +25,21 @@ Json maps_json(const std::vector<CaseMap>& maps) {
     Json& entry = json[map.map.array] = statistics_json(map.overall);
     entry["undefined_vertices"] = map.overall.undefined;
     for (const auto& [region, statistics] : map.regional)
-      entry["regions"][name(region)] = statistics_json(statistics);
+      entry["regions"][body::name(region)] = statistics_json(statistics);
   }
   return json;
 }
 
-Json wrinkles_json(const std::map<Region, WrinkleDirection>& wrinkles) {
+Json wrinkles_json(const std::map<body::Region, maps::WrinkleDirection>& wrinkles) {
   Json json = Json::object();
   for (const auto& [region, w] : wrinkles)
-    json[name(region)] = {{"angle_deg", degrees(w.angle)},
-                          {"coherence", w.coherence},
-                          {"slope_rms_deg", degrees(w.slope)}};
+    json[body::name(region)] = {{"angle_deg", degrees(w.angle)},
+                                {"coherence", w.coherence},
+                                {"slope_rms_deg", degrees(w.slope)}};
   return json;
 }
 
-Json agreement_json(const PressureAgreement& a) {
+Json agreement_json(const maps::PressureAgreement& a) {
   return {{"contact_area_m2", a.contact_area},
           {"mean_kPa", a.contact_mean / 1000},
           {"mean_membrane_kPa", a.membrane_mean / 1000},
@@ -51,18 +51,18 @@ Json agreement_json(const PressureAgreement& a) {
 
 Json pressure_json(const CasePressure& pressure) {
   Json json = agreement_json(pressure.overall);
-  const std::vector<double> shares = pressure_class_shares(pressure.field);
+  const std::vector<double> shares = maps::pressure_class_shares(pressure.field);
   for (std::size_t i = 0; i < shares.size(); ++i)
-    json["area_share"][kPressureClassNames[i]] = shares[i];
+    json["area_share"][maps::kPressureClassNames[i]] = shares[i];
   for (const auto& [region, agreement] : pressure.regional)
-    json["regions"][name(region)] = agreement_json(agreement);
+    json["regions"][body::name(region)] = agreement_json(agreement);
   return json;
 }
 
 Json body_json(const CaseBody& body) {
   Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
   for (const auto& [key, value] : body.body->measured) json["measured"][key] = value;
-  for (const MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
+  for (const body::MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
   return json;
 }
 
@@ -71,7 +71,7 @@ Json fit_json(const CaseGarment& garment) {
   for (const auto& [level, mobility] : garment.pattern.fit) json["measured"][level] = mobility;
   for (const auto& [level, girth] : garment.pattern.girths) json["girths"][level] = girth;
   if (!garment.maps.maps.empty()) {
-    const GarmentGirth& chest = garment.maps.chest;
+    const maps::GarmentGirth& chest = garment.maps.chest;
     json["chest_cut"] = {{"level", chest.level},
                          {"draped", chest.draped},
                          {"flat", chest.flat},
@@ -80,17 +80,17 @@ Json fit_json(const CaseGarment& garment) {
   return json;
 }
 
-Json material_json(const MaterialCard& card) {
+Json material_json(const scenario::MaterialCard& card) {
   Json json = {{"name", card.material.name},
                {"source", card.material.source},
-               {"bending_length_m", bending_length(card.material)}};
-  for (const ConstantInUse& c : constants_in_use(card))
+               {"bending_length_m", io::bending_length(card.material)}};
+  for (const io::ConstantInUse& c : io::constants_in_use(card))
     json["constants"][c.key] = {{"value", c.value}, {"unit", c.unit}, {"from", c.from}};
   return json;
 }
 
-Json garment_json(const CaseGarment& garment, const MaterialCard& material) {
-  const Garment& mesh = garment.mesh();
+Json garment_json(const CaseGarment& garment, const scenario::MaterialCard& material) {
+  const garment::Garment& mesh = garment.mesh();
   double force = 0;
   for (double f : garment.drape.body_normal_force) force += f;
   return {{"pattern", garment.pattern.pattern.name},
@@ -119,20 +119,20 @@ Json garments_json(const CaseResult& result) {
   return json;
 }
 
-Json site_json(const Site& site) {
+Json site_json(const placement::Site& site) {
   Json json = {{"panel", site.panel},
                {"u_m", site.at.x()},
                {"v_m", site.at.y()},
                {"position_m", {site.position.x(), site.position.y(), site.position.z()}},
-               {"region", name(site.region)},
+               {"region", body::name(site.region)},
                {"angle_deg", degrees(site.angle)},
                {"body_address", nullptr},
                {"covered", site.not_covering.empty()}};
   if (!site.not_covering.empty()) json["why_not_covered"] = site.not_covering;
   if (site.anatomy)
     json["body_address"] = {
-        {"segment", name(site.anatomy->segment)},
-        {"side", side_name(*site.anatomy)},
+        {"segment", placement::name(site.anatomy->segment)},
+        {"side", io::side_name(*site.anatomy)},
         {"percent",
          {site.anatomy->percent.x(), site.anatomy->percent.y(), site.anatomy->percent.z()}}};
   for (const auto& [array, value] : site.values) {
@@ -153,7 +153,7 @@ Json seconds_json(const std::vector<StageClock::Entry>& entries) {
   return json;
 }
 
-Json work_json(const SolverWork& work) {
+Json work_json(const solver::SolverWork& work) {
   return {{"iterations", work.iterations},
           {"factorisations", work.factorisations},
           {"regional_iterations", work.regional},
@@ -167,9 +167,9 @@ Json work_json(const SolverWork& work) {
             {"region", work.region}}}};
 }
 
-Json parts_json(const std::vector<PartWork>& parts) {
+Json parts_json(const std::vector<drape::PartWork>& parts) {
   Json json = Json::array();
-  for (const PartWork& part : parts) {
+  for (const drape::PartWork& part : parts) {
     json.push_back(work_json(part.work));
     json.back()["part"] = part.part;
     json.back()["level"] = part.level + 1;
@@ -178,19 +178,23 @@ Json parts_json(const std::vector<PartWork>& parts) {
   return json;
 }
 
-Json settle_json(const SettleReport& report) {
-  const SolverWork total = report.total();
+Json settle_json(const drape::SettleReport& report) {
+  const solver::SolverWork total = report.total();
+  Json recoveries = Json::array();
+  for (const drape::RecoveryCount& r : report.recoveries)
+    recoveries.push_back({{"name", r.name}, {"times", r.times}});
   return {{"iterations", total.iterations},
           {"factorisations", total.factorisations},
           {"parts", parts_json(report.parts)},
           {"ccd_queries", report.ccd_queries},
+          {"recoveries", std::move(recoveries)},
           {"contacts_body", report.contacts_body},
           {"contacts_self", report.contacts_self},
           {"held_off_triangles", report.held_off_triangles},
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
 }
 
-Json unsettled_json(const Unsettled& u) {
+Json unsettled_json(const drape::Unsettled& u) {
   Json json = {{"why", u.why},
                {"hint", u.hint},
                {"times_allowed", u.times_allowed},
@@ -203,15 +207,16 @@ Json unsettled_json(const Unsettled& u) {
     entry["u_m"] = p.at.x(), entry["v_m"] = p.at.y();
     entry["position_m"] = {p.position.x(), p.position.y(), p.position.z()};
   };
-  for (const UnbalancedVertex& v : u.worst) {
+  for (const drape::UnbalancedVertex& v : u.worst) {
     Json entry = {{"vertex", v.vertex}};
     place(v, entry);
     entry["near"] = v.near;
     entry["net_N"] = v.net;
-    for (std::size_t k = 0; k < v.force.size(); ++k) entry["force_N"][kForceNames[k]] = v.force[k];
+    for (std::size_t k = 0; k < v.force.size(); ++k)
+      entry["force_N"][drape::kForceNames[k]] = v.force[k];
     json["worst"].push_back(std::move(entry));
   }
-  for (const CutTriangle& c : u.cuts) {
+  for (const drape::CutTriangle& c : u.cuts) {
     Json entry = {{"triangle", c.triangle}};
     place(c, entry);
     entry["cuts"] = c.body ? "body" : "cloth";
@@ -231,8 +236,8 @@ void add_wear(const CaseWear& wear, Json& json) {
                                 {"friction", d.friction}});
   json["states"] = Json::array();
   for (const CaseState& s : wear.states) {
-    const Certificate c = s.certificate();
-    const SettleReport report = s.draped() ? s.drape().report : SettleReport{};
+    const drape::Certificate c = s.certificate();
+    const drape::SettleReport report = s.draped() ? s.drape().report : drape::SettleReport{};
     Json entry = {
         {"posture", s.name},
         {"donning", s.id.donning + 1},
@@ -249,14 +254,14 @@ void add_wear(const CaseWear& wear, Json& json) {
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);
     if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps);
     if (!s.maps.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.maps.wrinkles);
-    for (const Site& site : s.sites) entry["sites"][site.name] = site_json(site);
+    for (const placement::Site& site : s.sites) entry["sites"][site.name] = site_json(site);
     if (!report.parts.empty()) entry["parts"] = parts_json(report.parts);
     json["states"].push_back(std::move(entry));
   }
 }
 
 Json certificate_json(const CaseResult& result) {
-  const Certificate& certificate = result.certificate();
+  const drape::Certificate& certificate = result.certificate();
   Json json;
   json["settled"] = certificate.settled();
   json["worn"] = certificate.worn();
@@ -276,7 +281,7 @@ Json certificate_json(const CaseResult& result) {
 
 std::string summary_json(const CaseResult& result) {
   const CaseGarment& studied = result.studied();
-  const Garment& mesh = studied.mesh();
+  const garment::Garment& mesh = studied.mesh();
   const CaseMaps& maps = studied.maps;
 
   // Whether the numbers count, and what they took.
@@ -302,8 +307,8 @@ std::string summary_json(const CaseResult& result) {
   if (!maps.pressure.field.empty()) json["pressure"] = pressure_json(maps.pressure);
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
-  for (const Site& site : result.sites) json["sites"][site.name] = site_json(site);
-  for (const UncoveredSite& site : result.uncovered_sites)
+  for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
+  for (const placement::UncoveredSite& site : result.uncovered_sites)
     json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
   for (const auto& [key, spread] : result.repeats.spread)
     json["repeats"][key] = {
@@ -313,8 +318,8 @@ std::string summary_json(const CaseResult& result) {
   // What made them.
   json["warnings"] = result.warnings;
   for (const auto& [library, number] : versions()) json["versions"][library] = number;
-  json["scenario_sha256"] = sha256_hex(scenario_toml(result.scenario));
+  json["scenario_sha256"] = sha256_hex(io::scenario_toml(result.scenario));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

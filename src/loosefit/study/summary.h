@@ -3,10 +3,10 @@
 
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// summary.json of a case as text; keys are stable and documented in docs/outputs.md. Numbers that
 /// do not exist (a map without a value) are null.
 std::string summary_json(const CaseResult& result);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -4,10 +4,10 @@
 #include "loosefit/drape/drape.h"
 #include "loosefit/scenario/scenario.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
 /// What to try when a drape of this case is not settled: only keys that the case can have. A scan
 /// has no posture, a pattern file no fit, a garment of a size another size.
-std::string unsettled_advice(const Scenario& scenario, const Drape& drape);
+std::string unsettled_advice(const scenario::Scenario& scenario, const drape::Drape& drape);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -9,9 +9,9 @@
 #include "loosefit/body/named_postures.h"
 #include "loosefit/flesh/soft_body.h"
 
-namespace loosefit {
+namespace loosefit::study {
 
-CaseWear plan_wear(const Scenario& scenario) {
+CaseWear plan_wear(const scenario::Scenario& scenario) {
   CaseWear wear;
   if (scenario.postures.size() < 2 && scenario.donning.repeats < 2) return wear;
   wear.postures = scenario.postures;
@@ -46,8 +46,8 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
     if (p == StateId::kReferencePosture) continue;
     jobs.push_back({postures[p], [&, p](Progress& own) {
                       own.check_cancelled();
-                      const auto anew = std::make_shared<SoftBody>(body.person->anew());
-                      wearers[p].body = anew->in(named_posture(postures[p]), &own);
+                      const auto anew = std::make_shared<flesh::SoftBody>(body.person->anew());
+                      wearers[p].body = anew->in(body::named_posture(postures[p]), &own);
                       wearers[p].person = anew;
                     }});
   }
@@ -55,19 +55,21 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
   return wearers;
 }
 
-std::vector<PosedBody> bodies_of(const std::vector<PosedWearer>& wearers) {
-  std::vector<PosedBody> bodies;
+std::vector<body::PosedBody> bodies_of(const std::vector<PosedWearer>& wearers) {
+  std::vector<body::PosedBody> bodies;
   for (const PosedWearer& wearer : wearers) bodies.push_back(wearer.body);
   return bodies;
 }
 
-std::vector<WornState> worn_states(const CaseResult& result) {
-  const auto known = [](const PressureField& field) { return field.empty() ? nullptr : &field; };
+std::vector<placement::WornState> worn_states(const CaseResult& result) {
+  const auto known = [](const maps::PressureField& field) {
+    return field.empty() ? nullptr : &field;
+  };
   const StateId reference;
   const CaseGarment& garment = result.studied();
-  std::vector<WornState> all = {{reference.posture, reference.donning, garment.drape.positions,
-                                 result.body.body, garment.maps.worn,
-                                 known(garment.maps.pressure.field)}};
+  std::vector<placement::WornState> all = {{reference.posture, reference.donning,
+                                            garment.drape.positions, result.body.body,
+                                            garment.maps.worn, known(garment.maps.pressure.field)}};
   for (const CaseState& s : result.wear.states)
     if (s.counts())
       all.push_back({s.id.posture, s.id.donning, s.drape().positions, result.body_in(s.id.posture),
@@ -75,4 +77,4 @@ std::vector<WornState> worn_states(const CaseResult& result) {
   return all;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::study

@@ -7,14 +7,16 @@
 #include "loosefit/placement/site_state.h"
 #include "loosefit/study/case_result.h"
 
-namespace loosefit {
-
+namespace loosefit::flesh {
 class SoftBody;
+}
+
+namespace loosefit::study {
 
 /// Postures and the drawn donnings of a case; no bodies and no states yet. Donnings are drawn from
 /// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
 /// normally, kept within two deviations.
-CaseWear plan_wear(const Scenario& scenario);
+CaseWear plan_wear(const scenario::Scenario& scenario);
 
 /// All states of a plan but the reference state, in their order: the other postures of the first
 /// donning, then all postures of each further donning, the reference posture first.
@@ -22,8 +24,8 @@ std::vector<StateId> planned_states(const CaseWear& wear);
 
 /// A wearer who has taken a posture, led into it from rest and into no other before.
 struct PosedWearer {
-  PosedBody body;
-  std::shared_ptr<const SoftBody> person;
+  body::PosedBody body;
+  std::shared_ptr<const flesh::SoftBody> person;
 };
 
 /// The wearer in each posture, none for the reference posture. Neither what else is listed nor
@@ -33,9 +35,9 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
                                       const std::vector<std::string>& postures, Progress& progress);
 
 /// CaseWear::bodies.
-std::vector<PosedBody> bodies_of(const std::vector<PosedWearer>& wearers);
+std::vector<body::PosedBody> bodies_of(const std::vector<PosedWearer>& wearers);
 
 /// All states that count, with the reference state first, to measure sensors in.
-std::vector<WornState> worn_states(const CaseResult& result);
+std::vector<placement::WornState> worn_states(const CaseResult& result);
 
-}  // namespace loosefit
+}  // namespace loosefit::study

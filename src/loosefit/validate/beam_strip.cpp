@@ -7,19 +7,19 @@
 
 #include "loosefit/garment/assemble.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// Sides of a rectangular panel, counter-clockwise from the lower one.
 enum Side { below, right, above, left };
 
-Panel rectangle(const std::string& name, double from, double to, double width) {
-  Panel panel;
+pattern::Panel rectangle(const std::string& name, double from, double to, double width) {
+  pattern::Panel panel;
   panel.name = name;
   panel.vertices = {{from, 0}, {to, 0}, {to, width}, {from, width}};
   const char* const names[] = {"below", "right", "above", "left"};
   for (int i = 0; i < 4; ++i) {
-    PanelEdge edge;
+    pattern::PanelEdge edge;
     edge.start = i;
     edge.end = (i + 1) % 4;
     edge.name = names[i];
@@ -28,8 +28,8 @@ Panel rectangle(const std::string& name, double from, double to, double width) {
   return panel;
 }
 
-void sew(Pattern& pattern, int first, int second) {
-  Stitch stitch;
+void sew(pattern::Pattern& pattern, int first, int second) {
+  pattern::Stitch stitch;
   stitch.first = {first, Side::right};
   stitch.second = {second, Side::left};
   stitch.name = fmt::format("seam_{}_{}", first, second);
@@ -49,8 +49,8 @@ std::vector<int> vertices_of_panel(const Specimen& s, int panel) {
 
 }  // namespace
 
-Material beam_fabric() {
-  Material m;
+fabric::Material beam_fabric() {
+  fabric::Material m;
   m.name = "beam";
   m.source = "cotton of the paper, without contraction, thin";
   m.areal_density = 0.12;
@@ -69,8 +69,8 @@ double clamp_depth(Ends ends, double edge_length) {
 }
 
 ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
-                               const Material& material, Ends ends, int panels) {
-  Pattern pattern;
+                               const fabric::Material& material, Ends ends, int panels) {
+  pattern::Pattern pattern;
   pattern.name = "clamped strip";
   for (int i = 0; i < panels; ++i)
     pattern.panels.push_back(rectangle(fmt::format("strip_{}", i), length * i / panels,
@@ -88,7 +88,7 @@ ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
     pattern.panel_order.push_back(static_cast<int>(i));
 
   ClampedStrip strip;
-  strip.specimen = assemble(pattern, edge_length, material);
+  strip.specimen = garment::assemble(pattern, edge_length, material);
   const Specimen& s = strip.specimen;
   for (const int panel : s.triangle_panel)
     strip.specimen.triangle_built_in.push_back(panel >= clamp);
@@ -114,11 +114,11 @@ std::vector<double> line_weights(const std::vector<int>& line, const std::vector
 }
 
 Vec3 mean_of_line(const std::vector<int>& line, const std::vector<Vec2>& flat,
-                  const VectorField& x) {
+                  const particles::VectorField& x) {
   const std::vector<double> weight = line_weights(line, flat);
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = 0; i < line.size(); ++i) mean += weight[i] * x[line[i]];
   return mean;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

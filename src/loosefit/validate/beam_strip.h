@@ -4,7 +4,7 @@
 
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// The fabric of all beam benchmarks: cotton of 120 g/m² with the bending rigidity of the paper
 /// (docs/theory/materials.md 1), B = 4.41e-6 N m, hence a bending length of 15.5 mm. Membrane 2000
@@ -13,7 +13,7 @@ namespace loosefit {
 /// following a curve (membrane locking grows with K κ² h⁴/B). Bending without Poisson contraction,
 /// so that a strip is a beam of rigidity B whatever its width. Thickness 10 µm: the references have
 /// none, and layers that meet must not hold each other off. No viscosity.
-Material beam_fabric();
+fabric::Material beam_fabric();
 
 /// A strip [0, length] × [0, width] of the flat pattern, cut in `panels` equal pieces that are sewn
 /// end to end, with a piece of the same cloth sewn to each clamped end. The clamp pieces are built
@@ -42,13 +42,14 @@ double clamp_depth(Ends ends, double edge_length);
 
 /// \throws as assemble does.
 ClampedStrip cut_clamped_strip(double length, double width, double edge_length,
-                               const Material& material, Ends ends = Ends::free, int panels = 1);
+                               const fabric::Material& material, Ends ends = Ends::free,
+                               int panels = 1);
 
 /// Mean position of the vertices of a line across the strip, each weighing as much as the part of
 /// the line that belongs to it [m].
 Vec3 mean_of_line(const std::vector<int>& line, const std::vector<Vec2>& flat,
-                  const VectorField& x);
+                  const particles::VectorField& x);
 /// The same weights; they sum up to 1.
 std::vector<double> line_weights(const std::vector<int>& line, const std::vector<Vec2>& flat);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::validate {
 
 double Finding::error() const {
   const double difference = std::abs(obtained - expected);
@@ -14,4 +14,4 @@ bool Finding::pass() const {
   return gate == Gate::reported || error() <= limit;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

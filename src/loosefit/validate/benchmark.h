@@ -6,7 +6,7 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/report/plot.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// One figure held against its reference.
 struct Finding {
@@ -29,7 +29,7 @@ struct Finding {
 /// What one benchmark found.
 struct BenchmarkResult {
   std::vector<Finding> findings;
-  std::vector<Plot> plots;
+  std::vector<report::Plot> plots;
   std::vector<std::string> notes;  ///< what a sceptical reader has to know
 };
 
@@ -50,4 +50,4 @@ struct Benchmark {
 /// All benchmarks in the order of the list.
 std::vector<Benchmark> benchmarks();
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -5,7 +5,7 @@
 
 #include "loosefit/validate/beam_strip.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 double CantileverShape::chord_angle() const { return std::atan2(h, w); }
 
@@ -15,7 +15,7 @@ int cantilever_elements(double gravity_number) {
 
 CantileverShape settle_cantilever(const CantileverCase& problem, Progress& progress) {
   constexpr double kEdgesAcross = 6;
-  const Material fabric = beam_fabric();
+  const fabric::Material fabric = beam_fabric();
   const double b = fabric.bending_weft;  // along x of the pattern
   const double bending_length = std::cbrt(b / (fabric.areal_density * kGravity));
   const double l =
@@ -38,4 +38,4 @@ CantileverShape settle_cantilever(const CantileverCase& problem, Progress& progr
   return {tip[0] / l, -tip[2] / l, mesh_text(bench.specimen())};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

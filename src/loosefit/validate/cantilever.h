@@ -3,7 +3,7 @@
 
 #include "loosefit/base/progress.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// One horizontal cantilever of the beam fabric (beam_strip.h).
 struct CantileverCase {
@@ -29,4 +29,4 @@ CantileverShape settle_cantilever(const CantileverCase& problem, Progress& progr
 /// clamp: at least 40, and five per layer.
 int cantilever_elements(double gravity_number);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

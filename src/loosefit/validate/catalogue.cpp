@@ -1,6 +1,6 @@
 #include "loosefit/validate/catalogue.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 std::vector<Benchmark> benchmarks() {
   return {
@@ -61,4 +61,4 @@ std::vector<Benchmark> benchmarks() {
   };
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/validate/benchmark.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 // One function per benchmark, each in a file of benchmarks/; catalogue.cpp puts them in order.
 
@@ -29,4 +29,4 @@ BenchmarkResult benchmark_cusick_drape(Effort effort, Progress& progress);
 BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress);
 BenchmarkResult benchmark_back_sensors(Effort effort, Progress& progress);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

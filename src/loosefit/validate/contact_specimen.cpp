@@ -7,22 +7,23 @@
 #include "loosefit/base/error.h"
 #include "loosefit/solver/quasi_static.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 Grip try_grip(Bench& bench, const std::function<double()>& travel, double slip, double tolerance,
               Progress& progress, int max_iterations) {
   Grip grip;
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = tolerance;
   options.max_iterations = max_iterations;
   options.watch = [&](int, double) {
     progress.check_cancelled();
     return travel() > slip;
   };
-  const SettleOutcome outcome = make_quasi_static(bench.system())->settle(bench.x, options);
+  const solver::SettleOutcome outcome =
+      solver::make_quasi_static(bench.system())->settle(bench.x, options);
   grip.travel = travel();
   grip.residual = outcome.residual;
-  grip.holds = outcome.reason == SettleOutcome::Reason::converged && grip.travel <= slip;
+  grip.holds = outcome.reason == solver::SettleOutcome::Reason::converged && grip.travel <= slip;
   if (!grip.holds && grip.travel <= slip)
     throw SolverFailure(
         fmt::format("friction neither held nor slipped: {} after {} iterations, moved {:.3g} mm, "
@@ -43,8 +44,8 @@ double least_friction(double low, double high, double width,
   return 0.5 * (low + high);
 }
 
-VectorField body_force(Bench& bench) {
-  VectorField force(bench.x.size(), Vec3::Zero());
+particles::VectorField body_force(Bench& bench) {
+  particles::VectorField force(bench.x.size(), Vec3::Zero());
   bench.cloth().body().add_gradient(bench.x, force);
   for (Vec3& f : force) f = -f;
   return force;
@@ -56,10 +57,10 @@ Vec3 over_cylinder(double s, double y, double r) {
   return {-r * std::cos(s / r), y, r * std::sin(s / r)};
 }
 
-TriangleMesh lying_cylinder(double radius, double y0, double y1) {
-  TriangleMesh mesh = rigid_cylinder(radius, y0, y1, 8, 360);
+geometry::TriangleMesh lying_cylinder(double radius, double y0, double y1) {
+  geometry::TriangleMesh mesh = rigid_cylinder(radius, y0, y1, 8, 360);
   for (Vec3& p : mesh.vertices) p = Vec3(p[0], p[2], -p[1]);  // turned about the x axis
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -4,7 +4,7 @@
 
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// What the contact and friction benchmarks share.
 
@@ -26,13 +26,13 @@ double least_friction(double low, double high, double width,
                       const std::function<bool(double)>& holds);
 
 /// Force of the body on the particles: normal contact and friction [N].
-VectorField body_force(Bench& bench);
+particles::VectorField body_force(Bench& bench);
 
 /// Wraps a flat strip along +x round a cylinder about the y axis and lets both ends hang: s < 0
 /// rises to the cylinder at x = −r, s in [0, π r] runs over the top, the rest falls at x = +r.
 Vec3 over_cylinder(double s, double y, double r);
 
 /// A cylinder of `radius` along the y axis from y0 to y1 [m].
-TriangleMesh lying_cylinder(double radius, double y0, double y1);
+geometry::TriangleMesh lying_cylinder(double radius, double y0, double y1);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -7,7 +7,7 @@
 
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// Where the line y = const crosses the projected triangle; empty when it does not.
@@ -89,4 +89,4 @@ Folds count_folds(const std::vector<Vec3>& rim, const std::vector<double>& angle
   return folds;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

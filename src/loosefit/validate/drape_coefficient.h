@@ -3,7 +3,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// Area [m²] of the vertical projection (the shadow from straight above) of a triangulated surface:
 /// the union of its projected triangles, whatever overlaps. Lines `spacing` [m] apart are cut with
@@ -27,4 +27,4 @@ struct Folds {
 /// the origin. The harmonics are those of a trapezoidal sum over the angle.
 Folds count_folds(const std::vector<Vec3>& rim, const std::vector<double>& angle);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

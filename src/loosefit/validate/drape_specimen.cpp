@@ -5,19 +5,20 @@
 
 #include "loosefit/garment/assemble.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
-EdgeCurve arc(double radius, bool counter_clockwise) {
-  EdgeCurve curve;
-  curve.kind = EdgeCurve::Kind::circle;
+pattern::EdgeCurve arc(double radius, bool counter_clockwise) {
+  pattern::EdgeCurve curve;
+  curve.kind = pattern::EdgeCurve::Kind::circle;
   curve.radius = radius;
   curve.sweep = counter_clockwise;
   return curve;
 }
 
-void add_edge(Panel& panel, const std::string& name, const EdgeCurve& curve = {}) {
-  PanelEdge edge;
+void add_edge(pattern::Panel& panel, const std::string& name,
+              const pattern::EdgeCurve& curve = {}) {
+  pattern::PanelEdge edge;
   edge.start = static_cast<int>(panel.edges.size());
   edge.end = (edge.start + 1) % static_cast<int>(panel.vertices.size());
   edge.curves = {curve};
@@ -26,9 +27,9 @@ void add_edge(Panel& panel, const std::string& name, const EdgeCurve& curve = {}
 }
 
 /// Half of the ring between disc and rim, on the side y > 0 (side = 1) or y < 0 (side = −1).
-Panel half_ring(const DrapeTester& tester, double side, const std::string& name) {
+pattern::Panel half_ring(const DrapeTester& tester, double side, const std::string& name) {
   const double a = side * tester.disc_radius, b = side * tester.specimen_radius;
-  Panel panel;
+  pattern::Panel panel;
   panel.name = name;
   panel.vertices = {{a, 0}, {b, 0}, {-b, 0}, {-a, 0}};
   add_edge(panel, "right");
@@ -38,8 +39,8 @@ Panel half_ring(const DrapeTester& tester, double side, const std::string& name)
   return panel;
 }
 
-Stitch sew(int panel_a, int edge_a, int panel_b, int edge_b, const std::string& name) {
-  Stitch stitch;
+pattern::Stitch sew(int panel_a, int edge_a, int panel_b, int edge_b, const std::string& name) {
+  pattern::Stitch stitch;
   stitch.first = {panel_a, edge_a};
   stitch.second = {panel_b, edge_b};
   stitch.name = name;
@@ -49,20 +50,20 @@ Stitch sew(int panel_a, int edge_a, int panel_b, int edge_b, const std::string& 
 }  // namespace
 
 Specimen cut_drape_specimen(const DrapeTester& tester, double edge_length,
-                            const Material& material) {
+                            const fabric::Material& material) {
   const double a = tester.disc_radius;
-  Panel disc;
+  pattern::Panel disc;
   disc.name = "disc";
   disc.vertices = {{a, 0}, {-a, 0}};
   add_edge(disc, "back", arc(a, true));
   add_edge(disc, "front", arc(a, true));
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.name = "drape specimen";
   pattern.panels = {disc, half_ring(tester, 1, "ring_back"), half_ring(tester, -1, "ring_front")};
   pattern.panel_order = {0, 1, 2};
   pattern.stitches = {sew(0, 0, 1, 3, "disc_back"), sew(0, 1, 2, 3, "disc_front"),
                       sew(1, 2, 2, 0, "ring_left"), sew(1, 0, 2, 2, "ring_right")};
-  Specimen specimen = assemble(pattern, edge_length, material);
+  Specimen specimen = garment::assemble(pattern, edge_length, material);
   for (int panel : specimen.triangle_panel) specimen.triangle_built_in.push_back(panel == 0);
   return specimen;
 }
@@ -85,7 +86,7 @@ std::vector<int> on_disc(const Specimen& specimen, const DrapeTester& tester) {
 
 DrapeReading read_drape(const Bench& bench, const DrapeTester& tester) {
   const Specimen& specimen = bench.specimen();
-  VectorField flat;
+  particles::VectorField flat;
   for (const Vec2& p : bench.flat()) flat.emplace_back(p[0], p[1], 0);
   std::vector<Triangle> carried;
   for (std::size_t i = 0; i < specimen.triangles.size(); ++i)
@@ -109,4 +110,4 @@ DrapeReading read_drape(const Bench& bench, const DrapeTester& tester) {
   return reading;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -2,7 +2,7 @@
 #include "loosefit/validate/drape_coefficient.h"
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// A drape tester's geometry: a horizontal disc under a concentric circular specimen [m].
 struct DrapeTester {
@@ -13,7 +13,7 @@ struct DrapeTester {
 /// vertices lies on the disc's rim; the centre is at the origin of the pattern. What lies on the
 /// disc is built in (Garment::triangle_built_in).
 Specimen cut_drape_specimen(const DrapeTester& tester, double edge_length,
-                            const Material& material);
+                            const fabric::Material& material);
 
 /// A start with `folds` folds: outside the disc every radial line leans down by a mean of `lean`
 /// [rad], swinging by `swing` [rad] from fold to fold.
@@ -32,4 +32,4 @@ DrapeReading read_drape(const Bench& bench, const DrapeTester& tester);
 /// Vertices on the disc and its rim: the cloth is clamped there.
 std::vector<int> on_disc(const Specimen& specimen, const DrapeTester& tester);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// Direction [rad, from +x towards +z] of the right half of a loop at s in [0, 1] from the clamp to
@@ -110,4 +110,4 @@ double HangingLoop::half_width() const {
   return (0.5 * (right - left) - gap_) / strip_.length;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -4,7 +4,7 @@
 
 #include "loosefit/validate/beam_strip.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// How the two ends of a hanging loop leave the clamp.
 enum class LoopKind {
@@ -26,10 +26,10 @@ class HangingLoop {
 
  private:
   LoopKind kind_;
-  Material fabric_;
+  fabric::Material fabric_;
   ClampedStrip strip_;
   double gap_ = 0;  ///< half the distance between the ends, which the references do not have [m]
-  VectorField x_;
+  particles::VectorField x_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::validate {
 
-Material orthotropic_fabric() {
-  Material m;
+fabric::Material orthotropic_fabric() {
+  fabric::Material m;
   m.stiffness_weft = 300;
   m.stiffness_warp = 700;
   m.poisson = 0.25;
@@ -14,8 +14,8 @@ Material orthotropic_fabric() {
   return m;
 }
 
-Material engineering_fabric() {
-  Material m = orthotropic_fabric();
+fabric::Material engineering_fabric() {
+  fabric::Material m = orthotropic_fabric();
   for (double e : {0.2, 0.4, 0.6}) {
     m.curve_weft.push_back({e, m.stiffness_weft * e});
     m.curve_warp.push_back({e, m.stiffness_warp * e});
@@ -40,4 +40,4 @@ void roughen(Specimen& specimen, double edge) {
       specimen.triangle_uv[t][k] = specimen.vertex_uv[specimen.triangles[t][k]];
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -11,7 +11,7 @@
 #include "loosefit/base/side_by_side.h"
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -150,4 +150,4 @@ Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effor
   return validation;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -6,7 +6,7 @@
 #include "loosefit/base/progress.h"
 #include "loosefit/validate/benchmark.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// What became of one benchmark.
 struct BenchmarkOutcome {
@@ -47,4 +47,4 @@ Validation run_validation(const std::vector<Benchmark>& benchmarks, Effort effor
                           Progress& progress, int workers,
                           const std::function<void(const BenchmarkOutcome&)>& finished = {});
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -6,11 +6,11 @@
 #include "loosefit/solver/solver_tuning.h"
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 std::vector<std::pair<std::string, std::string>> solver_settings() {
-  const SettleOptions settle;
-  const LineSearchTuning search;
+  const solver::SettleOptions settle;
+  const solver::LineSearchTuning search;
   return {
       {"cloth",
        "the energies of the drape stage: St. Venant-Kirchhoff membrane on constant-strain "
@@ -35,10 +35,10 @@ std::vector<std::pair<std::string, std::string>> solver_settings() {
       {"contact",
        fmt::format("distance field of the body on a grid of {:g} mm; friction sticks elastically "
                    "within {:g} mm before it slides",
-                   1e3 * kFieldSpacing, 1e3 * SettlingTuning{}.cloth.stick_reach)},
+                   1e3 * contact::kFieldSpacing, 1e3 * drape::SettlingTuning{}.cloth.stick_reach)},
       {"threads",
        "each benchmark runs on one; the figures do not depend on how many run at a time"},
   };
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

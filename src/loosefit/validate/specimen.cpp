@@ -8,18 +8,19 @@
 #include "loosefit/garment/assemble.h"
 #include "loosefit/solver/quasi_static.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 Specimen cut_specimen(const std::vector<Vec2>& outline, double edge_length,
-                      const Material& material, const std::vector<std::array<int, 2>>& sewn) {
-  Pattern pattern;
+                      const fabric::Material& material,
+                      const std::vector<std::array<int, 2>>& sewn) {
+  pattern::Pattern pattern;
   pattern.name = "specimen";
-  Panel panel;
+  pattern::Panel panel;
   panel.name = "specimen";
   panel.vertices = outline;
   const int sides = static_cast<int>(outline.size());
   for (int i = 0; i < sides; ++i) {
-    PanelEdge edge;
+    pattern::PanelEdge edge;
     edge.start = i;
     edge.end = (i + 1) % sides;
     edge.name = fmt::format("side_{}", i);
@@ -28,17 +29,17 @@ Specimen cut_specimen(const std::vector<Vec2>& outline, double edge_length,
   pattern.panels.push_back(panel);
   pattern.panel_order = {0};
   for (const auto& [first, second] : sewn) {
-    Stitch stitch;
+    pattern::Stitch stitch;
     stitch.first = {0, first};
     stitch.second = {0, second};
     stitch.name = fmt::format("seam_{}_{}", first, second);
     pattern.stitches.push_back(stitch);
   }
-  return assemble(pattern, edge_length, material);
+  return garment::assemble(pattern, edge_length, material);
 }
 
-Specimen cut_rectangle(double width, double height, double edge_length, const Material& material,
-                       bool closed) {
+Specimen cut_rectangle(double width, double height, double edge_length,
+                       const fabric::Material& material, bool closed) {
   std::vector<std::array<int, 2>> sewn;
   if (closed) sewn.push_back({3, 1});
   return cut_specimen({{0, 0}, {width, 0}, {width, height}, {0, height}}, edge_length, material,
@@ -69,37 +70,37 @@ std::string mesh_text(const Specimen& specimen) {
   return fmt::format("{:.2g} mm edges, {} triangles", 1e3 * mean, specimen.triangles.size());
 }
 
-double PointLoads::value(const VectorField& x) const {
+double PointLoads::value(const particles::VectorField& x) const {
   double energy = 0;
   for (const auto& [i, f] : force) energy -= f.dot(x[i]);
   return energy;
 }
 
-void PointLoads::add_gradient(const VectorField& x, VectorField& g) const {
+void PointLoads::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   (void)x;
   for (const auto& [i, f] : force) g[i] -= f;
 }
 
-Bench::Bench(Specimen specimen, const Material& material,
+Bench::Bench(Specimen specimen, const fabric::Material& material,
              const std::function<Vec3(const Vec2&)>& place, const Options& options)
     : specimen_(std::move(specimen)), material_(material) {
   for (const Vec2& p : specimen_.vertex_uv) x.push_back(place(p));
-  DrapeOptions drape;
+  drape::DrapeOptions drape;
   drape.gravity = options.gravity;
-  if (options.dynamic) drape.integrator = IntegratorKind::implicit_euler;
-  cloth_ = std::make_unique<ClothModel>(specimen_, material_, drape, material_.thickness);
+  if (options.dynamic) drape.integrator = drape::IntegratorKind::implicit_euler;
+  cloth_ = std::make_unique<drape::ClothModel>(specimen_, material_, drape, material_.thickness);
   cloth_->system().held.assign(specimen_.vertex_count, 0);
   cloth_->system().energies.push_back(&loads_);
 }
 
-void Bench::touch(TriangleMesh body, double margin) {
+void Bench::touch(geometry::TriangleMesh body, double margin) {
   body_ = std::move(body);
-  body_tree_ = std::make_unique<ClosestPointTree>(body_);
-  Box3 box;
+  body_tree_ = std::make_unique<geometry::ClosestPointTree>(body_);
+  geometry::Box3 box;
   for (const Vec3& p : x) box.extend(p);
   const Vec3 wide = Vec3::Constant(margin);
-  cloth_->body().set_field(
-      std::make_shared<DistanceField>(*body_tree_, Box3(box.min() - wide, box.max() + wide)));
+  cloth_->body().set_field(std::make_shared<contact::DistanceField>(
+      *body_tree_, geometry::Box3(box.min() - wide, box.max() + wide)));
 }
 
 void Bench::hold(const std::vector<int>& vertices) {
@@ -107,32 +108,33 @@ void Bench::hold(const std::vector<int>& vertices) {
 }
 
 Vec3 Bench::reaction(const std::vector<int>& vertices) const {
-  VectorField g(x.size(), Vec3::Zero());
-  for (const Energy* e : cloth_->system().energies) e->add_gradient(x, g);
+  particles::VectorField g(x.size(), Vec3::Zero());
+  for (const particles::Energy* e : cloth_->system().energies) e->add_gradient(x, g);
   Vec3 sum = Vec3::Zero();
   for (int v : vertices) sum += g[v];
   return sum;
 }
 
-SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance, bool must_settle,
-                           int max_iterations) {
-  SettleOptions options;
+solver::SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance,
+                                   bool must_settle, int max_iterations) {
+  solver::SettleOptions options;
   options.tolerance = tolerance;
   options.max_iterations = max_iterations;
   options.watch = [&](int, double) {
     progress.check_cancelled();
     return false;
   };
-  const SettleOutcome outcome = make_quasi_static(bench.system())->settle(bench.x, options);
-  if (must_settle && outcome.reason != SettleOutcome::Reason::converged)
+  const solver::SettleOutcome outcome =
+      solver::make_quasi_static(bench.system())->settle(bench.x, options);
+  if (must_settle && outcome.reason != solver::SettleOutcome::Reason::converged)
     throw SolverFailure(
         fmt::format("the specimen did not settle: {} at residual {:.2g}, wanted {:.2g}",
                     outcome.text(), outcome.residual, tolerance));
   return outcome;
 }
 
-TriangleMesh rigid_box(const Vec3& half_size) {
-  TriangleMesh mesh;
+geometry::TriangleMesh rigid_box(const Vec3& half_size) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back((i & 1 ? 1 : -1) * half_size[0], (i & 2 ? 1 : -1) * half_size[1],
                                (i & 4 ? 1 : -1) * half_size[2]);
@@ -141,8 +143,8 @@ TriangleMesh rigid_box(const Vec3& half_size) {
   return mesh;
 }
 
-TriangleMesh rigid_cylinder(double radius, double z0, double z1, int rows, int sectors) {
-  TriangleMesh mesh;
+geometry::TriangleMesh rigid_cylinder(double radius, double z0, double z1, int rows, int sectors) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j < sectors; ++j) {
       const double a = 2 * kPi * j / sectors;
@@ -165,4 +167,4 @@ TriangleMesh rigid_cylinder(double radius, double z0, double z1, int rows, int s
   return mesh;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -11,20 +11,21 @@
 #include "loosefit/geometry/closest_point_tree.h"
 #include "loosefit/solver/integrator.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// A piece of cloth cut for a benchmark: meshed, sewn and weighed like a garment of one panel;
 /// garment.vertex_uv is the flat position of every vertex [m], u = x weft, v = y warp.
-using Specimen = Garment;
+using Specimen = garment::Garment;
 
 /// Polygon outline (counter-clockwise) [m]; straight sides are divided evenly. `sewn` are pairs of
 /// sides (side i runs from corner i to i + 1) joined as seams, the end of one to the start of the
 /// other. \throws as assemble does.
 Specimen cut_specimen(const std::vector<Vec2>& outline, double edge_length,
-                      const Material& material, const std::vector<std::array<int, 2>>& sewn = {});
+                      const fabric::Material& material,
+                      const std::vector<std::array<int, 2>>& sewn = {});
 /// Rectangle [0, width] × [0, height]; `closed` sews the side x = width to x = 0 (a tube).
-Specimen cut_rectangle(double width, double height, double edge_length, const Material& material,
-                       bool closed = false);
+Specimen cut_rectangle(double width, double height, double edge_length,
+                       const fabric::Material& material, bool closed = false);
 /// Turns the grain: warp runs at `angle` [rad] from the y axis, towards −x. Positions stay.
 void turn_grain(Specimen& specimen, double angle);
 /// Vertices whose flat position satisfies the predicate.
@@ -34,13 +35,14 @@ std::vector<int> vertices_where(const Specimen& specimen,
 std::string mesh_text(const Specimen& specimen);
 
 /// Dead loads on vertices: Π = −Σ f_i · x_i [J].
-class PointLoads : public Energy {
+class PointLoads : public particles::Energy {
  public:
   std::map<int, Vec3> force;  ///< [N]
-  double value(const VectorField& x) const override;
-  void add_gradient(const VectorField& x, VectorField& g) const override;
-  void add_pattern(const VectorField&, BlockPattern&) const override {}
-  void add_hessian(const VectorField&, BlockMatrix&, HessianKind) const override {}
+  double value(const particles::VectorField& x) const override;
+  void add_gradient(const particles::VectorField& x, particles::VectorField& g) const override;
+  void add_pattern(const particles::VectorField&, particles::BlockPattern&) const override {}
+  void add_hessian(const particles::VectorField&, particles::BlockMatrix&,
+                   particles::HessianKind) const override {}
 };
 
 /// A specimen under test: the energies of the drape stage (ClothModel, all its constants) at
@@ -52,16 +54,17 @@ class Bench {
     bool dynamic = false;       ///< with viscosity, for the integrators in time
   };
   /// `place` maps a flat position to the start [m].
-  Bench(Specimen specimen, const Material& material, const std::function<Vec3(const Vec2&)>& place)
+  Bench(Specimen specimen, const fabric::Material& material,
+        const std::function<Vec3(const Vec2&)>& place)
       : Bench(std::move(specimen), material, place, Options{}) {}
-  Bench(Specimen specimen, const Material& material, const std::function<Vec3(const Vec2&)>& place,
-        const Options& options);
+  Bench(Specimen specimen, const fabric::Material& material,
+        const std::function<Vec3(const Vec2&)>& place, const Options& options);
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
 
   /// A rigid body to lie on, closed and oriented outwards. The contact field (5 mm grid, as in
   /// drapes) covers the cloth's present box widened by `margin` [m].
-  void touch(TriangleMesh body, double margin = 0.03);
+  void touch(geometry::TriangleMesh body, double margin = 0.03);
   void hold(const std::vector<int>& vertices);
   /// Σ over held `vertices` of the force that holds them there [N].
   Vec3 reaction(const std::vector<int>& vertices) const;
@@ -70,20 +73,20 @@ class Bench {
 
   const Specimen& specimen() const { return specimen_; }
   const std::vector<Vec2>& flat() const { return specimen_.vertex_uv; }
-  const Material& material() const { return material_; }
-  ClothModel& cloth() { return *cloth_; }
-  ParticleSystem& system() { return cloth_->system(); }
+  const fabric::Material& material() const { return material_; }
+  drape::ClothModel& cloth() { return *cloth_; }
+  solver::ParticleSystem& system() { return cloth_->system(); }
   PointLoads& loads() { return loads_; }
 
-  VectorField x;  ///< positions [m]
+  particles::VectorField x;  ///< positions [m]
 
  private:
   Specimen specimen_;
-  Material material_;
-  std::unique_ptr<ClothModel> cloth_;
+  fabric::Material material_;
+  std::unique_ptr<drape::ClothModel> cloth_;
   PointLoads loads_;
-  TriangleMesh body_;
-  std::unique_ptr<ClosestPointTree> body_tree_;
+  geometry::TriangleMesh body_;
+  std::unique_ptr<geometry::ClosestPointTree> body_tree_;
 };
 
 inline constexpr double kBenchTolerance = 1e-6;  ///< residual at which a specimen is at rest
@@ -93,12 +96,13 @@ inline constexpr double kBenchTolerance = 1e-6;  ///< residual at which a specim
 /// newtons without weight). Each call is one step of the load history: friction keeps the anchors
 /// that earlier calls on this bench left. \throws SolverFailure naming the residual when it does
 /// not settle and `must_settle`.
-SettleOutcome settle_bench(Bench& bench, Progress& progress, double tolerance = kBenchTolerance,
-                           bool must_settle = true, int max_iterations = 3000);
+solver::SettleOutcome settle_bench(Bench& bench, Progress& progress,
+                                   double tolerance = kBenchTolerance, bool must_settle = true,
+                                   int max_iterations = 3000);
 
 /// Closed rigid shapes, outward oriented [m].
-TriangleMesh rigid_box(const Vec3& half_size);
+geometry::TriangleMesh rigid_box(const Vec3& half_size);
 /// Cylinder along z from z0 to z1 with `sectors` flat facets.
-TriangleMesh rigid_cylinder(double radius, double z0, double z1, int rows, int sectors);
+geometry::TriangleMesh rigid_cylinder(double radius, double z0, double z1, int rows, int sectors);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

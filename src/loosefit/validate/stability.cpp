@@ -4,17 +4,18 @@
 
 #include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 bool is_stable(Bench& bench) {
-  const ParticleSystem& system = bench.system();
-  system.set_tangent(BendingTangent::plate);
-  BlockPattern pattern(system.particles());
-  for (const Energy* e : system.energies) e->add_pattern(bench.x, pattern);
+  const solver::ParticleSystem& system = bench.system();
+  system.set_tangent(particles::BendingTangent::plate);
+  particles::BlockPattern pattern(system.particles());
+  for (const particles::Energy* e : system.energies) e->add_pattern(bench.x, pattern);
   pattern.compress();
-  BlockMatrix hessian(pattern);
-  for (const Energy* e : system.energies) e->add_hessian(bench.x, hessian, HessianKind::exact);
-  SparseCholesky<double> cholesky;
+  particles::BlockMatrix hessian(pattern);
+  for (const particles::Energy* e : system.energies)
+    e->add_hessian(bench.x, hessian, particles::HessianKind::exact);
+  solver::SparseCholesky<double> cholesky;
   return cholesky.factorise(hessian, std::vector<double>(system.particles(), 0.0), system.held);
 }
 
@@ -28,4 +29,4 @@ double critical_factor(const std::function<bool(double)>& stable, double low, do
   return 0.5 * (low + high);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

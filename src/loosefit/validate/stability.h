@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// Whether the equilibrium at bench.x is stable: the exact second derivative of the potential, held
 /// vertices left out, is positive definite (a Cholesky factor exists).
@@ -13,4 +13,4 @@ bool is_stable(Bench& bench);
 double critical_factor(const std::function<bool(double)>& stable, double low, double high,
                        double tolerance = 1e-3);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

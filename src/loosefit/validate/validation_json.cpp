@@ -6,7 +6,7 @@
 #include "loosefit/base/version.h"
 #include "loosefit/validate/solver_settings.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -45,7 +45,7 @@ Json json_of(const Finding& f) {
   return j;
 }
 
-Json json_of(const Plot& plot) {
+Json json_of(const report::Plot& plot) {
   Json series = Json::array();
   for (const auto& s : plot.series)
     series.push_back(
@@ -57,7 +57,7 @@ Json json_of(const Plot& plot) {
 Json json_of(const BenchmarkOutcome& o) {
   Json findings = Json::array(), plots = Json::array();
   for (const Finding& f : o.result.findings) findings.push_back(json_of(f));
-  for (const Plot& p : o.result.plots) plots.push_back(json_of(p));
+  for (const report::Plot& p : o.result.plots) plots.push_back(json_of(p));
   return {{"id", o.id},
           {"title", o.title},
           {"reference", o.reference},
@@ -88,4 +88,4 @@ std::string validation_json(const Validation& validation) {
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -11,7 +11,7 @@
 #include "loosefit/validate/solver_settings.h"
 #include "loosefit/validate/validation_table.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr const char* kPageStyle = R"css(
@@ -52,12 +52,13 @@ std::string overview(const Validation& validation) {
   for (const auto& o : validation.outcomes) {
     const Finding* worst = worst_of(o);
     const std::string verdict = verdict_of(o);
-    rows += "<tr><th scope=\"row\"><a href=\"" + escaped(anchor(o.id)) + "\">" + escaped(o.id) +
-            "</a> " + escaped(o.title) + "</th><td>" + std::to_string(o.result.findings.size()) +
-            "</td><td>" + escaped(worst ? error_text(*worst) : "–") + "</td><td>" +
-            escaped(worst ? gate_text(*worst) : "–") + "</td><td class=\"" +
+    rows += "<tr><th scope=\"row\"><a href=\"" + report::escaped(anchor(o.id)) + "\">" +
+            report::escaped(o.id) + "</a> " + report::escaped(o.title) + "</th><td>" +
+            std::to_string(o.result.findings.size()) + "</td><td>" +
+            report::escaped(worst ? error_text(*worst) : "–") + "</td><td>" +
+            report::escaped(worst ? gate_text(*worst) : "–") + "</td><td class=\"" +
             (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict + "</td><td>" +
-            fixed(o.seconds, 1) + "</td></tr>\n";
+            report::fixed(o.seconds, 1) + "</td></tr>\n";
   }
   return "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">benchmark</th><th "
          "scope=\"col\">figures</th><th scope=\"col\">error nearest its gate</th><th "
@@ -71,11 +72,12 @@ std::string findings_table(const BenchmarkOutcome& o) {
   for (const Finding& f : o.result.findings) {
     const std::string unit = f.unit.empty() ? "" : " [" + f.unit + "]";
     const std::string verdict = verdict_text(f);
-    rows += "<tr><th scope=\"row\">" + escaped(f.what + unit) + "</th><td>" +
-            number(f.expected, 6) + "</td><td>" + number(f.obtained, 6) + "</td><td>" +
-            escaped(error_text(f)) + "</td><td>" + escaped(gate_text(f)) + "</td><td class=\"" +
+    rows += "<tr><th scope=\"row\">" + report::escaped(f.what + unit) + "</th><td>" +
+            report::number(f.expected, 6) + "</td><td>" + report::number(f.obtained, 6) +
+            "</td><td>" + report::escaped(error_text(f)) + "</td><td>" +
+            report::escaped(gate_text(f)) + "</td><td class=\"" +
             (verdict == "MISS" ? "verdict-miss" : "verdict-pass") + "\">" + verdict +
-            "</td><td class=\"mesh\">" + escaped(f.mesh) + "</td></tr>\n";
+            "</td><td class=\"mesh\">" + report::escaped(f.mesh) + "</td></tr>\n";
   }
   return "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">figure</th><th "
          "scope=\"col\">expected</th><th scope=\"col\">obtained</th><th "
@@ -87,61 +89,71 @@ std::string findings_table(const BenchmarkOutcome& o) {
 
 std::string section(const BenchmarkOutcome& o) {
   const std::string verdict = verdict_of(o);
-  std::string html = "<h2 id=\"" + escaped(o.id) + "\">" + escaped(o.id + " " + o.title) +
-                     " <span class=\"tag " + (verdict == "MISS" ? "bad" : "good") + "\">" +
-                     verdict + "</span></h2>\n";
-  html += element("p", "Reference: " + escaped(o.reference), "lead");
+  std::string html = "<h2 id=\"" + report::escaped(o.id) + "\">" +
+                     report::escaped(o.id + " " + o.title) + " <span class=\"tag " +
+                     (verdict == "MISS" ? "bad" : "good") + "\">" + verdict + "</span></h2>\n";
+  html += report::element("p", "Reference: " + report::escaped(o.reference), "lead");
   if (!o.error.empty())
-    html += element("div", "<strong>Not carried out.</strong> " + escaped(o.error), "box bad");
+    html += report::element("div", "<strong>Not carried out.</strong> " + report::escaped(o.error),
+                            "box bad");
   std::string plots;
-  for (const Plot& plot : o.result.plots) {
-    const std::string drawn = svg_plot(plot);
+  for (const report::Plot& plot : o.result.plots) {
+    const std::string drawn = report::svg_plot(plot);
     if (!drawn.empty())
-      plots += element("figure", drawn + element("figcaption", escaped(plot.title)));
+      plots += report::element("figure",
+                               drawn + report::element("figcaption", report::escaped(plot.title)));
   }
-  if (!plots.empty()) html += element("div", plots, "plots");
+  if (!plots.empty()) html += report::element("div", plots, "plots");
   if (!o.result.findings.empty()) html += findings_table(o);
-  for (const std::string& note : o.result.notes) html += element("p", escaped(note));
+  for (const std::string& note : o.result.notes)
+    html += report::element("p", report::escaped(note));
   return html;
 }
 
 std::string headline(const Validation& validation) {
   const char* effort = validation.effort == Effort::quick ? "Quick subset" : "All benchmarks";
-  return element("h1", "Loosefit against known solutions") +
-         element("p",
-                 "Each benchmark is a piece of cloth whose behaviour is known exactly, from "
-                 "beam, plate and membrane theory or from measurements. It is meshed, sewn and "
-                 "weighed like a garment and goes through the same energies and the same solver. "
-                 "The gates were set before the figures were computed.",
-                 "lead") +
-         element("div",
-                 element("strong", escaped(verdict_line(validation))) + "<br>" + effort + ", " +
-                     fixed(validation.seconds, 0) + " s.",
-                 std::string("box ") + (validation.pass() ? "good" : "bad"));
+  return report::element("h1", "Loosefit against known solutions") +
+         report::element(
+             "p",
+             "Each benchmark is a piece of cloth whose behaviour is known exactly, from "
+             "beam, plate and membrane theory or from measurements. It is meshed, sewn and "
+             "weighed like a garment and goes through the same energies and the same solver. "
+             "The gates were set before the figures were computed.",
+             "lead") +
+         report::element("div",
+                         report::element("strong", report::escaped(verdict_line(validation))) +
+                             "<br>" + effort + ", " + report::fixed(validation.seconds, 0) + " s.",
+                         std::string("box ") + (validation.pass() ? "good" : "bad"));
 }
 
 std::string settings() {
   std::string list;
   for (const auto& [what, how] : solver_settings())
-    list += element("dt", escaped(what)) + element("dd", escaped(how));
-  return element("h2", "Settings, the same for all benchmarks") + element("dl", list);
+    list +=
+        report::element("dt", report::escaped(what)) + report::element("dd", report::escaped(how));
+  return report::element("h2", "Settings, the same for all benchmarks") +
+         report::element("dl", list);
 }
 
 std::string reading_aid() {
-  return element("h2", "How to read the tables") +
-         element("dl",
-                 element("dt", "expected") +
-                     element("dd", "the figure of the reference that stands below the heading") +
-                     element("dt", "obtained") + element("dd", "the figure of this program") +
-                     element("dt", "error and gate") +
-                     element("dd",
-                             "in percent: difference over the expected figure; with a unit: the "
-                             "difference itself. The gate is the largest error allowed. "
-                             "“reported” has no gate.") +
-                     element("dt", "mesh") +
-                     element("dd",
-                             "mean edge and number of triangles; meshes are irregular, as "
-                             "those of garments are"));
+  return report::element("h2", "How to read the tables") +
+         report::element(
+             "dl",
+             report::element("dt", "expected") +
+                 report::element("dd",
+                                 "the figure of the reference that stands below the heading") +
+                 report::element("dt", "obtained") +
+                 report::element("dd", "the figure of this program") +
+                 report::element("dt", "error and gate") +
+                 report::element(
+                     "dd",
+                     "in percent: difference over the expected figure; with a unit: the "
+                     "difference itself. The gate is the largest error allowed. "
+                     "“reported” has no gate.") +
+                 report::element("dt", "mesh") +
+                 report::element("dd",
+                                 "mean edge and number of triangles; meshes are irregular, as "
+                                 "those of garments are"));
 }
 
 }  // namespace
@@ -152,11 +164,12 @@ std::string validation_html(const Validation& validation) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>Loosefit validation</title>\n<style>" +
-         std::string(kReportStyle) + kPageStyle + "</style>\n</head>\n<body>\n" +
+         std::string(report::kReportStyle) + kPageStyle + "</style>\n</head>\n<body>\n" +
          headline(validation) + overview(validation) + sections + settings() + reading_aid() +
-         element("p", "Made by Loosefit " + escaped(version()) + ": loosefit validate -o DIR",
-                 "lead") +
+         report::element(
+             "p", "Made by Loosefit " + report::escaped(version()) + ": loosefit validate -o DIR",
+             "lead") +
          "</body>\n</html>\n";
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

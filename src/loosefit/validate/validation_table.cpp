@@ -7,7 +7,7 @@
 
 #include "loosefit/base/text.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 std::string measure(double value, const Finding& f) {
@@ -77,4 +77,4 @@ std::string verdict_line(const Validation& validation) {
                      missed.empty() ? "" : "; missed: " + join(missed));
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

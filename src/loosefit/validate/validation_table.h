@@ -3,7 +3,7 @@
 
 #include "loosefit/validate/run_validation.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 
 /// Error of a finding as a reader wants it: percent for a relative gate, else with its unit.
 std::string error_text(const Finding& finding);
@@ -17,4 +17,4 @@ std::string outcome_table(const BenchmarkOutcome& outcome);
 /// "20 of 21 gated benchmarks pass; missed: B7"
 std::string verdict_line(const Validation& validation);
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -6,7 +6,7 @@
 #include "loosefit/drape/certify.h"
 #include "loosefit/drape/explain_unsettled.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Without intersections before with them, then by the residual.
@@ -18,7 +18,7 @@ bool better(const Certificate& a, const Certificate& b) {
 
 Certificate certified(ClothState& state, const Stop& stop) {
   return certify(*state.model, state.x, state.body->body, stop,
-                 std::max(state.options.residual_tolerance, kRestTolerance));
+                 std::max(state.options.residual_tolerance, solver::kRestTolerance));
 }
 
 /// Goes back to a kept state.
@@ -80,13 +80,15 @@ Drape make_drape(ClothState& state) {
   SettleReport& report = state.report;
   report.contacts_self = state.model->self().active(state.x);
   report.contacts_body = 0;
+  const contact::DistanceField& field = *state.body->field;
+  report.coarsened_field = field.is_coarsened() ? field.spacing() : 0;
   report.largest_contact_offset = 0;
   drape.body_contact_force.assign(state.x.size(), Vec3::Zero());
   drape.body_normal_force.assign(state.x.size(), 0.0);
   for (int l = 0; l < state.layer_count(); ++l) {
-    const BodyContact& contact = state.model->body(l);
+    const contact::BodyContact& contact = state.model->body(l);
     report.contacts_body += contact.active(state.x);
-    for (const ContactPoint& p : contact.points())
+    for (const contact::ContactPoint& p : contact.points())
       report.largest_contact_offset = std::max(report.largest_contact_offset, p.offset);
     contact.add_gradient(state.x, drape.body_contact_force);
     contact.add_normal_force(state.x, drape.body_normal_force);
@@ -97,4 +99,4 @@ Drape make_drape(ClothState& state) {
   return drape;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Puts the certificate of the finest level as it is into state.certificate, then goes through the
 /// recoveries of what it lacks (RecoveryPoint::certified), until it lacks nothing or none is left.
@@ -21,4 +21,4 @@ void take_best_state(ClothState& state);
 /// The drape as the certificate found it, with forces, report and, when it is not settled, why.
 Drape make_drape(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

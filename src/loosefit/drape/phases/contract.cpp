@@ -1,6 +1,6 @@
 #include "loosefit/drape/phases/contract.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 void contract_soft(ClothState& state) {
   const ContractTuning& tuning = state.tuning.contract;
@@ -20,4 +20,4 @@ void contract(ClothState& state) {
   if (!state.must_stop()) state.settle({tuning.dressed_tolerance, kNoLimit, tuning.first_dt, true});
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// The start is strained. It contracts as if it were soft at first, and without friction, so that
 /// it comes to lie on the limbs and is not pulled through them. It has no weight until it is as
@@ -12,4 +12,4 @@ void contract_soft(ClothState& state);
 /// With its own stiffness, friction and weight, to where it may move on.
 void contract(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

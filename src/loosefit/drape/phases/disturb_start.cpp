@@ -6,21 +6,22 @@
 
 #include "loosefit/drape/carry_layers.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 void disturb_start(ClothState& state) {
   const DrapeOptions& options = state.options;
   const DisturbTuning& tuning = state.tuning.disturb;
   if (options.start_shift.isZero() && options.start_twist == 0) return;
   // What lies on the trunk turns about the axis through its middle; sleeves only shift.
-  const PosedBody& body = state.body->body;
+  const body::PosedBody& body = state.body->body;
   std::vector<char> on_trunk(state.x.size());
   Vec3 centre = Vec3::Zero();
   int count = 0;
   for (std::size_t i = 0; i < state.x.size(); ++i) {
     const int skin = body.tree().query(state.x[i]).triangle;
-    const Segment part = body->segment[body->surface.triangles[skin][0]];
-    on_trunk[i] = part == Segment::torso || part == Segment::neck || part == Segment::thigh;
+    const body::Segment part = body->segment[body->surface.triangles[skin][0]];
+    on_trunk[i] =
+        part == body::Segment::torso || part == body::Segment::neck || part == body::Segment::thigh;
     if (on_trunk[i]) centre += state.x[i], ++count;
   }
   centre /= std::max(count, 1);
@@ -41,4 +42,4 @@ void disturb_start(ClothState& state) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

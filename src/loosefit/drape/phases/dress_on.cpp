@@ -7,7 +7,7 @@
 #include "loosefit/dress/no_room.h"
 #include "loosefit/kinds/registry.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// Seeded smooth shift of the start, for repeats.
@@ -27,27 +27,27 @@ void perturb(ClothState& state) {
 }  // namespace
 
 void lay_round_body(ClothState& state) {
-  const PosedBody body = state.path(0);
-  std::vector<LayerToDress> to_dress;
+  const body::PosedBody body = state.path(0);
+  std::vector<dress::LayerToDress> to_dress;
   for (int l = 0; l < state.layer_count(); ++l) {
-    const Pattern& pattern = state.layers[l].garment->pattern;
-    to_dress.push_back({&state.garment(l), &pattern, garment_kind(pattern.kind).lay});
+    const pattern::Pattern& pattern = state.layers[l].garment->pattern;
+    to_dress.push_back({&state.garment(l), &pattern, kinds::garment_kind(pattern.kind).lay});
   }
   try {
-    state.x = dress_layers(to_dress, body);
-  } catch (const NoRoom& error) {
+    state.x = dress::dress_layers(to_dress, body);
+  } catch (const dress::NoRoom& error) {
     state.no_room = error.what();
     return;
   }
   state.no_room.clear();
   perturb(state);
-  state.body = with_field(body, bounds(state.x), kFieldSpacing);
+  state.body = with_field(body, bounds(state.x), contact::kFieldSpacing, state.tuning.carry);
 }
 
 void dress_on(ClothState& state) {
   lay_round_body(state);
   state.recover(RecoveryPoint::dressed);
-  if (!state.no_room.empty()) throw NoRoom(state.no_room);
+  if (!state.no_room.empty()) throw dress::NoRoom(state.no_room);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Lays the garments round the body at the beginning of state.path; where they find no room, round
 /// that of state.wide_path, which then is the path (RecoveryKind::wide_posture). Then shifts the
@@ -13,4 +13,4 @@ void dress_on(ClothState& state);
 /// Tries it; what was in the way is in state.no_room.
 void lay_round_body(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

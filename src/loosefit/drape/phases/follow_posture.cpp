@@ -9,7 +9,7 @@
 #include "loosefit/drape/carry_layers.h"
 #include "loosefit/drape/impact_zones.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -20,13 +20,13 @@ double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) 
 
 /// A step of the body, and where the cloth would be after it.
 struct Move {
-  PosedBody body;
+  body::PosedBody body;
   std::vector<MotionMap> skin_motion;  ///< of the skin next to each particle
   std::vector<Vec3> x;
   bool blocked = false;  ///< the cloth cannot go along
 };
 
-Move plan_move(const ClothState& state, const PosedBody& to) {
+Move plan_move(const ClothState& state, const body::PosedBody& to) {
   const FollowTuning& tuning = state.tuning.follow;
   ClothModel& model = *state.model;
   const std::vector<Vec3>& x = state.x;
@@ -57,13 +57,14 @@ void make_move(ClothState& state, Move move, bool is_last) {
   state.carry_anchors(displacements(move.skin_motion, state.x));
   state.x = std::move(move.x);
   state.body = with_field(move.body, bounds(state.x),
-                          rough ? state.tuning.carry.rough_field_spacing : kFieldSpacing);
+                          rough ? state.tuning.carry.rough_field_spacing : contact::kFieldSpacing,
+                          state.tuning.carry);
   state.model->set_field(state.body->field);
 }
 
 }  // namespace
 
-double largest_turn(const Body& from, const Body& to, const FollowTuning& tuning) {
+double largest_turn(const body::Body& from, const body::Body& to, const FollowTuning& tuning) {
   const auto &a = from.pose_from_rest, &b = to.pose_from_rest;
   double turn = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += tuning.sampled_skin) {
@@ -74,7 +75,7 @@ double largest_turn(const Body& from, const Body& to, const FollowTuning& tuning
   return turn;
 }
 
-double depth_in_skin(const std::vector<Vec3>& x, const PosedBody& body) {
+double depth_in_skin(const std::vector<Vec3>& x, const body::PosedBody& body) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, x.size()), 0.0,
       [&](const auto& range, double deepest) {
@@ -101,7 +102,7 @@ void follow_posture(ClothState& state) {
     if (state.must_stop()) step.length = 1;  // end on the wanted body, settled or not
     // What would be left for a last step shorter than half the least one is taken along.
     const double end = step.done + step.length;
-    const double to = end > 1 - 0.5 * step.least ? 1 : end;
+    const double to = end > 1 - tuning.taken_along * step.least ? 1 : end;
     Move move = plan_move(state, state.path(to));
     step.blocked = move.blocked;
     if (state.recover(RecoveryPoint::before_step)) continue;
@@ -114,4 +115,4 @@ void follow_posture(ClothState& state) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

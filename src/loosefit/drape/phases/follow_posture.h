@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Takes the cloth along with the body from where that stands to the end of state.path, in steps
 /// that are each settled to a loose tolerance: carried by the smoothed motion of the skin, parts of
@@ -15,9 +15,9 @@ void follow_posture(ClothState& state);
 const StepPlan& step_plan(const ClothState& state);
 
 /// Largest rotation that any skin undergoes from one posture to another [rad].
-double largest_turn(const Body& from, const Body& to, const FollowTuning& tuning);
+double largest_turn(const body::Body& from, const body::Body& to, const FollowTuning& tuning);
 
 /// How deep the deepest point lies in the skin [m].
-double depth_in_skin(const std::vector<Vec3>& x, const PosedBody& body);
+double depth_in_skin(const std::vector<Vec3>& x, const body::PosedBody& body);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -4,7 +4,7 @@
 
 #include "loosefit/drape/raise_offsets.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 bool find_penetrations(ClothState& state) {
   state.penetrating = penetrating_triangles(state.model->mesh(), state.body->body, state.x);
@@ -49,4 +49,4 @@ void free_penetrations(ClothState& state) {
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

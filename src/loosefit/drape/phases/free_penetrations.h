@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Settles the finest level from anywhere near to the last digits. Triangles that cut the skin, or
 /// are about to, are looked for on the way down already, long before the last digits are sought;
@@ -18,4 +18,4 @@ bool find_penetrations(ClothState& state);
 /// has to be settled again.
 void raise_offsets(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

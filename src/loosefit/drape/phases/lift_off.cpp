@@ -4,7 +4,7 @@
 #include "loosefit/drape/phases/contract.h"
 #include "loosefit/drape/phases/free_penetrations.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 void lift_off_and_resettle(ClothState& state) {
   state.keep(state.first_try, state.last.residual);
@@ -20,4 +20,4 @@ void lift_off_and_resettle(ClothState& state) {
   certify_state(state);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

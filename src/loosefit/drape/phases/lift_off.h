@@ -1,11 +1,11 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Another way to rest where the first one failed: the cloth is lifted off the skin by the soft
 /// layer, its contacts and friction are forgotten, and it settles and is certified anew. What the
 /// first way led to stays in state.first_try.
 void lift_off_and_resettle(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

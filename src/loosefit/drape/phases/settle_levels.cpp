@@ -7,7 +7,7 @@
 #include "loosefit/drape/phases/follow_posture.h"
 #include "loosefit/drape/worn_detail.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 namespace {
 
 /// GarmentHierarchy::parents of the next finer level, all layers numbered through.
@@ -24,7 +24,7 @@ std::vector<std::array<int, 2>> parents_of_next(const ClothState& state) {
 /// (PN triangles, Vlachos et al. 2001) as far as they meet nothing.
 void refine(ClothState& state) {
   const auto parents = parents_of_next(state);
-  const auto normal = vertex_normals(state.x, state.triangles());
+  const auto normal = geometry::vertex_normals(state.x, state.triangles());
   std::vector<Vec3> bulge(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto [a, b] = parents[i];
@@ -78,4 +78,4 @@ double settle_coarse_levels_as_worn(ClothState& state) {
   return deepest;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/drape/cloth_state.h"
 
-namespace loosefit {
+namespace loosefit::drape {
 
 /// Settles each coarse level and hands it to the next finer one (prolongation) until the finest is
 /// there, not settled yet. Keeps in state.handed_on how each was handed on.
@@ -13,4 +13,4 @@ void settle_coarse_levels(ClothState& state);
 /// deep cloth lies in the skin at worst [m].
 double settle_coarse_levels_as_worn(ClothState& state);
 
-}  // namespace loosefit
+}  // namespace loosefit::drape

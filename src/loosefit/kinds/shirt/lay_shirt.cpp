@@ -6,16 +6,17 @@
 #include "loosefit/kinds/shirt/shirt_frame.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
-std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const LayingRoom& room) {
-  const BodyOutline depth(body, room.clearance);
+std::vector<Vec3> lay_shirt(const garment::Garment& g, const body::Body& body,
+                            const dress::LayingRoom& room) {
+  const dress::BodyOutline depth(body, room.clearance);
   const ShirtFrame frame = shirt_frame(g, body, depth, room.clearance);
-  Sheets sheets(g);
+  dress::Sheets sheets(g);
   for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
     const ShirtPart* part = find_shirt_part(g.panel_parts[p]);
     if (!part) throw GeometryError("pattern: panel " + g.panel_names[p] + " is no part of a shirt");
-    PanelOutline panel(g, part->name);
+    dress::PanelOutline panel(g, part->name);
     if (!part->sleeve) {
       const auto &l = frame.left, &r = frame.right;
       panel.lay("hem", "side_L", {l.hem, r.hem});
@@ -40,4 +41,4 @@ std::vector<Vec3> lay_shirt(const Garment& g, const Body& body, const LayingRoom
   return sheets.positions(depth, room);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

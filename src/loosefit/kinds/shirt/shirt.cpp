@@ -10,7 +10,7 @@
 #include "loosefit/kinds/shirt/shirt_sizes.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 std::vector<KindMeasure> measures() {
@@ -87,8 +87,8 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
       {OpeningUse::left_arm, {{"sleeve_L_front", "cuff"}, {"sleeve_L_back", "cuff"}}},
       {OpeningUse::right_arm, {{"sleeve_R_front", "cuff"}, {"sleeve_R_back", "cuff"}}}};
   kind.mark = "shirt 1";
-  kind.note_parts = [](Pattern& pattern) {
-    static const Pattern kDraft = draft_shirt({});
+  kind.note_parts = [](pattern::Pattern& pattern) {
+    static const pattern::Pattern kDraft = draft_shirt({});
     return match_parts(kDraft, pattern);
   };
   return kind;
@@ -107,4 +107,4 @@ GarmentKind t_shirt() {
   return shirt_kind("t-shirt", "T-shirt", fit);
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -11,7 +11,7 @@
 #include "loosefit/kinds/shirt/shirt_refusal.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 constexpr int kMostRounds = 60;  // every round moves a value towards its end
@@ -287,4 +287,4 @@ AdaptedShirt draft_adapted_shirt(const ShirtMeasures& measures, const ShirtFit& 
   return Adapter(measures, fit, yielding).run();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

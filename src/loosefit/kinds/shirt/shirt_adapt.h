@@ -5,11 +5,11 @@
 
 #include "loosefit/kinds/shirt/shirt_draft.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// A shirt and what it was drafted from.
 struct AdaptedShirt {
-  Pattern pattern;
+  pattern::Pattern pattern;
   ShirtMeasures measures;
   ShirtFit fit;
   ShirtDraftReport report;
@@ -26,4 +26,4 @@ struct AdaptedShirt {
 AdaptedShirt draft_adapted_shirt(const ShirtMeasures& measures, const ShirtFit& fit,
                                  const std::set<std::string>& yielding);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double underarm_depth,
                            bool front, double drop) {
@@ -52,12 +52,12 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   return half;
 }
 
-CurveChain draft_cap(double width, double height) {
+pattern::CurveChain draft_cap(double width, double height) {
   const Vec2 middle(0.50 * width, 0.52 * height);
   const double chord = std::hypot(width, height);
   // The slope at the middle is steeper than the chord.
   const Vec2 arm = 0.22 * chord * Vec2(0.72 * width, -1.25 * height).normalized();
-  CurveChain cap;
+  pattern::CurveChain cap;
   cap.start = Vec2(0, height);
   cap.cubic_to({0.24 * width, height}, middle - arm, middle)
       .cubic_to(middle + arm, {0.80 * width, 0}, {width, 0});
@@ -92,4 +92,4 @@ std::optional<CapFit> fit_caps(double front_length, double back_length, double g
   return CapFit{h, q};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,14 +4,14 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/curve_chain.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Half of a torso piece, x ≥ 0 from the centre line, y = 0 at the high point shoulder.
 struct TorsoHalf {
-  CurveChain neck;      ///< centre → shoulder
-  CurveChain shoulder;  ///< neck → shoulder point
-  CurveChain armhole;   ///< shoulder point → underarm
-  CurveChain side;      ///< underarm → hem
+  pattern::CurveChain neck;      ///< centre → shoulder
+  pattern::CurveChain shoulder;  ///< neck → shoulder point
+  pattern::CurveChain armhole;   ///< shoulder point → underarm
+  pattern::CurveChain side;      ///< underarm → hem
   double shoulder_x = 0, armhole_depth = 0;
 };
 
@@ -21,7 +21,7 @@ TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
 
 /// Half cap from the top (0, h) to the underarm (w, 0) (docs/theory/patterns.md 3).
-CurveChain draft_cap(double width, double height);
+pattern::CurveChain draft_cap(double width, double height);
 
 /// Cap height and front share such that both half caps have exactly the wanted lengths.
 struct CapFit {
@@ -31,4 +31,4 @@ struct CapFit {
 /// too unequal for a front share between 0.3 and 0.7.
 std::optional<CapFit> fit_caps(double front_length, double back_length, double girth);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

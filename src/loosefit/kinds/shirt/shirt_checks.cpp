@@ -8,7 +8,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 void in_range(const std::string& key, double value, double low, double high, const char* unit) {
@@ -70,8 +70,8 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
           m.hps_to_hem - kLeast);
 }
 
-void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit,
-                          double shoulder_x, double under_length) {
+void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,
+                          const ShirtFit& fit, double shoulder_x, double under_length) {
   const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
   if (shoulder_x < neck_x + 0.02)
     throw ShirtRefusal(
@@ -94,9 +94,10 @@ void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const Sh
          fmt::format("at least {:.3f} m for this armhole and sleeve",
                      m.arm_length + least - under_length)},
         ShirtRule::sleeve_length, least - under_length);
-  for (const Panel& panel : shirt.panels) {
-    const std::vector<Vec2> outline = outline_polygon(panel);
-    if (first_self_crossing(outline).first < 0 && signed_area(outline) > 0) continue;
+  for (const pattern::Panel& panel : shirt.panels) {
+    const std::vector<Vec2> outline = pattern::outline_polygon(panel);
+    if (pattern::first_self_crossing(outline).first < 0 && pattern::signed_area(outline) > 0)
+      continue;
     const bool torso = panel.label == "body";
     throw ShirtRefusal({InputPlace{{}, 0, torso ? "fit.chest" : "fit.wrist"},
                         fmt::format("{:.4g}", torso ? fit.chest : fit.wrist),
@@ -108,4 +109,4 @@ void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& m, const Sh
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

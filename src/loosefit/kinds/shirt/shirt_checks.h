@@ -2,7 +2,7 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 // All of these throw ShirtRefusal.
 
@@ -16,7 +16,7 @@ void check_shirt_input(const ShirtMeasures& measures, const ShirtFit& fit);
 void check_shirt_levels(const ShirtMeasures& measures, const ShirtFit& fit, double shoulder_y,
                         double underarm_y);
 /// Combinations of sizes that are each plausible but do not make a garment together.
-void check_shirt_outlines(const Pattern& shirt, const ShirtMeasures& measures, const ShirtFit& fit,
-                          double shoulder_x, double under_length);
+void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& measures,
+                          const ShirtFit& fit, double shoulder_x, double under_length);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -10,7 +10,7 @@
 #include "loosefit/pattern/drafting.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 constexpr double kStep = 0.0025;                       // adjustment step [m]
@@ -23,32 +23,32 @@ struct Draft {
   double ratio() const { return cap->height / front.armhole_depth; }
 };
 
-Panel torso_panel(const TorsoHalf& half, bool front) {
+pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
   // Which of the wearer's sides lies at x > 0, seen from outside.
   const std::string at_right = front ? "L" : "R", at_left = front ? "R" : "L";
-  const CurveChain side = half.side.reversed(), armhole = half.armhole.reversed(),
-                   shoulder = half.shoulder.reversed(), to_centre = half.neck.reversed();
-  CurveChain neck = to_centre, other = half.neck.mirrored();
+  const pattern::CurveChain side = half.side.reversed(), armhole = half.armhole.reversed(),
+                            shoulder = half.shoulder.reversed(), to_centre = half.neck.reversed();
+  pattern::CurveChain neck = to_centre, other = half.neck.mirrored();
   neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
   neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
-  CurveChain hem;
+  pattern::CurveChain hem;
   hem.start = Vec2(-half.side.end().x(), half.side.end().y());
   hem.line_to(half.side.end());
-  return draft_panel(front ? "front" : "back", "body",
-                     {{"hem", hem},
-                      {"side_" + at_right, side},
-                      {"armhole_" + at_right, armhole},
-                      {"shoulder_" + at_right, shoulder},
-                      {"neck", neck},
-                      {"shoulder_" + at_left, half.shoulder.mirrored()},
-                      {"armhole_" + at_left, half.armhole.mirrored()},
-                      {"side_" + at_left, half.side.mirrored()}});
+  return pattern::draft_panel(front ? "front" : "back", "body",
+                              {{"hem", hem},
+                               {"side_" + at_right, side},
+                               {"armhole_" + at_right, armhole},
+                               {"shoulder_" + at_right, shoulder},
+                               {"neck", neck},
+                               {"shoulder_" + at_left, half.shoulder.mirrored()},
+                               {"armhole_" + at_left, half.armhole.mirrored()},
+                               {"side_" + at_left, half.side.mirrored()}});
 }
 
-Panel sleeve_panel(const std::string& name, double width, double cuff, double cap_height,
-                   double underarm_length, bool at_positive_x) {
-  const CurveChain cap = draft_cap(width, cap_height);
-  CurveChain top, hem, under;
+pattern::Panel sleeve_panel(const std::string& name, double width, double cuff, double cap_height,
+                            double underarm_length, bool at_positive_x) {
+  const pattern::CurveChain cap = draft_cap(width, cap_height);
+  pattern::CurveChain top, hem, under;
   top.start = Vec2(0, cap_height);
   top.line_to({0, -underarm_length});
   hem.start = top.end();
@@ -56,13 +56,13 @@ Panel sleeve_panel(const std::string& name, double width, double cuff, double ca
   under.start = hem.end();
   under.line_to({width, 0});
   if (at_positive_x)
-    return draft_panel(name, "arm",
-                       {{"top", top}, {"cuff", hem}, {"under", under}, {"cap", cap.reversed()}});
-  return draft_panel(name, "arm",
-                     {{"cap", cap.mirrored()},
-                      {"under", under.reversed().mirrored()},
-                      {"cuff", hem.reversed().mirrored()},
-                      {"top", top.reversed().mirrored()}});
+    return pattern::draft_panel(
+        name, "arm", {{"top", top}, {"cuff", hem}, {"under", under}, {"cap", cap.reversed()}});
+  return pattern::draft_panel(name, "arm",
+                              {{"cap", cap.mirrored()},
+                               {"under", under.reversed().mirrored()},
+                               {"cuff", hem.reversed().mirrored()},
+                               {"top", top.reversed().mirrored()}});
 }
 
 Draft draft_at(const ShirtMeasures& m, const ShirtFit& fit, double depth, double drop) {
@@ -104,8 +104,8 @@ bool sleeve_fits_armhole(const ShirtMeasures& m, const ShirtFit& fit) {
   return draft_at(m, fit, m.scye_depth + fit.scye_ease + kDeepest, 0).cap.has_value();
 }
 
-Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
-                    const ShirtPlacement& placement) {
+pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
+                             const ShirtPlacement& placement) {
   check_shirt_input(m, fit);
   ShirtDraftReport result;
   const Draft d = balance(m, fit, result);
@@ -124,7 +124,7 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
   const double front_cuff = wrist / 2 + front_width - upper / 2;
   const double back_cuff = wrist / 2 + back_width - upper / 2;
 
-  Pattern shirt;
+  pattern::Pattern shirt;
   shirt.name = fit.sleeve_length < 1 ? "short-sleeve-shirt" : "long-sleeve-shirt";
   shirt.kind = "long-sleeve-shirt";
   shirt.panels = {torso_panel(d.front, true), torso_panel(d.back, false)};
@@ -138,12 +138,12 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
   for (const std::string s : {"L", "R"}) {
     const std::string sleeve_front = "sleeve_" + s + "_front",
                       sleeve_back = "sleeve_" + s + "_back";
-    sew_edges(shirt, "side_" + s, "front", "side_" + s, "back", "side_" + s);
-    sew_edges(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
-    sew_edges(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
-    sew_edges(shirt, "armhole_back_" + s, "back", "armhole_" + s, sleeve_back, "cap");
-    sew_edges(shirt, "sleeve_top_" + s, sleeve_front, "top", sleeve_back, "top");
-    sew_edges(shirt, "sleeve_under_" + s, sleeve_front, "under", sleeve_back, "under");
+    pattern::sew_edges(shirt, "side_" + s, "front", "side_" + s, "back", "side_" + s);
+    pattern::sew_edges(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
+    pattern::sew_edges(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
+    pattern::sew_edges(shirt, "armhole_back_" + s, "back", "armhole_" + s, sleeve_back, "cap");
+    pattern::sew_edges(shirt, "sleeve_top_" + s, sleeve_front, "top", sleeve_back, "top");
+    pattern::sew_edges(shirt, "sleeve_under_" + s, sleeve_front, "under", sleeve_back, "under");
   }
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);
   check_shirt_outlines(shirt, m, fit, d.front.shoulder_x, under_length);
@@ -159,4 +159,4 @@ Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftRepor
   return shirt;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -3,7 +3,7 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// What the draft arrived at.
 struct ShirtDraftReport {
@@ -21,10 +21,11 @@ struct ShirtDraftReport {
 /// sleeve_R_front, sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve
 /// edges top, cuff, under, cap. \throws InvalidInput when a size or fit is outside its range, or no
 /// sleeve fits the armhole (ShirtRefusal, shirt_refusal.h).
-Pattern draft_shirt(const ShirtMeasures& measures, const ShirtFit& fit = {},
-                    ShirtDraftReport* report = nullptr, const ShirtPlacement& placement = {});
+pattern::Pattern draft_shirt(const ShirtMeasures& measures, const ShirtFit& fit = {},
+                             ShirtDraftReport* report = nullptr,
+                             const ShirtPlacement& placement = {});
 
 /// Whether a sleeve of the asked girth fits the armhole when it is cut as deep as the draft goes.
 bool sleeve_fits_armhole(const ShirtMeasures& measures, const ShirtFit& fit);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

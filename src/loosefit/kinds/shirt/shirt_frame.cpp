@@ -7,7 +7,7 @@
 #include "loosefit/dress/front_neckline.h"
 #include "loosefit/dress/no_room.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 /// The corner of a panel at the armpit is this much below 180° [rad], or half of the angle that
@@ -26,13 +26,13 @@ const Vec3& place(const std::map<std::string, Vec3>& places, const std::string& 
   return found->second;
 }
 
-double measure(const Body& body, const std::string& name, double otherwise) {
+double measure(const body::Body& body, const std::string& name, double otherwise) {
   const auto found = body.measured.find(name);
   return found == body.measured.end() ? otherwise : found->second;
 }
 
 /// Height of the shirt's front from the high point shoulder to the hem [m].
-double flat_height(const Garment& g) {
+double flat_height(const garment::Garment& g) {
   double lower = 1e9, upper = -1e9;
   for (std::size_t t = 0; t < g.triangles.size(); ++t)
     if (g.panel_parts[g.triangle_panel[t]] == "front")
@@ -63,8 +63,8 @@ std::vector<Vec2> armhole_line(const Vec2& hem, const Vec2& armpit, const Vec2& 
   return line;
 }
 
-ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutline& outline,
-                            double clearance, int side) {
+ShirtFrame::Half half_frame(const garment::Garment& g, const body::Body& body,
+                            const dress::BodyOutline& outline, double clearance, int side) {
   const std::string end = side > 0 ? "_L" : "_R";
   // Work on the wearer's left; mirror at the end.
   const auto left = [&](const Vec3& p) { return Vec3(side * p[0], p[1], p[2]); };
@@ -77,9 +77,9 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   const Vec2 arm = (elbow - seen(shoulder3)).normalized();
   const double angle = std::atan2(arm[0], -arm[1]);
   if (angle < kLeastArmAngle)
-    throw NoRoom("body: found the upper arm " +
-                 std::to_string(static_cast<int>(std::lround(degrees(angle)))) +
-                 " degrees from the vertical, expected at least 15 to put on a shirt");
+    throw dress::NoRoom("body: found the upper arm " +
+                        std::to_string(static_cast<int>(std::lround(degrees(angle)))) +
+                        " degrees from the vertical, expected at least 15 to put on a shirt");
 
   ShirtFrame::Half half;
   half.neck = hps + Vec2(clearance, 1.2 * clearance);
@@ -98,7 +98,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
 
   // Cuff: as far along the arm as the sleeve is long, beyond the wrist if need be.
   const auto* top = g.find_part(side > 0 ? "sleeve_L_front" : "sleeve_R_front", "top");
-  const double length = top ? flat_length(g, *top) : 0.55;
+  const double length = top ? dress::flat_length(g, *top) : 0.55;
   const double upper_arm = (elbow3 - shoulder3).norm(), forearm = (wrist3 - elbow3).norm();
   const Vec2 fore = (wrist - elbow).normalized();
   // A sleeve longer than the arm starts gathered before the hand, whose fingers it could not clear.
@@ -128,7 +128,7 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
   double hem_x = outline.trunk_half_width(hem_z, side) + clearance;
   const double fall = half.armpit[1] - hem_z;
   if (fall < 0.02)
-    throw NoRoom("the body of the shirt ends above the armpits as it has to be laid");
+    throw dress::NoRoom("the body of the shirt ends above the armpits as it has to be laid");
   for (double z = hem_z; z < half.armpit[1] - 0.1 * fall; z += 0.005) {
     const double share = (half.armpit[1] - z) / fall;  // 1 at the hem
     const double need = outline.trunk_half_width(z, side) + 0.5 * clearance;
@@ -151,13 +151,13 @@ ShirtFrame::Half half_frame(const Garment& g, const Body& body, const BodyOutlin
 
 }  // namespace
 
-ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline& outline,
-                       double clearance) {
+ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
+                       const dress::BodyOutline& outline, double clearance) {
   ShirtFrame frame{half_frame(shirt, body, outline, clearance, +1),
                    half_frame(shirt, body, outline, clearance, -1),
                    {}};
-  frame.front_neck = front_neckline(shirt, body, frame.left.neck, frame.right.neck);
+  frame.front_neck = dress::front_neckline(shirt, body, frame.left.neck, frame.right.neck);
   return frame;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -5,7 +5,7 @@
 #include "loosefit/dress/body_outline.h"
 #include "loosefit/garment/garment.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Where the corner points of a shirt go, seen from the front, in the (x, z) plane [m]. Each half
 /// is stored for one side of the wearer.
@@ -22,7 +22,7 @@ struct ShirtFrame {
 
 /// Frame round a body that stands with the arms away from the trunk.
 /// \throws GeometryError when the body has no arms, or they hang too close to the trunk.
-ShirtFrame shirt_frame(const Garment& shirt, const Body& body, const BodyOutline& outline,
-                       double clearance);
+ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
+                       const dress::BodyOutline& outline, double clearance);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -5,7 +5,7 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/outline.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 std::optional<double> value_of(const NamedValues& values, const char* name) {
@@ -24,28 +24,29 @@ std::optional<double> arm_at(const NamedValues& measures, double share) {
 
 }  // namespace
 
-NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist) {
+NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   NamedValues girths;
   const auto width = [&](const char* panel, const char* edge_a, const char* edge_b, auto&& point) {
     const int p = shirt.find_part(panel);
     if (p < 0) return 0.0;
-    const Panel& piece = shirt.panels[p];
-    const int a = find_edge_part(piece, edge_a), b = find_edge_part(piece, edge_b);
+    const pattern::Panel& piece = shirt.panels[p];
+    const int a = pattern::find_edge_part(piece, edge_a),
+              b = pattern::find_edge_part(piece, edge_b);
     return a < 0 || b < 0 ? 0.0 : (point(piece, a) - point(piece, b)).norm();
   };
   const auto add = [&](const std::string& name, double front, double back) {
     if (front > 0 && back > 0) girths[name] = front + back;
   };
-  const auto end_of_left = [](const Panel& piece, int e) -> Vec2 {
+  const auto end_of_left = [](const pattern::Panel& piece, int e) -> Vec2 {
     // The underarm corner is where the armhole edge meets the side edge.
-    const PanelEdge& edge = piece.edges[e];
+    const pattern::PanelEdge& edge = piece.edges[e];
     const Vec2 &start = piece.vertices[edge.start], &end = piece.vertices[edge.end];
     return start.y() < end.y() ? start : end;
   };
   add("chest", width("front", "armhole_L", "armhole_R", end_of_left),
       width("back", "armhole_L", "armhole_R", end_of_left));
-  const auto at_waist = [&](const Panel& piece, int e) -> Vec2 {
-    const EdgePath path(piece, e);
+  const auto at_waist = [&](const pattern::Panel& piece, int e) -> Vec2 {
+    const pattern::EdgePath path(piece, e);
     double low = 0, high = 1;
     const double level = -hps_to_waist;
     const bool rising = path.at(1).y() > path.at(0).y();
@@ -59,15 +60,15 @@ NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist) {
       width("back", "side_L", "side_R", at_waist));
   const auto length = [&](const char* panel, const char* edge) {
     const int p = shirt.find_part(panel);
-    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], edge);
-    return e < 0 ? 0.0 : EdgePath(shirt.panels[p], e).length();
+    const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], edge);
+    return e < 0 ? 0.0 : pattern::EdgePath(shirt.panels[p], e).length();
   };
   add("hip", length("front", "hem"), length("back", "hem"));
   const auto cap_width = [&](const char* panel) {
     const int p = shirt.find_part(panel);
-    const int e = p < 0 ? -1 : find_edge_part(shirt.panels[p], "cap");
+    const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], "cap");
     if (e < 0) return 0.0;
-    const PanelEdge& cap = shirt.panels[p].edges[e];
+    const pattern::PanelEdge& cap = shirt.panels[p].edges[e];
     return std::abs(shirt.panels[p].vertices[cap.end].x() -
                     shirt.panels[p].vertices[cap.start].x());
   };
@@ -76,7 +77,7 @@ NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist) {
   return girths;
 }
 
-std::vector<FitLevel> shirt_levels(const Pattern& shirt, const NamedValues& measures,
+std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedValues& measures,
                                    const NamedValues& fit) {
   const std::optional<double> waist_level = value_of(measures, "hps_to_waist");
   const NamedValues girths = shirt_girths(shirt, waist_level.value_or(0));
@@ -97,4 +98,4 @@ std::vector<FitLevel> shirt_levels(const Pattern& shirt, const NamedValues& meas
   return levels;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -3,17 +3,17 @@
 
 #include "loosefit/kinds/kind.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Girths of a shirt, measured on its pieces [m]: chest, hip (hem),
 /// sleeve, wrist, waist (at `hps_to_waist` below the high point shoulder). Missing pieces are left
 /// out.
-NamedValues shirt_girths(const Pattern& shirt, double hps_to_waist);
+NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist);
 
 /// The levels of fit of a shirt with or without sleeves, as GarmentKind::levels: chest, waist, hip,
 /// sleeve against the upper arm, and wrist; below a sleeve length of 1 the cuff, against the arm
 /// where it ends.
-std::vector<FitLevel> shirt_levels(const Pattern& shirt, const NamedValues& measures,
+std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedValues& measures,
                                    const NamedValues& fit);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

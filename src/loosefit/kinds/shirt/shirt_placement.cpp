@@ -1,11 +1,11 @@
 #include "loosefit/kinds/shirt/shirt_placement.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
-void place_shirt(Pattern& shirt, const ShirtMeasures& m, const ShirtPlacement& placement,
+void place_shirt(pattern::Pattern& shirt, const ShirtMeasures& m, const ShirtPlacement& placement,
                  const Vec2& shoulder_point, double cap_height) {
   const double hps = placement.hps_height > 0 ? placement.hps_height : 3.3 * m.hps_to_waist;
-  for (Panel& panel : shirt.panels) {
+  for (pattern::Panel& panel : shirt.panels) {
     const ShirtPart& part = *find_shirt_part(panel.part);
     const bool front = !part.back;
     // Columns: panel x, panel y and outside normal in our frame; the wearer faces -y.
@@ -29,4 +29,4 @@ void place_shirt(Pattern& shirt, const ShirtMeasures& m, const ShirtPlacement& p
   }
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

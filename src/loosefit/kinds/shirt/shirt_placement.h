@@ -2,7 +2,7 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Where the flat pieces are placed in space for other tools (ours arranges them on the body).
 struct ShirtPlacement {
@@ -11,7 +11,7 @@ struct ShirtPlacement {
 };
 
 /// Flat placement in front of and behind the body, sleeves turned by the arm angle.
-void place_shirt(Pattern& shirt, const ShirtMeasures& measures, const ShirtPlacement& placement,
-                 const Vec2& shoulder_point, double cap_height);
+void place_shirt(pattern::Pattern& shirt, const ShirtMeasures& measures,
+                 const ShirtPlacement& placement, const Vec2& shoulder_point, double cap_height);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/base/error.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// What a shirt must have to be drafted.
 enum class ShirtRule {
@@ -30,4 +30,4 @@ class ShirtRefusal : public InvalidInput {
   double shortfall_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,7 +4,7 @@
 
 #include "loosefit/kinds/shirt/shirt_values.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 /// chest, waist, hip, neck base, upper arm, wrist, shoulder breadth, slope [deg], scye depth,
@@ -79,4 +79,4 @@ const std::vector<KindSize>& shirt_sizes() {
   return kSizes;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -4,7 +4,7 @@
 
 #include "loosefit/base/types.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 ShirtFit usual_shirt_fit() {
   return {.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
@@ -92,4 +92,4 @@ const ShirtPart* find_shirt_part(const std::string& name) {
   return found == shirt_parts().end() ? nullptr : &*found;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

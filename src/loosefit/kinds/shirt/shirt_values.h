@@ -5,7 +5,7 @@
 
 #include "loosefit/kinds/named_values.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// Body sizes the shirt is drafted from [m, rad]. Girths are tape girths (convex hull of the
 /// section). The preset is a standard adult woman, size M (EU 38).
@@ -81,4 +81,4 @@ const std::vector<ShirtPart>& shirt_parts();
 /// By Panel::part; nullptr for what is no piece of a shirt.
 const ShirtPart* find_shirt_part(const std::string& name);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

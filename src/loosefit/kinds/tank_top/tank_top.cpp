@@ -13,7 +13,7 @@
 #include "loosefit/kinds/shirt/shirt_sizes.h"
 #include "loosefit/kinds/tank_top/tank_top_draft.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 std::vector<KindMeasure> measures() {
@@ -50,13 +50,29 @@ std::vector<KindKey> keys() {
   };
 }
 
+/// Straps for which a narrow chest has no room get narrower and move towards the neck, unless they
+/// were asked for.
+void make_room_for_straps(DraftedGarment& drafted, const std::set<std::string>& yielding) {
+  const auto give_way = [&](const char* key, double most) {
+    double& value = drafted.fit[key];
+    if (value <= most || !yielding.count(std::string("fit.") + key)) return;
+    drafted.notes.push_back(fmt::format(
+        "fit.{}: {:.3g} instead of {:.3g}, since otherwise the straps would end outside the "
+        "underarm",
+        key, most, value));
+    value = most;
+  };
+  give_way("strap_width", strap_room(drafted.measures, drafted.fit).width);
+  give_way("strap_place", strap_room(drafted.measures, drafted.fit).place);
+}
+
 DraftedGarment draft(const DraftRequest& request) {
   DraftedGarment drafted;
   drafted.measures = request.measures;
   for (const KindKey& key : keys())
     if (key.usual) drafted.fit[key.name] = *key.usual;
   for (const auto& [name, value] : request.fit) drafted.fit[name] = value;
-  // A size brings the girths of its shirt; straps and necklines are as asked for.
+  // A size brings the girths of its shirt; straps and necklines have their defaults.
   if (!request.size.empty()) {
     const KindSize& size = find_size(shirt_sizes(), request.size);
     drafted.measures = size.measures;
@@ -77,13 +93,15 @@ DraftedGarment draft(const DraftRequest& request) {
                     least, m.at("hps_to_hem")));
     m["hps_to_hem"] = least;
   }
+  make_room_for_straps(drafted, request.yielding);
   drafted.pattern = draft_tank_top(m, drafted.fit);
   return drafted;
 }
 
 /// Front before and back behind the body, straps over the shoulders, sides under the arms.
-std::vector<Vec3> lay_tank_top(const Garment& g, const Body& body, const LayingRoom& room) {
-  const BodyOutline depth(body, room.clearance);
+std::vector<Vec3> lay_tank_top(const garment::Garment& g, const body::Body& body,
+                               const dress::LayingRoom& room) {
+  const dress::BodyOutline depth(body, room.clearance);
   const ShirtFrame frame = shirt_frame(g, body, depth, room.clearance);
   // Ends of the strap on the line of the shoulder, from the neck on.
   constexpr double kInner = 0.25, kOuter = 0.70;
@@ -93,10 +111,10 @@ std::vector<Vec3> lay_tank_top(const Garment& g, const Body& body, const LayingR
   const auto &l = frame.left, &r = frame.right;
   const Vec2 inner_l = on_shoulder(l, kInner), outer_l = on_shoulder(l, kOuter),
              inner_r = on_shoulder(r, kInner), outer_r = on_shoulder(r, kOuter);
-  Sheets sheets(g);
+  dress::Sheets sheets(g);
   for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
     const bool back = g.panel_parts[p] == "back";
-    PanelOutline panel(g, g.panel_parts[p]);
+    dress::PanelOutline panel(g, g.panel_parts[p]);
     panel.lay("hem", "side_L", {l.hem, r.hem});
     panel.lay("side_L", "hem", {l.hem, l.armpit});
     panel.lay("side_R", "hem", {r.hem, r.armpit});
@@ -106,7 +124,7 @@ std::vector<Vec3> lay_tank_top(const Garment& g, const Body& body, const LayingR
     panel.lay("shoulder_R", "armhole_R", {outer_r, inner_r});
     panel.lay("neck", "shoulder_L",
               back || room.straight_neck ? std::vector<Vec2>{inner_l, inner_r}
-                                         : front_neckline(g, body, inner_l, inner_r));
+                                         : dress::front_neckline(g, body, inner_l, inner_r));
     sheets.add(p, panel, back);
   }
   return sheets.positions(depth, room);
@@ -129,11 +147,11 @@ GarmentKind tank_top() {
                    {OpeningUse::left_arm, {{"front", "armhole_L"}, {"back", "armhole_L"}}},
                    {OpeningUse::right_arm, {{"front", "armhole_R"}, {"back", "armhole_R"}}}};
   kind.mark = "tank top 1";
-  kind.note_parts = [](Pattern& pattern) {
-    static const Pattern kDraft = draft({{}, "women-38", {}, {}}).pattern;
+  kind.note_parts = [](pattern::Pattern& pattern) {
+    static const pattern::Pattern kDraft = draft({{}, "women-38", {}, {}}).pattern;
     return match_parts(kDraft, pattern);
   };
   return kind;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

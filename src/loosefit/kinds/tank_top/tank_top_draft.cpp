@@ -8,19 +8,20 @@
 #include "loosefit/base/error.h"
 #include "loosefit/pattern/drafting.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 namespace {
 
 constexpr double kLeastSide = 0.06;       ///< side seam [m]
 constexpr double kLeastShoulder = 0.03;   ///< of the body, from neck to shoulder point [m]
 constexpr double kInsideUnderarm = 0.92;  ///< the strap's outer end, of the underarm's breadth
+constexpr double kLeastStrap = 0.15;      ///< of the body's shoulder
 
 /// Half of a piece, x ≥ 0 from the centre line, y = 0 at the high point shoulder of the body.
 struct Half {
-  CurveChain neck;     ///< centre → strap
-  CurveChain strap;    ///< inner → outer end
-  CurveChain armhole;  ///< strap → underarm
-  CurveChain side;     ///< underarm → hem
+  pattern::CurveChain neck;     ///< centre → strap
+  pattern::CurveChain strap;    ///< inner → outer end
+  pattern::CurveChain armhole;  ///< strap → underarm
+  pattern::CurveChain side;     ///< underarm → hem
 };
 
 Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) {
@@ -31,7 +32,7 @@ Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) 
   const double y_underarm = -slope * length - m.at("scye_depth") - fit.at("scye_ease");
   const double width = fit.at("strap_width");
   const double inner = x_neck + fit.at("strap_place") * (1 - width) * length;
-  const double outer = std::min(inner + width * length, kInsideUnderarm * x_underarm);
+  const double outer = inner + width * length;
   const Vec2 strap_inner(inner, -slope * (inner - x_neck)),
       strap_outer(outer, -slope * (outer - x_neck)), underarm(x_underarm, y_underarm);
   const double y_neck = strap_inner.y() + fit.at(drop) * (y_underarm - strap_inner.y());
@@ -60,26 +61,37 @@ Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) 
   return half;
 }
 
-Panel piece(const Half& half, bool front) {
+pattern::Panel piece(const Half& half, bool front) {
   // Which of the wearer's sides lies at x > 0, seen from outside.
   const std::string right = front ? "L" : "R", left = front ? "R" : "L";
-  CurveChain neck = half.neck.reversed(), other = half.neck.mirrored(), hem;
+  pattern::CurveChain neck = half.neck.reversed(), other = half.neck.mirrored(), hem;
   neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
   neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
   hem.start = Vec2(-half.side.end().x(), half.side.end().y());
   hem.line_to(half.side.end());
-  return draft_panel(front ? "front" : "back", "body",
-                     {{"hem", hem},
-                      {"side_" + right, half.side.reversed()},
-                      {"armhole_" + right, half.armhole.reversed()},
-                      {"shoulder_" + right, half.strap.reversed()},
-                      {"neck", neck},
-                      {"shoulder_" + left, half.strap.mirrored()},
-                      {"armhole_" + left, half.armhole.mirrored()},
-                      {"side_" + left, half.side.mirrored()}});
+  return pattern::draft_panel(front ? "front" : "back", "body",
+                              {{"hem", hem},
+                               {"side_" + right, half.side.reversed()},
+                               {"armhole_" + right, half.armhole.reversed()},
+                               {"shoulder_" + right, half.strap.reversed()},
+                               {"neck", neck},
+                               {"shoulder_" + left, half.strap.mirrored()},
+                               {"armhole_" + left, half.armhole.mirrored()},
+                               {"side_" + left, half.side.mirrored()}});
 }
 
 }  // namespace
+
+StrapRoom strap_room(const NamedValues& m, const NamedValues& fit) {
+  const double x_neck = m.at("neck") / 5, length = m.at("shoulder_breadth") / 2 - x_neck;
+  const double x_underarm = (1 + fit.at("chest")) * m.at("chest") / 4;
+  const double width = fit.at("strap_width");
+  StrapRoom room;
+  room.width = std::min(1.0, (kInsideUnderarm * x_underarm - x_neck) / length);
+  room.place = width < 1 ? std::clamp((room.width - width) / (1 - width), 0.0, 1.0) : 1.0;
+  room.least_chest = 4 * (x_neck + kLeastStrap * length) / (kInsideUnderarm * m.at("chest")) - 1;
+  return room;
+}
 
 double shortest_tank_top(const NamedValues& m, const NamedValues& fit) {
   const double length = m.at("shoulder_breadth") / 2 - m.at("neck") / 5;
@@ -87,7 +99,7 @@ double shortest_tank_top(const NamedValues& m, const NamedValues& fit) {
          kLeastSide;
 }
 
-Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
+pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
   const auto refuse_below = [&](const char* key, double least, const char* why) {
     if (!(m.at(key) >= least))
       throw InvalidInput({{}, 0, std::string("measures.") + key},
@@ -101,13 +113,31 @@ Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
     refuse_below("hps_to_waist", shortest_tank_top(m, fit) - kLeastSide / 2, "below the underarm");
     refuse_below("hps_to_hem", m.at("hps_to_waist") + kLeastSide / 2, "below the waist");
   }
-  Pattern tank;
+  // Straps stand on the shoulder inside the underarm.
+  constexpr double kRounding = 1e-9;
+  const StrapRoom room = strap_room(m, fit);
+  const auto refuse_fit = [&](const char* key, const std::string& expected) {
+    throw InvalidInput({{}, 0, std::string("fit.") + key}, fmt::format("{:.4g}", fit.at(key)),
+                       expected);
+  };
+  if (room.width < kLeastStrap)
+    refuse_fit("chest", fmt::format("at least {:.3f}, so that straps have room between neck and "
+                                    "underarm",
+                                    room.least_chest));
+  if (fit.at("strap_width") > room.width + kRounding)
+    refuse_fit("strap_width",
+               fmt::format("at most {:.3f}, inside the underarm of this chest", room.width));
+  if (fit.at("strap_place") > room.place + kRounding)
+    refuse_fit("strap_place",
+               fmt::format("at most {:.3f}, inside the underarm of this chest", room.place));
+  pattern::Pattern tank;
   tank.name = tank.kind = "tank-top";
   tank.panels = {piece(draft_half(m, fit, "neck_drop"), true),
                  piece(draft_half(m, fit, "back_drop"), false)};
   for (const std::string side : {"L", "R"}) {
-    sew_edges(tank, "side_" + side, "front", "side_" + side, "back", "side_" + side);
-    sew_edges(tank, "shoulder_" + side, "front", "shoulder_" + side, "back", "shoulder_" + side);
+    pattern::sew_edges(tank, "side_" + side, "front", "side_" + side, "back", "side_" + side);
+    pattern::sew_edges(tank, "shoulder_" + side, "front", "shoulder_" + side, "back",
+                       "shoulder_" + side);
   }
   tank.panel_order = {0, 1};
   // Columns: panel x, panel y and outside normal in our frame; the wearer faces −y.
@@ -119,4 +149,4 @@ Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
   return tank;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

@@ -2,15 +2,23 @@
 #include "loosefit/kinds/named_values.h"
 #include "loosefit/pattern/pattern.h"
 
-namespace loosefit {
+namespace loosefit::kinds {
 
 /// A sleeveless shirt of two pieces, front and back, and four seams: side_* and shoulder_* (the
 /// straps), with the asked girths exactly. Edges hem, side_*, armhole_*, shoulder_*, neck. Placed
 /// flat before and behind the body. `measures` and `fit` as the kind names them (tank_top.cpp).
 /// \throws InvalidInput for measures that do not make a garment together.
-Pattern draft_tank_top(const NamedValues& measures, const NamedValues& fit);
+pattern::Pattern draft_tank_top(const NamedValues& measures, const NamedValues& fit);
+
+/// How much room a chest leaves for the straps, which stand on the shoulder inside the underarm.
+struct StrapRoom {
+  double width = 1;        ///< most that fit.strap_width can be [–]
+  double place = 1;        ///< most that fit.strap_place can be with that strap_width [–]
+  double least_chest = 0;  ///< least fit.chest with room for any strap [–]
+};
+StrapRoom strap_room(const NamedValues& measures, const NamedValues& fit);
 
 /// The least measures.hps_to_hem that it can be drafted with [m].
 double shortest_tank_top(const NamedValues& measures, const NamedValues& fit);
 
-}  // namespace loosefit
+}  // namespace loosefit::kinds

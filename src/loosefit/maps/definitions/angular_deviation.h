@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Angle between the cloth and the body under it.
 inline MapDefinition angular_deviation_map() {
@@ -27,4 +27,4 @@ inline MapDefinition angular_deviation_map() {
           .by_default = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

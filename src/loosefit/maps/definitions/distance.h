@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// From the cloth's middle surface to the body (BodyPartner).
 inline MapDefinition distance_map() {
@@ -40,4 +40,4 @@ inline MapDefinition distance_map() {
       .by_default = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

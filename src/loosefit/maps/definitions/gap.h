@@ -2,7 +2,7 @@
 #include "loosefit/maps/gap.h"
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Gap under the cloth, and whether it touches (maps/gap.h).
 inline MapDefinition gap_map() {
@@ -49,4 +49,4 @@ inline MapDefinition gap_map() {
   return {.name = "gap", .arrays = {gap, contact}, .needs_material = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// How the grain of the cloth stands against the long axis of the body segment
 /// (maps/orientation.h).
@@ -66,4 +66,4 @@ inline MapDefinition orientation_map() {
   return {.name = "orientation", .arrays = {sagittal, lateral, twist, rotation}};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// What an orientation sensor reads wrong after calibration (maps/orientation_error.h).
 inline MapDefinition orientation_error_map() {
@@ -21,7 +21,9 @@ inline MapDefinition orientation_error_map() {
       .read = ReadError([](const ErrorSummary& error) { return error.rms; }),
       .in_unit = in_degrees,
       .metrics = {{"coe_rms_deg", "calibrated orientation error, RMS over postures",
-                   OverFootprint::rigid, OverStates::error_rms}}};
+                   OverFootprint::rigid, OverStates::error_rms},
+                  {"donning_coe_deg", "orientation error from one donning to the next",
+                   OverFootprint::rigid, OverStates::error_of_donnings}}};
   MapArray p95{.style = {.array = "coe_p95_deg",
                          .title = "Calibrated orientation error, 95 % of postures",
                          .unit = "deg",
@@ -36,10 +38,8 @@ inline MapDefinition orientation_error_map() {
                .read = ReadError([](const ErrorSummary& error) { return error.p95; }),
                .in_unit = in_degrees,
                .metrics = {{"coe_p95_deg", "calibrated orientation error, 95 % of postures",
-                            OverFootprint::rigid, OverStates::error_p95},
-                           {"donning_coe_deg", "orientation error from one donning to the next",
-                            OverFootprint::rigid, OverStates::error_of_donnings}}};
+                            OverFootprint::rigid, OverStates::error_p95}}};
   return {.name = "orientation-error", .arrays = {rms, p95}, .needs_postures = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -3,7 +3,7 @@
 
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Contact pressure by two independent estimates (maps/pressure.h).
 inline MapDefinition pressure_map() {
@@ -82,4 +82,4 @@ inline MapDefinition pressure_map() {
   return {.name = "pressure", .arrays = {contact, membrane, difference}, .needs_forces = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Travel of the cloth over the skin since the reference posture (maps/skin_partner.h).
 inline MapDefinition slip_map() {
@@ -51,4 +51,4 @@ inline MapDefinition slip_map() {
       .needs_postures = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

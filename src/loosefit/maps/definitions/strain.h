@@ -1,7 +1,7 @@
 #pragma once
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Strains of the fabric against the flat pattern (maps/strain.h).
 inline MapDefinition strain_map() {
@@ -37,8 +37,9 @@ inline MapDefinition strain_map() {
           "sensor it is read along the sensor's own direction.",
       .formula = "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space",
       .source = "docs/theory/sensor_metrics.md 6",
-      .read = ReadGradient(
-          [](const DeformationGradient& f, const Vec2& along) { return strain_along(f, along); }),
+      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2& along) {
+        return strain_along(f, along);
+      }),
       .along_sensor = true,
       .metrics = {{"strain", "strain along the sensor", OverFootprint::mean, OverStates::reference},
                   {"strain_swing", "range of the strain over postures", OverFootprint::mean,
@@ -47,14 +48,14 @@ inline MapDefinition strain_map() {
                 .meaning = "Engineering strain across the grain.",
                 .formula = "|F u| − 1",
                 .source = "docs/theory/sensor_metrics.md 6",
-                .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+                .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
                   return triangle_strain(f).weft;
                 })};
   MapArray max{.style = style("strain_max", "Greatest principal strain", "strain-max"),
                .meaning = "The greatest strain of any direction, whichever that is at the place.",
                .formula = "larger singular value of F, minus 1",
                .source = "docs/theory/sensor_metrics.md 6",
-               .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+               .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
                  return triangle_strain(f).max;
                })};
   MapArray min{.style = style("strain_min", "Least principal strain", "strain-min"),
@@ -63,7 +64,7 @@ inline MapDefinition strain_map() {
                    "buckled.",
                .formula = "smaller singular value of F, minus 1",
                .source = "docs/theory/sensor_metrics.md 6",
-               .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+               .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
                  return triangle_strain(f).min;
                })};
   MapArray slack{
@@ -77,12 +78,13 @@ inline MapDefinition strain_map() {
           "−0.5 %: cloth that is buckled within an element, on which no strain sensor reads.",
       .formula = "mean of [strain_min < −0.005] by flat area",
       .source = "docs/theory/sensor_metrics.md 6",
-      .read = ReadGradient(
-          [](const DeformationGradient& f, const Vec2&) { return slack_of(triangle_strain(f)); }),
+      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
+        return slack_of(triangle_strain(f));
+      }),
       .metrics = {{"slack", "share of the footprint that is buckled", OverFootprint::mean,
                    OverStates::greatest}}};
   max.style.companion = min.style.companion = true;
   return {.name = "strain", .arrays = {vertical, warp, weft, max, min, slack}, .by_default = true};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -3,13 +3,13 @@
 
 #include "loosefit/maps/map_definition.h"
 
-namespace loosefit {
+namespace loosefit::maps {
 
 /// Trellis shear: by how much the angle between weft and warp has left the right angle that they
 /// have in the flat pattern [rad]. Positive where the warp leans towards the weft, so that simple
 /// shear F = [1 γ; 0 1] reads atan γ: the angle φ over which KES-F draws the shear force (Kawabata
 /// 1980). Free of the stretch along the yarns; NaN without flat area.
-inline double trellis_shear(const DeformationGradient& f) {
+inline double trellis_shear(const geometry::DeformationGradient& f) {
   const Vec3 weft = f.col(0), warp = f.col(1);
   return std::atan2(weft.dot(warp), weft.cross(warp).norm());
 }
@@ -33,7 +33,7 @@ inline MapDefinition trellis_shear_map() {
                           "by it; a knit gives way at small force, a woven locks.",
                       .formula = "φ = atan2(F u · F v, |F u × F v|), F = ∂x/∂(u, v)",
                       .source = "Kawabata 1980 (shear angle of KES-F)",
-                      .read = ReadGradient([](const DeformationGradient& f, const Vec2&) {
+                      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
                         return trellis_shear(f);
                       }),
                       .in_unit = in_degrees,
@@ -41,4 +41,4 @@ inline MapDefinition trellis_shear_map() {
                                    OverFootprint::mean, OverStates::reference}}}}};
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::maps

@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/solver/linear/fill_order.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 constexpr int kSize = 3;  ///< rows of a block
@@ -50,12 +50,13 @@ struct CholmodSolver::Work {
       throw SolverFailure("out of memory in the sparse factorisation");
   }
 
-  void analyse(const BlockMatrix& a);
-  void fill(const BlockMatrix& a, const std::vector<double>& shift, const std::vector<char>& held);
+  void analyse(const particles::BlockMatrix& a);
+  void fill(const particles::BlockMatrix& a, const std::vector<double>& shift,
+            const std::vector<char>& held);
 };
 
 /// Scalar pattern of the lower triangle, and the symbolic factorisation in the block order.
-void CholmodSolver::Work::analyse(const BlockMatrix& a) {
+void CholmodSolver::Work::analyse(const particles::BlockMatrix& a) {
   free_factor();
   cholmod_free_sparse(&matrix, &common);
   column_start = a.column_start();
@@ -87,7 +88,7 @@ void CholmodSolver::Work::analyse(const BlockMatrix& a) {
   if (!factor) throw SolverFailure("CHOLMOD cannot analyse the matrix of the Newton step");
 }
 
-void CholmodSolver::Work::fill(const BlockMatrix& a, const std::vector<double>& shift,
+void CholmodSolver::Work::fill(const particles::BlockMatrix& a, const std::vector<double>& shift,
                                const std::vector<char>& held) {
   auto* value = static_cast<double*>(matrix->x);
   const auto is_held = [&](int i) { return !held.empty() && held[i]; };
@@ -107,7 +108,7 @@ void CholmodSolver::Work::fill(const BlockMatrix& a, const std::vector<double>& 
 CholmodSolver::CholmodSolver() : work_(std::make_unique<Work>()) {}
 CholmodSolver::~CholmodSolver() = default;
 
-bool CholmodSolver::factorise(const BlockMatrix& a, const std::vector<double>& shift,
+bool CholmodSolver::factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                               const std::vector<char>& held) {
   Work& w = *work_;
   if (!w.factor || a.column_start() != w.column_start || a.rows() != w.rows) w.analyse(a);
@@ -150,4 +151,4 @@ void CholmodSolver::set_order(std::vector<int> order) {
   work_->free_factor();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

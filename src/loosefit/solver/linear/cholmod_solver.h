@@ -3,7 +3,7 @@
 
 #include "loosefit/solver/linear/linear_solver.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// CHOLMOD's supernodal Cholesky in double precision (Chen, Davis, Hager and Rajamanickam 2008),
 /// the oracle of our own factor in tests and its rival in bench/linear. The matrix is handed over
@@ -14,7 +14,7 @@ class CholmodSolver : public LinearSolver {
   CholmodSolver();
   ~CholmodSolver() override;
 
-  bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
+  bool factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held) override;
   void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const override;
   void release() override;
@@ -26,4 +26,4 @@ class CholmodSolver : public LinearSolver {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

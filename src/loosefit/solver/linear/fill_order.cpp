@@ -8,7 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/solver/linear/linear_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 struct Common {
@@ -46,4 +46,4 @@ std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
   return order;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Fill-reducing elimination order of a symmetric graph given as the rows ≥ column of each column
 /// (compressed columns, diagonal included): nested dissection (METIS; Karypis and Kumar 1998) for
@@ -11,4 +11,4 @@ namespace loosefit {
 std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
                                      const std::vector<int>& rows);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

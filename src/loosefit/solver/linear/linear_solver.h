@@ -3,11 +3,12 @@
 
 #include "loosefit/particles/block_matrix.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// A direct solver of (A + diag(shift)) x = b for a symmetric positive definite block matrix A:
 /// one factorisation, then any number of right-hand sides. Implemented by SparseCholesky (our
-/// multifrontal factor) and CholmodSolver (CHOLMOD's supernodal one).
+/// multifrontal factor), of which NewtonSystem keeps one in either precision, and CholmodSolver
+/// (CHOLMOD's supernodal one), the oracle of the tests and a row of bench/linear.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -15,7 +16,7 @@ class LinearSolver {
   /// Factorises A + diag(shift), rows and columns of held particles replaced by identity. shift has
   /// one entry per particle [N/m]; held may be empty. False when the matrix is not positive
   /// definite; the factor is then lost. \throws SolverFailure when memory runs out.
-  virtual bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
+  virtual bool factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                          const std::vector<char>& held) = 0;
   /// Solves with the last successful factorisation. \pre factorise returned true
   virtual void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const = 0;
@@ -27,4 +28,4 @@ class LinearSolver {
   virtual void set_order(std::vector<int> order) = 0;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

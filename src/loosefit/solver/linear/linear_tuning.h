@@ -1,6 +1,6 @@
 #pragma once
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Tuning of the mixed-precision solution of a linear system (NewtonSystem). It changes the cost of
 /// a Newton step, and its direction in the third digit. A number without a reason was found by
@@ -43,4 +43,4 @@ struct MultifrontalTuning {
 };
 inline constexpr MultifrontalTuning kMultifrontal;
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

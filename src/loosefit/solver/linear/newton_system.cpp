@@ -3,9 +3,9 @@
 #include "loosefit/base/check.h"
 #include "loosefit/particles/vector_sums.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
-bool NewtonSystem::factorise(const BlockMatrix& a, const std::vector<double>& shift,
+bool NewtonSystem::factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                              const std::vector<char>& held) {
   a_ = &a;
   shift_ = &shift;
@@ -48,13 +48,13 @@ void NewtonSystem::solve(const std::vector<Vec3>& g, std::vector<Vec3>& dx) {
 bool NewtonSystem::conjugate_gradients(const std::vector<Vec3>& b, std::vector<Vec3>& x) {
   std::vector<Vec3> r = b, z, p, ap(b.size());
   x.assign(b.size(), Vec3::Zero());
-  const double enough = tuning_.accuracy * tuning_.accuracy * dot(b, b);
+  const double enough = tuning_.accuracy * tuning_.accuracy * particles::dot(b, b);
   single_.solve(r, z);
   p = z;
-  double rz = dot(r, z);
+  double rz = particles::dot(r, z);
   for (int k = 0; k < tuning_.max_iterations; ++k) {
     multiply(p, ap);
-    const double curvature = dot(p, ap);
+    const double curvature = particles::dot(p, ap);
     if (!(curvature > 0)) {
       // Indefinite by less than single precision sees: what there is goes down.
       if (k == 0) x = z;
@@ -65,9 +65,9 @@ bool NewtonSystem::conjugate_gradients(const std::vector<Vec3>& b, std::vector<V
       x[i] += step * p[i];
       r[i] -= step * ap[i];
     }
-    if (dot(r, r) <= enough) return true;
+    if (particles::dot(r, r) <= enough) return true;
     single_.solve(r, z);
-    const double next = dot(r, z);
+    const double next = particles::dot(r, z);
     if (!(next > 0)) return false;
     for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + next / rz * p[i];
     rz = next;
@@ -86,4 +86,4 @@ void NewtonSystem::drop_held(std::vector<Vec3>& v) const {
     if ((*held_)[i]) v[i].setZero();
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

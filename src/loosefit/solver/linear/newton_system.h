@@ -5,7 +5,7 @@
 #include "loosefit/solver/linear/linear_tuning.h"
 #include "loosefit/solver/linear/multifrontal/sparse_cholesky.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// The linear system of a Newton step, (A + diag(shift)) dx = −g. Its factor is kept in single
 /// precision, at half the cost, and is the preconditioner of conjugate gradients on the system
@@ -18,7 +18,7 @@ class NewtonSystem {
       : tuning_(tuning), try_double_(tuning.max_pause) {}
 
   /// As SparseCholesky::factorise.
-  bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
+  bool factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held);
   /// dx to a residual of tuning.accuracy ‖g‖; a direction of descent in any case. Held particles
   /// get zero. Uses the arguments of factorise again. \pre factorise returned true
@@ -45,9 +45,9 @@ class NewtonSystem {
   bool used_double_ = false;  ///< for the last factor
   int broke_down_ = 0;        ///< factors in single precision of definite matrices, in a row
   Backoff try_double_;
-  const BlockMatrix* a_ = nullptr;
+  const particles::BlockMatrix* a_ = nullptr;
   const std::vector<double>* shift_ = nullptr;
   const std::vector<char>* held_ = nullptr;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

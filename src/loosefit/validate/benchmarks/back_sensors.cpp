@@ -17,7 +17,7 @@
 #include "loosefit/study/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kEdge = 0.014;          ///< [m]
@@ -58,14 +58,14 @@ class OneDrape : public ProgressPart {
   bool settling_ = false;
 };
 
-Scenario scenario_of(const Child& child) {
-  Scenario s = default_scenario();
+scenario::Scenario scenario_of(const Child& child) {
+  scenario::Scenario s = io::default_scenario();
   s.body.sex = 0.4;  // a child before puberty
   s.body.age = 10;
   s.body.height = 1.40;
   s.body.measurements = child.girths;
   s.studied().spec.size = "child-142";
-  s.studied().material = load_material("paper-cotton");
+  s.studied().material = io::load_material("paper-cotton");
   s.simulation.edge_length = kEdge;
   s.simulation.repeats = kRepeats;
   s.simulation.start_perturbation = kPerturbation;
@@ -75,9 +75,9 @@ Scenario scenario_of(const Child& child) {
 
 using Sample = std::array<double, kPlaces>;  ///< mean angular deviation in the footprints [°]
 
-Sample sample_of(const std::vector<Site>& sites) {
+Sample sample_of(const std::vector<placement::Site>& sites) {
   const auto at = [&](const std::string& name) {
-    for (const Site& site : sites)
+    for (const placement::Site& site : sites)
       if (site.name == name) return site.values.at(kArray).mean;
     throw InvalidInput("no site '" + name + "' on the shirt", "a shirt that covers the back");
   };
@@ -92,26 +92,27 @@ struct Study {
 };
 
 Study study(const Child& child, int first_part, int parts, Progress& progress) {
-  const Scenario scenario = scenario_of(child);
+  const scenario::Scenario scenario = scenario_of(child);
   Progress silent;
-  CaseResult result = prepare_case(scenario, silent);
-  const Material& material = scenario.studied().material.material;
+  study::CaseResult result = study::prepare_case(scenario, silent);
+  const fabric::Material& material = scenario.studied().material.material;
   Study study;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     OneDrape part(progress, first_part + repeat, parts,
                   fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
-    Drape drape = drape_garment(result.studied().hierarchy, material, result.body.path,
-                                drape_options(scenario.simulation, repeat), part);
-    result.take_drapes(check_worn({std::move(drape)}, result.garments, result.body.body));
-    if (const Certificate& c = result.certificate(); !c.holds()) {
+    drape::Drape drape =
+        drape::drape_garment(result.studied().hierarchy, material, result.body.path,
+                             study::drape_options(scenario.simulation, repeat), part);
+    result.take_drapes(study::check_worn({std::move(drape)}, result.garments, result.body.body));
+    if (const drape::Certificate& c = result.certificate(); !c.holds()) {
       study.warnings.push_back(
           fmt::format("{} child: drape {} {} ({}), left out.", child.name, repeat + 1,
                       c.settled() ? "is not worn" : "did not settle",
                       c.settled() ? join(c.worn_reasons, "; ") : c.stop_reason));
       continue;
     }
-    result.studied().maps = make_studied_maps(result, false);
-    study.samples.push_back(sample_of(find_case_sites(result).sites));
+    result.studied().maps = study::make_studied_maps(result, false);
+    study.samples.push_back(sample_of(study::find_case_sites(result).sites));
   }
   const double n = static_cast<double>(study.samples.size());
   for (int k = 0; k < kPlaces; ++k) {
@@ -172,17 +173,17 @@ BenchmarkResult benchmark_back_sensors(Effort, Progress& progress) {
       "The study gives an order, no angles: scapula least in every child, mid back marginally "
       "worse, lower and upper back considerably deflected by wrinkles. The paper's own simulation "
       "had low deviations at scapula and upper back; it suspects long hair at the latter.");
-  Plot plot{"Angular deviation at four places of the back",
-            "1 scapula, 2 mid back, 3 lower back, 4 upper back",
-            "angular deviation [°]",
-            false,
-            false,
-            {}};
+  report::Plot plot{"Angular deviation at four places of the back",
+                    "1 scapula, 2 mid back, 3 lower back, 4 upper back",
+                    "angular deviation [°]",
+                    false,
+                    false,
+                    {}};
   for (std::size_t i = 0; i < children.size(); ++i) {
     const int parts = kRepeats * static_cast<int>(children.size());
     const Study found = study(children[i], kRepeats * static_cast<int>(i), parts, progress);
     report(children[i], found, fmt::format("{:g} mm edges", 1e3 * kEdge), result);
-    Plot::Series series{children[i].name + " child", {}, {}, false};
+    report::Plot::Series series{children[i].name + " child", {}, {}, false};
     for (const Sample& s : found.samples)
       for (int k = 0; k < kPlaces; ++k) {
         series.x.push_back(k + 0.95 + 0.1 * static_cast<double>(i));
@@ -199,4 +200,4 @@ BenchmarkResult benchmark_back_sensors(Effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -8,7 +8,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/stability.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// How a strip that stands on its clamp is loaded from above.
@@ -60,7 +60,7 @@ class Column {
   }
 
   Load load_;
-  Material fabric_;
+  fabric::Material fabric_;
   ClampedStrip strip_;
 };
 
@@ -99,4 +99,4 @@ BenchmarkResult benchmark_self_buckling(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -6,7 +6,7 @@
 #include "loosefit/validate/cantilever.h"
 #include "loosefit/validate/catalogue.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 struct HeavyRow {
@@ -55,12 +55,12 @@ double order_of(const std::vector<double>& elements, const std::vector<double>& 
 void add_convergence(BenchmarkResult& result, Progress& progress, double from, double to) {
   constexpr HeavyRow kRow = {1, 0.99124640, 0.12347140};
   std::vector<double> elements, errors;
-  Plot plot{"Refinement of the heavy cantilever at Γ = 1",
-            "edges along the length",
-            "distance of the end from its place over L",
-            true,
-            true,
-            {}};
+  report::Plot plot{"Refinement of the heavy cantilever at Γ = 1",
+                    "edges along the length",
+                    "distance of the end from its place over L",
+                    true,
+                    true,
+                    {}};
   for (const int n : {10, 20, 40, 80}) {
     progress.update(from + (to - from) * elements.size() / 4, fmt::format("{} edges", n));
     const CantileverShape shape = settle_cantilever({kRow.gravity_number, 0, n, 0}, progress);
@@ -88,7 +88,7 @@ BenchmarkResult benchmark_heavy_cantilever(Effort effort, Progress& progress) {
   BenchmarkResult result;
   std::vector<HeavyRow> rows(std::begin(kHeavy), std::end(kHeavy));
   if (effort == Effort::quick) rows.assign(std::begin(kHeavyQuick), std::end(kHeavyQuick));
-  Plot plot{"Cantilever under its own weight", "Γ = q L³/B", "H/W", true, true, {}};
+  report::Plot plot{"Cantilever under its own weight", "Γ = q L³/B", "H/W", true, true, {}};
   plot.series = {{"elastica", {}, {}, true}, {"obtained", {}, {}, false}};
   for (const HeavyRow& row : kHeavy) {
     plot.series[0].x.push_back(row.gravity_number);
@@ -145,7 +145,7 @@ BenchmarkResult benchmark_overhang(Effort, Progress& progress) {
 
 BenchmarkResult benchmark_tip_load(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot{"Cantilever with a load on its end", "α = P L²/B", "over L", false, false, {}};
+  report::Plot plot{"Cantilever with a load on its end", "α = P L²/B", "over L", false, false, {}};
   plot.series = {{"W/L, elastica", {}, {}, true},
                  {"H/L, elastica", {}, {}, true},
                  {"W/L, obtained", {}, {}, false},
@@ -182,4 +182,4 @@ BenchmarkResult benchmark_tip_load(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -3,7 +3,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/hanging_loop.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 struct LoopRow {
@@ -59,9 +59,10 @@ std::vector<LoopTable> loop_tables() {
 BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const int elements = effort == Effort::full ? 120 : 60;
-  Plot heights{"Hanging loops: height", "Γ = q L³/B", "height over L", false, false, {}};
-  Plot widths{"Hanging loops: half width", "Γ = q L³/B", "half width over L", false, false, {}};
-  std::vector<Plot::Series> references[2], obtained[2];
+  report::Plot heights{"Hanging loops: height", "Γ = q L³/B", "height over L", false, false, {}};
+  report::Plot widths{
+      "Hanging loops: half width", "Γ = q L³/B", "half width over L", false, false, {}};
+  std::vector<report::Plot::Series> references[2], obtained[2];
   double done = 0;
   for (const LoopTable& table : loop_tables()) {
     HangingLoop loop(table.kind, elements);
@@ -69,7 +70,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
       references[k].push_back({std::string(table.name) + ", elastica", {}, {}, true});
       obtained[k].push_back({std::string(table.name) + ", obtained", {}, {}, false});
     }
-    const auto point = [](Plot::Series& series, double x, double y) {
+    const auto point = [](report::Plot::Series& series, double x, double y) {
       series.x.push_back(x);
       series.y.push_back(y);
     };
@@ -95,7 +96,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
     done += 1;
   }
   for (int k = 0; k < 2; ++k) {
-    Plot& plot = k ? widths : heights;
+    report::Plot& plot = k ? widths : heights;
     plot.series = references[k];
     plot.series.insert(plot.series.end(), obtained[k].begin(), obtained[k].end());
     result.plots.push_back(plot);
@@ -111,4 +112,4 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -5,7 +5,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kRadius = 0.05, kWidth = 0.02, kEdge = 0.005;
@@ -13,8 +13,8 @@ constexpr double kGrip = 0.05;  ///< free cloth between the cylinder and a clamp
 constexpr double kTurn = kPi * kRadius;
 constexpr double kLight = 4 * kRadius;  ///< L1 of the heavy strip [m]
 
-Material ribbon(double friction) {
-  Material m;
+fabric::Material ribbon(double friction) {
+  fabric::Material m;
   m.thickness = 2e-4;
   m.stiffness_warp = m.stiffness_weft = 500;
   m.stiffness_shear = 200;
@@ -31,7 +31,7 @@ struct Belt {
   std::vector<int> light_end, heavy_end;
 
   Belt(double light, double heavy, double friction, bool has_weight) {
-    const Material m = ribbon(friction);
+    const fabric::Material m = ribbon(friction);
     Bench::Options options;
     if (!has_weight) options.gravity = 0;
     const double length = light + kTurn + heavy;
@@ -109,7 +109,7 @@ Finding released_length(double friction, Progress& progress) {
   const auto does_hold = [&](double share, Finding* f) {
     Belt belt(kLight, share * kLight, friction, true);
     Bench& b = *belt.bench;
-    const VectorField start = b.x;
+    const particles::VectorField start = b.x;
     b.system().held.assign(b.x.size(), 0);
     const double before = belt.depth(belt.heavy_end);
     const Grip grip = try_grip(
@@ -135,12 +135,12 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress) {
   BenchmarkResult result;
   std::vector<double> frictions = {0.3};
   if (effort == Effort::full) frictions = {0.1, 0.2, 0.3, 0.5};
-  Plot plot;
+  report::Plot plot;
   plot.title = "Belt over half a turn";
   plot.x_label = "friction μ";
   plot.y_label = "ratio";
-  Plot::Series e{"T2/T1 = exp(πμ)", {}, {}, true}, l{"L2/L1, R = L1/4", {}, {}, true};
-  Plot::Series tension{"T2/T1 obtained", {}, {}}, length{"L2/L1 obtained", {}, {}};
+  report::Plot::Series e{"T2/T1 = exp(πμ)", {}, {}, true}, l{"L2/L1, R = L1/4", {}, {}, true};
+  report::Plot::Series tension{"T2/T1 obtained", {}, {}}, length{"L2/L1 obtained", {}, {}};
   for (double mu = 0; mu < 0.505; mu += 0.01) {
     e.x.push_back(mu);
     e.y.push_back(std::exp(kPi * mu));
@@ -178,4 +178,4 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

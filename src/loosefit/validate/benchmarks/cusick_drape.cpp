@@ -6,7 +6,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/drape_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kEdge = 0.008, kFineEdge = 0.0055;   ///< [m]
@@ -45,8 +45,8 @@ double limit(double c_cm) { return c_cm < 1.75 ? 0.08 : 0.05; }
 
 /// The reference's sheet of bending length c; only c matters, and weakly K
 /// (docs/theory/validation.md 5.3).
-Material sheet(double c_cm, double shear, double bending_poisson) {
-  Material m;
+fabric::Material sheet(double c_cm, double shear, double bending_poisson) {
+  fabric::Material m;
   m.areal_density = 0.12;
   m.stiffness_warp = m.stiffness_weft = 300;
   m.poisson = 0;
@@ -59,7 +59,7 @@ Material sheet(double c_cm, double shear, double bending_poisson) {
 struct Drapery {
   DrapeReading reading;
   std::string mesh;
-  VectorField x;
+  particles::VectorField x;
 };
 
 /// Counts its drapes for the progress bar.
@@ -67,7 +67,7 @@ class Tester {
  public:
   Tester(Progress& progress, int drapes) : progress_(progress), drapes_(drapes) {}
 
-  Drapery drape(const Material& m, int folds, double edge, double tolerance = 1e-6) {
+  Drapery drape(const fabric::Material& m, int folds, double edge, double tolerance = 1e-6) {
     ++done_;
     progress_.update(std::min(1.0, double(done_ - 1) / drapes_),
                      fmt::format("drape {} of {}", done_, drapes_));
@@ -80,7 +80,7 @@ class Tester {
   }
 
   /// The start of 5, 6, 7 folds that ends at the lowest energy.
-  Drapery lowest(const Material& m, double edge) {
+  Drapery lowest(const fabric::Material& m, double edge) {
     Drapery best;
     for (int folds : {5, 6, 7}) {
       Drapery d = drape(m, folds, edge);
@@ -104,7 +104,7 @@ Finding finding(const std::string& what, double expected, const Drapery& d, doub
 
 /// Scaling w, B, K and G by one factor must not change the shape.
 void scaling(Tester& tester, std::vector<Finding>& findings) {
-  Material m = sheet(2.0, kIsoShear, kHingePoisson);
+  fabric::Material m = sheet(2.0, kIsoShear, kHingePoisson);
   const double edge = 0.012;
   const Drapery one = tester.drape(m, 6, edge, 1e-9);
   for (double* value : {&m.areal_density, &m.stiffness_warp, &m.stiffness_weft, &m.stiffness_shear,
@@ -119,13 +119,15 @@ void scaling(Tester& tester, std::vector<Finding>& findings) {
 }
 
 void whole_table(Tester& tester, BenchmarkResult& result) {
-  Plot plot{"Drape coefficient over bending length", "c [cm]", "DC", false, false, {}};
-  Plot::Series iso_line{"reference, G = 150 N/m, converged", {}, {}, true};
-  Plot::Series iso_marks{"obtained, ν = −1/3", {}, {}, false};
-  Plot::Series zero_marks{"obtained, ν = 0", {}, {}, false};
-  Plot::Series fabric_line{"reference, G = 30 N/m, converged", {}, {}, true};
-  Plot::Series fabric_marks{"obtained, G = 30 N/m", {}, {}, false};
-  const auto put = [](Plot::Series& s, double x, double y) { s.x.push_back(x), s.y.push_back(y); };
+  report::Plot plot{"Drape coefficient over bending length", "c [cm]", "DC", false, false, {}};
+  report::Plot::Series iso_line{"reference, G = 150 N/m, converged", {}, {}, true};
+  report::Plot::Series iso_marks{"obtained, ν = −1/3", {}, {}, false};
+  report::Plot::Series zero_marks{"obtained, ν = 0", {}, {}, false};
+  report::Plot::Series fabric_line{"reference, G = 30 N/m, converged", {}, {}, true};
+  report::Plot::Series fabric_marks{"obtained, G = 30 N/m", {}, {}, false};
+  const auto put = [](report::Plot::Series& s, double x, double y) {
+    s.x.push_back(x), s.y.push_back(y);
+  };
   std::vector<Finding> fabric, zero;
   for (const Row& row : table()) {
     const double add = mesh_correction(row.c_cm), bound = limit(row.c_cm);
@@ -173,7 +175,7 @@ void refinement(Tester& tester, BenchmarkResult& result) {
 
 /// Cotton of Harms et al. 2012: c = 1.554 cm, K = 1000 N/m, ν = 0.15.
 void paper_cotton(Tester& tester, BenchmarkResult& result) {
-  Material m = sheet(1.554, 1000 / (2 * 1.15), kHingePoisson);
+  fabric::Material m = sheet(1.554, 1000 / (2 * 1.15), kHingePoisson);
   m.stiffness_warp = m.stiffness_weft = 1000;
   m.poisson = 0.15;
   for (const auto& [folds, dc] : {std::pair{6, 0.46}, std::pair{7, 0.50}})
@@ -212,4 +214,4 @@ BenchmarkResult benchmark_cusick_drape(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

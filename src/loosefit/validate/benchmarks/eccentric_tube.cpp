@@ -9,7 +9,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kRadius = 0.12, kHeight = 0.1;
@@ -25,44 +25,46 @@ constexpr Row kTable[] = {{0.05, 2.72940, 1.73737, 6.07144, 12},
                           {0.5, 19.47122, 12.31502, 65.03573, 120}};
 
 /// The lying cylinder as a body that the maps understand: one trunk, smooth normals on the wall.
-Body cylinder_body(double radius) {
-  Body body;
+body::Body cylinder_body(double radius) {
+  body::Body body;
   body.surface = lying_cylinder(radius, -0.1, kHeight + 0.1);
   for (const Vec3& p : body.surface.vertices) {
     const Vec3 radial(p[0], 0, p[2]);
     const bool cap_centre = radial.norm() < 0.5 * radius;
     body.normals.push_back(cap_centre ? Vec3(0, p[1] < 0 ? -1 : 1, 0) : Vec3(radial.normalized()));
   }
-  body.segment.assign(body.normals.size(), Segment::torso);
+  body.segment.assign(body.normals.size(), body::Segment::torso);
   body.side.assign(body.normals.size(), 0);
   return body;
 }
 
 struct Gap {
-  MapStatistics distance, angle;  ///< away from the rims
+  maps::MapStatistics distance, angle;  ///< away from the rims
 };
 
 /// Distance and angular deviation of the maps, over the tube without a strip at either rim.
-Gap measure(const Specimen& tube, const std::vector<Vec3>& positions, const Body& body,
+Gap measure(const Specimen& tube, const std::vector<Vec3>& positions, const body::Body& body,
             double rim) {
-  Drape drape;
+  drape::Drape drape;
   drape.positions = positions;
-  const auto maps = compute_maps(tube, drape, body, {"distance", "angular-deviation"},
-                                 {.allow_unsettled = true});  // judged by settle_bench instead
-  auto weight = vertex_areas(tube);
+  const auto maps =
+      maps::compute_maps(tube, drape, body, {"distance", "angular-deviation"},
+                         {.allow_unsettled = true});  // judged by settle_bench instead
+  auto weight = maps::vertex_areas(tube);
   for (std::size_t i = 0; i < weight.size(); ++i)
     if (tube.vertex_uv[i][1] < rim || tube.vertex_uv[i][1] > kHeight - rim) weight[i] = 0;
   Gap gap;
-  for (const PerformanceMap& map : maps) {
-    if (map.array == "distance_mm") gap.distance = statistics(map.values, weight);
-    if (map.array == "angular_deviation_deg") gap.angle = statistics(map.values, weight);
+  for (const maps::PerformanceMap& map : maps) {
+    if (map.array == "distance_mm") gap.distance = maps::statistics(map.values, weight);
+    if (map.array == "angular_deviation_deg") gap.angle = maps::statistics(map.values, weight);
   }
   return gap;
 }
 
 /// A tube of radius r(1 + mobility), its axis e = r·mobility below that of the body, so that it
 /// touches along the top; seam at the side.
-std::unique_ptr<Bench> tube(double mobility, double edge, const Material& m, double gravity) {
+std::unique_ptr<Bench> tube(double mobility, double edge, const fabric::Material& m,
+                            double gravity) {
   const double radius = kRadius * (1 + mobility);
   Bench::Options options;
   options.gravity = gravity;
@@ -81,12 +83,12 @@ std::unique_ptr<Bench> tube(double mobility, double edge, const Material& m, dou
 BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const double edge = 0.006;
-  const Body body = cylinder_body(kRadius);
-  Plot plot;
+  const body::Body body = cylinder_body(kRadius);
+  report::Plot plot;
   plot.title = "Largest angular deviation of an eccentric tube";
   plot.x_label = "body-garment mobility";
   plot.y_label = "angle (°)";
-  Plot::Series exact{"sin AD = BGM/(1 + BGM)", {}, {}, true}, marks{"obtained", {}, {}};
+  report::Plot::Series exact{"sin AD = BGM/(1 + BGM)", {}, {}, true}, marks{"obtained", {}, {}};
   for (double m = 0.01; m < 0.505; m += 0.01) {
     exact.x.push_back(m);
     exact.y.push_back(degrees(std::asin(m / (1 + m))));
@@ -95,7 +97,7 @@ BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress) {
     if (effort == Effort::quick && row.mobility != 0.2) continue;
     progress.update(row.mobility / 0.6, fmt::format("mobility {}", row.mobility));
     progress.check_cancelled();
-    const auto bench = tube(row.mobility, edge, Material{}, 0);
+    const auto bench = tube(row.mobility, edge, fabric::Material{}, 0);
     const Gap gap = measure(bench->specimen(), bench->x, body, 1.5 * edge);
     const auto add = [&](const char* what, const char* unit, double expected, double obtained,
                          double limit) {
@@ -129,4 +131,4 @@ BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

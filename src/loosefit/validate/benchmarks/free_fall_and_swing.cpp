@@ -10,7 +10,7 @@
 #include "loosefit/validate/beam_strip.h"
 #include "loosefit/validate/catalogue.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 // ω √(L/g) of a hanging flexible strip: half the zeros of the Bessel function J0 (Bernoulli 1738;
@@ -24,7 +24,7 @@ class Pendulum {
 
   explicit Pendulum(int elements) {
     const double edge = kLength / elements;
-    const Material fabric = beam_fabric();
+    const fabric::Material fabric = beam_fabric();
     Specimen specimen = cut_rectangle(4 * edge, kLength, edge, fabric);
     mesh_ = mesh_text(specimen);
     Bench::Options options;
@@ -83,8 +83,8 @@ class Crossings {
 /// Largest stable step of the semi-implicit scheme is 2/ω; the highest frequency of the mesh is
 /// that of a membrane wave across its shortest height.
 double stable_step(const Bench& bench) {
-  const Material& m = bench.material();
-  return 0.3 * shortest_height(bench.specimen().triangle_uv) /
+  const fabric::Material& m = bench.material();
+  return 0.3 * geometry::shortest_height(bench.specimen().triangle_uv) /
          std::sqrt(m.stiffness_warp / m.areal_density);
 }
 
@@ -106,7 +106,7 @@ double swing_time() {
 
 Crossings swing_semi_implicit(Pendulum& p, double dt, Progress& progress) {
   Crossings crossings;
-  VectorField v(p.bench().x.size(), Vec3::Zero());
+  particles::VectorField v(p.bench().x.size(), Vec3::Zero());
   const int steps = static_cast<int>(swing_time() / dt);
   for (int i = 0; i <= steps; ++i) {
     if (i % 20 == 0) crossings.add(i * dt, p.amplitude());
@@ -114,14 +114,14 @@ Crossings swing_semi_implicit(Pendulum& p, double dt, Progress& progress) {
       progress.check_cancelled();
       progress.update(0.5 + 0.5 * i / steps, "semi-implicit Euler");
     }
-    semi_implicit_euler_step(p.bench().system(), p.bench().x, v, dt);
+    solver::semi_implicit_euler_step(p.bench().system(), p.bench().x, v, dt);
   }
   return crossings;
 }
 
 Crossings swing_implicit(Pendulum& p, double dt, Progress& progress) {
   Crossings crossings;
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 0;  // goes on swinging
   options.first_dt = dt;
   options.max_iterations = static_cast<int>(swing_time() / dt);
@@ -131,9 +131,9 @@ Crossings swing_implicit(Pendulum& p, double dt, Progress& progress) {
     crossings.add(step * dt, p.amplitude());
     return false;
   };
-  const SettleOutcome outcome =
-      make_implicit_euler(p.bench().system())->settle(p.bench().x, options);
-  if (outcome.reason != SettleOutcome::Reason::iteration_limit)
+  const solver::SettleOutcome outcome =
+      solver::make_implicit_euler(p.bench().system())->settle(p.bench().x, options);
+  if (outcome.reason != solver::SettleOutcome::Reason::iteration_limit)
     throw SolverFailure("the swing ended early: " + outcome.text());
   return crossings;
 }
@@ -142,17 +142,17 @@ Crossings swing_implicit(Pendulum& p, double dt, Progress& progress) {
 
 BenchmarkResult benchmark_free_fall(Effort, Progress& progress) {
   constexpr int kSteps = 1000;
-  const Material fabric = beam_fabric();
+  const fabric::Material fabric = beam_fabric();
   Bench::Options options;
   options.dynamic = true;
   Bench bench(
       cut_rectangle(0.05, 0.05, 0.01, fabric), fabric,
       [](const Vec2& p) { return Vec3(p[0], p[1], 0); }, options);
-  VectorField v(bench.x.size(), Vec3::Zero());
+  particles::VectorField v(bench.x.size(), Vec3::Zero());
   const double dt = stable_step(bench);
   for (int n = 1; n <= kSteps; ++n) {
     progress.check_cancelled();
-    semi_implicit_euler_step(bench.system(), bench.x, v, dt);
+    solver::semi_implicit_euler_step(bench.system(), bench.x, v, dt);
   }
   const double exact = -kGravity * dt * dt * kSteps * (kSteps + 1) / 2;
   double found = exact;
@@ -176,17 +176,17 @@ BenchmarkResult benchmark_free_fall(Effort, Progress& progress) {
 
 BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot{
+  report::Plot plot{
       "Swing of a hanging strip", "time [s]", "amplitude of the first mode [mm]", false, false, {}};
   const double omega = kSwing * std::sqrt(kGravity / Pendulum::kLength);
-  Plot::Series law{"undamped, ω √(L/g) = 1.2024", {}, {}, true};
+  report::Plot::Series law{"undamped, ω √(L/g) = 1.2024", {}, {}, true};
   for (int i = 0; i <= 200; ++i) {
     law.x.push_back(swing_time() * i / 200);
     law.y.push_back(1e3 * Pendulum::kPush * std::cos(omega * law.x.back()));
   }
   plot.series.push_back(law);
   const auto add = [&](const std::string& name, const Crossings& crossings) {
-    Plot::Series series{name, {}, {}, false};
+    report::Plot::Series series{name, {}, {}, false};
     const std::size_t stride = std::max<std::size_t>(1, crossings.times.size() / 40);
     for (std::size_t i = 0; i < crossings.times.size(); i += stride) {
       series.x.push_back(crossings.times[i]);
@@ -224,4 +224,4 @@ BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kLength = 0.05, kWidth = 0.04, kEdge = 0.01;  ///< of the block [m]
@@ -15,7 +15,7 @@ constexpr double kHalf = 0.05;                                 ///< half thickne
 
 /// A stiff little sheet on the upper face of a long box tilted about the y axis.
 struct Incline {
-  Material material;
+  fabric::Material material;
   Eigen::AngleAxisd tilt;
   Vec3 down_hill;
 
@@ -26,7 +26,7 @@ struct Incline {
   }
 
   std::unique_ptr<Bench> bench(double friction, bool dynamic) {
-    Material m = material;
+    fabric::Material m = material;
     m.friction_body = friction;
     Bench::Options options;
     options.dynamic = dynamic;
@@ -36,20 +36,20 @@ struct Incline {
           return tilt * Vec3(p[0], p[1] - 0.5 * kWidth, kHalf + 0.5 * m.thickness);
         },
         options);
-    TriangleMesh box = rigid_box({1.0, 0.15, kHalf});
+    geometry::TriangleMesh box = rigid_box({1.0, 0.15, kHalf});
     for (Vec3& p : box.vertices) p = tilt * p;
     b->touch(std::move(box), 0.03);
     return b;
   }
 
   /// Positions at rest on a floor too rough to slip on.
-  VectorField laid_down(Progress& progress) {
+  particles::VectorField laid_down(Progress& progress) {
     auto rough = bench(10, false);
     settle_bench(*rough, progress, 1e-9);
     return rough->x;
   }
 
-  double moved(const Bench& b, const VectorField& from) const {
+  double moved(const Bench& b, const particles::VectorField& from) const {
     double sum = 0;
     for (std::size_t i = 0; i < from.size(); ++i) sum += down_hill.dot(b.x[i] - from[i]);
     return sum / static_cast<double>(from.size());
@@ -58,7 +58,7 @@ struct Incline {
 
 Finding threshold(double friction, Progress& progress) {
   Incline incline(std::atan(friction));
-  const VectorField rest = incline.laid_down(progress);
+  const particles::VectorField rest = incline.laid_down(progress);
   const double found =
       least_friction(friction - 0.005, friction + 0.004, 2e-4 / friction, [&](double trial) {
         auto b = incline.bench(trial, false);
@@ -78,13 +78,13 @@ Finding threshold(double friction, Progress& progress) {
 }
 
 Finding slide(double slope_deg, double friction, double dt, int steps, Progress& progress,
-              Plot::Series* path) {
+              report::Plot::Series* path) {
   const double slope = radians(slope_deg);
   Incline incline(slope);
   auto b = incline.bench(friction, true);
-  const VectorField rest = incline.laid_down(progress);
+  const particles::VectorField rest = incline.laid_down(progress);
   b->x = rest;
-  SettleOptions options;
+  solver::SettleOptions options;
   options.tolerance = 1e-12;
   options.first_dt = dt;
   options.max_iterations = steps;
@@ -96,7 +96,7 @@ Finding slide(double slope_deg, double friction, double dt, int steps, Progress&
     }
     return false;
   };
-  make_implicit_euler(b->system())->settle(b->x, options);
+  solver::make_implicit_euler(b->system())->settle(b->x, options);
   const double a = kGravity * (std::sin(slope) - friction * std::cos(slope));
   Finding f;
   f.what = fmt::format("way after {} steps of {:.3g} ms at {:.3g}°, μ = {:.3g}", steps, 1e3 * dt,
@@ -121,11 +121,11 @@ BenchmarkResult benchmark_incline(Effort effort, Progress& progress) {
     result.findings.push_back(threshold(frictions[i], progress));
   }
   progress.update(0.8, "slide");
-  Plot plot;
+  report::Plot plot;
   plot.title = "Way of a block sliding down 30°, μ = 0.3";
   plot.x_label = "time (s)";
   plot.y_label = "way (mm)";
-  Plot::Series obtained{"obtained", {}, {}}, reference{"a dt² n(n + 1)/2", {}, {}, true};
+  report::Plot::Series obtained{"obtained", {}, {}}, reference{"a dt² n(n + 1)/2", {}, {}, true};
   const double dt = 0.01;
   result.findings.push_back(slide(30, 0.3, dt, 40, progress, &obtained));
   if (effort == Effort::full) {
@@ -155,4 +155,4 @@ BenchmarkResult benchmark_incline(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -5,7 +5,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/drape_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 const DrapeTester kTester{0.5 * 0.127, 0.5 * 0.254};  ///< the Japanese drape tester
@@ -30,8 +30,8 @@ const std::vector<Fabric>& fabrics() {
   return all;
 }
 
-Material material_of(const Fabric& fabric, double weight, bool friction) {
-  Material m;
+fabric::Material material_of(const Fabric& fabric, double weight, bool friction) {
+  fabric::Material m;
   m.areal_density = weight;
   m.thickness = 3e-4;
   m.stiffness_warp = m.stiffness_weft = 500;
@@ -48,14 +48,14 @@ struct Reading {
 };
 
 /// Settles a start with given folds under full weight at once.
-Reading settle_folded(const Material& m, int folds, double edge, Progress& progress) {
+Reading settle_folded(const fabric::Material& m, int folds, double edge, Progress& progress) {
   Bench bench(cut_drape_specimen(kTester, edge, m), m, folded_start(kTester, folds));
   bench.hold(on_disc(bench.specimen(), kTester));
   settle_bench(bench, progress);
   return {read_drape(bench, kTester), mesh_text(bench.specimen())};
 }
 
-Reading elastic(const Material& m, double edge, Progress& progress) {
+Reading elastic(const fabric::Material& m, double edge, Progress& progress) {
   const Reading six = settle_folded(m, 6, edge, progress);
   const Reading seven = settle_folded(m, 7, edge, progress);
   return six.drape.energy < seven.drape.energy ? six : seven;
@@ -63,7 +63,7 @@ Reading elastic(const Material& m, double edge, Progress& progress) {
 
 /// From the flat specimen, wavy by a fraction of a millimetre, whose weight is let on in equal
 /// steps: the plate that held it level is lowered.
-Reading lower(const Material& m, double edge, Progress& progress) {
+Reading lower(const fabric::Material& m, double edge, Progress& progress) {
   Bench bench(cut_drape_specimen(kTester, edge, m), m, folded_start(kTester, 6, 0, kWaviness));
   const Specimen& cloth = bench.specimen();
   bench.hold(on_disc(cloth, kTester));
@@ -91,15 +91,15 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress) {
     add(result, "cotton broad, w = 0.13 kg/m²: lowered, with bending friction", cotton.measured,
         cotton.tolerance, lower(material_of(cotton, 0.13, true), kQuickEdge, progress));
   } else {
-    Plot plot{"Drape of two measured fabrics over the assumed weight",
-              "w [kg/m²]",
-              "DC",
-              false,
-              false,
-              {}};
+    report::Plot plot{"Drape of two measured fabrics over the assumed weight",
+                      "w [kg/m²]",
+                      "DC",
+                      false,
+                      false,
+                      {}};
     int done = 0;
     for (const Fabric& f : fabrics()) {
-      Plot::Series measured{f.name + ", measured", {}, {}, true},
+      report::Plot::Series measured{f.name + ", measured", {}, {}, true},
           plain{f.name + ", elastic", {}, {}}, rubbing{f.name + ", with bending friction", {}, {}};
       for (int k : {0, 1}) {
         const double w = f.weight[k];
@@ -141,4 +141,4 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

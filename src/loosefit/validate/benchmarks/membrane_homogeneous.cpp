@@ -10,7 +10,7 @@
 
 // M1: homogeneous strain on an irregular mesh against the continuum law
 // (docs/theory/validation.md 1.3 a).
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kWidth = 0.1, kHeight = 0.12, kEdge = 0.01;  // [m]
@@ -19,12 +19,12 @@ constexpr double kGate = 1e-9;
 /// A material law in closed form: (E_uu, E_vv, γ) to (S_uu, S_vv, S_uv) [N/m].
 struct Law {
   std::string name;
-  Material material;
+  fabric::Material material;
   std::function<Vec3(const Vec3&)> stress;
 };
 
 Law linear_law() {
-  const Material m = orthotropic_fabric();
+  const fabric::Material m = orthotropic_fabric();
   const double plate = 1 - m.poisson * m.poisson, ku = m.stiffness_weft, kv = m.stiffness_warp;
   Mat3 c = Mat3::Zero();
   c(0, 0) = ku / plate;
@@ -35,7 +35,7 @@ Law linear_law() {
 }
 
 Law engineering_law() {
-  const Material m = engineering_fabric();
+  const fabric::Material m = engineering_fabric();
   const auto force = [](double k, double e) {
     const double stretch = std::sqrt(1 + 2 * e);
     return e > 0 ? k * (stretch - 1) / stretch : k * e;
@@ -60,7 +60,7 @@ Mat2 piola(const Law& law, const Mat2& f) {
 /// A patch under test and what its border forces say.
 class Patch {
  public:
-  explicit Patch(const Material& material)
+  explicit Patch(const fabric::Material& material)
       : bench_(
             rough(material), material, [](const Vec2& p) { return Vec3(p[0], p[1], 0); },
             weightless()) {}
@@ -74,7 +74,7 @@ class Patch {
       const Vec2 p = f * flat[i];
       bench_.x[i] = turn * Vec3(p[0], p[1], 0);
     }
-    const VectorField force = bench_.system().gradient(bench_.x);
+    const particles::VectorField force = bench_.system().gradient(bench_.x);
     Mat2 sum = Mat2::Zero();
     unbalance = 0;
     for (std::size_t i = 0; i < flat.size(); ++i) {
@@ -88,7 +88,7 @@ class Patch {
   std::string mesh() const { return mesh_text(bench_.specimen()); }
 
  private:
-  static Specimen rough(const Material& material) {
+  static Specimen rough(const fabric::Material& material) {
     Specimen s = cut_rectangle(kWidth, kHeight, kEdge, material);
     roughen(s, kEdge);
     return s;
@@ -123,7 +123,7 @@ std::vector<Motion> motions() {
 }
 
 void run_motion(Patch& patch, const Law& law, const Motion& motion, BenchmarkResult& result,
-                Plot::Series& obtained) {
+                report::Plot::Series& obtained) {
   double worst = 0;
   Finding at_half;
   for (int i = 1; i <= 10; ++i) {
@@ -155,9 +155,10 @@ void run_motion(Patch& patch, const Law& law, const Motion& motion, BenchmarkRes
 
 void run_law(const Law& law, BenchmarkResult& result) {
   Patch patch(law.material);
-  Plot plot{law.name + " on an irregular mesh", "strain (%)", "edge force (N/m)", false, false, {}};
+  report::Plot plot{
+      law.name + " on an irregular mesh", "strain (%)", "edge force (N/m)", false, false, {}};
   for (const Motion& motion : motions()) {
-    Plot::Series reference{motion.name + ", law", {}, {}, true},
+    report::Plot::Series reference{motion.name + ", law", {}, {}, true},
         obtained{motion.name, {}, {}, false};
     for (int i = 0; i <= 50; ++i) {
       reference.x.push_back(i);
@@ -172,18 +173,18 @@ void run_law(const Law& law, BenchmarkResult& result) {
 
 // The wool card at its own measured points: what was typed in comes out.
 void run_wool(BenchmarkResult& result) {
-  const Material wool = load_material("wool-measured").material;
+  const fabric::Material wool = io::load_material("wool-measured").material;
   Patch patch(wool);
   double worst[3] = {0, 0, 0}, unbalance = 0;
-  for (const CurvePoint& p : wool.curve_weft)
+  for (const fabric::CurvePoint& p : wool.curve_weft)
     worst[0] = std::max(
         worst[0],
         std::abs(patch.stress(matrix(1 + p.strain, 0, 0, 1), unbalance)(0, 0) / p.force - 1));
-  for (const CurvePoint& p : wool.curve_warp)
+  for (const fabric::CurvePoint& p : wool.curve_warp)
     worst[1] = std::max(
         worst[1],
         std::abs(patch.stress(matrix(1, 0, 0, 1 + p.strain), unbalance)(1, 1) / p.force - 1));
-  for (const CurvePoint& p : wool.curve_shear) {
+  for (const fabric::CurvePoint& p : wool.curve_shear) {
     // Weft at rest and warp turned by the shear at its rest length: only γ strains.
     const double c = std::sqrt(1 - p.strain * p.strain);
     const Mat2 f = matrix(1, p.strain, 0, c);
@@ -220,4 +221,4 @@ BenchmarkResult benchmark_homogeneous_strain(Effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

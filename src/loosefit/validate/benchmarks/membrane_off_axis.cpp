@@ -8,14 +8,14 @@
 
 // M3: modulus of an orthotropic strip cut at an angle (docs/theory/validation.md 6.3), and the bias
 // strip in clamped jaws (1.4 b).
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kWidth = 0.04, kLength = 0.24, kEdge = 0.008;  // [m]
 constexpr double kK1 = 2000, kK2 = 1000, kNu12 = 0.2, kShear = 50;
 
-Material strip_fabric() {
-  Material m;
+fabric::Material strip_fabric() {
+  fabric::Material m;
   m.stiffness_weft = kK1;
   m.stiffness_warp = kK2;
   m.poisson = kNu12 * std::sqrt(kK2 / kK1);  // √(ν12 ν21), ν21 = ν12 K2/K1
@@ -124,7 +124,7 @@ Finding clamped(double width, Finding::Gate gate, Progress& progress) {
 
 BenchmarkResult benchmark_off_axis(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot::Series law{"closed form", {}, {}, true}, obtained{"strip", {}, {}, false};
+  report::Plot::Series law{"closed form", {}, {}, true}, obtained{"strip", {}, {}, false};
   for (int t = 0; t <= 90; ++t) {
     law.x.push_back(t);
     law.y.push_back(closed_form(radians(t)));
@@ -158,4 +158,4 @@ BenchmarkResult benchmark_off_axis(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -7,12 +7,12 @@
 #include "loosefit/validate/clamped_specimen.h"
 #include "loosefit/validate/stability.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// Isotropic sheet of rigidity D in which tension and bending share one Poisson ratio.
-Material isotropic_plate(double rigidity, double poisson, double stiffness) {
-  Material m;
+fabric::Material isotropic_plate(double rigidity, double poisson, double stiffness) {
+  fabric::Material m;
   m.name = "isotropic plate";
   m.bending_warp = m.bending_weft = rigidity;
   m.poisson = m.bending_poisson = poisson;
@@ -29,7 +29,7 @@ Vec3 lying(const Vec2& p) { return {p[0], p[1], 0}; }
 Finding twist_finding(double poisson, double edge_length, Progress& progress) {
   const double side = 0.2, rigidity = 1e-4, wanted = 2e-5;
   // Membrane so soft, and deflection so small, that twisting does not stretch: w² ≪ D/K.
-  const Material m = isotropic_plate(rigidity, poisson, 100);
+  const fabric::Material m = isotropic_plate(rigidity, poisson, 100);
   Bench bench(cut_rectangle(side, side, edge_length, m), m, lying, {0.0, false});
   const auto corner = [&](double u, double v) {
     return vertices_where(bench.specimen(),
@@ -55,18 +55,18 @@ Finding twist_finding(double poisson, double edge_length, Progress& progress) {
 
 BenchmarkResult benchmark_twist_plate(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot{"Deflection of the corner in pure twist",
-            "edge length [mm]",
-            "obtained / Kirchhoff plate",
-            false,
-            false,
-            {}};
-  Plot::Series exact{"Kirchhoff plate", {4, 25}, {1, 1}, true};
+  report::Plot plot{"Deflection of the corner in pure twist",
+                    "edge length [mm]",
+                    "obtained / Kirchhoff plate",
+                    false,
+                    false,
+                    {}};
+  report::Plot::Series exact{"Kirchhoff plate", {4, 25}, {1, 1}, true};
   plot.series.push_back(exact);
   const std::vector<double> edges =
       effort == Effort::quick ? std::vector<double>{0.01} : std::vector<double>{0.02, 0.01, 0.005};
   for (double nu : {0.0, 0.3}) {
-    Plot::Series series{fmt::format("ν = {:.2g}", nu), {}, {}, false};
+    report::Plot::Series series{fmt::format("ν = {:.2g}", nu), {}, {}, false};
     for (double edge : edges) {
       const Finding f = twist_finding(nu, edge, progress);
       result.findings.push_back(f);
@@ -106,7 +106,7 @@ std::unique_ptr<Bench> plate_on_edge(double width_over_length, double poisson, d
   const double length = 0.2, width = width_over_length * length;
   const double edge = std::clamp(width / 14, 0.001, 0.01);
   const double rigidity = 1e-5;
-  Material m = isotropic_plate(rigidity, poisson, 2e4);
+  fabric::Material m = isotropic_plate(rigidity, poisson, 2e4);
   m.areal_density = gamma * rigidity / (kGravity * length * length * length);
   auto bench = std::make_unique<Bench>(
       cut_clamped_rectangle(length, width, 1.5 * edge, edge, m), m,
@@ -143,17 +143,17 @@ double left_plane(double width_over_length, double poisson, double gamma, Progre
 
 BenchmarkResult benchmark_lateral_buckling(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot{"Lateral buckling of a cantilever plate on edge",
-            "width / length",
-            "critical Γ",
-            false,
-            false,
-            {}};
+  report::Plot plot{"Lateral buckling of a cantilever plate on edge",
+                    "width / length",
+                    "critical Γ",
+                    false,
+                    false,
+                    {}};
   int done = 0;
   for (int n : {0, 2, 1, 3}) {
     const bool wanted = effort == Effort::full || n == 0 || n == 2;
-    Plot::Series exact{fmt::format("ν = {:.2g}, exact", kPoissons[n]), {}, {}, true};
-    Plot::Series found{fmt::format("ν = {:.2g}, obtained", kPoissons[n]), {}, {}, false};
+    report::Plot::Series exact{fmt::format("ν = {:.2g}, exact", kPoissons[n]), {}, {}, true};
+    report::Plot::Series found{fmt::format("ν = {:.2g}, obtained", kPoissons[n]), {}, {}, false};
     for (const BucklingRow& row : kBuckling) {
       exact.x.push_back(row.width_over_length);
       exact.y.push_back(row.gamma[n]);
@@ -208,13 +208,13 @@ BenchmarkResult benchmark_bending_direction(Effort effort, Progress& progress) {
   for (double nu : {0.0, 0.3})
     for (double edge : edges) {
       progress.check_cancelled();
-      const Material m = isotropic_plate(1e-5, nu, 100);
+      const fabric::Material m = isotropic_plate(1e-5, nu, 100);
       const Specimen sheet = cut_rectangle(side, side, edge, m);
-      const BendingEnergy bending(sheet.triangles, sheet.triangle_uv, {}, m);
-      const std::vector<double> area = flat_areas(sheet.triangle_uv);
+      const fabric::BendingEnergy bending(sheet.triangles, sheet.triangle_uv, {}, m);
+      const std::vector<double> area = geometry::flat_areas(sheet.triangle_uv);
       for (double direction : {0.0, 22.5, 45.0, 90.0, 135.0}) {
         const double c = std::cos(radians(direction)), s = std::sin(radians(direction));
-        VectorField x;
+        particles::VectorField x;
         for (const Vec2& p : sheet.vertex_uv) {
           const double along = c * p[0] + s * p[1], across = -s * p[0] + c * p[1];
           x.emplace_back(std::sin(kappa * along) / kappa, across,
@@ -228,7 +228,7 @@ BenchmarkResult benchmark_bending_direction(Effort effort, Progress& progress) {
           if ((centre.array() < 1.5 * edge).any() || (centre.array() > side - 1.5 * edge).any())
             continue;
           const Vec3 k = bending.curvature(static_cast<int>(t), x);
-          energy += 0.5 * area[t] * k.dot(plate_rigidity(m) * k);
+          energy += 0.5 * area[t] * k.dot(fabric::plate_rigidity(m) * k);
           covered += area[t];
         }
         result.findings.push_back(
@@ -245,4 +245,4 @@ BenchmarkResult benchmark_bending_direction(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

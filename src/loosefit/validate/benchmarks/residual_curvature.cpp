@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 /// docs/theory/validation.md 2.3, from B and 2HB of Matsudaira et al. 2015.
@@ -19,7 +19,7 @@ constexpr Fabric kFabrics[] = {
     {"cotton-broad", 52.54}, {"wool-tropical", 24.63}, {"polyester-faille", 18.42}};
 
 /// A strip rolled to `tight` [1/m] along its warp and let go; the curvature it keeps [1/m].
-double released_curvature(const Material& material, double tight, Progress& progress,
+double released_curvature(const fabric::Material& material, double tight, Progress& progress,
                           std::string& mesh) {
   const double length = std::min(4.0 / tight, 0.05), width = 0.5 * length;
   Bench bench(cut_rectangle(width, length, length / 16, material), material,
@@ -30,8 +30,9 @@ double released_curvature(const Material& material, double tight, Progress& prog
               {0.0, false});
   // Not held: the first step of the solver stores the bend as the place the yarns have slid to.
   settle_bench(bench, progress, 1e-8);
-  const BendingEnergy shape(bench.specimen().triangles, bench.specimen().triangle_uv, {}, material);
-  const std::vector<double> area = flat_areas(bench.specimen().triangle_uv);
+  const fabric::BendingEnergy shape(bench.specimen().triangles, bench.specimen().triangle_uv, {},
+                                    material);
+  const std::vector<double> area = geometry::flat_areas(bench.specimen().triangle_uv);
   double sum = 0, covered = 0;
   const double margin = 1.5 * length / 16;  // a border triangle sees only part of its curvature
   for (std::size_t t = 0; t < area.size(); ++t) {
@@ -51,19 +52,19 @@ double released_curvature(const Material& material, double tight, Progress& prog
 
 BenchmarkResult benchmark_residual_curvature(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot{"Curvature kept after release",
-            "curvature before [1/m]",
-            "curvature after [1/m]",
-            false,
-            false,
-            {}};
+  report::Plot plot{"Curvature kept after release",
+                    "curvature before [1/m]",
+                    "curvature after [1/m]",
+                    false,
+                    false,
+                    {}};
   const std::vector<double> tightness =
       effort == Effort::quick ? std::vector<double>{4} : std::vector<double>{0.8, 1.5, 2.5, 4, 6};
   int done = 0;
   for (const Fabric& fabric : kFabrics) {
-    Material material = load_material(fabric.card).material;
-    Plot::Series law{std::string(fabric.card) + ", law", {}, {}, true};
-    Plot::Series found{std::string(fabric.card) + ", obtained", {}, {}, false};
+    fabric::Material material = io::load_material(fabric.card).material;
+    report::Plot::Series law{std::string(fabric.card) + ", law", {}, {}, true};
+    report::Plot::Series found{std::string(fabric.card) + ", obtained", {}, {}, false};
     for (double tight : tightness) {
       // Below κ_res the strip stays where the slider, not the bend, has its limit.
       const double before = tight * fabric.residual;
@@ -89,4 +90,4 @@ BenchmarkResult benchmark_residual_curvature(Effort effort, Progress& progress) 
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kBendingLength = 0.2;          ///< c [m]
@@ -28,8 +28,8 @@ constexpr Row kTable[] = {{1.4, 0.02141862, 0.14709918, 2.77858138, 10.307143},
                           {2.6, 1.32312393, 1.43365156, 3.87687607, 3.029994},
                           {2.8, 2.01214130, 1.75143794, 3.58785870, 2.618264}};
 
-Material sheet(double friction, double softening = 1) {
-  Material m;
+fabric::Material sheet(double friction, double softening = 1) {
+  fabric::Material m;
   m.areal_density = kWeight / kGravity;
   m.thickness = 2 * kStandOff;
   m.stiffness_warp = m.stiffness_weft = softening * 2e5;
@@ -147,7 +147,7 @@ class Ruck {
 
  private:
   /// Mean distance of the ends [m].
-  double span(const VectorField& x) const {
+  double span(const particles::VectorField& x) const {
     Vec2 sum = Vec2::Zero(), count = Vec2::Zero();
     for (int v : ends_) {
       const int end = specimen_.vertex_uv[v][0] > half_;
@@ -158,7 +158,7 @@ class Ruck {
   }
   std::unique_ptr<Bench> bench(double friction, double softening = 1) {
     auto b = std::make_unique<Bench>(specimen_, sheet(friction, softening), place_);
-    TriangleMesh floor = rigid_box({half_ + 0.3, 0.2, 0.05});
+    geometry::TriangleMesh floor = rigid_box({half_ + 0.3, 0.2, 0.05});
     for (Vec3& p : floor.vertices) p[2] -= 0.05;
     b->touch(std::move(floor));
     return b;
@@ -196,7 +196,7 @@ class Ruck {
   double crest_at_ = 0;  ///< of the crest along the strip [m]
   Vec2 crest_;           ///< x and height over the flat parts [m]
   std::vector<int> ends_;
-  VectorField rest_, force_;
+  particles::VectorField rest_, force_;
 };
 
 }  // namespace
@@ -204,13 +204,13 @@ class Ruck {
 BenchmarkResult benchmark_ruck(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const double c = 1e3 * kBendingLength;  // [mm]
-  Plot plot;
+  report::Plot plot;
   plot.title = "Ruck on a flat floor";
   plot.x_label = "excess length / c";
   plot.y_label = "height, base width (in c), force (in B^(1/3) q^(2/3))";
   plot.log_x = plot.log_y = true;
   const char* const names[] = {"height", "base width", "compressive force"};
-  Plot::Series line[3], marks[3];
+  report::Plot::Series line[3], marks[3];
   for (int k = 0; k < 3; ++k) {
     line[k].name = names[k];
     line[k].reference = true;
@@ -279,4 +279,4 @@ BenchmarkResult benchmark_ruck(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kRadius = 0.05, kStiffness = 200, kPoisson = 0.3, kHeight = 0.06;
@@ -22,8 +22,8 @@ constexpr Row kTable[] = {{1.05, 0.984505, 10.931890, 218.638, 11.826923, 236.53
                           {1.3, 0.890505, 100.729308, 2014.586, 98.571429, 1971.429},
                           {1.5, 0.790569, 237.170825, 4743.417, 206.043956, 4120.879}};
 
-Material knit() {
-  Material m;
+fabric::Material knit() {
+  fabric::Material m;
   m.thickness = 1e-4;
   m.stiffness_warp = m.stiffness_weft = kStiffness;
   m.poisson = kPoisson;
@@ -35,7 +35,7 @@ Material knit() {
 
 /// A tube of rest girth 2πR/stretch on a cylinder whose skin lies half a cloth thickness inside R.
 std::unique_ptr<Bench> sleeve(double stretch, bool held, double edge) {
-  const Material m = knit();
+  const fabric::Material m = knit();
   const double girth = 2 * kPi * kRadius / stretch;
   Bench::Options options;
   options.gravity = 0;
@@ -63,8 +63,8 @@ struct Measured {
 Measured measure(Bench& bench) {
   Measured r;
   const Specimen& s = bench.specimen();
-  const auto strain = triangle_strains(s, bench.x);
-  const auto area = flat_areas(s.triangle_uv);
+  const auto strain = maps::triangle_strains(s, bench.x);
+  const auto area = geometry::flat_areas(s.triangle_uv);
   double sum = 0;
   for (std::size_t t = 0; t < strain.size(); ++t) {
     const double v = (s.triangle_uv[t][0][1] + s.triangle_uv[t][1][1] + s.triangle_uv[t][2][1]) / 3;
@@ -80,9 +80,9 @@ Measured measure(Bench& bench) {
   const double length = high - low;
 
   // Half of the tube is pulled towards the other half by two cuts of the cloth.
-  VectorField inner(bench.x.size(), Vec3::Zero());
-  for (const Energy* e : bench.system().energies) e->add_gradient(bench.x, inner);
-  const VectorField body = body_force(bench);
+  particles::VectorField inner(bench.x.size(), Vec3::Zero());
+  for (const particles::Energy* e : bench.system().energies) e->add_gradient(bench.x, inner);
+  const particles::VectorField body = body_force(bench);
   double cut = 0;
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const Vec3 radial = Vec3(bench.x[i][0], bench.x[i][1], 0).normalized();
@@ -90,7 +90,7 @@ Measured measure(Bench& bench) {
     if (bench.x[i][1] > 0) cut += (inner[i] + body[i])[1];
   }
   r.tension = cut / (2 * length);
-  const auto vertex_area = vertex_areas(s);
+  const auto vertex_area = maps::vertex_areas(s);
   double force = 0, pressed = 0;
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const double v = s.vertex_uv[i][1];
@@ -119,12 +119,13 @@ Finding finding(const std::string& what, const std::string& unit, double expecte
 BenchmarkResult benchmark_sleeve(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const double edge = 0.003;
-  Plot plot;
+  report::Plot plot;
   plot.title = "Pressure of a sleeve on a cylinder of 50 mm";
   plot.x_label = "stretch λ";
   plot.y_label = "pressure (Pa)";
-  Plot::Series free_line{"axially free", {}, {}, true}, held_line{"axially held", {}, {}, true};
-  Plot::Series free_marks{"obtained, free", {}, {}}, held_marks{"obtained, held", {}, {}};
+  report::Plot::Series free_line{"axially free", {}, {}, true},
+      held_line{"axially held", {}, {}, true};
+  report::Plot::Series free_marks{"obtained, free", {}, {}}, held_marks{"obtained, held", {}, {}};
   for (double l = 1; l < 1.505; l += 0.01) {
     const double e = (l * l - 1) / 2;
     free_line.x.push_back(l);
@@ -174,4 +175,4 @@ BenchmarkResult benchmark_sleeve(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

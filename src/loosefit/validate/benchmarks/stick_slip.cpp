@@ -7,7 +7,7 @@
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/contact_specimen.h"
 
-namespace loosefit {
+namespace loosefit::validate {
 namespace {
 
 constexpr double kLength = 0.5, kWidth = 0.02, kEdge = 0.006;  ///< [m]
@@ -25,8 +25,8 @@ constexpr Row kTable[] = {{0.001, 20.198325, 0.014086}, {0.005, 20.228735, 0.031
                           {0.15, 21.343322, 0.195916},  {0.2, 21.721196, 0.237774},
                           {0.25, 22.083580, 0.280705},  {0.3, 22.417725, 0.326491}};
 
-Material sheet(double friction) {
-  Material m;
+fabric::Material sheet(double friction) {
+  fabric::Material m;
   m.thickness = 1e-4;
   m.stiffness_warp = m.stiffness_weft = 1e5;
   m.stiffness_shear = 5e4;
@@ -117,7 +117,7 @@ class PressedStrip {
     Bench::Options options;
     options.gravity = 0;
     auto b = std::make_unique<Bench>(strip_.specimen, sheet(friction), place_, options);
-    TriangleMesh floor = rigid_box({1, 0.2, 0.05});
+    geometry::TriangleMesh floor = rigid_box({1, 0.2, 0.05});
     for (Vec3& p : floor.vertices) p[2] -= 0.05;
     b->touch(std::move(floor));
     b->hold(strip_.clamp);
@@ -127,7 +127,7 @@ class PressedStrip {
   ClampedStrip strip_;
   Progress& progress_;
   std::function<Vec3(const Vec2&)> place_;
-  VectorField stuck_;
+  particles::VectorField stuck_;
   Vec3 floor_ = Vec3::Zero();
 };
 
@@ -135,13 +135,14 @@ class PressedStrip {
 
 BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
   BenchmarkResult result;
-  Plot plot;
+  report::Plot plot;
   plot.title = "Stick-slip of a pressed strip";
   plot.x_label = "lowering ε of the clamp";
   plot.y_label = "critical friction";
   plot.log_x = plot.log_y = true;
-  Plot::Series exact{"clamped–hinged elastica", {}, {}, true};
-  Plot::Series bisected{"least μ that holds", {}, {}}, needed{"|Q|/P while it sticks", {}, {}};
+  report::Plot::Series exact{"clamped–hinged elastica", {}, {}, true};
+  report::Plot::Series bisected{"least μ that holds", {}, {}},
+      needed{"|Q|/P while it sticks", {}, {}};
   for (const Row& row : kTable) {
     exact.x.push_back(row.shortening);
     exact.y.push_back(row.critical);
@@ -183,4 +184,4 @@ BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
   return result;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::validate

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <utility>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Arrays that are taken and given back many times by several threads. The system's allocator
 /// returns large ones to the kernel each time, which then clears their pages anew: a tenth of a
@@ -78,4 +78,4 @@ class BufferPool {
   std::multimap<std::size_t, std::unique_ptr<Real[]>> idle_;  ///< by capacity
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

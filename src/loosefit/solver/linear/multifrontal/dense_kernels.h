@@ -8,7 +8,7 @@ void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 
 /// The BLAS and LAPACK calls of a multifrontal Cholesky factor, for both precisions. All matrices
 /// are column major; `ld` is the distance of their columns.
-namespace loosefit::dense {
+namespace loosefit::solver::dense {
 
 /// Cholesky factor in place of the lower triangle of a, n × n. False: not positive definite.
 inline bool factorise(double* a, int n, int ld) {
@@ -82,4 +82,4 @@ inline void subtract_transposed(const float* b, int r, int p, int ld, const floa
   cblas_sgemv(CblasColMajor, CblasTrans, r, p, -1, b, ld, z, 1, 1, y, 1);
 }
 
-}  // namespace loosefit::dense
+}  // namespace loosefit::solver::dense

@@ -9,7 +9,7 @@
 #include "loosefit/solver/linear/multifrontal/dense_kernels.h"
 #include "loosefit/solver/linear/multifrontal/front_tree.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 constexpr int kBlock = kMultifrontal.front_block;
@@ -64,4 +64,4 @@ bool eliminate_front(Real* f, int p, int r, Real* border) {
 template bool eliminate_front(float*, int, int, float*);
 template bool eliminate_front(double*, int, int, double*);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Eliminates the first p rows of a dense symmetric front of p + r rows. `f`: its first p columns,
 /// column major, lower triangle; becomes their Cholesky factor. `border`: r × r, lower triangle;
@@ -14,4 +14,4 @@ bool eliminate_front(Real* f, int p, int r, Real* border);
 /// whole, the part above the diagonal included.
 int diagonal_block(int p, int r);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

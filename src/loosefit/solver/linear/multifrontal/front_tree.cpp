@@ -5,7 +5,7 @@
 
 #include "loosefit/solver/linear/linear_tuning.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 using Lists = std::vector<std::vector<int>>;
@@ -195,4 +195,4 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
   return tree;
 }
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// One dense front of a multifrontal factorisation: consecutive columns that share their structure.
 struct Front {
@@ -32,4 +32,4 @@ struct FrontTree {
 FrontTree build_front_tree(const std::vector<int>& column_start, const std::vector<int>& rows,
                            const std::vector<int>& order);
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

@@ -16,7 +16,7 @@
 #include "loosefit/solver/linear/multifrontal/eliminate_front.h"
 #include "loosefit/solver/linear/multifrontal/front_tree.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 namespace {
 
 /// Zeros wherever a front of p columns and r rows below is read: the lower triangle of the first
@@ -54,11 +54,11 @@ struct SparseCholesky<Real>::Work {
   BufferPool<Real> pool;
   std::vector<Border> border;  ///< per front until its parent has taken it: 3r × 3r
   std::atomic<bool> definite{true};
-  const BlockMatrix* a = nullptr;
+  const particles::BlockMatrix* a = nullptr;
   const std::vector<double>* shift = nullptr;
   const std::vector<char>* held = nullptr;
 
-  void analyse(const BlockMatrix& matrix);
+  void analyse(const particles::BlockMatrix& matrix);
   void forget();
   void eliminate_subtree(int front);
   void eliminate(int front);
@@ -67,7 +67,7 @@ struct SparseCholesky<Real>::Work {
 };
 
 template <class Real>
-void SparseCholesky<Real>::Work::analyse(const BlockMatrix& matrix) {
+void SparseCholesky<Real>::Work::analyse(const particles::BlockMatrix& matrix) {
   column_start = matrix.column_start();
   rows = matrix.rows();
   // A few blocks more or less leave the old order good, most of the time.
@@ -213,7 +213,8 @@ template <class Real>
 SparseCholesky<Real>::~SparseCholesky() = default;
 
 template <class Real>
-bool SparseCholesky<Real>::factorise(const BlockMatrix& a, const std::vector<double>& shift,
+bool SparseCholesky<Real>::factorise(const particles::BlockMatrix& a,
+                                     const std::vector<double>& shift,
                                      const std::vector<char>& held) try {
   Work& w = *work_;
   if (w.tree.order.empty() || w.column_start != a.column_start() || w.rows != a.rows())
@@ -296,4 +297,4 @@ void SparseCholesky<Real>::solve(const std::vector<Vec3>& rhs, std::vector<Vec3>
 template class SparseCholesky<float>;
 template class SparseCholesky<double>;
 
-}  // namespace loosefit
+}  // namespace loosefit::solver

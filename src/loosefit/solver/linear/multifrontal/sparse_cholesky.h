@@ -5,7 +5,7 @@
 
 #include "loosefit/solver/linear/linear_solver.h"
 
-namespace loosefit {
+namespace loosefit::solver {
 
 /// Multifrontal sparse Cholesky of a block matrix (Duff and Reid 1983; Liu 1992): dense BLAS
 /// kernels on the fronts, branches of the elimination tree side by side on all cores. Sums are
@@ -19,7 +19,7 @@ class SparseCholesky : public LinearSolver {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  bool factorise(const BlockMatrix& a, const std::vector<double>& shift,
+  bool factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                  const std::vector<char>& held) override;
   void solve(const std::vector<Vec3>& rhs, std::vector<Vec3>& x) const override;
   void release() override;
@@ -31,4 +31,4 @@ class SparseCholesky : public LinearSolver {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace loosefit
+}  // namespace loosefit::solver
