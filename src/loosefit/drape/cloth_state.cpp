@@ -113,7 +113,9 @@ void ClothState::settle(const SettleGoal& goal) {
       kind == IntegratorKind::implicit_euler ? tuning.integrators.implicit_dt : goal.first_dt;
   const geometry::Box3 body_box = bounds(body->body->surface.vertices);
   // Reports each iteration, keeps good states, and sees what ends the settling from outside.
+  int done_iterations = 0;
   settle.watch = [&](int iteration, double residual) {
+    done_iterations = iteration;
     progress.check_cancelled();
     report.history.push_back({budget.seconds(), level, budget.iterations() + iteration, residual});
     const double done = std::log10(std::max(residual, goal.tolerance) / 10) /
@@ -139,7 +141,9 @@ void ClothState::settle(const SettleGoal& goal) {
       report.parts.back().level != level)
     report.parts.push_back({part, level, static_cast<int>(x.size()), {}});
   report.parts.back().work += last.work;
-  budget.count(last.work.iterations, explicit_steps);
+  // Implicit Euler is limited and counted by its time steps, each of a few Newton iterations.
+  const bool implicit_steps = kind == IntegratorKind::implicit_euler;
+  budget.count(implicit_steps ? done_iterations : last.work.iterations, explicit_steps);
   report.ccd_queries += static_cast<int>(model->self().searches() - searches_before);
 }
 

@@ -23,9 +23,9 @@ struct DrapeOptions {
   double gravity = kGravity;  ///< [m/s²]; the paper prints 9.8
   /// Wall seconds for the whole drape, times `drapes_at_once`; then its best state is taken.
   double time_budget = 600;
-  /// Newton iterations for the whole drape, all levels and recoveries, or a thousand times as many
-  /// explicit steps; then its best state is taken. The longest of 1 400 drapes of random people and
-  /// shirts took 3 931 (bench/history/robustness-*).
+  /// Newton iterations for the whole drape, all levels and recoveries, time steps of implicit
+  /// Euler, or a thousand times as many explicit steps; then its best state is taken. The longest
+  /// of 1 400 drapes of random people and shirts took 3 931 (bench/history/robustness-*).
   int max_iterations = 5000;
   /// Drapes that share the threads with this one, it included: it has as many times its time.
   int drapes_at_once = 1;

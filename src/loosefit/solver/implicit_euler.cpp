@@ -17,14 +17,14 @@ class ImplicitEuler : public Integrator {
     SettleOutcome outcome;
     particles::VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;
-    while (true) {
+    for (int step = 0;; ++step) {
       outcome.work = newton.work();
       if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
-      if (outcome.work.iterations >= options.max_iterations) {
+      if (step >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;
       }
-      if (options.watch && options.watch(outcome.work.iterations, outcome.residual)) {
+      if (options.watch && options.watch(step, outcome.residual)) {
         outcome.reason = SettleOutcome::Reason::stopped;
         return outcome;
       }

@@ -9,7 +9,7 @@ namespace loosefit::solver {
 /// When to stop settling, and what to tell on the way.
 struct SettleOptions {
   double tolerance = kRestTolerance;  ///< ‖F‖₂/‖W‖₂ [–]
-  int max_iterations = 1000;  ///< Newton iterations, or time steps of the explicit integrator
+  int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
   double max_move = 0.02;     ///< largest particle move per step, of all or of a region [m]
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
   /// Matrix of the Newton steps of the quasi-static integrator: changes the way and its cost, not
