@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -15,11 +14,8 @@
 #include "loosefit/body/named_postures.h"
 #include "loosefit/body/scan_body.h"
 #include "loosefit/flesh/soft_body.h"
-#include "loosefit/io/body_file.h"
 #include "loosefit/io/mesh_file.h"
-#include "loosefit/io/mesh_obj.h"
-#include "loosefit/io/run_folder.h"
-#include "loosefit/io/vtp_write.h"
+#include "loosefit/report/write_body.h"
 
 namespace loosefit {
 namespace {
@@ -78,16 +74,6 @@ void print_table(const std::vector<body::MeasureRow>& table) {
   }
 }
 
-void write_body(const std::string& folder, const body::Body& body, const body::BodyFit& fit) {
-  io::RunFolder files = io::RunFolder::add(folder, "body");
-  const auto path = [&](const char* name) { return (files.path() / name).string(); };
-  io::write_obj(path("body.obj"), body.surface, body.normals);
-  io::write_body_vtp(path("body.vtp"), body);
-  io::write_body_json(path("body.json"), body, fit);
-  files.commit();
-  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(folder));
-}
-
 void run(Wish wish) {
   body::Body body;
   body::BodyFit fit;
@@ -129,7 +115,9 @@ void run(Wish wish) {
              body.measured.at("mass"));
   for (const auto& warning : fit.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
-  if (!wish.out.empty()) write_body(wish.out, body, fit);
+  if (wish.out.empty()) return;
+  report::write_body(wish.out, body, fit);
+  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(wish.out));
 }
 
 std::string option_of(const std::string& measure) {

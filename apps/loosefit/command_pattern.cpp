@@ -4,26 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 
-#include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/garmentcode_read.h"
-#include "loosefit/io/garmentcode_write.h"
-#include "loosefit/io/measures_file.h"
-#include "loosefit/io/pattern_svg.h"
-#include "loosefit/io/run_folder.h"
-#include "loosefit/io/scenario.h"
-#include "loosefit/io/scenario_place.h"
-#include "loosefit/kinds/body_measures.h"
-#include "loosefit/kinds/find_size.h"
+#include "loosefit/base/types.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/study/case_body.h"
-#include "loosefit/study/case_pattern.h"
+#include "loosefit/report/write_pattern.h"
+#include "loosefit/study/make_garment_pattern.h"
 
 namespace loosefit {
 namespace {
@@ -35,6 +25,8 @@ struct NumberOption {
   std::string help;
   bool degrees = false;  ///< the key is in radians
 };
+
+std::string usual_kind() { return kinds::garment_kinds().front().name; }
 
 std::string dashed(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
@@ -71,107 +63,20 @@ std::vector<NumberOption> fit_options() {
 }
 
 struct Wish {
-  std::string file, size, body, scenario, out;
-  std::string kind = kinds::garment_kinds().front().name;
-  bool kind_given = false;
+  study::GarmentPatternWish pattern;
+  std::string out;
   bool list_sizes = false;
   std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
 };
 
-bool any(const std::map<std::string, std::optional<double>>& wishes) {
-  for (const auto& [name, value] : wishes)
-    if (value) return true;
-  return false;
-}
-
-/// The pattern and how it fits the body it is compared with, if there is one.
-struct Made {
-  pattern::Pattern pattern;
-  std::vector<kinds::FitLevel> levels;
-  std::string details;  ///< of the draft
-  std::vector<std::string> warnings;
-};
-
-/// Measures that the user gave over those of a body; their keys go into `asked`.
-void override_measures(const Wish& wish, kinds::NamedValues& measures,
-                       std::set<std::string>& asked) {
-  for (const NumberOption& option : measure_options())
-    if (const auto& value = wish.measures.at(option.name)) {
-      measures[option.key] = option.degrees ? radians(*value) : *value;
-      asked.insert("measures." + option.key);
-    }
-}
-
-/// What a scenario with these options would ask for.
-scenario::GarmentSpec garment_of(const Wish& wish, const kinds::GarmentKind& kind) {
-  scenario::GarmentSpec garment;
-  garment.kind = wish.kind;
-  garment.size = wish.size;
-  for (const kinds::KindKey& key : kind.keys) garment.adapt.push_back(key.name);
-  for (const NumberOption& option : fit_options()) {
-    const auto& value = wish.fit.at(option.name);
-    if (!value) continue;
-    if (std::erase(garment.adapt, option.key) == 0)
-      throw InvalidInput({{}, 0, "--" + option.name}, "an option that a " + kind.title + " has not",
-                         "keys of its fit: " + join(garment.adapt));
-    garment.fit[option.key] = *value;
-  }
-  return garment;
-}
-
-Made make(const Wish& wish) {
-  Made made;
-  const int sources = !wish.file.empty() + !wish.size.empty() + !wish.scenario.empty();
-  const bool fixed = !wish.file.empty() || !wish.scenario.empty();
-  if (sources > 1 || (sources == 1 && any(wish.fit)) || (fixed && wish.kind_given))
-    throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
-                       "one of --file, --size, --scenario, or measures with a fit");
-  // A scenario brings body and garment.
-  if (!wish.scenario.empty()) {
-    const scenario::Scenario scenario = io::read_scenario(wish.scenario);
-    try {
-      study::CasePattern result =
-          study::make_pattern(scenario.studied().spec, study::make_body(scenario.body).body);
-      return {std::move(result.pattern), std::move(result.levels), {}, std::move(result.warnings)};
-    } catch (const InvalidInput& error) {
-      throw io::in_scenario(error, scenario);
-    }
-  }
-  // A pattern file tells its kind, which tells the measures that it is compared with.
-  std::string kind_name = wish.kind;
-  if (!wish.file.empty()) {
-    io::PatternFile file = io::read_garmentcode(wish.file);
-    made.pattern = std::move(file.pattern);
-    made.warnings = std::move(file.warnings);
-    kind_name = made.pattern.kind;
-  }
-  const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);
-  const bool has_body = !wish.body.empty() || any(wish.measures);
-  kinds::NamedValues measures;
-  std::set<std::string> asked;
-  if (!wish.body.empty())
-    measures = io::read_measures(wish.body, kind.measures);
-  else if (wish.size.empty() && (wish.file.empty() || has_body))
-    measures =
-        kinds::draft_measures(kind, study::make_body(io::default_scenario().body).body->measured);
-  override_measures(wish, measures, asked);
-  if (!wish.file.empty()) {
-    made.levels = kind.levels(made.pattern, measures, {});
-    return made;
-  }
-  // A draft; a size is compared with its own body unless there is another one.
-  if (!wish.size.empty()) try {
-      const kinds::KindSize& size = kinds::find_size(kind.sizes, wish.size);
-      if (!has_body) measures = size.measures;
-    } catch (const InvalidInput& error) {
-      throw error.at({{}, 0, "--size"});
-    }
-  kinds::DraftedGarment drafted = study::draft_garment(garment_of(wish, kind), measures, asked);
-  made.pattern = std::move(drafted.pattern);
-  made.levels = kind.levels(made.pattern, measures, drafted.fit);
-  made.details = std::move(drafted.details);
-  made.warnings = std::move(drafted.notes);
-  return made;
+/// Those of the options that were used.
+std::vector<study::GivenValue> given(const std::vector<NumberOption>& options,
+                                     const std::map<std::string, std::optional<double>>& values) {
+  std::vector<study::GivenValue> result;
+  for (const NumberOption& option : options)
+    if (const auto& value = values.at(option.name))
+      result.push_back({option.key, option.degrees ? radians(*value) : *value, "--" + option.name});
+  return result;
 }
 
 void print_girths(const std::vector<kinds::FitLevel>& levels) {
@@ -237,9 +142,12 @@ void print_sizes(const kinds::GarmentKind& kind) {
   }
 }
 
-void run(const Wish& wish) {
-  if (wish.list_sizes) return print_sizes(kinds::garment_kind(wish.kind));
-  const Made made = make(wish);
+void run(Wish wish) {
+  if (wish.list_sizes)
+    return print_sizes(kinds::garment_kind(wish.pattern.kind.value_or(usual_kind())));
+  wish.pattern.measures = given(measure_options(), wish.measures);
+  wish.pattern.fit = given(fit_options(), wish.fit);
+  const study::GarmentPattern made = study::make_garment_pattern(wish.pattern);
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   fmt::print("{}\n\n", terminal_line(made.pattern.name));
@@ -248,10 +156,7 @@ void run(const Wish& wish) {
   print_seams(made.pattern);
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
   if (wish.out.empty()) return;
-  io::RunFolder folder = io::RunFolder::add(wish.out, "pattern");
-  io::write_garmentcode(folder.path() / "pattern.json", made.pattern);
-  io::write_pattern_svg(folder.path() / "pattern.svg", made.pattern);
-  folder.commit();
+  report::write_pattern(wish.out, made.pattern);
   fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
 }
 
@@ -263,17 +168,18 @@ void add_pattern_command(CLI::App& app) {
   auto wish = std::make_shared<Wish>();
   command
       ->add_option_function<std::string>(
-          "--pattern",
-          [wish](const std::string& kind) { wish->kind = kind, wish->kind_given = true; },
-          join(kinds::drafted_kinds()) + "; default " + wish->kind)
+          "--pattern", [wish](const std::string& kind) { wish->pattern.kind = kind; },
+          join(kinds::drafted_kinds()) + "; default " + usual_kind())
       ->check(CLI::IsMember(kinds::drafted_kinds()));
-  command->add_option("--file", wish->file, "GarmentCode specification JSON instead of the draft");
-  command->add_option("--size", wish->size, "garment size, e.g. child-142, women-38, men-M");
+  command->add_option("--file", wish->pattern.file,
+                      "GarmentCode specification JSON instead of the draft");
+  command->add_option("--size", wish->pattern.size,
+                      "garment size, e.g. child-142, women-38, men-M");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
-  command->add_option("--body", wish->body,
+  command->add_option("--body", wish->pattern.body,
                       "body.json of `loosefit body`, or JSON with measures; default: the body of a "
                       "scenario without [body]");
-  command->add_option("--scenario", wish->scenario, "body and garment of a scenario file");
+  command->add_option("--scenario", wish->pattern.scenario, "body and garment of a scenario file");
   for (const NumberOption& option : measure_options())
     command->add_option("--" + option.name, wish->measures[option.name], option.help);
   for (const NumberOption& option : fit_options())

@@ -12,12 +12,9 @@
 
 #include "exit_code.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/run_folder.h"
-#include "loosefit/io/text_file.h"
 #include "loosefit/validate/run_validation.h"
-#include "loosefit/validate/validation_json.h"
-#include "loosefit/validate/validation_page.h"
 #include "loosefit/validate/validation_table.h"
+#include "loosefit/validate/write_validation.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -45,11 +42,8 @@ int run_validate(const Arguments& arguments) {
   }
   TerminalProgress shown(false);
   InterruptGuard guard(shown);  // first: a folder that is begun must not be left behind
-  std::optional<io::RunFolder> folder;
-  if (!arguments.output.empty()) {
-    folder.emplace(io::RunFolder::create(arguments.output, "validation"));
-    folder->announce({"validation.json", "validation.html"});
-  }
+  std::optional<validate::ValidationOutput> output;
+  if (!arguments.output.empty()) output.emplace(arguments.output);
   shown.stage("validate");
   // Memory and sense both end at a handful; machines with one core get one.
   const int workers = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
@@ -59,16 +53,9 @@ int run_validate(const Arguments& arguments) {
         fmt::print("{}\n", validate::outcome_table(outcome));
         std::fflush(stdout);
       });
-  if (folder) {
-    io::write_text_file((folder->path() / "validation.json").string(),
-                        validate::validation_json(validation));
-    io::write_text_file((folder->path() / "validation.html").string(),
-                        validate::validation_html(validation));
-    shown.check_cancelled();
-    folder->commit();
-  }
+  if (output) output->write(validation, shown);
   shown.clear();
-  if (folder)
+  if (output)
     fmt::print("wrote validation.html and validation.json into {}\n",
                terminal_line(arguments.output));
   fmt::print("{}\n", validate::verdict_line(validation));
