@@ -37,9 +37,10 @@ pattern::Pattern two_squares(double distance) {
   return pattern;
 }
 
-geometry::TriangleMesh far_away() {
-  geometry::TriangleMesh ball = support::sphere(0.1, 6, 12);
-  for (Vec3& p : ball.vertices) p += Vec3(9, 9, 9);
+body::Body far_away() {
+  body::Body ball;
+  ball.surface = support::sphere(0.1, 6, 12);
+  for (Vec3& p : ball.surface.vertices) p += Vec3(9, 9, 9);
   return ball;
 }
 
@@ -105,13 +106,14 @@ TEST(DressAsPlaced, PanelsThatCrossArePartedAlongTheirOutsides) {
 
 TEST(DressAsPlaced, APanelInTheBodyIsMovedOutOfItAndTheOtherStays) {
   pattern::Pattern pattern = two_squares(0.6);
-  geometry::TriangleMesh ball = support::sphere(0.1, 24, 48);
-  for (Vec3& p : ball.vertices) p += Vec3(0, 0, 1.15);
+  body::Body ball;
+  ball.surface = support::sphere(0.1, 24, 48);
+  for (Vec3& p : ball.surface.vertices) p += Vec3(0, 0, 1.15);
   pattern.panels[0].translation[1] = -0.07;  // 3 cm deep in the ball
   const garment::Garment g = garment::assemble(pattern, 0.04, fabric::Material{});
   const auto x = dress_as_placed(g, pattern, ball);
   EXPECT_TRUE(geometry::self_intersections(x, g.triangles).empty());
-  const geometry::ClosestPointTree skin(ball);
+  const geometry::ClosestPointTree skin(ball.surface);
   for (const Vec3& p : x) EXPECT_GT(skin.signed_distance(p), 0);
   // The vertices at 40 mm from each other may stand 20 mm off the pole, where the ball is 2 mm
   // lower.

@@ -75,5 +75,15 @@ TEST(MeshTopology, OfNothingIsEmpty) {
   EXPECT_TRUE(topology.vertex_neighbours().empty());
 }
 
+TEST(MeshTopology, CountsTheSidesOfRepeatedAndDegenerateTriangles) {
+  const MeshTopology topology({{0, 1, 2}, {1, 0, 2}, {3, 3, 4}});
+  const std::vector<MeshTopology::Edge> edges = {{0, 1}, {0, 2}, {1, 2}, {3, 3}, {3, 4}};
+  EXPECT_EQ(topology.edges(), edges);
+  for (int e = 0; e < topology.edge_count(); ++e)
+    EXPECT_EQ(topology.sides(e).size(), e == 3 ? 1u : 2u);
+  EXPECT_EQ(topology.find(3, 3), 3);
+  EXPECT_EQ(topology.find(0, 3), -1);
+}
+
 }  // namespace
 }  // namespace loosefit::geometry

@@ -131,8 +131,7 @@ TEST(DressShirtParts, OfNoKindIsPutOnAsItIsPlaced) {
       return {{}, error.what()};
     }
   };
-  const auto placed =
-      outcome([&] { return dress::dress_as_placed(unknown, foreign, body.surface); });
+  const auto placed = outcome([&] { return dress::dress_as_placed(unknown, foreign, body); });
   EXPECT_EQ(
       outcome([&] {
         return dress::dress_layers({{&unknown, &foreign, garment_kind(foreign.kind).lay}}, body);

@@ -8,23 +8,19 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "loosefit/base/union_find.h"
+#include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit::body {
 namespace {
 
-using Edge = std::array<int, 2>;  // low, high
+// Asked for edges and counts of sides alone, which hold for broken surfaces too.
+using geometry::MeshTopology;
+using Edge = MeshTopology::Edge;
 
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
-std::map<Edge, int> uses_of_edges(const std::vector<Triangle>& triangles) {
-  std::map<Edge, int> uses;
-  for (const auto& t : triangles) {
-    for (std::size_t c = 0; c < 3; ++c) ++uses[edge_of(t[c], t[(c + 1) % 3])];
-  }
-  return uses;
-}
 
 bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
@@ -66,8 +62,7 @@ std::map<int, int> places_of(const geometry::TriangleMesh& mesh, const std::vect
 /// Least-area triangulation of a ring by dynamic programming; empty when every one needs an edge
 /// that the surface has already.
 std::vector<Triangle> least_area_span(const geometry::TriangleMesh& mesh,
-                                      const std::vector<int>& rim,
-                                      const std::map<Edge, int>& uses) {
+                                      const std::vector<int>& rim, const MeshTopology& topology) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const std::size_t n = rim.size();
   // cost[i][k]: least area over the part of the rim from i to k; apex[i][k]: third corner of the
@@ -80,7 +75,7 @@ std::vector<Triangle> least_area_span(const geometry::TriangleMesh& mesh,
       const std::size_t k = i + gap;
       cost[i][k] = kNever;
       const bool chord = gap < n - 1;
-      if (chord && uses.count(edge_of(rim[i], rim[k]))) continue;
+      if (chord && topology.find(rim[i], rim[k]) >= 0) continue;
       for (std::size_t m = i + 1; m < k; ++m) {
         const double area = cost[i][m] + cost[m][k] + geometry::triangle_area(at(i), at(m), at(k));
         if (area < cost[i][k]) cost[i][k] = area, apex[i][k] = m;
@@ -131,11 +126,11 @@ int drop_repeated_triangles(geometry::TriangleMesh& mesh) {
 }
 
 void weld_seams(geometry::TriangleMesh& mesh, double distance) {
-  const std::map<Edge, int> before = uses_of_edges(mesh.triangles);
+  const MeshTopology before(mesh.triangles);
   // Open edges, grouped by the places of their ends.
   std::vector<Edge> open;
-  for (const auto& [edge, uses] : before) {
-    if (uses == 1) open.push_back(edge);
+  for (int e = 0; e < before.edge_count(); ++e) {
+    if (before.sides(e).size() == 1) open.push_back(before.edges()[std::size_t(e)]);
   }
   if (open.empty()) return;
   const std::map<int, int> place = places_of(mesh, open, distance);
@@ -170,12 +165,15 @@ void weld_seams(geometry::TriangleMesh& mesh, double distance) {
       if (!degenerate(moved)) united.push_back(moved);
     }
     std::set<Edge> already;
-    for (const auto& [edge, uses] : before) {
-      if (uses > 2)
+    for (int e = 0; e < before.edge_count(); ++e) {
+      const Edge& edge = before.edges()[std::size_t(e)];
+      if (before.sides(e).size() > 2)
         already.insert(edge_of(target[std::size_t(edge[0])], target[std::size_t(edge[1])]));
     }
-    for (const auto& [edge, uses] : uses_of_edges(united)) {
-      if (uses <= 2 || already.count(edge)) continue;
+    const MeshTopology after(std::move(united));
+    for (int e = 0; e < after.edge_count(); ++e) {
+      const Edge& edge = after.edges()[std::size_t(e)];
+      if (after.sides(e).size() <= 2 || already.count(edge)) continue;
       for (const int end : edge) {
         const auto found = place.find(end);
         if (found != place.end() && apart.insert(found->second).second) crowded = true;
@@ -191,12 +189,13 @@ void weld_seams(geometry::TriangleMesh& mesh, double distance) {
 }
 
 std::vector<Hole> find_holes(const geometry::TriangleMesh& mesh) {
-  const std::map<Edge, int> uses = uses_of_edges(mesh.triangles);
+  const MeshTopology topology(mesh.triangles);
   std::map<int, std::vector<int>> next;  // along the rim, against the triangle's own direction
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int a = t[c], b = t[(c + 1) % 3];
-      if (uses.at(edge_of(a, b)) == 1) next[b].push_back(a);
+  for (int i = 0; i < int(mesh.triangles.size()); ++i) {
+    const Triangle& t = mesh.triangles[std::size_t(i)];
+    for (int c = 0; c < 3; ++c) {
+      const int a = t[std::size_t(c)], b = t[std::size_t((c + 1) % 3)];
+      if (topology.sides(topology.edge(i, c)).size() == 1) next[b].push_back(a);
     }
   }
   std::vector<Hole> holes;
@@ -239,7 +238,7 @@ std::vector<Hole> find_holes(const geometry::TriangleMesh& mesh) {
 void fill_hole(geometry::TriangleMesh& mesh, const Hole& hole) {
   constexpr std::size_t kLongRim = 120;
   if (hole.rim.size() <= kLongRim) {
-    const auto span = least_area_span(mesh, hole.rim, uses_of_edges(mesh.triangles));
+    const auto span = least_area_span(mesh, hole.rim, MeshTopology(mesh.triangles));
     if (!span.empty()) {
       mesh.triangles.insert(mesh.triangles.end(), span.begin(), span.end());
       return;

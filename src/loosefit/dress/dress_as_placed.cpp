@@ -62,7 +62,7 @@ std::set<int> in_trouble(const garment::Garment& garment, const pattern::Pattern
 }  // namespace
 
 std::vector<Vec3> dress_as_placed(const garment::Garment& garment, const pattern::Pattern& pattern,
-                                  const geometry::TriangleMesh& body) {
+                                  const body::PosedBody& body) {
   std::vector<std::set<int>> panels_of(garment.vertex_count);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const int k = garment.triangle_panel[t];
@@ -70,7 +70,7 @@ std::vector<Vec3> dress_as_placed(const garment::Garment& garment, const pattern
       throw GeometryError("pattern: panel " + garment.panel_names[k] + " is missing");
     for (int v : garment.triangles[t]) panels_of[v].insert(k);
   }
-  const geometry::ClosestPointTree skin(body);
+  const geometry::ClosestPointTree& skin = body.tree();
   std::vector<double> out(garment.panel_names.size(), 0.0);
   std::vector<Vec3> x = place(garment, pattern, out);
   auto hits = geometry::self_intersections(x, garment.triangles);

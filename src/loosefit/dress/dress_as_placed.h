@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/garment/garment.h"
-#include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/pattern/pattern.h"
 
 namespace loosefit::dress {
@@ -14,6 +14,6 @@ namespace loosefit::dress {
 /// left to contact.
 /// \throws GeometryError when that does not part them, or the pattern lacks a panel.
 std::vector<Vec3> dress_as_placed(const garment::Garment& garment, const pattern::Pattern& pattern,
-                                  const geometry::TriangleMesh& body);
+                                  const body::PosedBody& body);
 
 }  // namespace loosefit::dress

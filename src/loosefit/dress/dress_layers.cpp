@@ -59,7 +59,7 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
 }
 
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
-                             const geometry::TriangleMesh& body) {
+                             const body::PosedBody& body) {
   const garment::Garment& garment = *layer.garment;
   std::vector<Vec3> x = dress_as_placed(garment, *layer.pattern, body);
   const auto cuts =
@@ -75,7 +75,8 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
 
 }  // namespace
 
-std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const body::Body& body) {
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers,
+                               const body::PosedBody& body) {
   if (layers.size() == 1 && layers[0].lay)
     return lay_round(*layers[0].garment, body, layers[0].lay);
   std::string why;
@@ -84,8 +85,8 @@ std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const bo
     bool done = true;
     for (int l = 0; done && l < static_cast<int>(layers.size()); ++l) {
       const LayerToDress& layer = layers[l];
-      const auto x = layer.lay ? lay_over(layer, body, l, dressed, why)
-                               : place_over(layer, dressed, body.surface);
+      const auto x =
+          layer.lay ? lay_over(layer, body, l, dressed, why) : place_over(layer, dressed, body);
       if ((done = x.has_value())) dressed.add(*layer.garment, *x);
     }
     if (done) return dressed.positions;

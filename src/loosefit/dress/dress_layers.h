@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "loosefit/body/body.h"
+#include "loosefit/body/posed_body.h"
 #include "loosefit/dress/lay_round.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/pattern/pattern.h"
@@ -20,6 +20,7 @@ struct LayerToDress {
 /// more room than the layer under it, so that its sheets pass before and behind those, and its
 /// seams beside them. Nothing cuts anything. \throws as the above, and NoRoom when garments cut
 /// each other.
-std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers, const body::Body& body);
+std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers,
+                               const body::PosedBody& body);
 
 }  // namespace loosefit::dress

@@ -61,10 +61,9 @@ double flat_length(const garment::Garment& g, const garment::Garment::EdgeChain&
   return length;
 }
 
-std::vector<Vec2> front_neckline(const garment::Garment& garment, const body::Body& body,
-                                 const Vec2& from, const Vec2& to) {
-  const auto* neck = garment.find_part("front", "neck");
-  return neckline(from, to, neck ? flat_length(garment, *neck) : 0, chin_height(body));
+std::vector<Vec2> front_neckline(double length, const body::Body& body, const Vec2& from,
+                                 const Vec2& to) {
+  return neckline(from, to, length, chin_height(body));
 }
 
 }  // namespace loosefit::dress

@@ -9,6 +9,7 @@ ClippedSurface clipped(const geometry::TriangleMesh& mesh, const std::vector<dou
   ClippedSurface result;
   geometry::TriangleMesh& part = result.mesh;
   std::vector<int> kept(mesh.vertices.size(), -1);
+  // Of the few edges that are cut; a MeshTopology of every piece would sort all of its edges.
   std::map<std::pair<int, int>, int> split;
   // Vertices of the part: kept ones once each, and one on every edge that is cut.
   const auto add = [&](const Vec3& p, int origin) {

@@ -156,8 +156,14 @@ ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
   ShirtFrame frame{half_frame(shirt, body, outline, clearance, +1),
                    half_frame(shirt, body, outline, clearance, -1),
                    {}};
-  frame.front_neck = dress::front_neckline(shirt, body, frame.left.neck, frame.right.neck);
+  frame.front_neck =
+      dress::front_neckline(front_neck_length(shirt), body, frame.left.neck, frame.right.neck);
   return frame;
+}
+
+double front_neck_length(const garment::Garment& shirt) {
+  const auto* neck = shirt.find_part("front", "neck");
+  return neck ? dress::flat_length(shirt, *neck) : 0;
 }
 
 }  // namespace loosefit::kinds

@@ -25,4 +25,7 @@ struct ShirtFrame {
 ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
                        const dress::BodyOutline& outline, double clearance);
 
+/// Flat length of the front neckline [m]; 0 without one.
+double front_neck_length(const garment::Garment& shirt);
+
 }  // namespace loosefit::kinds

@@ -123,8 +123,9 @@ std::vector<Vec3> lay_tank_top(const garment::Garment& g, const body::Body& body
     panel.lay("shoulder_L", "armhole_L", {outer_l, inner_l});
     panel.lay("shoulder_R", "armhole_R", {outer_r, inner_r});
     panel.lay("neck", "shoulder_L",
-              back || room.straight_neck ? std::vector<Vec2>{inner_l, inner_r}
-                                         : dress::front_neckline(g, body, inner_l, inner_r));
+              back || room.straight_neck
+                  ? std::vector<Vec2>{inner_l, inner_r}
+                  : dress::front_neckline(front_neck_length(g), body, inner_l, inner_r));
     sheets.add(p, panel, back);
   }
   return sheets.positions(depth, room);
