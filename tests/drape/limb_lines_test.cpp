@@ -26,7 +26,7 @@ body::Body stick_figure() {
 std::vector<LimbNumbers> numbers(const garment::Garment& tube, const std::vector<Vec3>& x) {
   std::vector<LimbNumbers> all;
   for (const std::vector<int>& loop : geometry::MeshTopology(tube.triangles).boundary_loops())
-    all.push_back(limbs_through(loop, x, limb_lines(stick_figure())));
+    all.push_back(limbs_through_openings(loop, x, limb_lines(stick_figure())));
   return all;
 }
 
@@ -82,7 +82,7 @@ LimbNumbers ring(double z, double radius, double x = 0) {
     points.emplace_back(x + radius * std::cos(a), radius * std::sin(a), z);
     loop.push_back(i);
   }
-  return limbs_through(loop, points, limb_lines(stick_figure()));
+  return limbs_through_openings(loop, points, limb_lines(stick_figure()));
 }
 
 TEST(LimbLines, ARingBelowBothShouldersGoesRoundTheTrunkWhateverItWasMadeFor) {
@@ -103,7 +103,8 @@ TEST(LimbLines, ANecklineOverOneShoulderHasThatArmToo) {
     points.emplace_back(x, 0.15 * std::sin(a), 1.39 - 0.3 * x);
     loop.push_back(i);
   }
-  EXPECT_EQ(limbs_through(loop, points, limb_lines(stick_figure())), (LimbNumbers{1, 1, 0, 0, 0}));
+  EXPECT_EQ(limbs_through_openings(loop, points, limb_lines(stick_figure())),
+            (LimbNumbers{1, 1, 0, 0, 0}));
 }
 
 TEST(LimbLines, AnArmReachesToTheFingertips) {

@@ -65,15 +65,15 @@ TEST(SoftBody, SittingFoldsTheGroinWithoutPassingThroughIt) {
   EXPECT_EQ(person.in(sitting)->surface.vertices, first.surface.vertices);
 }
 
-TEST(SoftBody, LearnsWhatACopyWasAskedAndForgetsItAnew) {
+TEST(SoftBody, MergesTheCacheOfACopyAndStartsWithoutIt) {
   const body::Posture hanging{radians(8), 0, 0}, between{radians(13), 0, 0};
   SoftBody person(body_model(), woman());
   SoftBody copy = person;
   copy.in(hanging);
   const body::Body near = copy.in(between);
   // Led from the rest posture instead of from the arms that hang closer.
-  EXPECT_NE(person.anew().in(between)->surface.vertices, near.surface.vertices);
-  person.learn(copy);
+  EXPECT_NE(person.without_cache().in(between)->surface.vertices, near.surface.vertices);
+  person.merge_cache(copy);
   EXPECT_EQ(person.in(between)->surface.vertices, near.surface.vertices);
 }
 

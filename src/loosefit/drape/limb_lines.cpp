@@ -71,8 +71,8 @@ LimbLines limb_lines(const std::map<std::string, Vec3>& at) {
   return lines;
 }
 
-LimbNumbers limbs_through(const std::vector<int>& loop, const std::vector<Vec3>& x,
-                          const LimbLines& lines) {
+LimbNumbers limbs_through_openings(const std::vector<int>& loop, const std::vector<Vec3>& x,
+                                   const LimbLines& lines) {
   Vec3 middle = kOff;
   for (int v : loop) middle += x[v] / static_cast<double>(loop.size());
   LimbNumbers numbers{};

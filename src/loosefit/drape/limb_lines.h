@@ -24,8 +24,8 @@ LimbLines limb_lines(const std::map<std::string, Vec3>& joints);
 /// the chest lies: a curve round the trunk has both legs, one round the neck the head alone, one
 /// below both shoulders the same as one round the trunk, one round nothing zeros.
 using LimbNumbers = std::array<int, kLimbs>;
-LimbNumbers limbs_through(const std::vector<int>& loop, const std::vector<Vec3>& x,
-                          const LimbLines& lines);
+LimbNumbers limbs_through_openings(const std::vector<int>& loop, const std::vector<Vec3>& x,
+                                   const LimbLines& lines);
 
 inline constexpr LimbNumbers kRoundNothing = {0, 0, 0, 0, 0};
 inline constexpr LimbNumbers kRoundNeck = {1, 0, 0, 0, 0};

@@ -258,7 +258,7 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
     if (ends.size() != 2 || std::any_of(ends.begin(), ends.end(), labelled)) continue;
     if (ends[0]->placed.z() < ends[1]->placed.z()) std::swap(ends[0], ends[1]);
     Opening &upper = *ends[0], &lower = *ends[1];
-    const LimbNumbers round = limbs_through(upper.loop, placed, lines);
+    const LimbNumbers round = limbs_through_openings(upper.loop, placed, lines);
     const bool one_limb =
         round != kRoundNeck && std::count(round.begin(), round.end(), 0) == kLimbs - 1;
     if (round == kRoundTrunk) {

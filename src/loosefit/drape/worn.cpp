@@ -78,7 +78,7 @@ class Verdict {
     if (lines_[kHead].empty() || lines[kHead].empty()) return true;
     for (const Opening& o : garment_openings(garment_, pattern_))
       if (o.use == kinds::OpeningUse::unknown &&
-          !goes_round(o, limbs_through(o.loop, first, lines)))
+          !goes_round(o, limbs_through_openings(o.loop, first, lines)))
         return false;
     return true;
   }
@@ -95,10 +95,10 @@ class Verdict {
   }
 
   bool goes_round(const Opening& opening, const LimbNumbers& wanted) {
-    round_ = limbs_through(opening.loop, x_, lines_);
+    round_ = limbs_through_openings(opening.loop, x_, lines_);
     if (round_ == wanted) return true;
     for (const std::vector<int>& ring : tube_rings(garment_, opening.loop, widest(opening)))
-      if (limbs_through(ring, x_, lines_) == wanted) return true;
+      if (limbs_through_openings(ring, x_, lines_) == wanted) return true;
     return false;
   }
 
@@ -166,7 +166,7 @@ class Verdict {
   /// An edge round the trunk is asked itself, not the rings of its tube: those below it may be
   /// round the trunk while the edge lies on the hands.
   bool edge_goes_round_trunk(const Opening& o, const std::string& name) {
-    round_ = limbs_through(o.loop, x_, lines_);
+    round_ = limbs_through_openings(o.loop, x_, lines_);
     if (round_ == kRoundTrunk) return true;
     const LimbNumbers left = {1, 0, 1, 0, 0}, right = {1, 1, 0, 0, 0};
     const std::string what = round_ == kRoundNeck ? "the trunk and both arms"
@@ -181,7 +181,7 @@ class Verdict {
 
   /// The arms may be within, or come out below it.
   void check_cape_hem(const Opening& o) {
-    const LimbNumbers n = limbs_through(o.loop, x_, lines_);
+    const LimbNumbers n = limbs_through_openings(o.loop, x_, lines_);
     if (n[kLeftLeg] != n[kRightLeg] || n[kHead] == n[kLeftLeg])
       say("the hem goes round " + round_what(n));
   }
@@ -198,9 +198,9 @@ class Verdict {
     if (ends.size() != 2 || ends[0]->use != kinds::OpeningUse::tube) return;
     const bool first = ends[0]->placed.z() >= ends[1]->placed.z();
     const Opening &upper = *ends[first ? 0 : 1], &lower = *ends[first ? 1 : 0];
-    const LimbNumbers up = limbs_through(upper.loop, x_, lines_);
+    const LimbNumbers up = limbs_through_openings(upper.loop, x_, lines_);
     if (up == kRoundNeck) return check_cape_hem(lower);
-    const LimbNumbers low = limbs_through(lower.loop, x_, lines_);
+    const LimbNumbers low = limbs_through_openings(lower.loop, x_, lines_);
     const bool through = (up != kRoundNothing && goes_round(lower, up)) ||
                          (low != kRoundNothing && goes_round(upper, low));
     if (!through)

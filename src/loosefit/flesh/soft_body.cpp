@@ -43,11 +43,11 @@ std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
 
 }  // namespace
 
-body::Body SoftBody::displaced(body::Body body, const Known& known) {
-  for (std::size_t i = 0; i < known.vertex.size(); ++i) {
-    const int v = known.vertex[i];
-    body.surface.vertices[v] += known.moved[i];
-    body.pose_from_rest[v].col(3) += known.moved[i];
+body::Body SoftBody::displaced(body::Body body, const CachedDisplacement& cached) {
+  for (std::size_t i = 0; i < cached.vertex.size(); ++i) {
+    const int v = cached.vertex[i];
+    body.surface.vertices[v] += cached.moved[i];
+    body.pose_from_rest[v].col(3) += cached.moved[i];
   }
   body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   for (const auto& [name, v] : body.landmark_vertex)
@@ -59,19 +59,23 @@ std::vector<Vec3> SoftBody::built(const body::Posture& posture) const {
   return model_.build(parameters_, posture).surface.vertices;
 }
 
-const SoftBody::Known& SoftBody::nearest(const body::Posture& posture) {
-  if (known_.empty()) {
-    known_.push_back({model_.rest_posture(parameters_), {}, {}});
-    rest_ = built(known_.front().posture);
+const SoftBody::CachedDisplacement& SoftBody::nearest(const body::Posture& posture) {
+  if (cached_.empty()) {
+    cached_.push_back({model_.rest_posture(parameters_), {}, {}});
+    rest_ = built(cached_.front().posture);
   }
-  const auto turn = [&](const Known& known) { return turn_between(known.posture, posture); };
-  return *std::min_element(known_.begin(), known_.end(),
-                           [&](const Known& a, const Known& b) { return turn(a) < turn(b); });
+  const auto turn = [&](const CachedDisplacement& cached) {
+    return turn_between(cached.posture, posture);
+  };
+  return *std::min_element(
+      cached_.begin(), cached_.end(),
+      [&](const CachedDisplacement& a, const CachedDisplacement& b) { return turn(a) < turn(b); });
 }
 
-SoftBody::Known SoftBody::led_from(const Known& start, const body::Posture& posture,
-                                   const body::Body& body, const SkinPatch& patch,
-                                   Progress* progress) const {
+SoftBody::CachedDisplacement SoftBody::led_from(const CachedDisplacement& start,
+                                                const body::Posture& posture,
+                                                const body::Body& body, const SkinPatch& patch,
+                                                Progress* progress) const {
   std::vector<Vec3> surface = built(start.posture);
   const std::vector<Vec3> target = patch.of(surface);
   for (std::size_t i = 0; i < start.vertex.size(); ++i) surface[start.vertex[i]] += start.moved[i];
@@ -84,7 +88,7 @@ SoftBody::Known SoftBody::led_from(const Known& start, const body::Posture& post
     progress->update(double(k) / steps, "");
   }
   skin.follow(patch.of(body.surface.vertices));
-  Known there{posture, patch.vertex, skin.positions()};
+  CachedDisplacement there{posture, patch.vertex, skin.positions()};
   for (std::size_t i = 0; i < there.moved.size(); ++i) there.moved[i] -= skin.target()[i];
   return there;
 }
@@ -98,14 +102,14 @@ body::PosedBody SoftBody::in(const body::Posture& posture, Progress* progress) {
   return body;
 }
 
-void SoftBody::learn(const SoftBody& copy) {
-  if (known_.empty()) rest_ = copy.rest_;
-  const auto is_known = [&](const body::Posture& posture) {
-    return std::any_of(known_.begin(), known_.end(),
-                       [&](const Known& known) { return known.posture == posture; });
+void SoftBody::merge_cache(const SoftBody& copy) {
+  if (cached_.empty()) rest_ = copy.rest_;
+  const auto is_cached = [&](const body::Posture& posture) {
+    return std::any_of(cached_.begin(), cached_.end(),
+                       [&](const CachedDisplacement& cached) { return cached.posture == posture; });
   };
-  for (const Known& known : copy.known_)
-    if (!is_known(known.posture)) known_.push_back(known);
+  for (const CachedDisplacement& cached : copy.cached_)
+    if (!is_cached(cached.posture)) cached_.push_back(cached);
   for (const auto& [posture, body] : copy.remembered_) {
     const bool remembered =
         std::any_of(remembered_.begin(), remembered_.end(),
@@ -118,21 +122,21 @@ body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   body::Body stiff = model_.build(parameters_, posture);
   const auto overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
-  const Known start = nearest(posture);
+  const CachedDisplacement start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return displaced(std::move(stiff), start);
-  Known there =
+  CachedDisplacement there =
       led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
   body::Body body = displaced(stiff, there);
   bool free = overlaps_of(body).empty();
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
-    const Known rest = known_.front();
+    const CachedDisplacement rest = cached_.front();
     there =
         led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
     body = displaced(stiff, there);
     free = overlaps_of(body).empty();
   }
-  if (free) known_.push_back(std::move(there));
+  if (free) cached_.push_back(std::move(there));
   return body;
 }
 

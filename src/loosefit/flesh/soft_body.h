@@ -30,29 +30,31 @@ class SoftBody {
   body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
   /// The same person, not asked anything yet.
-  SoftBody anew() const { return {model_, parameters_}; }
+  SoftBody without_cache() const { return {model_, parameters_}; }
 
   /// Takes over what a copy of this has been asked since, so that it need not be made again.
-  void learn(const SoftBody& copy);
+  void merge_cache(const SoftBody& copy);
 
  private:
   body::Body made(const body::Posture& posture, Progress* progress);
   /// Where the skin is in a posture when flesh has given way: sparse, the rest is as built.
-  struct Known {
+  struct CachedDisplacement {
     body::Posture posture;
     std::vector<int> vertex;
     std::vector<Vec3> moved;  ///< of these vertices [m]
   };
-  const Known& nearest(const body::Posture& posture);
-  Known led_from(const Known& start, const body::Posture& posture, const body::Body& body,
-                 const SkinPatch& patch, Progress* progress) const;
-  static body::Body displaced(body::Body body, const Known& known);
+  const CachedDisplacement& nearest(const body::Posture& posture);
+  CachedDisplacement led_from(const CachedDisplacement& start, const body::Posture& posture,
+                              const body::Body& body, const SkinPatch& patch,
+                              Progress* progress) const;
+  static body::Body displaced(body::Body body, const CachedDisplacement& cached);
   std::vector<Vec3> built(const body::Posture& posture) const;
 
   const body::BodyModel& model_;
   body::BodyParameters parameters_;
-  std::vector<Vec3> rest_;    ///< surface in the rest posture [m]
-  std::vector<Known> known_;  ///< without overlaps but for the first, the rest posture
+  std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
+  /// Without overlaps but for the first, the rest posture.
+  std::vector<CachedDisplacement> cached_;
   /// The first answers: donnings follow each other through the same postures.
   std::vector<std::pair<body::Posture, body::RememberedBody>> remembered_;
 };

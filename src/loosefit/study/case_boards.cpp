@@ -48,7 +48,7 @@ std::vector<placement::SiteSpec> place_boards(const scenario::Scenario& scenario
   placement::check_sites(bare, body.body, sites);
   drape::DrapeOptions options = drape_options(scenario.simulation);
   options.residual_tolerance = kCoarseResidual;
-  CaseBody wearer = another_caller(body);
+  CaseBody wearer = clone_wearer(body);
   drape::DrapeSession session(cloth_layers(scenario, coarse), options, progress);
   const drape::Drape drape = split_drape(put_on(session, wearer), scenario, coarse).back();
 

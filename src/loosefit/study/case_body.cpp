@@ -37,8 +37,8 @@ body::BodyPath way(const std::shared_ptr<flesh::SoftBody>& person, const body::P
   return [person, from, to](double share) { return person->in(body::blend(from, to, share)); };
 }
 
-/// Everything that asks the person.
-void let_ask(CaseBody& body, std::shared_ptr<flesh::SoftBody> person, bool offer_wide) {
+/// Makes everything of the body ask this person.
+void ask_of(CaseBody& body, std::shared_ptr<flesh::SoftBody> person, bool offer_wide) {
   body.person = std::move(person);
   body.path = way(body.person, body.from, body.to);
   body.wide_path = offer_wide ? way(body.person, body::kArmsWide, body.to) : body::BodyPath{};
@@ -65,19 +65,19 @@ CaseBody make_body(const scenario::ScenarioBody& wished) {
   const body::BodyFit fit = body::fit_body(model, spec_of(wished));
   CaseBody result;
   result.from = wished.dress_posture, result.to = wished.posture;
-  let_ask(result, std::make_shared<flesh::SoftBody>(model, fit.parameters),
-          wished.dress_posture == body::default_dress_posture(wished.posture) &&
-              wished.dress_posture.arm_abduction < body::kArmsWide.arm_abduction);
+  ask_of(result, std::make_shared<flesh::SoftBody>(model, fit.parameters),
+         wished.dress_posture == body::default_dress_posture(wished.posture) &&
+             wished.dress_posture.arm_abduction < body::kArmsWide.arm_abduction);
   result.body = result.path(1);
   result.asked = fit.table;
   result.warnings = fit.warnings;
   return result;
 }
 
-CaseBody another_caller(const CaseBody& body) {
+CaseBody clone_wearer(const CaseBody& body) {
   CaseBody copy = body;
   if (body.person)
-    let_ask(copy, std::make_shared<flesh::SoftBody>(*body.person), bool(body.wide_path));
+    ask_of(copy, std::make_shared<flesh::SoftBody>(*body.person), bool(body.wide_path));
   return copy;
 }
 

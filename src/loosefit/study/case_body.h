@@ -16,7 +16,7 @@ class SoftBody;
 namespace loosefit::study {
 
 /// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
-/// Copies ask the same person, one caller at a time; see another_caller.
+/// Copies ask the same person, one caller at a time; see clone_wearer.
 struct CaseBody {
   body::PosedBody body;  ///< in the wanted posture
   body::BodyPath path;   ///< share 0 dressing posture … 1 `body`
@@ -36,7 +36,7 @@ CaseBody make_body(const scenario::ScenarioBody& wished);
 
 /// The same wearer for somebody who asks at the same time as others: what it answers depends on
 /// nothing that they ask.
-CaseBody another_caller(const CaseBody& body);
+CaseBody clone_wearer(const CaseBody& body);
 
 /// What `after`, who began as a copy of `before`, has been warned of since.
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);

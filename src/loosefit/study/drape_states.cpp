@@ -71,7 +71,7 @@ Task follow(const Start& start, Task task, int sharing, Progress& progress) {
   const int posture = task.state.id.posture;
   // Beside what putting on asked, whoever goes there knows that posture alone.
   auto person = std::make_shared<flesh::SoftBody>(*start.reference.body.person);
-  person->learn(*start.wearers[posture].person);
+  person->merge_cache(*start.wearers[posture].person);
   const body::BodyPath path = [&, to = body::named_posture(task.state.name)](double share) {
     if (share == 1) return start.body_in(posture);
     return person->in(body::blend(scenario.body.posture, to, share));
@@ -90,7 +90,7 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
   options.drapes_at_once = sharing;
   options.start_shift = how.shift;
   options.start_twist = how.twist;
-  CaseBody body = another_caller(reference.body);
+  CaseBody body = clone_wearer(reference.body);
   task.session = std::make_shared<drape::DrapeSession>(
       cloth_layers(reference.scenario, reference.garments, how.friction), options, progress);
   task.state.drapes =

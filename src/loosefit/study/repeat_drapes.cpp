@@ -53,7 +53,7 @@ struct Repeat {
 Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& progress) {
   // Put on once more, from another start.
   const scenario::Scenario& scenario = result.scenario;
-  CaseBody body = another_caller(result.body);
+  CaseBody body = clone_wearer(result.body);
   drape::DrapeOptions options = drape_options(scenario.simulation, repeat);
   options.drapes_at_once = sharing;
   drape::DrapeSession session(cloth_layers(scenario, result.garments), options, progress);

@@ -46,9 +46,10 @@ std::vector<PosedWearer> pose_wearers(const CaseBody& body,
     if (p == StateId::kReferencePosture) continue;
     jobs.push_back({postures[p], [&, p](Progress& own) {
                       own.check_cancelled();
-                      const auto anew = std::make_shared<flesh::SoftBody>(body.person->anew());
-                      wearers[p].body = anew->in(body::named_posture(postures[p]), &own);
-                      wearers[p].person = anew;
+                      const auto person =
+                          std::make_shared<flesh::SoftBody>(body.person->without_cache());
+                      wearers[p].body = person->in(body::named_posture(postures[p]), &own);
+                      wearers[p].person = person;
                     }});
   }
   side_by_side(jobs, usable_threads(), progress);
