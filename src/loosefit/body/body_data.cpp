@@ -115,6 +115,7 @@ BodyField get_field(Reader& in, std::size_t row_count) {
 }
 
 std::string payload_of(const BodyData& data) {
+  // Fields and their order are the file format: data_of reads the same. First the base mesh.
   Writer out;
   out.text(data.source_sha256);
   out.put(std::uint32_t(data.base.size()));
@@ -122,11 +123,14 @@ std::string payload_of(const BodyData& data) {
   for (const auto& p : data.base) {
     for (int axis = 0; axis < 3; ++axis) out.put(std::int32_t(std::lround(p[axis] / kBaseUnit)));
   }
+  // Mirror partners, as many as there are base vertices, so without a count.
   for (const int row : data.mirror) out.put(std::uint16_t(row));
+  // Faces.
   out.put(std::uint32_t(data.quads.size()));
   for (const auto& quad : data.quads) {
     for (const int corner : quad) out.put(std::uint16_t(corner));
   }
+  // Joints, each by the vertices that surround it, and the bones between them.
   out.put(std::uint32_t(data.joints.size()));
   for (const auto& rows : data.joints) {
     out.put(std::uint32_t(rows.size()));
@@ -139,6 +143,7 @@ std::string payload_of(const BodyData& data) {
     out.put(std::uint16_t(bone.head));
     out.put(std::uint16_t(bone.tail));
   }
+  // Skinning weights, one list per vertex of the body.
   for (const auto& influences : data.skin) {
     out.put(std::uint32_t(influences.size()));
     for (const auto& [bone, weight] : influences) {
@@ -146,6 +151,7 @@ std::string payload_of(const BodyData& data) {
       out.put(weight);
     }
   }
+  // Shape fields, and the names by which they are found.
   out.put(std::uint32_t(data.fields.size()));
   for (const auto& field : data.fields) put_field(out, field);
   out.put(std::uint32_t(data.field_of_name.size()));
@@ -157,6 +163,7 @@ std::string payload_of(const BodyData& data) {
 }
 
 BodyData data_of(Reader in) {
+  // Read in the order of payload_of; counts and indices are checked before use. First the mesh.
   BodyData data;
   data.source_sha256 = in.text();
   data.base.resize(in.count(12));
@@ -166,18 +173,22 @@ BodyData data_of(Reader in) {
   for (auto& p : data.base) {
     for (int axis = 0; axis < 3; ++axis) p[axis] = in.get<std::int32_t>() * kBaseUnit;
   }
+  // Mirror partners, one per base vertex.
   data.mirror.resize(rows);
   for (auto& row : data.mirror) row = in.index(rows);
+  // Faces, of vertices of the body only.
   data.quads.resize(in.count(8));
   for (auto& quad : data.quads) {
     for (auto& corner : quad) corner = in.index(std::size_t(data.body_vertices));
   }
+  // Joints are means of vertices, so none may be empty.
   data.joints.resize(in.count(4));
   for (auto& joint : data.joints) {
     joint.resize(in.count(2));
     if (joint.empty()) in.damaged();
     for (auto& row : joint) row = in.index(rows);
   }
+  // A parent comes before its children, so that one pass poses all.
   data.bones.resize(in.count(8));
   for (std::size_t b = 0; b < data.bones.size(); ++b) {
     auto& bone = data.bones[b];
@@ -187,6 +198,7 @@ BodyData data_of(Reader in) {
     bone.head = in.index(data.joints.size());
     bone.tail = in.index(data.joints.size());
   }
+  // Skinning weights, one list per vertex of the body.
   data.skin.resize(std::size_t(data.body_vertices));
   for (auto& influences : data.skin) {
     influences.resize(in.count(10));
@@ -195,6 +207,7 @@ BodyData data_of(Reader in) {
       weight = in.get<double>();
     }
   }
+  // Shape fields, and their names; a name with -1 stands for one that is all zero.
   const std::size_t fields = in.count(4);
   for (std::size_t f = 0; f < fields; ++f) data.fields.push_back(get_field(in, rows));
   for (std::size_t n = in.count(4); n > 0; --n) {

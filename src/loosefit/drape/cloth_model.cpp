@@ -59,6 +59,7 @@ ClothModel::ClothModel(const garment::Garment& garment, const fabric::Material& 
 
 ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions& options) {
   const ClothModelTuning& tuning = options.tuning.cloth;
+  // What holds for all layers, and one mesh of all garments.
   const Eigen::MatrixXd friction = layer_friction(layers);
   const bool viscous = options.integrator != IntegratorKind::quasi_static;
   std::vector<const garment::Garment*> garments;
@@ -67,6 +68,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   contact::SelfContact::Options contact;
   for (int l = 0; l < mesh_.layers(); ++l) {
     const garment::Garment& garment = *layers[l].garment;
+    // Each layer stretches, bends and weighs as its own material says.
     const fabric::Material m = stable(layers[l].material, garment, options);
     const std::vector<Triangle> triangles = mesh_.triangles_of(l);
     membrane_.push_back(std::make_unique<fabric::MembraneEnergy>(
@@ -75,14 +77,17 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
                                                                garment.triangle_added_bending, m,
                                                                viscous, garment.triangle_built_in));
     system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
+    // Cloth keeps half its thickness from the skin.
     half_thickness_.push_back(0.5 * m.thickness);
     contact_stiffness_.push_back(transverse_stiffness(m, tuning));
     body_.push_back(std::make_unique<contact::BodyContact>(
         layer_points(mesh_, l, garment, half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
+    // A single layer needs no thickness by triangle.
     if (mesh_.layers() > 1)
       contact.triangle_thickness.resize(mesh_.first_triangle[l + 1], layers[l].self_thickness);
   }
+  // Gravity and contact of cloth with cloth see all layers at once.
   gravity_ = std::make_unique<particles::GravityEnergy>(system_.mass, options.gravity);
   contact.thickness = layers.front().self_thickness;
   contact.friction = friction(0, 0);
@@ -93,6 +98,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   contact.stick_reach = tuning.stick_reach;
   self_ =
       std::make_unique<contact::SelfContact>(mesh_.triangles, mesh_.area, mesh_.vertices, contact);
+  // Forces are summed in this order, on which their last digits depend.
   for (const auto& e : membrane_) system_.energies.push_back(e.get());
   for (const auto& e : bending_) system_.energies.push_back(e.get());
   system_.energies.push_back(gravity_.get());

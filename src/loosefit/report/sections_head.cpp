@@ -64,6 +64,7 @@ std::string certificate_section(const study::CaseResult& result) {
   const drape::Certificate& c = result.certificate();
   const drape::SettleReport& settling = result.studied().drape.report;
   const double tolerance = result.scenario.simulation.residual_tolerance;
+  // The verdict in words: settled and worn, settled but not worn, or not at rest.
   std::string text;
   if (c.holds()) {
     text = "<strong>Settled.</strong> The net force left on the cloth is " +
@@ -88,6 +89,7 @@ std::string certificate_section(const study::CaseResult& result) {
         "<strong>NOT SETTLED.</strong> The maps below were asked for all the same; do not rely on "
         "their numbers.";
   }
+  // The numbers behind it; crossings between garments only when there are several.
   std::string facts = fact("residual ‖F‖/‖W‖", number(c.residual, 3)) +
                       fact("largest on one particle", number(c.residual_max, 3)) +
                       fact("crossings with the body", count_text(c.intersections_body)) +
@@ -99,6 +101,7 @@ std::string certificate_section(const study::CaseResult& result) {
                       fact("worn:", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   if (settling.total().iterations > 0)
     facts += fact("iterations", std::to_string(settling.total().iterations));
+  // Green or red box, and below it how the force fell.
   std::string html = element("h2", "Certificate");
   html += element("div", text + element("ul", facts, "facts"), c.holds() ? "box good" : "box bad");
   return html + residual_chart(settling.history, tolerance);

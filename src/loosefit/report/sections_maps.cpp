@@ -53,7 +53,9 @@ std::string picture_section(const study::CaseResult& result,
 }
 
 std::string map_section(const study::CaseResult& result) {
+  // A sealed drape has no maps to sum up.
   if (result.studied().maps.maps.empty()) return {};
+  // Each map over the whole garment.
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
   for (const study::CaseMap& entry : result.studied().maps.maps) {
     const maps::MapStatistics& s = entry.overall;
@@ -62,6 +64,7 @@ std::string map_section(const study::CaseResult& result) {
       row.push_back(value_text(entry.map, value));
     overall.add(row);
   }
+  // Columns by region: all maps but companions.
   std::vector<std::string> head = {"Region"};
   std::vector<const study::CaseMap*> shown;
   for (const study::CaseMap& entry : result.studied().maps.maps) {
@@ -70,6 +73,7 @@ std::string map_section(const study::CaseResult& result) {
     head.push_back(with_unit(entry.map));
   }
   head.push_back("area [dm²]");
+  // Regions that the garment does not cover have no area and no row.
   Table regions(head);
   for (body::Region region : body::all_regions()) {
     std::vector<std::string> row = {spaced(body::name(region))};

@@ -10,9 +10,11 @@ namespace loosefit::study {
 
 std::string sites_csv(const std::vector<placement::Site>& sites,
                       const std::vector<placement::UncoveredSite>& uncovered) {
+  // Sites may lack a map: the columns are those of all sites together.
   std::set<std::string> arrays;
   for (const placement::Site& site : sites)
     for (const auto& entry : site.values) arrays.insert(entry.first);
+  // Header: place, anatomical address, two columns per map, cover.
   std::vector<std::string> row = {"name", "region", "panel", "u_m",      "v_m",
                                   "x_m",  "y_m",    "z_m",   "angle_deg"};
   row.insert(row.end(), io::address_columns().begin(), io::address_columns().end());
@@ -23,6 +25,7 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
   row.insert(row.end(), {"covered", "why_not_covered"});
   const std::size_t columns = row.size();
   std::string text = io::csv_line(row);
+  // Sites on the garment; a value that is missing is an empty field.
   for (const placement::Site& site : sites) {
     row = {io::csv_field(site.name), io::csv_field(body::name(site.region)),
            io::csv_field(site.panel)};
@@ -39,6 +42,7 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
     row.push_back(io::csv_field(site.not_covering));
     text += io::csv_line(row);
   }
+  // Sites off the garment that were asked for; presets that miss it are no news.
   for (const placement::UncoveredSite& site : uncovered) {
     if (site.preset) continue;
     row.assign(columns, "");

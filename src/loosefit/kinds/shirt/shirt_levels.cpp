@@ -26,6 +26,7 @@ std::optional<double> arm_at(const NamedValues& measures, double share) {
 
 NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   NamedValues girths;
+  // A part that a pattern does not name has width 0, and its girth is left out.
   const auto width = [&](const char* panel, const char* edge_a, const char* edge_b, auto&& point) {
     const int p = shirt.find_part(panel);
     if (p < 0) return 0.0;
@@ -37,6 +38,7 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   const auto add = [&](const std::string& name, double front, double back) {
     if (front > 0 && back > 0) girths[name] = front + back;
   };
+  // Chest: from underarm to underarm.
   const auto end_of_left = [](const pattern::Panel& piece, int e) -> Vec2 {
     // The underarm corner is where the armhole edge meets the side edge.
     const pattern::PanelEdge& edge = piece.edges[e];
@@ -45,6 +47,7 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   };
   add("chest", width("front", "armhole_L", "armhole_R", end_of_left),
       width("back", "armhole_L", "armhole_R", end_of_left));
+  // Waist: where the side seams cross its level, which bisection finds along curves.
   const auto at_waist = [&](const pattern::Panel& piece, int e) -> Vec2 {
     const pattern::EdgePath path(piece, e);
     double low = 0, high = 1;
@@ -58,12 +61,14 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   };
   add("waist", width("front", "side_L", "side_R", at_waist),
       width("back", "side_L", "side_R", at_waist));
+  // Hip: along the hem, which may be curved.
   const auto length = [&](const char* panel, const char* edge) {
     const int p = shirt.find_part(panel);
     const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], edge);
     return e < 0 ? 0.0 : pattern::EdgePath(shirt.panels[p], e).length();
   };
   add("hip", length("front", "hem"), length("back", "hem"));
+  // Sleeve: straight between the ends of its cap; wrist: along the cuff.
   const auto cap_width = [&](const char* panel) {
     const int p = shirt.find_part(panel);
     const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], "cap");

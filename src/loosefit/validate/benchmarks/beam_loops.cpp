@@ -59,12 +59,14 @@ std::vector<LoopTable> loop_tables() {
 BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const int elements = effort == Effort::full ? 120 : 60;
+  // Index 0 is the height, 1 the half width, here and in all pairs below.
   report::Plot heights{"Hanging loops: height", "Γ = q L³/B", "height over L", false, false, {}};
   report::Plot widths{
       "Hanging loops: half width", "Γ = q L³/B", "half width over L", false, false, {}};
   std::vector<report::Plot::Series> references[2], obtained[2];
   double done = 0;
   for (const LoopTable& table : loop_tables()) {
+    // One loop per shape: each gravity starts from the shape of the one before.
     HangingLoop loop(table.kind, elements);
     for (int k = 0; k < 2; ++k) {
       references[k].push_back({std::string(table.name) + ", elastica", {}, {}, true});
@@ -74,6 +76,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
       series.x.push_back(x);
       series.y.push_back(y);
     };
+    // The exact curve gets all rows, a quick run settles at three of them.
     for (const LoopRow& row : table.rows) {
       const double g = row.gravity_number;
       progress.update(done / 3 + g / 3000, fmt::format("{}, Γ = {:g}", table.name, g));
@@ -81,6 +84,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
       point(references[1].back(), g, row.half_width);
       if (effort == Effort::quick && g != 0 && g != 10 && g != 100) continue;
       loop.settle(g, progress);
+      // Both lengths are judged against the elastica.
       const double found[2] = {loop.height(), loop.half_width()};
       for (int k = 0; k < 2; ++k) {
         Finding f;
@@ -95,6 +99,7 @@ BenchmarkResult benchmark_loops(Effort effort, Progress& progress) {
     }
     done += 1;
   }
+  // Exact curves first, marks over them.
   for (int k = 0; k < 2; ++k) {
     report::Plot& plot = k ? widths : heights;
     plot.series = references[k];

@@ -135,6 +135,7 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress) {
   BenchmarkResult result;
   std::vector<double> frictions = {0.3};
   if (effort == Effort::full) frictions = {0.1, 0.2, 0.3, 0.5};
+  // Exact curves of the weightless and the heavy strip.
   report::Plot plot;
   plot.title = "Belt over half a turn";
   plot.x_label = "friction μ";
@@ -147,6 +148,7 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress) {
     l.x.push_back(mu);
     l.y.push_back(length_ratio(mu));
   }
+  // Both strips at each friction; their shares of the progress leave a fifth for letting go.
   double done = 0;
   for (double mu : frictions) {
     progress.update(done, fmt::format("μ = {}", mu));
@@ -159,6 +161,7 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress) {
     length.y.push_back(result.findings.back().obtained);
     done += 0.4 / frictions.size();
   }
+  // Letting go bisects over whole drapes: too slow for a quick run.
   if (effort == Effort::full) {
     progress.update(0.8, "letting go");
     result.findings.push_back(released_length(0.3, progress));

@@ -84,6 +84,7 @@ BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const double edge = 0.006;
   const body::Body body = cylinder_body(kRadius);
+  // The exact curve, finer than the rows that are measured.
   report::Plot plot;
   plot.title = "Largest angular deviation of an eccentric tube";
   plot.x_label = "body-garment mobility";
@@ -93,12 +94,14 @@ BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress) {
     exact.x.push_back(m);
     exact.y.push_back(degrees(std::asin(m / (1 + m))));
   }
+  // Nothing settles: the tube is measured as it is placed, without gravity.
   for (const Row& row : kTable) {
     if (effort == Effort::quick && row.mobility != 0.2) continue;
     progress.update(row.mobility / 0.6, fmt::format("mobility {}", row.mobility));
     progress.check_cancelled();
     const auto bench = tube(row.mobility, edge, fabric::Material{}, 0);
     const Gap gap = measure(bench->specimen(), bench->x, body, 1.5 * edge);
+    // Limits are absolute: degrees and millimetres, as the maps give them.
     const auto add = [&](const char* what, const char* unit, double expected, double obtained,
                          double limit) {
       Finding f;

@@ -135,6 +135,7 @@ class PressedStrip {
 
 BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
   BenchmarkResult result;
+  // The plot and its exact curve, over all rows even in a quick run.
   report::Plot plot;
   plot.title = "Stick-slip of a pressed strip";
   plot.x_label = "lowering ε of the clamp";
@@ -147,6 +148,7 @@ BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
     exact.x.push_back(row.shortening);
     exact.y.push_back(row.critical);
   }
+  // Each row is a strip of its own, which bends and sticks before anything is asked.
   for (const Row& row : kTable) {
     progress.update(static_cast<double>(bisected.x.size()) / std::size(kTable),
                     fmt::format("ε = {}", row.shortening));
@@ -161,6 +163,7 @@ BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
       f.mesh = strip.mesh();
       result.findings.push_back(f);
     };
+    // Bisection about the exact value, and the same told from forces as a second witness.
     const double found = least_friction(0.95 * row.critical, 1.05 * row.critical, 0.004,
                                         [&](double mu) { return strip.holds(mu); });
     add("least μ that holds", row.critical, found);
