@@ -44,9 +44,9 @@ TEST_F(Sites, PatternPlaceIsFoundWhereItDrapes) {
   const Site site = find({{"mine", "tube", {quarter, 0.1}, ""}}).at(0);
   EXPECT_NEAR((site.position - Vec3(0, kTube, 0.45)).norm(), 0, 1e-4);
   EXPECT_NEAR((site.body_point - Vec3(0, kRadius, 0.45)).norm(), 0, 6e-3);
-  EXPECT_NEAR(site.values.at("distance_mm").mean, 10, 0.05);
-  EXPECT_NEAR(site.values.at("angular_deviation_deg").mean, 0, 0.3);
-  EXPECT_EQ(site.values.size(), maps_.size());
+  EXPECT_NEAR(site.map_values.at("distance_mm").mean, 10, 0.05);
+  EXPECT_NEAR(site.map_values.at("angular_deviation_deg").mean, 0, 0.3);
+  EXPECT_EQ(site.map_values.size(), maps_.size());
 }
 
 TEST_F(Sites, LandmarkGoesToTheClothOverIt) {
@@ -131,7 +131,7 @@ TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {
   double length = 0;
   for (const auto& sample : sites[0].footprint.samples) length += sample.area;
   EXPECT_NEAR(length, 2 * kPi * kTube, 1e-3);
-  EXPECT_NEAR(sites[0].values.at("distance_mm").mean, 10, 0.1);
+  EXPECT_NEAR(sites[0].map_values.at("distance_mm").mean, 10, 0.1);
 
   // Another drape of the same garment: 8 mm lower and turned by a quarter. The thread goes along.
   const drape::Drape other = testing::settled_drape(garment_, [](const Vec2& uv) {
@@ -145,7 +145,7 @@ TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {
   EXPECT_NEAR(again[0].position.x(), kTube, 1e-3);  // was in front
   ASSERT_EQ(again[0].footprint.samples.size(), sites[0].footprint.samples.size());
   EXPECT_EQ(again[0].footprint.samples[5].triangle, sites[0].footprint.samples[5].triangle);
-  EXPECT_TRUE(again[0].values.empty());
+  EXPECT_TRUE(again[0].map_values.empty());
 }
 
 TEST_F(Sites, LongAxisOfTheBodyInThePattern) {

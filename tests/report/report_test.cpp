@@ -52,7 +52,7 @@ class Report : public ::testing::Test {
     placement::Site site;
     site.name = "<left> scapula";
     site.panel = "tube";
-    site.values["distance_mm"] = {10.25, 11.5};
+    site.map_values["distance_mm"] = {10.25, 11.5};
     result_.sites = {site};
   }
   static int count(const std::string& text, const std::string& part) {

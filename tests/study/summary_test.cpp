@@ -40,7 +40,7 @@ CaseResult small_result() {
   site.name = "a, \"b\"";
   site.panel = "back";
   site.at = {0.1, -0.2};
-  site.values["distance_mm"] = {6.5, 8};
+  site.map_values["distance_mm"] = {6.5, 8};
   result.sites = {site};
   return result;
 }
@@ -108,7 +108,7 @@ TEST(Summary, WrinklesAndOtherDonningsHaveTheirFigures) {
   again.maps.maps[0].overall.area_mean = 4.5;
   again.maps.wrinkles[body::Region::lower_back] = {radians(88), 0.5, radians(6)};
   again.sites = result.sites;
-  again.sites[0].values["distance_mm"] = {7.5, 9};
+  again.sites[0].map_values["distance_mm"] = {7.5, 9};
   const auto json = nlohmann::json::parse(summary_json(result));
   EXPECT_NEAR(json["wrinkles"]["mid_back"]["angle_deg"], -30, 1e-12);
   EXPECT_EQ(json["wrinkles"]["mid_back"]["coherence"], 0.75);

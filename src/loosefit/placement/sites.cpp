@@ -69,9 +69,9 @@ struct Finder {
         if (sample.triangle != triangles.back()) triangles.push_back(sample.triangle);
     const double angle = angle_in_pattern(garment, positions, triangles, along);
     site.segment_angle = std::isnan(angle) ? 0 : angle;
-    site.values.clear();
+    site.map_values.clear();
     for (const maps::PerformanceMap& map : maps)
-      site.values[map.array] = average(site.footprint, garment, map.values);
+      site.map_values[map.array] = average(site.footprint, garment, map.values);
   }
 };
 

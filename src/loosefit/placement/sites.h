@@ -23,10 +23,10 @@ struct Site {
   Vec3 position = Vec3::Zero();    ///< on the draped garment [m]
   Vec3 body_point = Vec3::Zero();  ///< the skin under it: its partner on the body [m]
   body::Region region = body::Region::chest;
-  std::map<std::string, FootprintValue> values;  ///< by PerformanceMap::array
-  GarmentPoint point = {};                       ///< the same as `panel` and `at`
-  std::optional<BodyAddress> anatomy = {};       ///< of body_point; nothing without landmarks
-  double angle = 0;                              ///< of the sensor's axis [rad]
+  std::map<std::string, FootprintValue> map_values;  ///< by PerformanceMap::array
+  GarmentPoint point = {};                           ///< the same as `panel` and `at`
+  std::optional<BodyAddress> anatomy = {};           ///< of body_point; nothing without landmarks
+  double angle = 0;                                  ///< of the sensor's axis [rad]
   FootprintShape shape = {};
   Footprint footprint = {};  ///< the cloth under the sensor
   /// Direction of the body segment's long axis (towards the trunk, on the trunk upwards) in the

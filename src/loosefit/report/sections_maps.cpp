@@ -113,10 +113,11 @@ std::string site_section(const study::CaseResult& result) {
                                     fixed(1000 * site.at.x(), 0), fixed(1000 * site.at.y(), 0),
                                     spaced(body::name(site.region))};
     for (const maps::PerformanceMap* map : shown) {
-      const auto value = site.values.find(map->array);
-      row.push_back(value == site.values.end() ? "–"
-                                               : value_text(*map, value->second.mean) + " (" +
-                                                     value_text(*map, value->second.worst) + ")");
+      const auto value = site.map_values.find(map->array);
+      row.push_back(value == site.map_values.end()
+                        ? "–"
+                        : value_text(*map, value->second.mean) + " (" +
+                              value_text(*map, value->second.worst) + ")");
     }
     table.add(row);
   }

@@ -28,7 +28,7 @@ Samples samples_of(const std::vector<CaseMap>& maps, const std::vector<placement
   };
   for (const CaseMap& map : maps) take(map_spread_key(map.map.array), map.overall.area_mean);
   for (const placement::Site& site : sites)
-    for (const auto& [array, value] : site.values)
+    for (const auto& [array, value] : site.map_values)
       take(site_spread_key(site.name, array), value.mean);
   return samples;
 }
@@ -124,7 +124,8 @@ CaseRepeats known_repeats(const CaseResult& result) {
   std::set<std::string> known;
   for (const CaseMap& map : result.studied().maps.maps) known.insert(map_spread_key(map.map.array));
   for (const placement::Site& site : result.sites)
-    for (const auto& [array, value] : site.values) known.insert(site_spread_key(site.name, array));
+    for (const auto& [array, value] : site.map_values)
+      known.insert(site_spread_key(site.name, array));
   CaseRepeats repeats = result.repeats;
   std::erase_if(repeats.spread, [&](const auto& entry) { return !known.contains(entry.first); });
   return repeats;

@@ -13,7 +13,7 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
   // Sites may lack a map: the columns are those of all sites together.
   std::set<std::string> arrays;
   for (const placement::Site& site : sites)
-    for (const auto& entry : site.values) arrays.insert(entry.first);
+    for (const auto& entry : site.map_values) arrays.insert(entry.first);
   // Header: place, anatomical address, two columns per map, cover.
   std::vector<std::string> row = {"name", "region", "panel", "u_m",      "v_m",
                                   "x_m",  "y_m",    "z_m",   "angle_deg"};
@@ -34,9 +34,9 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
       row.push_back(io::csv_field(value));
     for (const std::string& field : io::address_fields(site.anatomy)) row.push_back(field);
     for (const std::string& array : arrays) {
-      const auto value = site.values.find(array);
-      row.push_back(value == site.values.end() ? "" : io::csv_field(value->second.mean));
-      row.push_back(value == site.values.end() ? "" : io::csv_field(value->second.worst));
+      const auto value = site.map_values.find(array);
+      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.mean));
+      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.worst));
     }
     row.push_back(site.not_covering.empty() ? "yes" : "no");
     row.push_back(io::csv_field(site.not_covering));

@@ -135,7 +135,7 @@ Json site_json(const placement::Site& site) {
         {"side", io::side_name(*site.anatomy)},
         {"percent",
          {site.anatomy->percent.x(), site.anatomy->percent.y(), site.anatomy->percent.z()}}};
-  for (const auto& [array, value] : site.values) {
+  for (const auto& [array, value] : site.map_values) {
     json[array] = value.mean;
     json[array + "_worst"] = value.worst;
   }

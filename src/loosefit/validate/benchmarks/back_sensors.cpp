@@ -78,7 +78,7 @@ using Sample = std::array<double, kPlaces>;  ///< mean angular deviation in the 
 Sample sample_of(const std::vector<placement::Site>& sites) {
   const auto at = [&](const std::string& name) {
     for (const placement::Site& site : sites)
-      if (site.name == name) return site.values.at(kArray).mean;
+      if (site.name == name) return site.map_values.at(kArray).mean;
     throw InvalidInput("no site '" + name + "' on the shirt", "a shirt that covers the back");
   };
   return {0.5 * (at("scapula_L") + at("scapula_R")), at("mid_back"), at("lower_back"),
