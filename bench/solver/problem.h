@@ -11,7 +11,7 @@ namespace loosefit::bakeoff {
 /// A cloth with its contacts at a start; every race gets a new one, with the same bits.
 struct World {
   std::shared_ptr<void> owner;  ///< keeps the energies alive
-  const solver::solver::ParticleSystem* system = nulparticles::lptr;
+  const solver::ParticleSystem* system = nullptr;
   particles::VectorField x;
 };
 
