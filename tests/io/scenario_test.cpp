@@ -107,7 +107,7 @@ TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   EXPECT_EQ(s.studied().material.material.name, "paper-cotton");
   EXPECT_EQ(s.studied().material.material.bending_warp, 4.41e-6);
   EXPECT_EQ(s.simulation.edge_length, 0.010);
-  EXPECT_EQ(s.output.maps.size(), 3u);
+  EXPECT_EQ(s.output.maps.size(), 4u);
 }
 
 TEST(Scenario, ReadsEveryKey) {

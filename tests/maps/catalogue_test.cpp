@@ -10,6 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/maps/compute_maps.h"
+#include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
 namespace loosefit::maps {
@@ -80,11 +81,35 @@ TEST(MapCatalogue, NamesUnitsAndRangesFitTogether) {
 
 TEST(MapCatalogue, KnowsWhatIsMadeByDefault) {
   EXPECT_EQ(default_map_names(),
-            (std::vector<std::string>{"strain", "distance", "angular-deviation"}));
+            (std::vector<std::string>{"strain", "shear", "distance", "angular-deviation"}));
   for (const std::string& name : map_names()) EXPECT_FALSE(find_map(name)->needs_postures) << name;
   EXPECT_EQ(find_map("drape"), nullptr);
   EXPECT_EQ(find_map_array("gap_mm")->style.map, "gap");
   EXPECT_EQ(find_map_array("gap"), nullptr);
+}
+
+TEST(MapCatalogue, LeadsWithWhatALeadFeelsAndKeepsPrincipalStrainBehindIt) {
+  const double radius = 0.11;
+  const garment::Garment tube = testing::tube_garment(2 * kPi * radius, 0.2, 20, 4);
+  const drape::Drape drape = testing::settled_drape(tube, [&](const Vec2& uv) {
+    const double a = uv.x() / radius;
+    return Vec3(radius * std::cos(a), radius * std::sin(a), 0.4 + uv.y());
+  });
+  const body::PosedBody body = testing::cylinder_body(0.1, 1.0, 100, 20);
+  const auto arrays = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> made;
+    for (const PerformanceMap& map : compute_maps(tube, drape, body, names))
+      made.push_back(map.array);
+    return made;
+  };
+  const std::vector<std::string> principal = {"strain_vertical", "strain_max", "strain_min",
+                                              "slack"};
+  std::vector<std::string> all = {"strain_warp", "strain_weft", "shear_angle_deg"};
+  all.insert(all.end(), principal.begin(), principal.end());
+  EXPECT_EQ(arrays({"shear", "strain"}), all);
+  EXPECT_EQ(arrays({"principal-strain"}), principal);
+  EXPECT_EQ(arrays({"principal-strain", "strain"}).size(), 2 + principal.size())
+      << "asked for twice, made once";
 }
 
 TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAPatchBeforeAWall) {

@@ -65,6 +65,23 @@ class Report : public ::testing::Test {
   std::filesystem::path dir_;
 };
 
+TEST_F(Report, LeadsWithYarnStrainAndShearAndSaysWhatPrincipalStrainIs) {
+  const std::string html = map_section(result_);
+  const auto last = html.rfind("<table"), end = html.rfind("</table");
+  ASSERT_NE(last, std::string::npos);
+  std::size_t before = last;
+  for (const char* title : {"Strain along warp", "Strain along weft", "Trellis shear angle",
+                            "Greatest principal strain", "Body-garment distance"}) {
+    const auto at = html.find(title, last);
+    EXPECT_GT(at, before) << title;
+    EXPECT_LT(at, end) << title;
+    before = at;
+  }
+  EXPECT_EQ(count(html, "mostly shear"), 1);
+  result_.studied().maps.maps.resize(3);
+  EXPECT_EQ(count(map_section(result_), "mostly shear"), 0) << "no principal strain, no sentence";
+}
+
 TEST_F(Report, IsOneSelfContainedPage) {
   const auto picture = dir_ / "distance-front.png";
   std::ofstream(picture, std::ios::binary) << "not really a picture";

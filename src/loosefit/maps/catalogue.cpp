@@ -26,6 +26,7 @@ const std::vector<MapDefinition>& map_catalogue() {
   static const std::vector<MapDefinition> kMaps = {
       strain_map(),
       trellis_shear_map(),
+      principal_strain_map(),
       distance_map(),
       angular_deviation_map(),
       pressure_map(),
@@ -58,7 +59,7 @@ const std::vector<std::string>& map_names() {
 
 const std::vector<std::string>& default_map_names() {
   static const std::vector<std::string> kNames =
-      names_of([](const MapDefinition& map) { return map.by_default; });
+      names_of([](const MapDefinition& map) { return map.by_default && map.made_with.empty(); });
   return kNames;
 }
 

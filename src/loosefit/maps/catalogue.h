@@ -18,7 +18,7 @@ const MapArray* find_map_array(const std::string& array);
 
 /// Words a scenario may use for maps: all but those that are made of several postures.
 const std::vector<std::string>& map_names();
-/// The paper's three, made when nothing is said.
+/// The paper's three and the trellis shear, made when nothing is said.
 const std::vector<std::string>& default_map_names();
 
 }  // namespace loosefit::maps

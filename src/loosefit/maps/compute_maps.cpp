@@ -79,8 +79,11 @@ std::vector<PerformanceMap> compute_maps(const garment::Garment& garment, const 
 
   const MapInput input{garment, drape.positions, worn, options.material, options.pressure};
   std::vector<PerformanceMap> maps;
+  const auto named = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const MapDefinition& map : map_catalogue()) {
-    if (std::find(names.begin(), names.end(), map.name) == names.end()) continue;
+    if (!named(map.name) && !named(map.made_with)) continue;
     for (PerformanceMap& array : make_maps(map, input)) maps.push_back(std::move(array));
   }
   return maps;

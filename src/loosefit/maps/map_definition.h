@@ -106,6 +106,7 @@ struct MapDefinition {
   bool needs_material = false;  ///< the gap begins at the cloth's inner face
   bool needs_forces = false;    ///< contact forces of the drape
   bool needs_postures = false;  ///< made of several postures, not asked for by name
+  std::string made_with = {};   ///< the map that asks for this one, too; "": only its own name
 };
 
 // Values of MapArray::in_unit.

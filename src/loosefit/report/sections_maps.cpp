@@ -24,6 +24,11 @@ std::string title_of(const study::CaseResult& result, const std::string& map) {
   return map == "drape" ? "The garment as it hangs" : map;
 }
 
+bool shows(const std::vector<const study::CaseMap*>& shown, const std::string& array) {
+  return std::any_of(shown.begin(), shown.end(),
+                     [&](const study::CaseMap* entry) { return entry->map.array == array; });
+}
+
 }  // namespace
 
 std::string picture_section(const study::CaseResult& result,
@@ -92,6 +97,12 @@ std::string map_section(const study::CaseResult& result) {
   }
   std::string html = element("h2", "Numbers") + overall.html();
   html += element("h3", "By region of the body: median (5 % … 95 %)") + regions.html();
+  if (shows(shown, "strain_max"))
+    html += element(
+        "p",
+        "A lead along a yarn feels the strain along warp or weft; above zero it is stretched. The "
+        "greatest principal strain of woven cloth is mostly shear at 45° to the yarns, about "
+        "tan(φ/2) of the shear angle φ, and no elongation that such a lead feels.");
   return html +
          element("p",
                  "All statistics of maps are weighted by flat cloth area. Left and right are the "

@@ -29,8 +29,10 @@ inline MapDefinition trellis_shear_map() {
                           "By how much the angle between weft and warp has left the right angle "
                           "that they have in the flat pattern: positive where the warp leans "
                           "towards the weft. Simple shear by γ reads atan γ, whatever the stretch "
-                          "along the yarns. Leads and strain sensors across the grain are sheared "
-                          "by it; a knit gives way at small force, a woven locks.",
+                          "along the yarns, and is the greatest part of the principal strain of "
+                          "woven cloth. Leads and strain sensors on the bias are stretched by it "
+                          "(about tan(φ/2) at 45°); a knit gives way at small force, a woven "
+                          "locks.",
                       .formula = "φ = atan2(F u · F v, |F u × F v|), F = ∂x/∂(u, v)",
                       .source = "Kawabata 1980 (shear angle of KES-F)",
                       .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
@@ -38,7 +40,8 @@ inline MapDefinition trellis_shear_map() {
                       }),
                       .in_unit = in_degrees,
                       .metrics = {{"shear_angle_deg", "trellis shear of the cloth under the sensor",
-                                   OverFootprint::mean, OverStates::reference}}}}};
+                                   OverFootprint::mean, OverStates::reference}}}},
+          .by_default = true};
 }
 
 }  // namespace loosefit::maps
