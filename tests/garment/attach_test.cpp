@@ -55,6 +55,10 @@ TEST(Attachment, BoardKeepsMassAndCentreOfMassOnEveryLevel) {
     const Garment &a = plain.levels[l], &b = loaded.levels[l];
     EXPECT_NEAR(total(b.vertex_mass) - total(a.vertex_mass), .02, 1e-12);
     EXPECT_NEAR(b.mass - a.mass, .02, 1e-12);
+    EXPECT_TRUE(a.vertex_attached_mass.empty());
+    EXPECT_NEAR(total(b.vertex_attached_mass), .02, 1e-12);
+    for (int v = 0; v < b.vertex_count; ++v)
+      EXPECT_NEAR(b.cloth_mass(v), a.vertex_mass[v], 1e-15);
     Vec2 moment = Vec2::Zero();
     for (int v = 0; v < b.vertex_count; ++v)
       moment += (b.vertex_mass[v] - a.vertex_mass[v]) * b.vertex_uv[v];

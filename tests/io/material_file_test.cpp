@@ -12,6 +12,7 @@
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
 #include "loosefit/fabric/stress_curve.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "support/wool_sample.h"
@@ -323,6 +324,36 @@ TEST(Kes, ACardTellsAllThatItLacksAtOnce) {
   } catch (const InvalidInput& e) {
     EXPECT_EQ(e.hint(), "did you mean \"source\"?") << e.what();
   }
+}
+
+// Beyond the range of its constants a drape is extrapolated, so no card may leave it open.
+TEST(MaterialFile, EveryShippedCardSaysHowFarItsTensionHoldsAndWhereThatIsFrom) {
+  for (const std::string& name : material_names()) {
+    const scenario::MaterialCard card = load_material(name);
+    EXPECT_GT(card.material.valid_strain_warp, 0) << name;
+    EXPECT_GT(card.material.valid_strain_weft, 0) << name;
+    EXPECT_FALSE(card.valid_strain_source.empty()) << name;
+  }
+}
+
+TEST(MaterialFile, ACurveIsValidUpToItsLastPoint) {
+  const fabric::Material wool = load_material("wool-measured").material;
+  // Green strain 0.1142 and 0.01361: λ = √(1 + 2 E).
+  EXPECT_NEAR(wool.valid_strain_weft, std::sqrt(1 + 2 * 0.1142) - 1, 1e-12);
+  EXPECT_NEAR(wool.valid_strain_warp, std::sqrt(1 + 2 * 0.01361) - 1, 1e-12);
+  EXPECT_NEAR(wool.valid_shear, std::asin(0.14), 1e-12);
+}
+
+TEST(MaterialFile, AnotherStiffnessIsNotValidAsFarAsThatOfTheCardWas) {
+  const auto own = [](const std::string& text) {
+    return parse_scenario("[material]\nname = \"wool-measured\"\n" + text, "m.toml")
+        .studied()
+        .material.material;
+  };
+  EXPECT_EQ(own("stiffness_weft = 900\n").valid_strain_weft, 0);
+  EXPECT_GT(own("stiffness_weft = 900\n").valid_strain_warp, 0);
+  EXPECT_EQ(own("stiffness_weft = 900\nvalid_strain_weft = 0.3\n").valid_strain_weft, 0.3);
+  EXPECT_EQ(own("kes.EMT_weft = 6\n").valid_strain_weft, 0.06);
 }
 
 }  // namespace

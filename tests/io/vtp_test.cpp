@@ -61,6 +61,18 @@ TEST_F(Vtp, DrapeComesBackToTheLastBit) {
   EXPECT_TRUE(file.drape.body_normal_force.empty());
 }
 
+TEST_F(Vtp, StabilityAndFoldedEdgesComeBackAndMayBeUnknown) {
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_);
+  EXPECT_FALSE(read_drape_vtp(dir_ / "d.vtp").drape.certificate.stable.has_value());
+  drape_.certificate.folded_edges = 3;
+  for (const bool stable : {true, false}) {
+    drape_.certificate.stable = stable;
+    write_drape_vtp(dir_ / "d.vtp", garment_, drape_);
+    EXPECT_EQ(read_drape_vtp(dir_ / "d.vtp").drape.certificate.stable, stable);
+    EXPECT_EQ(read_drape_vtp(dir_ / "d.vtp").drape.certificate.folded_edges, 3);
+  }
+}
+
 TEST_F(Vtp, NormalForceOfTheBodyComesBackWithTheDrape) {
   for (int i = 0; i < garment_.vertex_count; ++i) drape_.body_normal_force.push_back(i / 3.0);
   write_drape_vtp(dir_ / "d.vtp", garment_, drape_);

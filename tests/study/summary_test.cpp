@@ -51,6 +51,8 @@ TEST(Summary, HasTheStableKeys) {
   EXPECT_EQ(json["sealed"], false);
   EXPECT_EQ(json["residual"], 5e-4);
   EXPECT_EQ(json["intersections"]["body"], 0);
+  EXPECT_EQ(json["intersections"]["folded_edges"], 0);
+  EXPECT_TRUE(json["stable"].is_null());
   EXPECT_EQ(json["vertices"], 3);
   EXPECT_EQ(json["triangles"], 1);
   EXPECT_EQ(json["seconds"]["settle"], 2.0);

@@ -77,6 +77,8 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
                                                                garment.triangle_added_bending, m,
                                                                viscous, garment.triangle_built_in));
     system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
+    for (int v = 0; v < garment.vertex_count; ++v)
+      system_.cloth_mass.push_back(garment.cloth_mass(v));
     // Cloth keeps half its thickness from the skin.
     half_thickness_.push_back(0.5 * m.thickness);
     contact_stiffness_.push_back(transverse_stiffness(m, tuning));

@@ -105,6 +105,10 @@ void ClothState::settle(const SettleGoal& goal) {
   const int iterations = std::min(goal.max_iterations, budget.iterations_left());
   solver::SettleOptions settle;
   settle.tolerance = goal.tolerance;
+  // Only at rest is a single particle looked at.
+  if (const double rest = std::max(options.residual_tolerance, solver::kRestTolerance);
+      counts && goal.tolerance <= rest)
+    settle.largest = solver::kRestLargest * (rest / solver::kRestTolerance);
   settle.tangent =
       particles::BendingTangent::hinge;  // half the cost of an iteration, as many of them
   settle.max_iterations =

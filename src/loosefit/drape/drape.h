@@ -14,12 +14,16 @@ namespace loosefit::drape {
 
 /// Proof that a drape is at rest and worn, or why it is not (docs/theory/solver.md 1).
 struct Certificate {
-  double residual = 1;          ///< ‖F‖₂ / ‖W‖₂ over free particles [–]
-  double residual_max = 1;      ///< max ‖F_i‖ / mean ‖W_i‖ [–]
-  int intersections_body = -1;  ///< triangle pairs, exact test; -1 = not tested
-  int intersections_self = -1;
+  double residual = 1;  ///< ‖F‖₂ / ‖W‖₂ over free particles, W of the cloth alone [–]
+  double residual_max = 1;       ///< max ‖F_i‖ / mean ‖W_i‖ [–]
+  int intersections_body = -1;   ///< triangle pairs, exact test; -1 = not tested
+  int intersections_self = -1;   ///< the same, and folded edges
   std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
   int intersections_layers = 0;  ///< of intersections_self, those between two garments
+  int folded_edges = 0;          ///< of intersections_self, edges on which cloth is folded flat
+  /// Whether the exact Hessian is positive definite (solver/stability.h): the balance is a minimum
+  /// of the energy and no saddle; absent: not tested.
+  std::optional<bool> stable = {};
   /// Why it is not worn (drape/worn.h); of a drape of several garments those of each. Who only
   /// drapes does not ask: empty then.
   std::vector<std::string> worn_reasons = {};
@@ -30,7 +34,13 @@ struct Certificate {
   bool worn() const { return worn_reasons.empty(); }
   /// What maps and exit codes ask for.
   bool holds() const { return settled() && worn(); }
-  bool is_balanced() const { return residual <= allowed_residual; }
+  /// As residual, of residual_max.
+  double allowed_largest() const {
+    return solver::kRestLargest * (allowed_residual / solver::kRestTolerance);
+  }
+  bool is_balanced() const {
+    return residual <= allowed_residual && residual_max <= allowed_largest();
+  }
   bool settled() const {
     return is_balanced() && intersections_body == 0 && intersections_self == 0;
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/geometry/folded_edges.h"
 
 namespace loosefit::drape {
 namespace {
@@ -85,6 +86,7 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
   }
   for (const auto& [t, s] : geometry::self_intersections(x, triangles))
     add(t, w.panel_of_triangle(s));
+  for (const auto& [t, s] : geometry::folded_edges(x, triangles)) add(t, w.panel_of_triangle(s));
   return cuts;
 }
 
@@ -139,6 +141,9 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const garment::
   const double lag = std::pow(model.system().lagged_friction_force(), 2);
   u.lagging_share = sum + lag > 0 ? lag / (sum + lag) : 0;
   u.times_allowed = certificate.residual / certificate.allowed_residual;
+  if (u.times_allowed <= 1)  // then it is one particle alone
+    u.times_allowed =
+        std::max(u.times_allowed, certificate.residual_max / certificate.allowed_largest());
   std::vector<int> order(x.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return square[a] > square[b]; });

@@ -5,6 +5,7 @@
 #include "loosefit/drape/phases/dress_on.h"
 #include "loosefit/drape/phases/follow_posture.h"
 #include "loosefit/drape/phases/free_penetrations.h"
+#include "loosefit/drape/phases/leave_saddle.h"
 #include "loosefit/drape/phases/lift_off.h"
 
 namespace loosefit::drape {
@@ -32,7 +33,14 @@ bool has_left_field(ClothState& state) { return !state.body->field->covers(bound
 bool converged_but_above_tolerance(ClothState& state) {
   return state.last.reason == solver::SettleOutcome::Reason::converged && !state.given_up &&
          !state.must_stop() && !state.best_was_taken &&
-         state.certificate.residual > state.options.residual_tolerance;
+         (state.certificate.residual > state.options.residual_tolerance ||
+          !state.certificate.is_balanced());
+}
+
+bool rests_on_saddle(ClothState& state) {
+  const Certificate& c = state.certificate;
+  return c.settled() && c.stable == false && !state.best_was_taken && !state.is_over() &&
+         state.options.integrator == IntegratorKind::quasi_static;
 }
 
 /// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
@@ -106,6 +114,12 @@ const Recoveries& recoveries() {
        "contacts that came or went have to find their balance, too",
        [](const SettlingTuning& tuning) { return tuning.certify.attempts; },
        converged_but_above_tolerance, settle_nearer},
+      {Kind::leave_saddle, Point::certified, "leave a saddle of the energy",
+       "the forces balance where the energy is no minimum: the least push would send the cloth "
+       "elsewhere",
+       "along the direction of lowest curvature the energy falls, and beyond it there is a minimum",
+       [](const SettlingTuning& tuning) { return tuning.certify.saddle_attempts; }, rests_on_saddle,
+       leave_saddle},
       {Kind::best_state, Point::certified, "best state so far", "the drape is not settled",
        "the way may have led away from a better state: without intersections, or of a lower "
        "residual",

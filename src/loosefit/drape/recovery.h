@@ -16,6 +16,7 @@ enum class RecoveryKind {
   raise_offsets,
   renew_field,
   nearer_to_rest,
+  leave_saddle,
   best_state,
   lift_off
 };

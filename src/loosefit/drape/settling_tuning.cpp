@@ -143,7 +143,9 @@ Fields certify_fields(CertifyTuning& t) {
       .share("first_share", t.first_share)
       .share("next_share", t.next_share)
       .share("worth_keeping", t.worth_keeping)
-      .count("attempts", t.attempts);
+      .count("attempts", t.attempts)
+      .count("saddle_attempts", t.saddle_attempts)
+      .length("saddle_step", t.saddle_step);
 }
 
 Fields fall_fields(FreeFallTuning& t) {

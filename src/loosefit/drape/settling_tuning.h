@@ -198,6 +198,10 @@ struct CertifyTuning {
   double first_share = 0.8;
   double next_share = 0.5;
   int attempts = 3;  ///< [–]; chosen by experiment
+  /// How often a saddle is left [–], and how far the particle that goes farthest goes then [m]:
+  /// two thicknesses of a fabric, so that it comes clear of what held it.
+  int saddle_attempts = 3;
+  double saddle_step = 1e-3;
   /// Fall of the residual that makes a state worth keeping [–]: a copy costs a tenth of an
   /// iteration.
   double worth_keeping = 0.7;

@@ -32,6 +32,9 @@ struct Material {
   double friction_body = 0.4;          ///< Coulomb, fabric on skin [–]
   double friction_self = 0.4;          ///< fabric on fabric [–]
   double damping = 0.02;               ///< stiffness-proportional damping time [s]; dynamics only
+  /// Largest elongation λ − 1 [–] and shear angle [rad] up to which the constants and curves of the
+  /// plane stand for what was measured; beyond, they are extrapolated. 0: not stated.
+  double valid_strain_warp = 0, valid_strain_weft = 0, valid_shear = 0;
 };
 
 /// Multiplies everything that resists in the plane, curves included, by `share`.

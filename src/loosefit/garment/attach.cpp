@@ -37,7 +37,11 @@ void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
     if (distance == 0) break;
   }
   if (best < 0) return;
-  for (int i = 0; i < 3; ++i) g.vertex_mass[g.triangles[best][i]] += weights[i] * mass;
+  g.vertex_attached_mass.resize(g.vertex_count, 0.0);
+  for (int i = 0; i < 3; ++i) {
+    g.vertex_mass[g.triangles[best][i]] += weights[i] * mass;
+    g.vertex_attached_mass[g.triangles[best][i]] += weights[i] * mass;
+  }
 }
 
 /// Footprint of a board. `may_cover` looks ahead at the box of one triangle: false if it lies

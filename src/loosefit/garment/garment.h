@@ -22,6 +22,8 @@ struct Garment {
   std::vector<Vec2> vertex_uv;           ///< pattern position in that panel [m]
 
   std::vector<double> vertex_mass;  ///< lumped: fabric, attachments, seams [kg]
+  /// Share of vertex_mass that belongs to attachments [kg]; empty: there are none.
+  std::vector<double> vertex_attached_mass;
   std::vector<double>
       triangle_membrane_factor;                ///< in-plane stiffness multiplier (1 = plain fabric)
   std::vector<double> triangle_added_bending;  ///< isotropic rigidity added by attachments [N m]
@@ -39,7 +41,12 @@ struct Garment {
   std::vector<EdgeChain> edge_chains;  ///< every edge of every panel
 
   double area = 0;  ///< flat area [m²]
-  double mass = 0;  ///< [kg]
+  double mass = 0;  ///< with attachments [kg]
+
+  /// Mass of one vertex without attachments [kg].
+  double cloth_mass(int vertex) const {
+    return vertex_mass[vertex] - (vertex_attached_mass.empty() ? 0 : vertex_attached_mass[vertex]);
+  }
 
   /// Chain of `panel`/`edge` by name; nullptr if there is none.
   const EdgeChain* find_chain(const std::string& panel, const std::string& edge) const;

@@ -69,6 +69,66 @@ void read_isotropic_pair(ConfigReader& table, scenario::MaterialCard& card,
       *modulus, *h, sheet, plate, m.bending_warp, m.bending_warp / plate));
 }
 
+bool same_curve(const std::vector<fabric::CurvePoint>& a,
+                const std::vector<fabric::CurvePoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const fabric::CurvePoint& p, const fabric::CurvePoint& q) {
+                      return p.strain == q.strain && p.force == q.force;
+                    });
+}
+
+/// A curve is valid up to its last point, and the secant to EMT up to EMT, unless the table says
+/// otherwise; another law in place of that of `before` without a range of its own has none. Adds to
+/// `set` what was found.
+void find_valid_strains(const fabric::Material& before, scenario::MaterialCard& card,
+                        std::set<std::string>& set) {
+  fabric::Material& m = card.material;
+  struct Direction {
+    const char* stiffness;
+    const char* key;
+    double fabric::Material::*value;
+    double fabric::Material::*law;
+    std::vector<fabric::CurvePoint> fabric::Material::*curve;
+    const char* emt;
+    bool shear;
+  };
+  using M = fabric::Material;
+  const Direction directions[] = {{"stiffness_warp", "valid_strain_warp", &M::valid_strain_warp,
+                                   &M::stiffness_warp, &M::curve_warp, "EMT_warp", false},
+                                  {"stiffness_weft", "valid_strain_weft", &M::valid_strain_weft,
+                                   &M::stiffness_weft, &M::curve_weft, "EMT_weft", false},
+                                  {"stiffness_shear", "valid_shear", &M::valid_shear,
+                                   &M::stiffness_shear, &M::curve_shear, "", true}};
+  for (const Direction& d : directions) {
+    const auto& curve = m.*d.curve;
+    // What the law itself says of its range.
+    double found = 0;
+    std::string how;
+    if (!curve.empty()) {
+      const double last = curve.back().strain;
+      found = d.shear ? std::asin(std::min(last, 1.0)) : last;
+      how = "last point of the curve";
+    } else if (const auto of = card.how.find(d.stiffness);
+               of != card.how.end() && of->second.find("kes.EMT") != std::string::npos) {
+      for (const scenario::KesFigure& f : card.kes)
+        if (f.key == "EMT" || f.key == d.emt) found = f.value / 100;
+      how = "the elongation of kes.EMT";
+    }
+    if (set.count(d.key)) {  // the table has a range
+      if (found > 0 && m.*d.value == found) card.how[d.key] = how;
+      continue;
+    }
+    const bool same = m.*d.law == before.*d.law && same_curve(curve, before.*d.curve);
+    if (!set.count(d.stiffness) || (same && before.*d.value > 0)) continue;
+    m.*d.value = found;
+    card.how.erase(d.key);
+    card.stated.erase(d.key);
+    if (!(found > 0)) continue;
+    card.how[d.key] = how;
+    set.insert(d.key);
+  }
+}
+
 // All that a card lacks, at once.
 void refuse_gaps(const ConfigReader& table, const scenario::MaterialCard& card) {
   std::vector<std::string> lacking, wanted;
@@ -110,6 +170,9 @@ const std::vector<MaterialConstant>& material_constants() {
       {"friction_body", &fabric::Material::friction_body, {0, 3, "a coefficient"}},
       {"friction_self", &fabric::Material::friction_self, {0, 3, "a coefficient"}},
       {"damping", &fabric::Material::damping, {0, 10, "seconds"}},
+      {"valid_strain_warp", &fabric::Material::valid_strain_warp, {1e-4, 10, "a number"}, false},
+      {"valid_strain_weft", &fabric::Material::valid_strain_weft, {1e-4, 10, "a number"}, false},
+      {"valid_shear", &fabric::Material::valid_shear, {1e-4, 1.5, "rad"}, false},
   };
   return kTable;
 }
@@ -147,6 +210,7 @@ scenario::MaterialCard read_material_file(const std::filesystem::path& path) {
   card.title = table.text("title", card.material.name);
   card.status = table.text("status", "not stated");
   card.material.source = table.text("source", "");
+  card.valid_strain_source = table.text("valid_strain_source", "");
   card.stated = read_material_constants(table, card);
   table.finish();
   refuse_gaps(table, card);
@@ -156,6 +220,7 @@ scenario::MaterialCard read_material_file(const std::filesystem::path& path) {
 std::set<std::string> read_material_constants(ConfigReader& table, scenario::MaterialCard& card) {
   refuse_bending_in_other_units(table);
   fabric::Material& m = card.material;
+  const fabric::Material before = m;
   const std::map<std::string, std::string> converted = read_material_kes(table, m, card.kes);
   std::set<std::string> set;
   for (const auto& entry : converted) set.insert(entry.first);
@@ -176,6 +241,7 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
     card.how[std::string("stiffness_") + direction] =
         std::string("initial slope of curve.") + direction;
   }
+  find_valid_strains(before, card, set);
   return set;
 }
 
@@ -192,8 +258,12 @@ std::string material_toml(const fabric::Material& material) {
            (value == &fabric::Material::stiffness_weft && !material.curve_weft.empty()) ||
            (value == &fabric::Material::stiffness_shear && !material.curve_shear.empty());
   };
+  const auto is_unstated = [&](const MaterialConstant& c) {
+    return std::string(c.key).starts_with("valid_") && material.*c.value == 0;
+  };
   for (const MaterialConstant& c : material_constants())
-    if (!has_curve(c.value)) text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
+    if (!has_curve(c.value) && !is_unstated(c))
+      text += fmt::format("{} = {}\n", c.key, shortest(material.*c.value));
   return text + material_curves_toml(material);
 }
 

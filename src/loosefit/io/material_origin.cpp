@@ -93,8 +93,10 @@ void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
   // A resolved scenario writes out what it took from the card as well; those of earlier versions
   // did so without `given`, and knew neither title nor source.
   const std::vector<std::string> given = table.choices("given", {}, material_keys());
-  const bool resolved = table.has("given") || (set.size() == material_keys().size() &&
-                                               own.title.empty() && own.source.empty());
+  const bool has_all = std::ranges::all_of(material_constants(), [&](const MaterialConstant& c) {
+    return set.count(c.key) || std::string(c.key).starts_with("valid_");  // later than the others
+  });
+  const bool resolved = table.has("given") || (has_all && own.title.empty() && own.source.empty());
   for (const MaterialConstant& c : material_constants()) {
     if (!set.count(c.key)) continue;
     const bool named = std::find(given.begin(), given.end(), c.key) != given.end();

@@ -113,6 +113,12 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
   vtkDataArray* crossings = need(path, data->GetFieldData(), "intersections", 1, 2);
   certificate.intersections_body = static_cast<int>(crossings->GetComponent(0, 0));
   certificate.intersections_self = static_cast<int>(crossings->GetComponent(1, 0));
+  // Absent in early files.
+  if (data->GetFieldData()->HasArray("folded_edges"))
+    certificate.folded_edges = static_cast<int>(
+        need(path, data->GetFieldData(), "folded_edges", 1, 1)->GetComponent(0, 0));
+  if (data->GetFieldData()->HasArray("stable"))
+    certificate.stable = need(path, data->GetFieldData(), "stable", 1, 1)->GetComponent(0, 0) != 0;
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();
   if (data->GetFieldData()->HasArray("worn_reasons"))  // absent in early files

@@ -134,6 +134,8 @@ void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& 
   vtkFieldData* field = data->GetFieldData();
   add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);
   add_array(field, "intersections", {c.intersections_body, c.intersections_self});
+  add_array(field, "folded_edges", {c.folded_edges});
+  if (c.stable) add_array(field, "stable", {*c.stable ? 1 : 0});
   add_strings(field, "stop_reason", {c.stop_reason});
   add_array(field, "worn", {c.worn() ? 1 : 0});
   add_strings(field, "worn_reasons", c.worn_reasons);

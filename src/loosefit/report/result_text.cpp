@@ -20,6 +20,7 @@ std::string certificate_text(const study::CaseResult& result) {
                   certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
                   certificate.intersections_body, certificate.intersections_self,
                   terminal_line(certificate.stop_reason));
+  if (certificate.stable == false) text += "NOT STABLE: at rest on a saddle of the energy\n";
   if (certificate.worn())
     text += "worn: every limb goes through its opening, and no opening has left its place\n";
   else
@@ -37,6 +38,13 @@ std::string map_table(const std::vector<study::CaseMap>& maps) {
     text += fmt::format("{:24} {} {} {}\n", map.map.array, number_or_dash(map.overall.p5),
                         number_or_dash(map.overall.median), number_or_dash(map.overall.p95));
   return text;
+}
+
+std::string load_text(const study::CaseMaps& maps) {
+  if (!maps.load) return {};
+  return fmt::format(
+      "normal force {:.3g} N, {:.3g} times the weight; within 1 mm of the skin {:.0f} %\n",
+      maps.load->normal_force, maps.load->force_over_weight(), 100 * maps.load->near_share[1]);
 }
 
 std::string timings(const study::CaseResult& result) {
@@ -59,6 +67,7 @@ std::string result_text(const study::CaseResult& result) {
   text += certificate_text(result);
   for (const auto& [level, mobility] : result.studied().pattern.fit)
     text += fmt::format("fit {:8} {:+.3f}\n", terminal_line(level), mobility);
+  text += load_text(result.studied().maps);
   text += map_table(result.studied().maps.maps);
   if (result.sealed()) text += "sealed: no maps; see log.jsonl, or use --allow-unsettled\n";
   return text + timings(result);

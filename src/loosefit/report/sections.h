@@ -25,6 +25,9 @@ std::string definition_section(const study::CaseResult& result);
 std::string map_section(const study::CaseResult& result);
 /// Contact pressure by both estimates, over the garment and per region, with their disagreement.
 std::string pressure_section(const study::CaseResult& result);
+/// Whether a garment that is meant to hang hangs: its force over its weight, by limb, contact, ease
+/// as asked and as cut, and strain against what the cloth was measured over.
+std::string fit_check_section(const study::CaseResult& result);
 /// Slope, direction and coherence of the folds per region.
 std::string wrinkle_section(const study::CaseResult& result);
 /// The quantities of the maps at every site.

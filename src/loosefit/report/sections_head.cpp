@@ -94,6 +94,9 @@ std::string certificate_section(const study::CaseResult& result) {
                       fact("largest on one particle", number(c.residual_max, 3)) +
                       fact("crossings with the body", count_text(c.intersections_body)) +
                       fact("crossings with itself", count_text(c.intersections_self)) +
+                      fact("stable:", !c.stable   ? "not tested"
+                                      : *c.stable ? "yes"
+                                                  : "no") +
                       (result.worn_under().empty() ? ""
                                                    : fact("of these, between garments",
                                                           count_text(c.intersections_layers))) +

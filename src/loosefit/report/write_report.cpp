@@ -15,11 +15,11 @@ std::string report_html(const study::CaseResult& result,
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>Loosefit report</title>\n<style>" +
          std::string(kReportStyle) + "</style>\n</head>\n<body>\n" + headline_section(result) +
-         certificate_section(result) + unsettled_section(result) + layer_section(result) +
-         ranking_section(ranking) + wear_section(result) + picture_section(result, pictures) +
-         map_section(result) + wrinkle_section(result) + pressure_section(result) +
-         site_section(result) + repeat_section(result) + fit_section(result) +
-         definition_section(result) + provenance_section(result) +
+         certificate_section(result) + unsettled_section(result) + fit_check_section(result) +
+         layer_section(result) + ranking_section(ranking) + wear_section(result) +
+         picture_section(result, pictures) + map_section(result) + wrinkle_section(result) +
+         pressure_section(result) + site_section(result) + repeat_section(result) +
+         fit_section(result) + definition_section(result) + provenance_section(result) +
          element("p", "Made by Loosefit " + escaped(version()) + ".", "lead") +
          "</body>\n</html>\n";
 }

@@ -28,9 +28,10 @@ struct MaterialCard {
   std::string key;  ///< name of the shipped card or absolute path of its file
   fabric::Material material;
   std::string title;
-  std::string status;              ///< how far the numbers can be trusted
-  std::vector<KesFigure> kes;      ///< as measured, in the units of the KES instruments
-  std::vector<std::string> notes;  ///< said to the user: an isotropic E and its contradiction
+  std::string status;               ///< how far the numbers can be trusted
+  std::string valid_strain_source;  ///< where Material::valid_strain_warp … come from
+  std::vector<KesFigure> kes;       ///< as measured, in the units of the KES instruments
+  std::vector<std::string> notes;   ///< said to the user: an isotropic E and its contradiction
 
   std::set<std::string> stated;  ///< constants that the card states; the others have defaults
   /// Of constants that stand for another figure, the conversion: "kes.T = 0.4 mm × 0.001".

@@ -19,7 +19,7 @@ class ImplicitEuler : public Integrator {
     const double dt = options.first_dt;
     for (int step = 0;; ++step) {
       outcome.work = newton.work();
-      if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
+      if (check_convergence_at(system_, x, options.goal(), outcome)) return outcome;
       if (step >= options.max_iterations) {
         outcome.reason = SettleOutcome::Reason::iteration_limit;
         return outcome;

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 
 #include "loosefit/solver/rest_tolerance.h"
 #include "loosefit/solver/settle_outcome.h"
@@ -9,6 +10,8 @@ namespace loosefit::solver {
 /// When to stop settling, and what to tell on the way.
 struct SettleOptions {
   double tolerance = kRestTolerance;  ///< ‖F‖₂/‖W‖₂ [–]
+  /// max‖F_i‖ / mean‖W_i‖ besides [–].
+  double largest = std::numeric_limits<double>::infinity();
   int max_iterations = 1000;  ///< Newton iterations, or time steps of the dynamic integrators
   double max_move = 0.02;     ///< largest particle move per step, of all or of a region [m]
   double first_dt = 0.01;     ///< first pseudo-time step, or the time step of implicit Euler [s]
@@ -17,6 +20,8 @@ struct SettleOptions {
   particles::BendingTangent tangent = particles::BendingTangent::plate;
   /// Called about once per iteration with (iteration, residual); true asks to stop.
   std::function<bool(int, double)> watch;
+
+  RestGoal goal() const { return {tolerance, largest}; }
 };
 
 /// Moves particles until their forces balance. All kinds (quasi_static.h, implicit_euler.h,

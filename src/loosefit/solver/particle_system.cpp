@@ -71,11 +71,12 @@ std::uint64_t ParticleSystem::pattern_version(const particles::VectorField& x) c
 
 Residual residual_of(const ParticleSystem& system, const particles::VectorField& gradient) {
   Residual r;
+  const std::vector<double>& cloth = system.cloth_mass.empty() ? system.mass : system.cloth_mass;
   double force2 = 0, weight2 = 0, weight = 0, largest2 = -1;
   int free = 0;
   for (int i = 0; i < system.particles(); ++i) {
     if (system.is_held(i)) continue;
-    const double f2 = gradient[i].squaredNorm(), w = system.mass[i] * system.gravity;
+    const double f2 = gradient[i].squaredNorm(), w = cloth[i] * system.gravity;
     force2 += f2;
     weight2 += w * w;
     weight += w;

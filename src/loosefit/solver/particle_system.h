@@ -11,6 +11,9 @@ namespace loosefit::solver {
 struct ParticleSystem {
   std::vector<particles::Energy*> energies;
   std::vector<double> mass;  ///< [kg]
+  /// Masses whose weight residuals refer to [kg]: those of the cloth without the boards on it,
+  /// which are a load. Empty: all of `mass`.
+  std::vector<double> cloth_mass;
   /// Non-zero: a held particle, which does not move (Dirichlet condition); empty: all are free.
   std::vector<char> held;
   double gravity = 9.80665;  ///< only for the weight in the residual [m/s²]
@@ -33,7 +36,9 @@ struct ParticleSystem {
   std::uint64_t pattern_version(const particles::VectorField& x) const;
 };
 
-/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (docs/theory/solver.md 1).
+/// Force balance of free particles: ‖F‖₂/‖W‖₂ and max‖F_i‖ / mean‖W_i‖ (docs/theory/solver.md 1),
+/// W the weight of the cloth alone (ParticleSystem::cloth_mass): a heavy board must not excuse a
+/// force that the cloth would not have been allowed without it.
 /// The lagged friction force of the energies counts as a force.
 struct Residual {
   double norm = 0, largest = 0;

@@ -44,7 +44,7 @@ class QuasiStatic : public Integrator {
     while (true) {
       renew_friction(x);
       const bool is_over =
-          check_convergence(system_, method_->gradient(x), options.tolerance, outcome);
+          check_convergence(system_, method_->gradient(x), options.goal(), outcome);
       outcome.work = method_->work();
       if (is_over) return outcome;
       if (outcome.work.iterations >= options.max_iterations)

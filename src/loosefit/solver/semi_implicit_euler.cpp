@@ -70,7 +70,7 @@ class SemiImplicitEuler : public Integrator {
     for (int step = 0;; ++step) {
       if (step % tuning_.refresh_interval == 0) {
         outcome.work.iterations = step;
-        if (check_convergence_at(system_, x, options.tolerance, outcome)) return outcome;
+        if (check_convergence_at(system_, x, options.goal(), outcome)) return outcome;
         if (step >= options.max_iterations) {
           outcome.reason = SettleOutcome::Reason::iteration_limit;
           return outcome;

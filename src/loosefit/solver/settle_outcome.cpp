@@ -6,20 +6,21 @@
 namespace loosefit::solver {
 
 bool check_convergence_at(const ParticleSystem& system, const particles::VectorField& x,
-                          double tolerance, SettleOutcome& outcome) {
+                          const RestGoal& goal, SettleOutcome& outcome) {
   system.begin_step(x, std::numeric_limits<double>::infinity());
-  return check_convergence(system, system.gradient(x), tolerance, outcome);
+  return check_convergence(system, system.gradient(x), goal, outcome);
 }
 
 bool check_convergence(const ParticleSystem& system, const particles::VectorField& gradient,
-                       double tolerance, SettleOutcome& outcome) {
+                       const RestGoal& goal, SettleOutcome& outcome) {
   const Residual r = residual_of(system, gradient);
   outcome.residual = r.norm;
   outcome.residual_max = r.largest;
   outcome.worst_particle = r.worst_particle;
   if (!std::isfinite(r.norm)) outcome.reason = SettleOutcome::Reason::diverged;
-  if (r.norm <= tolerance) outcome.reason = SettleOutcome::Reason::converged;
-  return !std::isfinite(r.norm) || r.norm <= tolerance;
+  const bool met = r.norm <= goal.norm && r.largest <= goal.largest;
+  if (met) outcome.reason = SettleOutcome::Reason::converged;
+  return !std::isfinite(r.norm) || met;
 }
 
 std::string SettleOutcome::text() const {

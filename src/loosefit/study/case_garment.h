@@ -1,13 +1,16 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "loosefit/drape/drape.h"
 #include "loosefit/garment/hierarchy.h"
+#include "loosefit/maps/body_load.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/maps/pressure.h"
 #include "loosefit/maps/statistics.h"
+#include "loosefit/maps/strain_range.h"
 #include "loosefit/maps/worn_garment.h"
 #include "loosefit/maps/wrinkle_direction.h"
 #include "loosefit/study/case_pattern.h"
@@ -35,6 +38,8 @@ struct CaseMaps {
   CasePressure pressure;
   maps::GarmentGirth chest;  ///< cut through the torso at the wearer's chest level
   std::map<body::Region, maps::WrinkleDirection> wrinkles;
+  std::optional<maps::BodyLoad> load;  ///< absent when the drape does not know its forces
+  maps::StrainRange strain_range;
 };
 
 /// One garment of a case, from its pattern to its maps. Lists begin with the innermost garment.

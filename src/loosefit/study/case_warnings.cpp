@@ -6,6 +6,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/study/case_boards.h"
+#include "loosefit/study/case_ease.h"
 
 namespace loosefit::study {
 namespace {
@@ -27,6 +28,17 @@ void add_garments(Lines& all, const CaseResult& result) {
   }
 }
 
+/// How the studied garment fits, and whether its cloth was measured as far as it is strained.
+void add_fit(Lines& all, const CaseResult& result) {
+  const CaseGarment& studied = result.studied();
+  const scenario::ScenarioGarment& asked = result.scenario.studied();
+  add(all, "fit", ease_warnings(station_eases(studied.pattern, asked.spec), studied.maps.load));
+  for (std::size_t g = 0; g < result.garments.size(); ++g)
+    add(all, "material",
+        strain_range_warnings(result.garments[g].maps.strain_range,
+                              result.scenario.garments[g].material));
+}
+
 void add_certificate(Lines& all, const drape::Certificate& certificate) {
   if (!certificate.settled())
     all.push_back(
@@ -34,6 +46,10 @@ void add_certificate(Lines& all, const drape::Certificate& certificate) {
                     "body {}, with itself {}",
                     certificate.stop_reason, certificate.residual, certificate.intersections_body,
                     certificate.intersections_self));
+  else if (certificate.stable == false)
+    all.push_back(
+        "settle: not stable: the forces balance, but on a saddle of the energy that was not left; "
+        "a touch would send the cloth into other folds");
   if (!certificate.worn()) all.push_back("not worn: " + join(certificate.worn_reasons, "; "));
 }
 
@@ -68,6 +84,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   });
   add(all, "body", of_donnings);
   add_garments(all, result);
+  add_fit(all, result);
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);

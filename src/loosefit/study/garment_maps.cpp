@@ -33,6 +33,10 @@ CaseMaps make_maps(const DressedGarment& dressed, const scenario::Scenario& scen
   made.wrinkles = maps::regional_wrinkles(dressed.mesh, made.worn);
   made.chest = maps::torso_girth(dressed.mesh, dressed.drape.positions, made.worn,
                                  maps::chest_height(dressed.body));
+  if (!dressed.drape.body_normal_force.empty())
+    made.load = maps::body_load(dressed.mesh, dressed.drape, made.worn, dressed.body,
+                                dressed.material, scenario.simulation.gravity);
+  made.strain_range = maps::strain_range(dressed.mesh, dressed.drape.positions, dressed.material);
   return made;
 }
 

@@ -8,6 +8,7 @@
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
+#include "loosefit/study/case_ease.h"
 
 namespace loosefit::study {
 namespace {
@@ -56,6 +57,47 @@ Json pressure_json(const CasePressure& pressure) {
     json["area_share"][maps::kPressureClassNames[i]] = shares[i];
   for (const auto& [region, agreement] : pressure.regional)
     json["regions"][body::name(region)] = agreement_json(agreement);
+  return json;
+}
+
+/// Whether a garment that is meant to hang hangs.
+Json load_json(const maps::BodyLoad& load) {
+  Json json = {{"normal_force_N", load.normal_force},
+               {"weight_N", load.weight},
+               {"force_over_weight", load.force_over_weight()},
+               {"between_arm_and_trunk_N", load.between_arm_and_trunk}};
+  for (const std::string& limb : maps::limb_names())
+    json["share_of_limb"][limb] =
+        load.normal_force > 0 ? load.of_limb.at(limb) / load.normal_force : 0;
+  for (std::size_t k = 0; k < maps::kNearGaps.size(); ++k)
+    json["contact_share"].push_back(
+        {{"gap_mm", 1e3 * maps::kNearGaps[k]}, {"share", load.near_share[k]}});
+  return json;
+}
+
+/// Limits are null where the card states none.
+Json strain_range_json(const maps::StrainRange& range, const scenario::MaterialCard& card) {
+  const auto direction = [](const maps::DirectionRange& d) {
+    return Json{{"limit", d.is_stated() ? Json(d.limit) : Json(nullptr)},
+                {"largest", d.largest},
+                {"share_beyond", d.share_beyond}};
+  };
+  return {{"warp", direction(range.warp)},
+          {"weft", direction(range.weft)},
+          {"shear_rad", direction(range.shear)},
+          {"share_beyond", range.share_beyond},
+          {"source", card.valid_strain_source}};
+}
+
+/// Ease by station, as cut and as asked; null where nobody asked.
+Json ease_json(const CaseGarment& garment, const scenario::GarmentSpec& spec) {
+  Json json = {{"stations", Json::array()}, {"least", nullptr}};
+  const std::vector<StationEase> stations = station_eases(garment.pattern, spec);
+  for (const StationEase& s : stations)
+    json["stations"].push_back(
+        {{"name", s.name}, {"cut", s.cut}, {"asked", s.asked ? Json(*s.asked) : Json(nullptr)}});
+  if (const auto least = least_cut_ease(stations))
+    json["least"] = {{"name", least->name}, {"cut", least->cut}};
   return json;
 }
 
@@ -178,6 +220,11 @@ Json parts_json(const std::vector<drape::PartWork>& parts) {
   return json;
 }
 
+/// Null where it was not tested.
+Json stable_json(const drape::Certificate& certificate) {
+  return certificate.stable ? Json(*certificate.stable) : Json(nullptr);
+}
+
 Json settle_json(const drape::SettleReport& report) {
   const solver::SolverWork total = report.total();
   Json recoveries = Json::array();
@@ -246,6 +293,8 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"worn", c.worn()},
         {"worn_reasons", c.worn_reasons},
         {"residual", c.residual},
+        {"residual_max", c.residual_max},
+        {"stable", stable_json(c)},
         {"intersections", {{"body", c.intersections_body}, {"self", c.intersections_self}}},
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
@@ -269,8 +318,10 @@ Json certificate_json(const CaseResult& result) {
   json["sealed"] = result.sealed();
   json["residual"] = certificate.residual;
   json["residual_max"] = certificate.residual_max;
+  json["stable"] = stable_json(certificate);
   json["intersections"] = {{"body", certificate.intersections_body},
-                           {"self", certificate.intersections_self}};
+                           {"self", certificate.intersections_self},
+                           {"folded_edges", certificate.folded_edges}};
   if (!result.worn_under().empty())
     json["intersections"]["layers"] = certificate.intersections_layers;
   json["stop_reason"] = certificate.stop_reason;
@@ -298,6 +349,7 @@ std::string summary_json(const CaseResult& result) {
   json["body"] = body_json(result.body);
   json["fit"] = fit_json(studied);
   json["garment"] = {{"area_m2", mesh.area}, {"mass_kg", mesh.mass}};
+  json["ease"] = ease_json(studied, result.scenario.studied().spec);
   json["material"] = material_json(result.scenario.studied().material);
   if (!result.worn_under().empty()) json["garments"] = garments_json(result);
 
@@ -305,6 +357,9 @@ std::string summary_json(const CaseResult& result) {
   json["maps"] = maps_json(maps.maps);
   if (!maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(maps.wrinkles);
   if (!maps.pressure.field.empty()) json["pressure"] = pressure_json(maps.pressure);
+  if (maps.load) json["load"] = load_json(*maps.load);
+  if (!maps.maps.empty())
+    json["strain_range"] = strain_range_json(maps.strain_range, result.scenario.studied().material);
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);

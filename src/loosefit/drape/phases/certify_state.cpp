@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "loosefit/drape/certify.h"
 #include "loosefit/drape/explain_unsettled.h"
@@ -9,11 +10,14 @@
 namespace loosefit::drape {
 namespace {
 
-/// Without intersections before with them, then by the residual.
+/// Without intersections before with them, settled before not, stable before not, then by the
+/// residual.
 bool better(const Certificate& a, const Certificate& b) {
-  const bool a_cuts = a.intersections_body + a.intersections_self > 0;
-  const bool b_cuts = b.intersections_body + b.intersections_self > 0;
-  return a_cuts == b_cuts ? a.residual < b.residual : b_cuts;
+  const auto rank = [](const Certificate& c) {
+    const bool cuts = c.intersections_body + c.intersections_self > 0;
+    return std::tuple(cuts, !c.settled(), !c.stable.value_or(false), c.residual);
+  };
+  return rank(a) < rank(b);
 }
 
 Certificate certified(ClothState& state, const Stop& stop) {
@@ -49,7 +53,7 @@ void take_best_state(ClothState& state) {
   const ClothState::Kept now{state.x, state.model->memory(), state.certificate.residual,
                              state.report.held_off_triangles};
   const ClothState::Kept* best = &now;
-  for (const auto* other : {&state.lowest, &state.clear, &state.first_try}) {
+  for (const auto* other : {&state.lowest, &state.clear, &state.first_try, &state.saddle}) {
     if (!other->has_value()) continue;
     const Certificate certificate = take(state, **other);
     if (!better(certificate, state.certificate)) continue;
@@ -61,7 +65,8 @@ void take_best_state(ClothState& state) {
 
 void certify_state(ClothState& state) {
   state.best_was_taken = false;
-  for (RecoveryKind kind : {RecoveryKind::nearer_to_rest, RecoveryKind::best_state})
+  for (RecoveryKind kind :
+       {RecoveryKind::nearer_to_rest, RecoveryKind::leave_saddle, RecoveryKind::best_state})
     state.attempts[kind] = 0;
   measure_certificate(state);
   while (state.recover(RecoveryPoint::certified)) {

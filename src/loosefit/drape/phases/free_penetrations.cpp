@@ -27,7 +27,7 @@ void free_penetrations(ClothState& state) {
   const PenetrationTuning& tuning = state.tuning.penetrations;
   const double wanted = state.options.residual_tolerance;
   state.times_cut.clear();
-  state.lowest.reset(), state.clear.reset();
+  state.lowest.reset(), state.clear.reset(), state.saddle.reset();
   state.attempts[RecoveryKind::raise_offsets] = 0;
   // Penetrations are looked for long before the last digits of the balance are sought, and what is
   // about to cut is treated alike.
@@ -38,9 +38,15 @@ void free_penetrations(ClothState& state) {
     find_penetrations(state);
     raise_offsets(state);
   }
+  settle_without_penetrations(state, tuning.first_dt);
+}
+
+void settle_without_penetrations(ClothState& state, double first_dt) {
+  const PenetrationTuning& tuning = state.tuning.penetrations;
+  const double wanted = state.options.residual_tolerance;
   const auto freed = [&] { return state.recover(RecoveryPoint::at_rest) && state.offsets_raised; };
   // A round for the last digits, while there are still penetrations, would be thrown away.
-  for (double first_dt = tuning.first_dt;; first_dt = tuning.near_rest_dt) {
+  for (;; first_dt = tuning.near_rest_dt) {
     state.settle({std::max(tuning.tolerance, wanted), kNoLimit, first_dt});
     if (state.is_over()) return;
     if (freed()) continue;

@@ -9,6 +9,9 @@ namespace loosefit::drape {
 /// nothing cuts. Keeps the best states it comes by.
 void free_penetrations(ClothState& state);
 
+/// The last part of it, from near rest: `first_dt` is the first pseudo-step [s].
+void settle_without_penetrations(ClothState& state, double first_dt);
+
 /// Whether triangles cut the skin, by the exact test; they are state.penetrating. A state without
 /// any is kept when it is the best one yet.
 bool find_penetrations(ClothState& state);

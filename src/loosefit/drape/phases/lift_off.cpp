@@ -9,7 +9,7 @@ namespace loosefit::drape {
 void lift_off_and_resettle(ClothState& state) {
   state.keep(state.first_try, state.last.residual);
   state.first_try->stop = state.how_it_ended();
-  state.lowest.reset(), state.clear.reset();
+  state.lowest.reset(), state.clear.reset(), state.saddle.reset();
   state.report.held_off_triangles = 0;
   state.part = "retry";
   state.make_model();
