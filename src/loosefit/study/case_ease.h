@@ -28,9 +28,9 @@ inline constexpr double kLooseEase = 0.05;
 /// Share of the asked ease below which a station counts as not cut as asked [–]: 15 % that come out
 /// as less than 10 %.
 inline constexpr double kCutShare = 2.0 / 3.0;
-/// Normal force in weights of the garment beyond which it is not loose [–]. Shirts that hang free
-/// of the arms press with 4 to 9 weights, shirts caught on the forearms with 20 and more
-/// (docs/accuracy.md).
+/// Normal force in weights of the garment beyond which it is not loose [–]. Shirts of woven cotton
+/// that hang free of the arms press with 4 to 9 weights, knits with 3 to 7, shirts caught on the
+/// forearms with 20 and more (reference woman, edges of 10 to 20 mm).
 inline constexpr double kLooseWeights = 10;
 
 /// Whether all eases that were asked for, at least one, are loose.
