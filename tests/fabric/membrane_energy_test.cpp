@@ -179,21 +179,49 @@ TEST_P(PatchTest, EdgeForcesMatchTheClosedFormTo1e9) {
   });
 }
 
-// The engineering law f = C (λ − 1), entered as a measured curve, and its coupling.
+// The engineering law f = C (λ − 1), entered as measured curves of two yarns that do not see each
+// other.
 TEST_P(PatchTest, MeasuredForcesMatchTheClosedFormTo1e9) {
   Material m = orthotropic();
-  const double cu = 300, cv = 700, top = 1.6;
+  m.poisson = 0;
+  const double cu = 300, cv = 700;
   m.curve_weft = {{0.2, 0.2 * cu}, {0.6, 0.6 * cu}};
   m.curve_warp = {{0.3, 0.3 * cv}, {0.6, 0.6 * cv}};
-  const double coupling = m.poisson * std::sqrt(cu * cv) / (top * top * top);
   const auto engineering = [](double c, double e) {
     const double stretch = std::sqrt(1 + 2 * e);
     return e > 0 ? c * (stretch - 1) / stretch : c * e;
   };
   expect_closed_form(m, GetParam(), [&](double euu, double evv, double gamma) {
-    return Vec3(engineering(cu, euu) + coupling * evv, engineering(cv, evv) + coupling * euu,
-                m.stiffness_shear * gamma);
+    return Vec3(engineering(cu, euu), engineering(cv, evv), m.stiffness_shear * gamma);
   });
+}
+
+// What any coupling of two measured curves has to keep: stress from an energy, hence a symmetric
+// tangent, that is positive definite wherever it was measured, and pulled yarns that draw the
+// others in, by no more than in the linear law.
+TEST(MembraneEnergyWithCurves, CouplingIsSymmetricStableAndBelowThatOfTheLinearLaw) {
+  const geometry::TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
+  Material m = orthotropic();
+  const double cu = 300, cv = 700;
+  m.curve_weft = {{0.2, 0.2 * cu}, {0.6, 0.6 * cu}};
+  m.curve_warp = {{0.3, 0.3 * cv}, {0.6, 0.6 * cv}};
+  const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
+  const auto stress = [&](double euu, double evv) {
+    particles::VectorField x = mesh.vertices;
+    for (Vec3& p : x) p = Vec3(std::sqrt(1 + 2 * euu) * p[0], std::sqrt(1 + 2 * evv) * p[1], 0);
+    return energy.state(0, x).stress;
+  };
+  const double h = 1e-6, most = m.poisson * std::sqrt(cu * cv) / (1 - m.poisson * m.poisson);
+  for (double lu : {0.95, 1.05, 1.3, 1.55})
+    for (double lv : {0.95, 1.1, 1.55}) {
+      const double euu = (lu * lu - 1) / 2, evv = (lv * lv - 1) / 2;
+      const Vec3 du = (stress(euu + h, evv) - stress(euu - h, evv)) / (2 * h);
+      const Vec3 dv = (stress(euu, evv + h) - stress(euu, evv - h)) / (2 * h);
+      EXPECT_NEAR(du[1], dv[0], 1e-4) << lu << " " << lv;
+      EXPECT_GT(du[0] * dv[1] - du[1] * dv[0], 0) << lu << " " << lv;
+      EXPECT_GT(du[1], 0);
+      EXPECT_LE(du[1], most);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToHalf, PatchTest,

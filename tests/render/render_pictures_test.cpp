@@ -98,17 +98,16 @@ TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
   EXPECT_TRUE(near(scene.colours(&map_).at(150, 140), kUndefinedColour));
 }
 
-TEST_F(Pictures, LightDarkensNoMapBelowItsFloor) {
+TEST_F(Pictures, ClothThatFacesTheLightIsBrightAndClothThatTurnsAwayIsShaded) {
   Scene scene({body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, true);
   scene.look(View::front);
-  const Image light = scene.light();
-  int least = 255, most = 0;
-  for (const Rgb& p : light.pixels) {
-    least = std::min<int>(least, p[1]);
-    most = std::max<int>(most, p[1]);
-  }
-  EXPECT_GT(most, 240);   // cloth that faces the light keeps its colour
-  EXPECT_LT(least, 200);  // and there is shade that shows form
+  const Image cloth = scene.colours(&map_), light = scene.light();
+  const int row = 140;
+  int left = 0;
+  while (cloth.at(left, row) == Rgb{255, 255, 255}) ++left;
+  ASSERT_LT(left, 140);
+  EXPECT_GT(light.at(150, row)[1], 200);
+  EXPECT_LT(light.at(left + 2, row)[1], 0.8 * light.at(150, row)[1]);
 }
 
 TEST_F(Pictures, WrongSizesAndPlacesAreErrors) {

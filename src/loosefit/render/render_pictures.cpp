@@ -6,6 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/render/garment_lines.h"
 #include "loosefit/render/legend.h"
+#include "loosefit/render/lit.h"
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 
@@ -13,22 +14,7 @@ namespace loosefit::render {
 namespace {
 constexpr Rgb kCloth = {226, 231, 238};
 constexpr double kMapAmbient = 0.55;  // light left in the deepest shade of a map
-constexpr double kSceneAmbient = 0.25;
-constexpr double kThrough = 0.35;  // opacity of a garment that is looked through
-
-/// Colour × light. `floor` lifts the light so that colours stay comparable with the legend.
-Image lit(Image colours, const Image& light, double ambient) {
-  const double gain = (1 - ambient) / (1 - kSceneAmbient);
-  std::array<double, 256> factor{};
-  for (int i = 0; i < 256; ++i)
-    factor[i] = std::clamp(ambient + gain * (i / 255.0 - kSceneAmbient), 0.0, 1.0);
-  constexpr Rgb kBackground = {255, 255, 255};  // occlusion reaches round the frame's edge into it
-  for (std::size_t i = 0; i < colours.pixels.size(); ++i)
-    if (colours.pixels[i] != kBackground)
-      for (std::uint8_t& channel : colours.pixels[i])
-        channel = static_cast<std::uint8_t>(std::lround(channel * factor[light.pixels[i][1]]));
-  return colours;
-}
+constexpr double kThrough = 0.35;     // opacity of a garment that is looked through
 
 /// The same picture on a taller sheet with room for the legend.
 Image with_foot(const Image& image, int foot) {

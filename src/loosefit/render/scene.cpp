@@ -23,6 +23,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/render/colour_table.h"
 #include "loosefit/render/display.h"
+#include "loosefit/render/lit.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkInteractionStyle)
@@ -33,7 +34,6 @@ constexpr Rgb kMannequin = {176, 176, 176};
 constexpr Rgb kUnder = {150, 166, 200};
 constexpr Rgb kLine = {35, 35, 35};
 constexpr double kMargin = 1.06;           // picture frame over extent of garment and form
-constexpr double kAmbient = 0.25;          // of light()
 constexpr double kOcclusionRadius = 0.05;  // [m], about the size of a fold
 
 vtkNew<vtkPoints> points_of(const std::vector<Vec3>& positions) {
@@ -124,8 +124,8 @@ struct Scene::Window {
   void set_lit(Part& part, bool lit) {
     vtkProperty* p = part.actor->GetProperty();
     p->SetLighting(lit);
-    p->SetAmbient(lit ? kAmbient : 1);
-    p->SetDiffuse(lit ? 1 - kAmbient : 0);
+    p->SetAmbient(lit ? kSceneAmbient : 1);
+    p->SetDiffuse(lit ? 1 - kSceneAmbient : 0);
     p->SetSpecular(0);
     if (lit) p->SetColor(1, 1, 1);
   }

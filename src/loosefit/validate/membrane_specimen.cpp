@@ -16,6 +16,7 @@ fabric::Material orthotropic_fabric() {
 
 fabric::Material engineering_fabric() {
   fabric::Material m = orthotropic_fabric();
+  m.poisson = 0;
   for (double e : {0.2, 0.4, 0.6}) {
     m.curve_weft.push_back({e, m.stiffness_weft * e});
     m.curve_warp.push_back({e, m.stiffness_warp * e});
