@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "loosefit/validate/run_validation.h"
 #include "loosefit/validate/validation_table.h"
 
@@ -9,11 +11,12 @@ namespace {
 
 class QuickValidation : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(QuickValidation, MeetsItsGates) {
+TEST_P(QuickValidation, MeetsItsGatesOrMissesThemAsStated) {
   Progress silent;
   const auto chosen = select_benchmarks(benchmarks(), {GetParam()}, Effort::quick);
   const Validation validation = run_validation(chosen, Effort::quick, silent, 1);
-  EXPECT_TRUE(validation.pass()) << outcome_table(validation.outcomes.at(0));
+  EXPECT_TRUE(validation.as_stated()) << outcome_table(validation.outcomes.at(0));
+  EXPECT_TRUE(validation.outcomes.at(0).gated()) << "nothing here could fail";
 }
 
 std::vector<std::string> quick_ids() {
@@ -23,7 +26,11 @@ std::vector<std::string> quick_ids() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, QuickValidation, ::testing::ValuesIn(quick_ids()),
-                         [](const auto& tested) { return tested.param; });
+                         [](const auto& tested) {
+                           std::string id = tested.param;  // "AG1-4": no hyphens in a name
+                           std::replace(id.begin(), id.end(), '-', '_');
+                           return id;
+                         });
 
 }  // namespace
 }  // namespace loosefit::validate

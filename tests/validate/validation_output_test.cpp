@@ -58,6 +58,8 @@ TEST(ValidationJson, HasTheKeysOfTheManual) {
   EXPECT_EQ(json["effort"], "full");
   EXPECT_EQ(json["pass"], false);
   EXPECT_EQ(json["gated"], 4);
+  EXPECT_EQ(json["missed"], 4);
+  EXPECT_EQ(json["known_misses"], 0);
   const auto& first = json["benchmarks"][0];
   for (const char* key : {"id", "title", "reference", "gated", "pass", "seconds", "error",
                           "findings", "notes", "plots"})
@@ -66,12 +68,35 @@ TEST(ValidationJson, HasTheKeysOfTheManual) {
   for (const char* key :
        {"what", "unit", "expected", "obtained", "error", "gate", "limit", "mesh", "pass"})
     EXPECT_TRUE(good.contains(key)) << key;
+  for (const char* key : {"verdict", "known_miss", "share_of_gate"})
+    EXPECT_TRUE(good.contains(key)) << key;
   EXPECT_EQ(good["gate"], "relative");
   EXPECT_EQ(good["pass"], true);
   EXPECT_TRUE(first["findings"][1]["obtained"].is_null()) << "NaN has no place in JSON";
   EXPECT_EQ(json["benchmarks"][3]["error"], "the loom broke");
   EXPECT_TRUE(json["benchmarks"][2]["findings"][0]["limit"].is_null());
   EXPECT_EQ(first["plots"][0]["series"][1]["x"].size(), 4u);
+}
+
+TEST(ValidationOutputs, KnownMissesAreToldWithTheirReasonInJsonAndPage) {
+  Finding f = in_range("filling", "", std::nan(""), 1.05, 0, 1.02, "10 mm edges");
+  f.known_miss = KnownMiss{0.1, "because of <folds>"};
+  Progress silent;
+  const Validation v = run_validation({support::with_findings("K1", {f})}, Effort::full, silent, 1);
+  const auto json = nlohmann::json::parse(validation_json(v));
+  EXPECT_EQ(json["pass"], true);
+  EXPECT_EQ(json["known_misses"], 1);
+  const auto& finding = json["benchmarks"][0]["findings"][0];
+  EXPECT_EQ(json["benchmarks"][0]["verdict"], "known miss");
+  EXPECT_EQ(finding["pass"], false);
+  EXPECT_TRUE(finding["expected"].is_null());
+  EXPECT_EQ(finding["limit"], (std::vector<double>{0, 1.02}));
+  EXPECT_EQ(finding["known_miss"]["most"], 0.1);
+  EXPECT_EQ(finding["known_miss"]["reason"], "because of <folds>");
+  const std::string page = validation_html(v);
+  EXPECT_NE(page.find("verdict-known\">known miss"), std::string::npos);
+  EXPECT_NE(page.find("filling: known to miss by up to 0.1: because of &lt;folds&gt;"),
+            std::string::npos);
 }
 
 TEST(ValidationPage, IsSelfContainedAndShowsPlotsTablesAndSettings) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,23 +10,56 @@
 
 namespace loosefit::validate {
 
+/// What became of a figure, or of the figures of a benchmark together: the gravest of them.
+enum class Verdict {
+  reported,         ///< no gate
+  pass,             ///< meets its gate
+  known_miss,       ///< misses its gate as stated, by no more than stated, for a stated reason
+  unexpected_pass,  ///< is stated to miss, and meets its gate: the statement is out of date
+  miss,             ///< misses its gate, or by more than stated, or is not finite
+};
+
+/// "pass", "MISS", "known miss", "unexpected pass", "reported".
+std::string name(Verdict verdict);
+
+/// Whether it is as the code says it is: neither a miss nor an unexpected pass.
+bool is_as_stated(Verdict verdict);
+
+/// A gate that is known to be missed. It stays a gate: that it is missed is shown, and more than
+/// `most` is a miss like any other.
+struct KnownMiss {
+  double most = 0;     ///< largest error, in the measure of the gate, that is still this miss
+  std::string reason;  ///< why, as far as it is known
+};
+
 /// One figure held against its reference.
 struct Finding {
   enum class Gate {
     relative,  ///< |obtained − expected| / |expected| ≤ limit
     absolute,  ///< |obtained − expected| ≤ limit, in the unit of the figure
+    range,     ///< low ≤ obtained ≤ high; the error is how far outside it lies
     reported,  ///< no gate: stated for the reader
   };
   std::string what;  ///< "H/W at Γ = 8"
   std::string unit;  ///< "mm", "°"; empty for pure numbers
   double expected = 0, obtained = 0;
   Gate gate = Gate::relative;
-  double limit = 0;  ///< relative: a fraction
-  std::string mesh;  ///< "5 mm edges, 1 240 triangles"
+  double limit = 0;                         ///< relative: a fraction; no meaning for a range
+  std::string mesh;                         ///< "5 mm edges, 1 240 triangles"
+  double low = -HUGE_VAL, high = HUGE_VAL;  ///< of the range; an open end is infinite
+  std::optional<KnownMiss> known_miss = {};
 
   double error() const;  ///< in the measure of the gate
-  bool pass() const;     ///< false also when `obtained` is not finite
+  /// 0 at the expected figure, or in the middle of a range, 1 at the gate, more beyond it.
+  double share_of_gate() const;
+  bool pass() const;  ///< meets its gate; false also when `obtained` is not finite
+  Verdict verdict() const;
 };
+
+/// A figure that has to lie between `low` and `high` (either may be infinite). `expected` is what
+/// the source says, NaN where it says no more than the range.
+Finding in_range(std::string what, std::string unit, double expected, double obtained, double low,
+                 double high, std::string mesh);
 
 /// What one benchmark found.
 struct BenchmarkResult {

@@ -32,16 +32,16 @@ Grip try_grip(Bench& bench, const std::function<double()>& travel, double slip, 
   return grip;
 }
 
-double least_friction(double low, double high, double width,
-                      const std::function<bool(double)>& holds) {
-  if (holds(low)) return low;
-  if (!holds(high)) return high;
+FrictionLimit least_friction(double low, double high, double width,
+                             const std::function<bool(double)>& holds) {
+  if (holds(low)) return {low, low};
+  if (!holds(high)) return {high, high};
   const double enough = width * low;
   while (high - low > enough) {
     const double middle = 0.5 * (low + high);
     (holds(middle) ? high : low) = middle;
   }
-  return 0.5 * (low + high);
+  return {low, high};
 }
 
 particles::VectorField body_force(Bench& bench) {

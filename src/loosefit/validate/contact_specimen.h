@@ -19,11 +19,17 @@ struct Grip {
 Grip try_grip(Bench& bench, const std::function<double()>& travel, double slip, double tolerance,
               Progress& progress, int max_iterations = 2000);
 
+/// Where a bisection has ended.
+struct FrictionLimit {
+  double slips = 0, holds = 0;  ///< the largest coefficient that slipped, the least that held
+  double value() const { return 0.5 * (slips + holds); }
+  double resolution() const { return 0.5 * (holds - slips); }  ///< the value is known to ± this
+};
 /// Least coefficient in [low, high] that holds, by bisection to a width of `width`·low; `holds` is
-/// asked for single coefficients. `low` when it holds already, `high` when it does not: choose them
-/// farther apart than the gate.
-double least_friction(double low, double high, double width,
-                      const std::function<bool(double)>& holds);
+/// asked for single coefficients. Both ends are `low` when it holds already, `high` when that does
+/// not: choose them farther apart than the gate.
+FrictionLimit least_friction(double low, double high, double width,
+                             const std::function<bool(double)>& holds);
 
 /// Force of the body on the particles: normal contact and friction [N].
 particles::VectorField body_force(Bench& bench);

@@ -82,10 +82,11 @@ bool BenchmarkOutcome::gated() const {
                      [](const Finding& f) { return f.gate != Finding::Gate::reported; });
 }
 
-bool BenchmarkOutcome::pass() const {
-  return error.empty() && !result.findings.empty() &&
-         std::all_of(result.findings.begin(), result.findings.end(),
-                     [](const Finding& f) { return f.pass(); });
+Verdict BenchmarkOutcome::verdict() const {
+  if (!error.empty() || result.findings.empty()) return Verdict::miss;
+  Verdict gravest = Verdict::reported;
+  for (const Finding& f : result.findings) gravest = std::max(gravest, f.verdict());
+  return gravest;
 }
 
 int Validation::gated() const {
@@ -93,13 +94,14 @@ int Validation::gated() const {
       std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.gated(); }));
 }
 
-int Validation::passed() const {
+int Validation::count(Verdict verdict) const {
   return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
-                                        [](const auto& o) { return o.gated() && o.pass(); }));
+                                        [&](const auto& o) { return o.verdict() == verdict; }));
 }
 
-bool Validation::pass() const {
-  return std::all_of(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.pass(); });
+bool Validation::as_stated() const {
+  return std::all_of(outcomes.begin(), outcomes.end(),
+                     [](const auto& o) { return is_as_stated(o.verdict()); });
 }
 
 std::vector<Benchmark> select_benchmarks(const std::vector<Benchmark>& all,

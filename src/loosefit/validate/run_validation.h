@@ -17,8 +17,8 @@ struct BenchmarkOutcome {
 
   /// It has something to pass: a gated finding, or it failed to find anything.
   bool gated() const;
-  /// It ran, found something, and every finding passes.
-  bool pass() const;
+  /// The gravest verdict of its findings; a miss when it could not be carried out or found nothing.
+  Verdict verdict() const;
 };
 
 /// All benchmarks of one call, in the order of the list.
@@ -28,9 +28,9 @@ struct Validation {
   double seconds = 0;  ///< wall time of the whole
 
   int gated() const;
-  int passed() const;  ///< gated benchmarks that pass
-  /// No benchmark is missed, not even a reported one.
-  bool pass() const;
+  int count(Verdict verdict) const;  ///< benchmarks with this verdict
+  /// Every benchmark is as stated: it passes, is reported, or misses what is known to be missed.
+  bool as_stated() const;
 };
 
 /// The benchmarks of `all` with these ids (in any case), in the order of `all`; no ids: all of

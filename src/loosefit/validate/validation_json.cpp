@@ -25,6 +25,8 @@ const char* name_of(Finding::Gate gate) {
       return "relative";
     case Finding::Gate::absolute:
       return "absolute";
+    case Finding::Gate::range:
+      return "range";
     case Finding::Gate::reported:
       return "reported";
   }
@@ -40,8 +42,16 @@ Json json_of(const Finding& f) {
             {"gate", name_of(f.gate)},
             {"limit", nullptr},
             {"mesh", f.mesh},
-            {"pass", f.pass()}};
-  if (f.gate != Finding::Gate::reported) j["limit"] = f.limit;
+            {"share_of_gate", number_or_null(f.share_of_gate())},
+            {"pass", f.pass()},
+            {"verdict", name(f.verdict())},
+            {"known_miss", nullptr}};
+  if (f.gate == Finding::Gate::range)
+    j["limit"] = {number_or_null(f.low), number_or_null(f.high)};
+  else if (f.gate != Finding::Gate::reported)
+    j["limit"] = f.limit;
+  if (f.known_miss)
+    j["known_miss"] = {{"most", f.known_miss->most}, {"reason", f.known_miss->reason}};
   return j;
 }
 
@@ -62,7 +72,8 @@ Json json_of(const BenchmarkOutcome& o) {
           {"title", o.title},
           {"reference", o.reference},
           {"gated", o.gated()},
-          {"pass", o.pass()},
+          {"verdict", name(o.verdict())},
+          {"pass", is_as_stated(o.verdict())},
           {"seconds", o.seconds},
           {"error", o.error.empty() ? Json(nullptr) : Json(o.error)},
           {"findings", findings},
@@ -78,9 +89,12 @@ std::string validation_json(const Validation& validation) {
   for (const auto& [what, how] : solver_settings()) settings[what] = how;
   for (const auto& outcome : validation.outcomes) list.push_back(json_of(outcome));
   const Json all = {{"effort", validation.effort == Effort::quick ? "quick" : "full"},
-                    {"pass", validation.pass()},
+                    {"pass", validation.as_stated()},
                     {"gated", validation.gated()},
-                    {"passed", validation.passed()},
+                    {"passed", validation.count(Verdict::pass)},
+                    {"known_misses", validation.count(Verdict::known_miss)},
+                    {"unexpected_passes", validation.count(Verdict::unexpected_pass)},
+                    {"missed", validation.count(Verdict::miss)},
                     {"seconds", validation.seconds},
                     {"settings", settings},
                     {"benchmarks", list},

@@ -33,29 +33,41 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
 
 }  // namespace
 
-std::string error_text(const Finding& f) { return measure(f.error(), f); }
-
-std::string gate_text(const Finding& f) {
-  return f.gate == Finding::Gate::reported ? "reported" : measure(f.limit, f);
+std::string error_text(const Finding& f) {
+  const bool nothing_to_miss = f.gate == Finding::Gate::reported && std::isnan(f.expected);
+  return nothing_to_miss ? "-" : measure(f.error(), f);
 }
 
-std::string verdict_text(const Finding& f) {
-  if (!f.pass()) return "MISS";
-  return f.gate == Finding::Gate::reported ? "-" : "pass";
+std::string gate_text(const Finding& f) {
+  if (f.gate == Finding::Gate::reported) return "reported";
+  if (f.gate != Finding::Gate::range) return measure(f.limit, f);
+  const std::string unit = f.unit.empty() ? "" : " " + f.unit;
+  if (!std::isfinite(f.low)) return fmt::format("at most {:.4g}{}", f.high, unit);
+  if (!std::isfinite(f.high)) return fmt::format("at least {:.4g}{}", f.low, unit);
+  return fmt::format("{:.4g} to {:.4g}{}", f.low, f.high, unit);
+}
+
+std::string expected_text(const Finding& f, int digits) {
+  return std::isfinite(f.expected) ? fmt::format("{:.{}g}", f.expected, digits) : "-";
+}
+
+std::string known_miss_text(const Finding& f) {
+  if (!f.known_miss) return "";
+  return fmt::format("{}: known to miss by up to {}: {}", f.what, measure(f.known_miss->most, f),
+                     f.known_miss->reason);
 }
 
 std::string outcome_table(const BenchmarkOutcome& o) {
   std::string text =
-      fmt::format("{} {}: {}, {:.1f} s\n", o.id, o.title, o.pass() ? "pass" : "MISS", o.seconds);
+      fmt::format("{} {}: {}, {:.1f} s\n", o.id, o.title, name(o.verdict()), o.seconds);
   if (!o.error.empty()) text += fmt::format("  error: {}\n", o.error);
   if (o.result.findings.empty()) return text;
   std::vector<std::vector<std::string>> rows = {
       {"figure", "expected", "obtained", "error", "gate", "", "mesh"}};
   for (const Finding& f : o.result.findings) {
     const std::string unit = f.unit.empty() ? "" : " [" + f.unit + "]";
-    rows.push_back({f.what + unit, fmt::format("{:.6g}", f.expected),
-                    fmt::format("{:.6g}", f.obtained), error_text(f), gate_text(f), verdict_text(f),
-                    f.mesh});
+    rows.push_back({f.what + unit, expected_text(f, 6), fmt::format("{:.6g}", f.obtained),
+                    error_text(f), gate_text(f), name(f.verdict()), f.mesh});
   }
   std::vector<std::size_t> width(rows[0].size(), 0);
   for (const auto& row : rows)
@@ -66,15 +78,24 @@ std::string outcome_table(const BenchmarkOutcome& o) {
       line += "  " + padded(row[k], width[k], k == 0 || k >= 5);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
+  for (const Finding& f : o.result.findings)
+    if (f.known_miss) text += "  " + known_miss_text(f) + "\n";
   return text;
 }
 
 std::string verdict_line(const Validation& validation) {
-  std::vector<std::string> missed;
-  for (const auto& o : validation.outcomes)
-    if (!o.pass()) missed.push_back(o.id);
-  return fmt::format("{} of {} gated benchmarks pass{}", validation.passed(), validation.gated(),
-                     missed.empty() ? "" : "; missed: " + join(missed));
+  std::string text = fmt::format("{} of {} gated benchmarks pass", validation.count(Verdict::pass),
+                                 validation.gated());
+  const auto add = [&](Verdict verdict, const char* heading) {
+    std::vector<std::string> ids;
+    for (const auto& o : validation.outcomes)
+      if (o.verdict() == verdict) ids.push_back(o.id);
+    if (!ids.empty()) text += std::string("; ") + heading + ": " + join(ids);
+  };
+  add(Verdict::known_miss, "known misses");
+  add(Verdict::unexpected_pass, "stated to miss, but pass");
+  add(Verdict::miss, "missed");
+  return text;
 }
 
 }  // namespace loosefit::validate

@@ -41,7 +41,13 @@ const std::vector<Pair> kSimulatedOrder = {
 struct Child {
   std::string name;
   std::map<std::string, double> girths;  ///< [m]
+  double wrong_pairs, wrong_drapes;      ///< known to differ from the study
 };
+
+const char* const kWhyNot =
+    "one upright posture is judged by absolute angular deviation; the study calibrated its sensors "
+    "and judged the change of inclination in movement (docs/validation/harms2012.md), and on two "
+    "children's shirts the folds of single drapes decide";
 
 /// One drape of several, as far as it has settled.
 class OneDrape : public ProgressPart {
@@ -139,23 +145,29 @@ std::string order_text(const Study& study) {
 
 void report(const Child& child, const Study& study, const std::string& mesh,
             BenchmarkResult& result) {
-  const auto reported = [&](const std::string& what, double expected, double obtained) {
-    result.findings.push_back({what, "", expected, obtained, Finding::Gate::reported, 0, mesh});
-  };
   const auto kept = [&](const std::vector<Pair>& order) {
-    return std::count_if(order.begin(), order.end(),
-                         [&](const Pair& p) { return study.mean[p[0]] < study.mean[p[1]]; });
+    return static_cast<double>(std::count_if(order.begin(), order.end(), [&](const Pair& p) {
+      return study.mean[p[0]] < study.mean[p[1]];
+    }));
   };
-  reported(child.name + " child: pairs of places in the order of the study, of 5",
-           static_cast<double>(kStudyOrder.size()), static_cast<double>(kept(kStudyOrder)));
-  reported(child.name + " child: pairs in the order of the paper's simulation, of 4",
-           static_cast<double>(kSimulatedOrder.size()), static_cast<double>(kept(kSimulatedOrder)));
+  // All of them, as the study found; `known` of them are known to be wrong here.
+  const auto all_of = [&](const std::string& what, double all, double obtained, double known) {
+    result.findings.push_back(
+        in_range(child.name + " child: " + what, "", all, obtained, all, all, mesh));
+    if (known > 0) result.findings.back().known_miss = KnownMiss{known, kWhyNot};
+  };
+  const double drapes = static_cast<double>(study.samples.size());
+  all_of("pairs of places in the order of the study, of 5", 5, kept(kStudyOrder),
+         child.wrong_pairs);
   int least = 0;
   for (const Sample& s : study.samples)
     least += s[scapula] == *std::min_element(s.begin(), s.end());
-  reported(fmt::format("{} child: drapes in which the scapula deviates least, of {}", child.name,
-                       study.samples.size()),
-           static_cast<double>(study.samples.size()), least);
+  all_of(fmt::format("drapes in which the scapula deviates least, of {}", drapes), drapes, least,
+         child.wrong_drapes);
+  result.findings.push_back(
+      {child.name + " child: pairs in the order of the paper's simulation, of 4", "",
+       static_cast<double>(kSimulatedOrder.size()), kept(kSimulatedOrder), Finding::Gate::reported,
+       0, mesh});
   result.notes.push_back(fmt::format("{} child (chest {:.2f}, waist {:.2f}, hip {:.2f} m): {}.",
                                      child.name, child.girths.at("chest"), child.girths.at("waist"),
                                      child.girths.at("hip"), order_text(study)));
@@ -166,8 +178,8 @@ void report(const Child& child, const Study& study, const std::string& mesh,
 
 BenchmarkResult benchmark_back_sensors(Effort, Progress& progress) {
   const std::vector<Child> children = {
-      {"Slim", {{"chest", 0.63}, {"waist", 0.55}, {"hip", 0.68}}},
-      {"Heavy", {{"chest", 0.75}, {"waist", 0.72}, {"hip", 0.80}}}};
+      {"Slim", {{"chest", 0.63}, {"waist", 0.55}, {"hip", 0.68}}, 3, 4},
+      {"Heavy", {{"chest", 0.75}, {"waist", 0.72}, {"hip", 0.80}}, 3, 4}};
   BenchmarkResult result;
   result.notes.push_back(
       "The study gives an order, no angles: scapula least in every child, mid back marginally "
@@ -195,7 +207,9 @@ BenchmarkResult benchmark_back_sensors(Effort, Progress& progress) {
   result.notes.push_back(fmt::format(
       "Shirt of size 142, cotton of the paper, body of 1.40 m, standing; {} drapes per child from "
       "starts shifted by {:g} mm rms; mean ± sample deviation over the drapes, scapula as the mean "
-      "of left and right, each over a disc of 12 mm radius. Ordinal, without a gate.",
+      "of left and right, each over a disc of 12 mm radius. The gates are ordinal: the study's "
+      "order, "
+      "whole.",
       kRepeats, 1e3 * kPerturbation));
   return result;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "loosefit/solver/implicit_euler.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kLength = 0.05, kWidth = 0.04, kEdge = 0.01;  ///< of the block [m]
 constexpr double kHalf = 0.05;                                 ///< half thickness of the plane [m]
+/// Width of the bisection in μ: far below the error that is looked for.
+constexpr double kResolved = 2e-6;
 
 /// A stiff little sheet on the upper face of a long box tilted about the y axis.
 struct Incline {
@@ -59,8 +62,8 @@ struct Incline {
 Finding threshold(double friction, Progress& progress) {
   Incline incline(std::atan(friction));
   const particles::VectorField rest = incline.laid_down(progress);
-  const double found =
-      least_friction(friction - 0.005, friction + 0.004, 2e-4 / friction, [&](double trial) {
+  const FrictionLimit found =
+      least_friction(friction - 0.005, friction + 0.004, kResolved / friction, [&](double trial) {
         auto b = incline.bench(trial, false);
         b->x = rest;
         return try_grip(
@@ -68,45 +71,59 @@ Finding threshold(double friction, Progress& progress) {
             .holds;
       });
   Finding f;
-  f.what = fmt::format("least μ that holds at {:.6f}°", degrees(std::atan(friction)));
+  f.what = fmt::format("least μ that holds at {:.6f}°, known to ± {:.1g}",
+                       degrees(std::atan(friction)), found.resolution());
   f.expected = friction;
-  f.obtained = found;
+  f.obtained = found.value();
   f.gate = Finding::Gate::absolute;
   f.limit = 1e-3;
   f.mesh = mesh_text(incline.bench(friction, false)->specimen());
   return f;
 }
 
-Finding slide(double slope_deg, double friction, double dt, int steps, Progress& progress,
-              report::Plot::Series* path) {
+/// Way from rest, and how fast it grows once it slides.
+std::array<Finding, 2> slide(double slope_deg, double friction, double dt, int steps,
+                             Progress& progress, report::Plot::Series* path) {
   const double slope = radians(slope_deg);
   Incline incline(slope);
   auto b = incline.bench(friction, true);
   const particles::VectorField rest = incline.laid_down(progress);
   b->x = rest;
+  std::vector<double> way;  // at the start of every step, and at the end
   solver::SettleOptions options;
   options.tolerance = 1e-12;
   options.first_dt = dt;
   options.max_iterations = steps;
-  options.watch = [&](int step, double) {
+  options.watch = [&](int, double) {
     progress.check_cancelled();
-    if (path) {
-      path->x.push_back(step * dt);
-      path->y.push_back(1e3 * incline.moved(*b, rest));
-    }
+    way.push_back(incline.moved(*b, rest));
     return false;
   };
   solver::make_implicit_euler(b->system())->settle(b->x, options);
+  way.push_back(incline.moved(*b, rest));
+  if (path)
+    for (int step = 0; step <= steps; ++step) {
+      path->x.push_back(step * dt);
+      path->y.push_back(1e3 * way[step]);
+    }
   const double a = kGravity * (std::sin(slope) - friction * std::cos(slope));
-  Finding f;
-  f.what = fmt::format("way after {} steps of {:.3g} ms at {:.3g}°, μ = {:.3g}", steps, 1e3 * dt,
-                       slope_deg, friction);
-  f.unit = "mm";
-  f.expected = 1e3 * a * dt * dt * steps * (steps + 1) / 2;
-  f.obtained = 1e3 * incline.moved(*b, rest);
-  f.limit = 1e-3;
-  f.mesh = mesh_text(b->specimen());
-  return f;
+  Finding from_rest, sliding;
+  from_rest.what = fmt::format("way after {} steps of {:.3g} ms at {:.3g}°, μ = {:.3g}", steps,
+                               1e3 * dt, slope_deg, friction);
+  from_rest.unit = "mm";
+  from_rest.expected = 1e3 * a * dt * dt * steps * (steps + 1) / 2;
+  from_rest.obtained = 1e3 * way[steps];
+  from_rest.limit = 1e-3;
+  from_rest.mesh = mesh_text(b->specimen());
+  // Between two equal spans of time the way grows by a (n dt)².
+  const int n = steps / 4;
+  sliding = from_rest;
+  sliding.what = fmt::format("acceleration over the last {} steps at {:.3g}°, μ = {:.3g}", 2 * n,
+                             slope_deg, friction);
+  sliding.unit = "m/s²";
+  sliding.expected = a;
+  sliding.obtained = (way[steps] - 2 * way[steps - n] + way[steps - 2 * n]) / std::pow(n * dt, 2);
+  return {from_rest, sliding};
 }
 
 }  // namespace
@@ -127,11 +144,22 @@ BenchmarkResult benchmark_incline(Effort effort, Progress& progress) {
   plot.y_label = "way (mm)";
   report::Plot::Series obtained{"obtained", {}, {}}, reference{"a dt² n(n + 1)/2", {}, {}, true};
   const double dt = 0.01;
-  result.findings.push_back(slide(30, 0.3, dt, 40, progress, &obtained));
+  const auto add = [&](double slope, double friction, report::Plot::Series* path) {
+    for (const Finding& f : slide(slope, friction, dt, 40, progress, path))
+      result.findings.push_back(f);
+  };
+  add(30, 0.3, &obtained);
   if (effort == Effort::full) {
-    result.findings.push_back(slide(45, 0.5, dt, 40, progress, nullptr));
-    result.findings.push_back(slide(20, 0.3, dt, 40, progress, nullptr));
-    result.findings.back().gate = Finding::Gate::reported;
+    add(45, 0.5, nullptr);
+    add(20, 0.3, nullptr);
+    Finding& from_rest = result.findings[result.findings.size() - 2];
+    from_rest.known_miss = KnownMiss{
+        0.02,
+        "friction reaches μ times the normal force only after the elastic reach of 0.1 mm, "
+        "which at 20° takes longer than the first step: the block gets away early. Its "
+        "acceleration, the row below, is right."};
+    result.notes.push_back(fmt::format("At 20° the block is ahead by {:.2f} mm at the end.",
+                                       from_rest.obtained - from_rest.expected));
   }
   const double a = kGravity * (std::sin(radians(30)) - 0.3 * std::cos(radians(30)));
   for (int n = 0; n <= 40; ++n) {
@@ -140,18 +168,18 @@ BenchmarkResult benchmark_incline(Effort effort, Progress& progress) {
   }
   plot.series = {reference, obtained};
   result.plots.push_back(plot);
-  result.notes = {
-      "The block is a stiff sheet of 50 × 40 mm that carries its own weight; it is first laid down "
-      "on a floor too rough to slip on, then the friction is set to the value under test.",
-      "Holding means rest at a residual of 1e-6 of the weight, slipping a way of more than 5 mm; "
-      "the least μ that holds is found by bisection to 2e-4. Sticking cloth creeps by at most "
-      "0.1 mm, the elastic reach of the friction law.",
-      "Sliding is integrated by implicit Euler, whose way from rest under a constant force is the "
-      "same sum, a dt² n(n + 1)/2. Friction reaches μ times the normal force only after the "
-      "elastic "
-      "reach of 0.1 mm. At 30° and 45° the first step of 10 ms is longer than that; at 20° it is "
-      "not, the block gets away some milliseconds early and is ahead by 0.7 mm from then on. That "
-      "row is stated without a gate."};
+  for (
+      const char* note :
+      {"The block is a stiff sheet of 50 × 40 mm that carries its own weight; it is first laid "
+       "down "
+       "on a floor too rough to slip on, then the friction is set to the value under test.",
+       "Holding means rest at a residual of 1e-6 of the weight, slipping a way of more than 5 mm; "
+       "the least μ that holds is found by bisection, whose resolution stands with the figure: an "
+       "error below it is none of the method. Sticking cloth creeps by at most 0.1 mm, the elastic "
+       "reach of the friction law.",
+       "Sliding is integrated by implicit Euler, whose way from rest under a constant force is the "
+       "same sum, a dt² n(n + 1)/2."})
+    result.notes.push_back(note);
   return result;
 }
 

@@ -76,11 +76,30 @@ Reading lower(const fabric::Material& m, double edge, Progress& progress) {
   return {read_drape(bench, kTester), mesh_text(cloth)};
 }
 
-void add(BenchmarkResult& result, const std::string& what, double expected, double tolerance,
-         const Reading& r) {
-  result.findings.push_back({fmt::format("{} ({} folds)", what, r.drape.folds.count), "", expected,
-                             r.drape.coefficient, Finding::Gate::reported, tolerance, r.mesh});
+Finding& add(BenchmarkResult& result, const std::string& what, double expected, double tolerance,
+             const Reading& r) {
+  Finding f;
+  f.what = fmt::format("{} ({} folds)", what, r.drape.folds.count);
+  f.expected = expected;
+  f.obtained = r.drape.coefficient;
+  f.gate = Finding::Gate::absolute;
+  f.limit = tolerance;
+  f.mesh = r.mesh;
+  return result.findings.emplace_back(std::move(f));
 }
+
+const KnownMiss kTooLimp = {0.15,
+                            "without its bending friction this cotton is too limp, as "
+                            "docs/theory/validation.md 5.2 expects: "
+                            "the KES rigidity is the slope between the branches of the loop, and "
+                            "what holds the cloth up is "
+                            "the loop's width (2.3)"};
+const KnownMiss kAtTheLightEnd = {0.13,
+                                  "the weight is not in the source; at the light end of the range "
+                                  "assumed for it the elastic sheet "
+                                  "already lies above the measurement, and bending friction of a "
+                                  "specimen lowered from flat adds to "
+                                  "it"};
 
 }  // namespace
 
@@ -109,9 +128,13 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress) {
         const Reading rough = lower(material_of(f, w, true), kEdge, progress);
         add(result, who + ": elastic, against the reference's elastic sheet", f.reference[k], 0.05,
             smooth);
-        add(result, who + ": elastic, against the measurement", f.measured, f.tolerance, smooth);
-        add(result, who + ": lowered with bending friction, against the measurement", f.measured,
-            f.tolerance, rough);
+        Finding& plain_miss = add(result, who + ": elastic, against the measurement", f.measured,
+                                  f.tolerance, smooth);
+        if (f.name == "cotton broad" && k == 0) plain_miss.known_miss = kTooLimp;
+        Finding& rough_miss =
+            add(result, who + ": lowered with bending friction, against the measurement",
+                f.measured, f.tolerance, rough);
+        if (f.name == "polyester faille" && k == 1) rough_miss.known_miss = kAtTheLightEnd;
         if (k == 0)
           add(result, who + ": with bending friction, but from a folded start", f.measured,
               f.tolerance, settle_folded(material_of(f, w, true), 6, kEdge, progress));
@@ -128,8 +151,8 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress) {
       "B and 2HB are measured (KES); the weights are assumed, 0.10 to 0.13 kg/m² for the cotton "
       "and "
       "0.08 to 0.11 for the faille, and so are K = 500 and G = 30 N/m and the disc of 12.7 under "
-      "the specimen of 25.4 cm. Reported, without a gate, for that reason; ±10 points (cotton) and "
-      "±7 (faille) would count as agreement.",
+      "the specimen of 25.4 cm. The gates, ±10 points (cotton), ±7 (faille) and ±5 against the "
+      "elastic sheets of the reference, are as wide as that.",
       fmt::format(
           "Bending friction remembers. The specimen lies flat, wavy by {:.1f} mm, and its "
           "weight is let on in {} equal steps, as when the plate under it is lowered; every "

@@ -106,7 +106,7 @@ double clamped_pull(double width, double edge, Progress& progress, std::string& 
 
 // How much the pull still depends on the mesh (docs/theory/validation.md 1.3 b: 1 % from 10 to 5
 // mm).
-Finding clamped(double width, Finding::Gate gate, Progress& progress) {
+Finding clamped(double width, Progress& progress) {
   std::string coarse_mesh, fine_mesh;
   Finding f;
   f.obtained = clamped_pull(width, 0.01, progress, coarse_mesh);
@@ -114,8 +114,7 @@ Finding clamped(double width, Finding::Gate gate, Progress& progress) {
   f.what = fmt::format("bias strip {:g} mm wide in clamped jaws: pull at 10 against 5 mm edges",
                        1e3 * width);
   f.unit = "N";
-  f.gate = gate;
-  f.limit = gate == Finding::Gate::relative ? 0.01 : 0;
+  f.limit = 0.01;
   f.mesh = coarse_mesh + "; " + fine_mesh;
   return f;
 }
@@ -143,18 +142,25 @@ BenchmarkResult benchmark_off_axis(Effort effort, Progress& progress) {
                           false,
                           true,
                           {law, obtained}});
-  result.findings.push_back(clamped(0.1, Finding::Gate::relative, progress));
-  result.findings.push_back(clamped(0.05, Finding::Gate::reported, progress));
+  const Finding wide = clamped(0.1, progress);
+  Finding narrow = clamped(0.05, progress);
+  narrow.known_miss = KnownMiss{
+      0.02,
+      "at 10 mm edges it has five triangles across, too few for the wedges of shear at the "
+      "jaws, where the yarns are 40 times stiffer than shear"};
+  result.findings.push_back(wide);
+  result.findings.push_back(narrow);
   result.notes.push_back(fmt::format(
       "K1 = {} N/m (weft), K2 = {} N/m (warp), ν12 = {}, G = {} N/m. The ends are pulled by an "
       "even "
       "traction and may shift and turn, as a strip without clamping effects does; strain is read "
       "over the middle half at a load of 1e-4 of the modulus.",
       kK1, kK2, kNu12, kShear));
-  result.notes.push_back(
-      "Bias strips in clamped jaws (5 % elongation, yarns 40 times stiffer than shear) need the "
-      "mesh to resolve the wedges at the jaws: 10 mm edges are within 1 % on a strip 100 mm wide, "
-      "and 2.3 % too stiff on one of 50 mm, which has five triangles across.");
+  result.notes.push_back(fmt::format(
+      "Bias strips in clamped jaws (5 % elongation) need the mesh to resolve the wedges at the "
+      "jaws: "
+      "10 mm edges are {:.1f} % too stiff on a strip 100 mm wide and {:.1f} % on one of 50 mm.",
+      100 * (wide.obtained / wide.expected - 1), 100 * (narrow.obtained / narrow.expected - 1)));
   return result;
 }
 

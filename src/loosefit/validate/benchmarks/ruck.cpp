@@ -248,9 +248,10 @@ BenchmarkResult benchmark_ruck(Effort effort, Progress& progress) {
     result.findings.back().gate = Finding::Gate::reported;
     if (effort == Effort::full && row.lifted == 2.0) {
       const double least = row.force / ruck.shorter_side();  // P = μ q (ℓ + flat)
-      add("least μ that holds the ruck", least,
-          least_friction(0.95 * least, 1.05 * least, 0.004,
-                         [&](double friction) { return ruck.holds(friction); }));
+      const FrictionLimit found = least_friction(
+          0.95 * least, 1.05 * least, 0.004, [&](double friction) { return ruck.holds(friction); });
+      add(fmt::format("least μ that holds the ruck, known to ± {:.1g}", found.resolution()), least,
+          found.value());
     }
   }
   plot.series = {line[0], line[1], line[2], marks[0], marks[1], marks[2]};

@@ -164,13 +164,14 @@ BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress) {
       result.findings.push_back(f);
     };
     // Bisection about the exact value, and the same told from forces as a second witness.
-    const double found = least_friction(0.95 * row.critical, 1.05 * row.critical, 0.004,
-                                        [&](double mu) { return strip.holds(mu); });
-    add("least μ that holds", row.critical, found);
+    const FrictionLimit found = least_friction(0.95 * row.critical, 1.05 * row.critical, 0.004,
+                                               [&](double mu) { return strip.holds(mu); });
+    add(fmt::format("least μ that holds, known to ± {:.1g},", found.resolution()), row.critical,
+        found.value());
     add("|Q|/P while it sticks", row.critical, strip.needed());
     add("P L²/B", row.force, strip.pressing() * strip.length() * strip.length() / kRigidity);
     bisected.x.push_back(row.shortening);
-    bisected.y.push_back(found);
+    bisected.y.push_back(found.value());
     needed.x.push_back(row.shortening);
     needed.y.push_back(strip.needed());
   }
