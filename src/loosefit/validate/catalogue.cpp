@@ -58,6 +58,20 @@ std::vector<Benchmark> benchmarks() {
        "docs/theory/validation.md 8: two circles", true, benchmark_eccentric_tube},
       {"S1", "Four sensors on the back", "Harms, Amft and Tröster 2012, section 3", false,
        benchmark_back_sensors},
+      {"W1", "Sleeve on a bent arm",
+       "itself at a quarter of the edge length (docs/theory/validation.md 9.1)", true,
+       benchmark_arm_sleeve},
+      {"W2", "Reference shirt on two meshes",
+       "itself at half of the edge length (docs/theory/validation.md 9.2)", false,
+       benchmark_reference_shirt},
+      {"AG1-4", "Air under shirts on men", "docs/theory/air_gap.md 3: AG1 to AG4", true,
+       benchmark_shirts_on_men},
+      {"AG5-7", "Air under tops of growing ease", "docs/theory/air_gap.md 3: AG5 to AG7", false,
+       benchmark_ease_ladder},
+      {"AG9", "Hem of a raised arm", "docs/theory/air_gap.md 3: AG9", false, benchmark_raised_arm},
+      {"AG10", "What carries a shirt", "docs/theory/air_gap.md 3: AG10", false, benchmark_collar},
+      {"AGT", "Published tables of gap and contact", "validation/air_gap.csv", false,
+       benchmark_air_gap_tables},
   };
 }
 

@@ -28,5 +28,12 @@ BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress);
 BenchmarkResult benchmark_cusick_drape(Effort effort, Progress& progress);
 BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress);
 BenchmarkResult benchmark_back_sensors(Effort effort, Progress& progress);
+BenchmarkResult benchmark_arm_sleeve(Effort effort, Progress& progress);
+BenchmarkResult benchmark_reference_shirt(Effort effort, Progress& progress);
+BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress);
+BenchmarkResult benchmark_ease_ladder(Effort effort, Progress& progress);
+BenchmarkResult benchmark_raised_arm(Effort effort, Progress& progress);
+BenchmarkResult benchmark_collar(Effort effort, Progress& progress);
+BenchmarkResult benchmark_air_gap_tables(Effort effort, Progress& progress);
 
 }  // namespace loosefit::validate

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/progress_part.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/maps/pressure.h"
+#include "loosefit/study/garment_layers.h"
+#include "loosefit/study/simulation_options.h"
+#include "loosefit/validate/catalogue.h"
+#include "loosefit/validate/other_bodies.h"
+#include "loosefit/validate/worn_drapes.h"
+
+// AG10 of docs/theory/air_gap.md 3: what carries a shirt, the side of the neck or the shoulder
+// point.
+namespace loosefit::validate {
+namespace {
+
+constexpr double kEdge = 0.014;  ///< [m]
+constexpr double kWeight =
+    0.30;  ///< areal density that makes the shirt one of 200 to 300 g [kg/m²]
+constexpr double kWider = 0.010;  ///< of the neckline, to each side [m]
+constexpr double kProbe = 0.012;  ///< radius over which pressure is read [m]
+constexpr double kNear = 0.035;   ///< of a landmark, where its peak is looked for [m]
+
+const char* const kBareNeck =
+    "the neckline is a bare edge without band or facing, wider than the neck it should lie on: it "
+    "stands off the side of the neck, and the shoulder point carries the shirt";
+
+struct Shoulders {
+  const char* name;
+  double more;  ///< slope, against the body of the model [rad]
+};
+const Shoulders kShoulders[] = {
+    {"sloping", radians(6.0)}, {"normal", 0}, {"square", radians(-6.0)}};
+
+/// Largest pressure near the sides of the neck and near the shoulder points [Pa].
+struct Peaks {
+  double neck = 0, shoulder = 0, mass = 0;
+};
+
+Peaks peaks_of(const Shoulders& shoulders, double neck_ease, Progress& progress,
+               std::string& mesh_text) {
+  const scenario::Scenario scenario = [&] {
+    scenario::Scenario s = worn_scenario(
+        "sex = \"female\"\nheight = 1.62\nmeasurements = { chest = 0.86, waist = 0.70, hip = 0.92 "
+        "}",
+        fmt::format("fit = {{ chest = 0.15, hip = 0.12, neck_ease = {:.6f} }}", neck_ease), kEdge,
+        1);
+    s.studied().material.material.areal_density = kWeight;
+    return s;
+  }();
+  const auto sloped = [&](const body::Body& body) {
+    return shoulders.more == 0 ? body : with_shoulder_slope(body, shoulders.more);
+  };
+  study::CaseBody wearer = study::make_body(scenario.body);
+  wearer.body = body::PosedBody(sloped(wearer.body));
+  for (body::BodyPath* path : {&wearer.path, &wearer.wide_path})
+    if (*path)
+      *path = [&sloped, inner = *path](double share) {
+        return body::PosedBody(sloped(inner(share)));
+      };
+  const auto garments = study::mesh_garments(scenario, study::make_patterns(scenario, wearer.body),
+                                             {}, study::MeshLevels::all);
+  drape::DrapeSession session(study::cloth_layers(scenario, garments),
+                              study::drape_options(scenario.simulation), progress);
+  const drape::Drape drape = study::put_on(session, wearer);
+  if (!drape.certificate.settled())
+    throw SolverFailure(std::string(shoulders.name) +
+                        " shoulders: it did not settle: " + drape.certificate.stop_reason);
+  const garment::Garment& mesh = garments.back().mesh();
+  mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
+  const maps::PressureField field =
+      maps::contact_pressure(mesh, drape, wearer.body, scenario.studied().material.material);
+  // Force in a probe over the cloth in it.
+  const auto read = [&](const Vec3& place) {
+    double force = 0, area = 0;
+    for (int v = 0; v < mesh.vertex_count; ++v)
+      if ((drape.positions[v] - place).norm() < kProbe)
+        force += field.contact[v] * field.area[v], area += field.area[v];
+    return area > 0 ? force / area : 0;
+  };
+  const auto peak_at = [&](const char* landmark) {
+    double most = 0;
+    for (const char* side : {"_L", "_R"}) {
+      const Vec3& place = wearer.body->landmarks.at(std::string(landmark) + side);
+      for (int v = 0; v < mesh.vertex_count; ++v)
+        if ((drape.positions[v] - place).norm() < kNear)
+          most = std::max(most, read(drape.positions[v]));
+    }
+    return most;
+  };
+  return {peak_at("hps"), peak_at("acromion"), mesh.mass};
+}
+
+}  // namespace
+
+BenchmarkResult benchmark_collar(Effort, Progress& progress) {
+  BenchmarkResult result;
+  std::string mesh;
+  int part = 0;
+  const body::Body plain = study::make_body(worn_scenario("sex = \"female\"\nheight = 1.62\n"
+                                                          "measurements = { chest = 0.86, waist = "
+                                                          "0.70, hip = 0.92 }",
+                                                          "", kEdge, 1)
+                                                .body)
+                               .body;
+  // A share of the neck's width: what makes it wider by kWider at each side.
+  const double wider = kWider / plain.landmarks.at("hps_L").x();
+  for (const bool wide : {false, true})
+    for (const Shoulders& shoulders : kShoulders) {
+      ProgressPart own(progress, part / 6.0, 1 / 6.0);
+      ++part;
+      const Peaks peaks = peaks_of(shoulders, wide ? wider : 0, own, mesh);
+      const double ratio = peaks.neck / std::max(peaks.shoulder, 1.0);
+      const std::string what = fmt::format(
+          "AG10: {} shoulders, neckline {}: pressure at the neck over "
+          "that at the shoulder point",
+          shoulders.name, wide ? "10 mm wider" : "at the neck");
+      // Sloping shoulders with the wider neckline: the source does not say.
+      if (wide && shoulders.more > 0)
+        result.findings.push_back(
+            {what, "", std::nan(""), ratio, Finding::Gate::reported, 0, mesh});
+      else
+        result.findings.push_back(
+            in_range(what, "", std::nan(""), ratio, wide ? 0 : 1, wide ? 1 : HUGE_VAL, mesh));
+      if (!wide) result.findings.back().known_miss = KnownMiss{1, kBareNeck};
+      result.notes.push_back(fmt::format(
+          "{} shoulders, neckline {}: {:.2f} kPa at the neck, {:.2f} kPa at the shoulder point; a "
+          "shirt of {:.0f} g.",
+          shoulders.name, wide ? "10 mm wider" : "at the neck", peaks.neck / 1000,
+          peaks.shoulder / 1000, 1000 * peaks.mass));
+    }
+  result.notes.push_back(fmt::format(
+      "Peaks of the mean pressure over discs of {:g} mm radius within {:g} mm of the landmark; "
+      "shoulders of the body sloped by 6° to either side. Source and order: docs/theory/air_gap.md "
+      "1 "
+      "(R11).",
+      1e3 * kProbe, 1e3 * kNear));
+  return result;
+}
+
+}  // namespace loosefit::validate

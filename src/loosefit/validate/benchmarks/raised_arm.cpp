@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/progress_part.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/geometry/mesh_topology.h"
+#include "loosefit/study/garment_layers.h"
+#include "loosefit/study/prepare_case.h"
+#include "loosefit/study/simulation_options.h"
+#include "loosefit/validate/catalogue.h"
+#include "loosefit/validate/other_bodies.h"
+#include "loosefit/validate/worn_drapes.h"
+
+// AG9 of docs/theory/air_gap.md 3: how far the hem rises when the right arm is raised, with and
+// without sleeves.
+namespace loosefit::validate {
+namespace {
+
+constexpr double kEdge = 0.014;            ///< [m]
+constexpr double kSector = radians(25.0);  ///< of the hem to either side of a place
+const char* const kBody =
+    "sex = \"female\"\nheight = 1.60\n"
+    "measurements = { chest = 0.84, waist = 0.66, hip = 0.91 }";
+
+enum Raise { up, aside, forward, kRaises };
+const char* const kRaiseNames[] = {"straight up", "to the side", "to the front"};
+
+body::Posture raised(Raise raise, const body::Posture& standing) {
+  body::Posture posture = standing;
+  posture.elbow_extension = 1;
+  posture.arm_abduction = radians(raise == aside ? 90 : raise == up ? 20 : 10);
+  posture.arm_flexion = radians(raise == aside ? 0 : raise == up ? 160 : 90);
+  return posture;
+}
+
+/// Rise of the hem [m]: all of it, and at the right, front, back and left.
+struct Lift {
+  double all = 0;
+  std::array<double, 4> at = {};
+};
+
+/// The lowest border of the trunk's panels.
+std::vector<int> hem_of(const garment::Garment& mesh, const std::vector<Vec3>& x) {
+  const geometry::MeshTopology topology(mesh.triangles);
+  std::vector<int> hem;
+  double lowest = HUGE_VAL;
+  for (const std::vector<int>& loop : topology.boundary_loops()) {
+    double low = HUGE_VAL;
+    double length = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      low = std::min(low, x[loop[i]].z());
+      length += (x[loop[i]] - x[loop[(i + 1) % loop.size()]]).norm();
+    }
+    if (length > 0.6 && low < lowest) lowest = low, hem = loop;  // no cuff is so long
+  }
+  return hem;
+}
+
+Lift lift_of(const std::vector<int>& hem, const std::vector<Vec3>& before,
+             const std::vector<Vec3>& after) {
+  Vec3 middle = Vec3::Zero();
+  for (int v : hem) middle += before[v] / static_cast<double>(hem.size());
+  const std::array<Vec2, 4> places = {Vec2(-1, 0), Vec2(0, -1), Vec2(0, 1), Vec2(1, 0)};
+  std::array<int, 4> counts = {};
+  Lift lift;
+  for (int v : hem) {
+    const double rise = after[v].z() - before[v].z();
+    lift.all += rise / static_cast<double>(hem.size());
+    const Vec2 off = (before[v] - middle).head<2>().normalized();
+    for (int k = 0; k < 4; ++k)
+      if (off.dot(places[k]) > std::cos(kSector)) lift.at[k] += rise, ++counts[k];
+  }
+  for (int k = 0; k < 4; ++k) lift.at[k] /= std::max(1, counts[k]);
+  return lift;
+}
+
+/// One garment, put on and led to every raise.
+std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
+                                std::string& mesh_text) {
+  const scenario::Scenario scenario = worn_scenario(kBody, garment, kEdge, 1);
+  Progress silent;
+  study::CaseResult prepared = study::prepare_case(scenario, silent);
+  ProgressPart putting_on(progress, 0, 0.25);
+  drape::DrapeSession session(study::cloth_layers(prepared.scenario, prepared.garments),
+                              study::drape_options(scenario.simulation), putting_on);
+  const drape::Drape standing = study::put_on(session, prepared.body);
+  if (!standing.certificate.settled())
+    throw SolverFailure("the garment did not settle: " + standing.certificate.stop_reason);
+  const garment::Garment& mesh = prepared.studied().mesh();
+  mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
+  const std::vector<int> hem = hem_of(mesh, standing.positions);
+  const body::Posture from = scenario.body.posture;
+  std::array<Lift, kRaises> all;
+  for (int r = 0; r < kRaises; ++r) {
+    const body::Posture to = raised(Raise(r), from);
+    // The same person on the way from one posture to the other; the left half stays.
+    scenario::ScenarioBody wanted = scenario.body;
+    wanted.dress_posture = from, wanted.posture = to;
+    const study::CaseBody mover = study::make_body(wanted);
+    const body::BodyPath path = [&](double share) {
+      return body::PosedBody(halves(prepared.body.body, mover.path(share)));
+    };
+    ProgressPart own(progress, 0.25 * (r + 1), 0.25);
+    const drape::Drape drape = session.follow(path, own);
+    if (!drape.certificate.settled())
+      throw SolverFailure(fmt::format("with the arm {} it did not settle: {}", kRaiseNames[r],
+                                      drape.certificate.stop_reason));
+    all[r] = lift_of(hem, standing.positions, drape.positions);
+  }
+  return all;
+}
+
+}  // namespace
+
+BenchmarkResult benchmark_raised_arm(Effort, Progress& progress) {
+  BenchmarkResult result;
+  std::string mesh, bare_mesh;
+  ProgressPart first(progress, 0, 0.6), second(progress, 0.6, 0.4);
+  const auto sleeved = lifts("fit = { chest = 0.12, hip = 0.10 }", first, mesh);
+  const auto bare =
+      lifts("pattern = \"tank-top\"\nfit = { chest = 0.12, hip = 0.10, strap_width = 1 }", second,
+            bare_mesh);
+  const auto add = [&](const std::string& what, double expected, double obtained, double low,
+                       double high) {
+    result.findings.push_back(in_range("AG9: " + what, "", expected, obtained, low, high, mesh));
+  };
+  add("rise of the hem, arm straight up over to the side", 2.5,
+      sleeved[up].all / sleeved[aside].all, 1.7, 3.5);
+  add("rise of the hem, arm straight up over to the front", 2.5,
+      sleeved[up].all / sleeved[forward].all, 1.7, 3.5);
+  add("rise of the hem, arm straight up, without sleeves over with", 0.5,
+      bare[up].all / sleeved[up].all, 1.0 / 3, 1 / 1.4);
+  const auto& at = sleeved[up].at;
+  add("neighbours in the order right > centre front > centre back > left, of 3", 3,
+      (at[0] > at[1]) + (at[1] > at[2]) + (at[2] > at[3]), 3, 3);
+  for (int r = 0; r < kRaises; ++r)
+    result.notes.push_back(fmt::format(
+        "Right arm {}: the hem of the shirt rises by {:.0f} mm (right {:.0f}, front {:.0f}, back "
+        "{:.0f}, left {:.0f}), that of the top by {:.0f} mm.",
+        kRaiseNames[r], 1e3 * sleeved[r].all, 1e3 * sleeved[r].at[0], 1e3 * sleeved[r].at[1],
+        1e3 * sleeved[r].at[2], 1e3 * sleeved[r].at[3], 1e3 * bare[r].all));
+  result.notes.push_back(
+      "A woman in a shirt with long sleeves and in a sleeveless top, the right arm raised. The "
+      "source "
+      "tells of the waist mark of one-piece dresses: ratios and order are compared, not "
+      "millimetres "
+      "(docs/theory/air_gap.md 1: R8).");
+  return result;
+}
+
+}  // namespace loosefit::validate

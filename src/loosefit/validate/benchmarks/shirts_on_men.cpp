@@ -1,0 +1,201 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/progress_part.h"
+#include "loosefit/maps/air_gap.h"
+#include "loosefit/maps/girth.h"
+#include "loosefit/maps/section_gap.h"
+#include "loosefit/validate/catalogue.h"
+#include "loosefit/validate/worn_drapes.h"
+
+// AG1 to AG4 of docs/theory/air_gap.md 3: shirts on standing men of several builds, in several
+// fits, put on several times.
+namespace loosefit::validate {
+namespace {
+
+constexpr double kEdge = 0.014, kQuickEdge = 0.020;  ///< [m]
+constexpr int kDonnings = 3;
+constexpr double kSlice = 0.020;        ///< between sections [m]
+constexpr double kTop = 0.080;          ///< of the trunk, that is the shoulder [m]
+constexpr double kContactGap = 1e-3;    ///< below which scans see contact [m]
+constexpr double kLeastContact = 1e-3;  ///< a share below it is called this: ratios stay finite
+
+struct Build {
+  const char *name, *body;
+};
+const Build kBuilds[] = {{"slim man",
+                          "sex = \"male\"\nheight = 1.76\n"
+                          "measurements = { chest = 0.90, waist = 0.76, hip = 0.92 }"},
+                         {"average man",
+                          "sex = \"male\"\nheight = 1.78\n"
+                          "measurements = { chest = 1.00, waist = 0.88, hip = 1.00 }"},
+                         {"heavy man",
+                          "sex = \"male\"\nheight = 1.80\n"
+                          "measurements = { chest = 1.12, waist = 1.04, hip = 1.10 }"}};
+struct Fit {
+  const char *name, *garment;
+};
+const Fit kFits[] = {{"close", "fit = { chest = 0.06, hip = 0.06 }"},
+                     {"regular", "fit = { chest = 0.12, hip = 0.12 }"},
+                     {"loose", "fit = { chest = 0.22, hip = 0.22 }"}};
+
+/// What one drape says.
+struct Reading {
+  double by_regions = 0, by_slices = 0;               ///< air from hip to armpit [m³]
+  double least_filling = HUGE_VAL, most_filling = 0;  ///< over the slices
+  double waist = 0, chest = 0, shoulder = 0;          ///< mean gaps [m]
+  double contact_above = 0, contact_below = 0;        ///< shares: shoulders and upper back; abdomen
+                                                      ///< and lower back
+};
+
+bool is_one_of(body::Region region, std::initializer_list<body::Region> some) {
+  return std::find(some.begin(), some.end(), region) != some.end();
+}
+
+Reading read(const WornDrape& worn) {
+  using body::Region;
+  Reading reading;
+  const garment::Garment& mesh = worn.mesh;
+  const std::vector<Vec3>& x = worn.drape.positions;
+  const body::Body& body = worn.body;
+  const auto section = [&](double level) {
+    return maps::trunk_section(mesh, x, worn.worn, body, level);
+  };
+  const auto of_trunk = [&](int t) {
+    return worn.worn.panel_part[mesh.triangle_panel[t]] == body::BodyPart::trunk;
+  };
+  const auto height = [&](int t) {
+    const Triangle& c = mesh.triangles[t];
+    return (x[c[0]].z() + x[c[1]].z() + x[c[2]].z()) / 3;
+  };
+  // Slices from hip to armpit; the air under the inner face of the cloth.
+  double lowest = HUGE_VAL, highest = 0;
+  for (double z = body.measured.at("hip_level") + kSlice;
+       z < body.measured.at("armpit_level") - kSlice; z += kSlice) {
+    const auto s = section(z);
+    if (!s) continue;
+    reading.by_slices += kSlice * (s->gap_area() - worn.half_thickness() * s->cloth_girth);
+    reading.least_filling = std::min(reading.least_filling, s->filling());
+    reading.most_filling = std::max(reading.most_filling, s->filling());
+    lowest = std::min(lowest, z - 0.5 * kSlice), highest = std::max(highest, z + 0.5 * kSlice);
+  }
+  // The same region by region, over the partners of the cloth.
+  for (const Region region : body::all_regions())
+    reading.by_regions += maps::air_gap(mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
+                            return of_trunk(t) &&
+                                   worn.worn.regions[mesh.triangles[t][0]] == region &&
+                                   height(t) > lowest && height(t) < highest;
+                          }).volume;
+  // The profile.
+  if (const auto s = section(body.measured.at("waist_level"))) reading.waist = s->mean_gap();
+  if (const auto s = section(maps::chest_height(body))) reading.chest = s->mean_gap();
+  const double top = body.landmarks.at("hps_L").z() - kTop;
+  reading.shoulder = maps::air_gap(mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
+                       return of_trunk(t) && height(t) > top;
+                     }).mean_gap();
+  // Where it is carried and where it hangs.
+  const auto gaps = maps::skin_gaps(body, mesh, x, worn.half_thickness());
+  const std::vector<Region>& regions = worn.body.regions();
+  reading.contact_above = maps::contact_share(body, gaps, kContactGap, [&](int v) {
+    return is_one_of(regions[v],
+                     {Region::shoulder_left, Region::shoulder_right, Region::upper_back});
+  });
+  reading.contact_below = maps::contact_share(body, gaps, kContactGap, [&](int v) {
+    return is_one_of(regions[v], {Region::abdomen, Region::lower_back});
+  });
+  return reading;
+}
+
+}  // namespace
+
+BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress) {
+  BenchmarkResult result;
+  const bool quick = effort == Effort::quick;
+  const double edge = quick ? kQuickEdge : kEdge;
+  std::vector<Reading> all;
+  report::Plot::Series waist{"waist", {}, {}}, chest{"chest", {}, {}}, shoulder{"shoulder", {}, {}};
+  std::size_t mesh_size = 0;
+  int part = 0, tried = 0;
+  for (const Build& build : kBuilds)
+    for (const Fit& fit : kFits) {
+      if (quick && (&build != &kBuilds[1] || &fit != &kFits[1])) continue;
+      const std::string who = fmt::format("{}, {} shirt", build.name, fit.name);
+      const double share = quick ? 1 : 1.0 / (std::size(kBuilds) * std::size(kFits));
+      ProgressPart own(progress, share * part++, share);
+      const int donnings = quick ? 1 : kDonnings;
+      const study::CaseResult run =
+          wear(worn_scenario(build.body, fit.garment, edge, donnings), who, own);
+      tried += donnings;
+      std::vector<Reading> readings;
+      for (const WornDrape& worn : worn_drapes(run)) {
+        readings.push_back(read(worn));
+        mesh_size = worn.mesh.triangles.size();
+      }
+      for (const Reading& r : readings) {
+        const double at = static_cast<double>(part);
+        waist.x.push_back(at), chest.x.push_back(at), shoulder.x.push_back(at);
+        waist.y.push_back(1e3 * r.waist), chest.y.push_back(1e3 * r.chest);
+        shoulder.y.push_back(1e3 * r.shoulder);
+        all.push_back(r);
+      }
+      result.notes.push_back(fmt::format(
+          "{}: mean gap at waist, chest and shoulder {:.1f}, {:.1f}, {:.1f} mm; skin in contact "
+          "{:.0f} "
+          "% above, {:.0f} % below (first of {} donnings).",
+          who, 1e3 * readings[0].waist, 1e3 * readings[0].chest, 1e3 * readings[0].shoulder,
+          100 * readings[0].contact_above, 100 * readings[0].contact_below, readings.size()));
+    }
+  const std::string mesh = fmt::format("{} drapes, {:g} mm edges, about {} triangles", all.size(),
+                                       1e3 * edge, mesh_size);
+  const double none = std::nan(""), drapes = static_cast<double>(all.size());
+  const auto add = [&](const std::string& what, double expected, double obtained, double low,
+                       double high) {
+    result.findings.push_back(in_range(what, "", expected, obtained, low, high, mesh));
+  };
+  const auto extreme = [&](bool largest, const std::function<double(const Reading&)>& of) {
+    double found = largest ? -HUGE_VAL : HUGE_VAL;
+    for (const Reading& r : all) found = largest ? std::max(found, of(r)) : std::min(found, of(r));
+    return found;
+  };
+  const auto volumes = [](const Reading& r) { return r.by_regions / r.by_slices; };
+  add("AG1: air of the regions over that of the slices, least", 1, extreme(false, volumes), 0.98,
+      1.02);
+  add("AG1: the same, largest", 1, extreme(true, volumes), 0.98, 1.02);
+  add("AG2: filling of a slice, least", none,
+      extreme(false, [](const Reading& r) { return r.least_filling; }), 0, 1.02);
+  add("AG2: filling of a slice, largest", none,
+      extreme(true, [](const Reading& r) { return r.most_filling; }), 0, 1.02);
+  add(fmt::format("AG3: drapes with gaps at waist > chest > shoulder, of {}", all.size()), drapes,
+      static_cast<double>(std::count_if(
+          all.begin(), all.end(),
+          [](const Reading& r) { return r.waist > r.chest && r.chest > r.shoulder; })),
+      drapes, drapes);
+  add("AG3: gap at the shoulder over that at the waist, largest", 0,
+      extreme(true, [](const Reading& r) { return r.shoulder / r.waist; }), 0, 0.25);
+  add("AG4: contact of shoulders and upper back over that of abdomen and lower back, least", none,
+      extreme(false,
+              [](const Reading& r) {
+                return r.contact_above / std::max(r.contact_below, kLeastContact);
+              }),
+      2, HUGE_VAL);
+  add("donnings that settled and are worn, of those tried", 1, drapes / tried, 0.9, 1);
+  if (!quick)
+    result.plots.push_back({"Mean gap of shirts on men (three fits for each of three builds)",
+                            "case",
+                            "mean gap (mm)",
+                            false,
+                            false,
+                            {waist, chest, shoulder}});
+  result.notes.push_back(fmt::format(
+      "Men of three builds in shirts of +6, +12 and +22 %, put on {} times each. Mean gap is air "
+      "over "
+      "skin; slices every {:g} mm from hip to armpit, the shoulder is the trunk's top {:g} mm; "
+      "contact "
+      "is skin with less than {:g} mm of air. Orders and bands: docs/theory/air_gap.md 3.",
+      kDonnings, 1e3 * kSlice, 1e3 * kTop, 1e3 * kContactGap));
+  return result;
+}
+
+}  // namespace loosefit::validate
