@@ -1,64 +1,168 @@
 #!/usr/bin/env python3
-"""Writes the table of benchmarks in docs/accuracy.md from a validation.json.
+"""Writes the figures of the benchmarks into validation/results.json and the documents.
 
     build/bin/loosefit validate -o out/validation
-    python3 validation/summary.py out/validation/validation.json
+    python3 validation/summary.py out/validation/validation.json   # all or some of the benchmarks
+    python3 validation/summary.py              # the documents again, from validation/results.json
+    python3 validation/summary.py --check      # exit 1 when a document says something else
+
+docs/accuracy.md has the tables between markers. Any document of docs may have a single figure,
+
+    changes by <!-- figure M3 "50 mm wide" error -->2.3 %<!-- end -->
+
+that is one of the keys expected, obtained, error, or limit of the finding of that benchmark whose
+text contains the words in quotes.
 """
 
 import json
 import pathlib
+import re
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "accuracy.md"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 BEGIN, END = "<!-- benchmarks: begin -->", "<!-- benchmarks: end -->"
-
-
-def share_of_gate(finding):
-    """Error as a share of its gate; the worst finding of a benchmark has the largest."""
-    return finding["error"] / finding["limit"] if finding.get("limit") else 0.0
+FIGURE = re.compile(r'(<!-- figure (\S+) "([^"]+)" (expected|obtained|error|limit) -->)(.*?)(<!-- end -->)', re.S)
+KEPT = ("what", "unit", "expected", "obtained", "error", "gate", "limit", "share_of_gate", "verdict",
+        "known_miss")
 
 
 def number(value):
     return "–" if value is None else f"{value:.4g}"
 
 
-def percent_or_number(finding, key):
+def with_unit(finding, value):
+    text = "–" if value is None else f"{value:.2g}"
+    return f"{text} {finding['unit']}".strip()
+
+
+def measure(finding, key):
+    """Error or limit in the measure of the gate."""
     value = finding[key]
-    if value is None:
-        return "–"
-    return f"{100 * value:.2g} %" if finding["gate"] == "relative" else f"{value:.2g} {finding['unit']}"
+    if isinstance(value, list):
+        low, high = value
+        if low is None:
+            return f"at most {number(high)}"
+        return f"at least {number(low)}" if high is None else f"{number(low)} to {number(high)}"
+    if value is not None and finding["gate"] == "relative":
+        return f"{100 * value:.0f} %" if value >= 1 else f"{100 * value:.2g} %"
+    return with_unit(finding, value)
 
 
-def main():
-    if len(sys.argv) != 2:
-        raise SystemExit(__doc__)
-    report = json.loads(pathlib.Path(sys.argv[1]).read_text())
+def cell(text):
+    """A text in a table, where a bar would end the cell."""
+    return text.replace("|", "\\|")
+
+
+def share(finding):
+    return float("inf") if finding["share_of_gate"] is None else finding["share_of_gate"]
+
+
+def verdict_text(verdict):
+    return verdict if verdict in ("pass", "reported") else f"**{verdict}**"
+
+
+def overview(benchmarks):
     lines = ["| id | benchmark | figures | nearest to its gate | expected | obtained | error | gate | |",
              "|---|---|---|---|---|---|---|---|---|"]
-    for benchmark in report["benchmarks"]:
+    for benchmark in benchmarks:
         gated = [f for f in benchmark["findings"] if f["gate"] != "reported"]
-        worst = max(gated, key=share_of_gate, default=None)
-        if worst is None:
-            lines.append(f"| {benchmark['id']} | {benchmark['title']} | "
-                         f"{len(benchmark['findings'])} | reported, see below | | | | | – |")
+        head = f"| {benchmark['id']} | {benchmark['title']} | {len(benchmark['findings'])} | "
+        if gated:
+            worst = max(gated, key=share)
+            lines.append(f"{head}{cell(worst['what'])} | {number(worst['expected'])} | "
+                         f"{number(worst['obtained'])} | {measure(worst, 'error')} | "
+                         f"{measure(worst, 'limit')} | {verdict_text(benchmark['verdict'])} |")
+        else:
+            lines.append(f"{head}{benchmark['error'] or 'no gate'} | | | | | "
+                         f"{verdict_text(benchmark['verdict'])} |")
+    return lines
+
+
+def misses(benchmarks):
+    """Every figure that is not at its gate, with its reason."""
+    lines = []
+    for benchmark in benchmarks:
+        for f in benchmark["findings"]:
+            if f["verdict"] in ("pass", "reported"):
+                continue
+            why = f["known_miss"]["reason"] if f["known_miss"] else "not known"
+            lines.append(f"| {benchmark['id']} | {cell(f['what'])} | {number(f['expected'])} | "
+                         f"{number(f['obtained'])} {f['unit']} | {measure(f, 'limit')} | "
+                         f"{verdict_text(f['verdict'])} | {cell(why)} |")
+    if not lines:
+        return ["", "No figure misses its gate."]
+    return ["", "Figures that miss their gates, with the reason where it is known:", "",
+            "| id | figure | expected | obtained | gate | | reason |",
+            "|---|---|---|---|---|---|---|"] + lines
+
+
+def reported(benchmarks):
+    lines = [f"| {b['id']} | {cell(f['what'])} | {number(f['expected'])} | {number(f['obtained'])} {f['unit']} |"
+             for b in benchmarks for f in b["findings"] if f["verdict"] == "reported"]
+    if not lines:
+        return []
+    return ["", "Reported without a gate:", "", "| id | figure | reference | obtained |",
+            "|---|---|---|---|"] + lines
+
+
+def tables(benchmarks):
+    return "\n".join(overview(benchmarks) + misses(benchmarks) + reported(benchmarks))
+
+
+def figure(benchmarks, identity, words, key):
+    found = [f for b in benchmarks if b["id"] == identity for f in b["findings"] if words in f["what"]]
+    if len(found) != 1:
+        raise SystemExit(f"error: {len(found)} findings of {identity} contain \"{words}\", expected one")
+    if key in ("error", "limit"):
+        return measure(found[0], key)
+    return f"{number(found[0][key])} {found[0]['unit']}".strip()
+
+
+def written(text, benchmarks):
+    """The document as the results have it."""
+    if BEGIN in text:
+        head, rest = text.split(BEGIN, 1)
+        text = head + BEGIN + "\n" + tables(benchmarks) + "\n" + END + rest.split(END, 1)[1]
+    return FIGURE.sub(lambda m: m[1] + figure(benchmarks, m[2], m[3], m[4]) + m[6], text)
+
+
+def merged(old, new):
+    """New benchmarks in the place of old ones of their id; those that are new come last."""
+    by_id = {b["id"]: b for b in new}
+    kept = [by_id.pop(b["id"], b) for b in old]
+    return kept + list(by_id.values())
+
+
+def short(benchmark):
+    return {**{key: benchmark[key] for key in ("id", "title", "verdict", "error")},
+            "findings": [{key: f[key] for key in KEPT} for f in benchmark["findings"]]}
+
+
+def main(argv, root=ROOT):
+    results = root / "validation" / "results.json"
+    stored = json.loads(results.read_text()) if results.exists() else []
+    if len(argv) > 2:
+        raise SystemExit(__doc__)
+    check = argv[1:] == ["--check"]
+    if argv[1:] and not check:
+        report = json.loads(pathlib.Path(argv[1]).read_text())
+        if report["effort"] != "full":
+            raise SystemExit(f"error: {argv[1]}: found the quick subset, expected a full validation")
+        stored = merged(stored, [short(b) for b in report["benchmarks"]])
+        results.write_text(json.dumps(stored, indent=1, ensure_ascii=False) + "\n")
+    stale = []
+    for page in sorted((root / "docs").rglob("*.md")):
+        text = page.read_text()
+        now = written(text, stored)
+        if now == text:
             continue
-        verdict = "pass" if all(f["pass"] for f in gated) else "**MISS**"
-        lines.append(
-            f"| {benchmark['id']} | {benchmark['title']} | {len(gated)} | {worst['what']} | "
-            f"{number(worst['expected'])} | {number(worst['obtained'])} | "
-            f"{percent_or_number(worst, 'error')} | {percent_or_number(worst, 'limit')} | {verdict} |")
-    lines += ["", "Reported without a gate:", "", "| id | figure | reference | obtained |",
-              "|---|---|---|---|"]
-    for benchmark in report["benchmarks"]:
-        if benchmark["id"] in ("D2", "S1"):
-            lines += [f"| {benchmark['id']} | {f['what']} | {number(f['expected'])} | "
-                      f"{number(f['obtained'])} {f['unit']} |" for f in benchmark["findings"]]
-    page = PAGE.read_text()
-    if BEGIN not in page or END not in page:
-        raise SystemExit(f"error: {PAGE}: found no place for the table, expected {BEGIN} … {END}")
-    head, rest = page.split(BEGIN, 1)
-    PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + rest.split(END, 1)[1])
+        stale.append(page.relative_to(root).as_posix())
+        if not check:
+            page.write_text(now)
+    for page in stale:
+        print(f"error: {page} does not say what validation/results.json says" if check else f"wrote {page}")
+    return 1 if check and stale else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv))

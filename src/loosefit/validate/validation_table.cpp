@@ -16,6 +16,7 @@ std::string measure(double value, const Finding& f) {
     const std::string text = fmt::format("{:.3g}", value);
     return f.unit.empty() ? text : text + " " + f.unit;
   }
+  if (value >= 1) return fmt::format("{:.0f} %", 100 * value);
   return 100 * value >= 1e-3 || value == 0 ? fmt::format("{:.2g} %", 100 * value)
                                            : fmt::format("{:.1e}", value);
 }

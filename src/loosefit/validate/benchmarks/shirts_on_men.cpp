@@ -15,7 +15,7 @@
 namespace loosefit::validate {
 namespace {
 
-constexpr double kEdge = 0.014, kQuickEdge = 0.020;  ///< [m]
+constexpr double kEdge = 0.020;  ///< [m]
 constexpr int kDonnings = 3;
 constexpr double kSlice = 0.020;        ///< between sections [m]
 constexpr double kTop = 0.080;          ///< of the trunk, that is the shoulder [m]
@@ -113,7 +113,7 @@ Reading read(const WornDrape& worn) {
 BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress) {
   BenchmarkResult result;
   const bool quick = effort == Effort::quick;
-  const double edge = quick ? kQuickEdge : kEdge;
+  const double edge = kEdge;
   std::vector<Reading> all;
   report::Plot::Series waist{"waist", {}, {}}, chest{"chest", {}, {}}, shoulder{"shoulder", {}, {}};
   std::size_t mesh_size = 0;
