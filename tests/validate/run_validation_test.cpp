@@ -175,7 +175,9 @@ TEST(Catalogue, EveryBenchmarkStandsInTheListOfTheoryAndEveryResultIsThatOfOne) 
     EXPECT_TRUE(titles.emplace(b.id, b.title).second) << b.id << " twice";
     EXPECT_TRUE(std::regex_search(list, std::regex("\\b" + b.id + "\\b"))) << b.id;
   }
-  const std::string results = document("docs/accuracy.md");
+  std::string results = document("docs/accuracy.md");
+  results.erase(0, results.find("<!-- benchmarks: begin -->"));
+  results.resize(std::min(results.size(), results.find("\n\n")));  // the first table
   const std::regex row(R"(\| ([A-Z]+[0-9]*(?:-[0-9]+)?) \| ([^|]*) \| [0-9]+ \|)");
   int rows = 0;
   for (std::sregex_iterator at(results.begin(), results.end(), row), end; at != end; ++at, ++rows)
