@@ -19,18 +19,18 @@ using support::usual_fit;
 constexpr int kPeople = 24;
 
 /// The parametric boy of 9.5 years and 1.35 m.
-const ShirtMeasures kBoy{.chest = .7180,
-                         .waist = .5930,
-                         .hip = .7001,
-                         .neck = .3767,
-                         .upper_arm = .2308,
-                         .wrist = .1072,
-                         .shoulder_breadth = .2942,
-                         .shoulder_slope = .3913,
-                         .scye_depth = .1260,
-                         .hps_to_waist = .3683,
-                         .hps_to_hem = .4978,
-                         .arm_length = .4083};
+const ShirtMeasures kBoy = with_usual_measures(ShirtMeasures{.chest = .7180,
+                                                             .waist = .5930,
+                                                             .hip = .7001,
+                                                             .neck = .3767,
+                                                             .upper_arm = .2308,
+                                                             .wrist = .1072,
+                                                             .shoulder_breadth = .2942,
+                                                             .shoulder_slope = .3913,
+                                                             .scye_depth = .1260,
+                                                             .hps_to_waist = .3683,
+                                                             .hps_to_hem = .4978,
+                                                             .arm_length = .4083});
 
 std::set<std::string> all_but(const std::set<std::string>& asked) {
   std::set<std::string> keys;
@@ -76,6 +76,9 @@ class People {
          {&m.shoulder_breadth, &m.scye_depth, &m.hps_to_waist, &m.hps_to_hem, &m.arm_length})
       about(*value, size);
     m.shoulder_slope = radians(uniform(2, 38));
+    m = with_usual_measures(m);
+    m.front_balance = uniform(-0.02, 0.06);
+    m.front_fullness = uniform(-0.02, 0.05);
     return m;
   }
   bool coin() { return random_() % 2 == 0; }

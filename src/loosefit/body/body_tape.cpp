@@ -164,9 +164,16 @@ std::map<std::string, double> BodyTape::all() const {
   found["shoulder_slope"] = std::atan2(hps.z() - shoulder, acromion.x() - hps.x());
   found["shoulder_length"] = (acromion - hps).norm();
   found["neck_width"] = 2 * hps.x();
+  found["front_fullness"] =
+      trunk_girth_front(rest_.surface, found["chest_level"] + ground) - measure("chest") / 2;
+  found["neck_drop_back"] = hps.z() - vertex(kC7).z();
   found["armscye"] = armscye_round(rest_.surface, joint("upperarm01.L")).girth;
+  found["elbow"] = bent_elbow_girth(rest_.surface, joint("upperarm01.L"), joint("lowerarm01.L"),
+                                    joint("wrist.L"));
+  found["elbow_length"] = (acromion - vertex(kElbowEnd)).norm();
   found["hps_to_waist"] = back_tape(rest_.surface, hps, waist);
   found["hps_to_hip"] = back_tape(rest_.surface, hps, hip);
+  found["front_balance"] = front_tape(rest_.surface, hps, hip) - found["hps_to_hip"];
   found["volume"] = geometry::enclosed_volume(rest_.surface);
   found["mass"] = kDensity * found["volume"];
   return found;

@@ -28,6 +28,25 @@ double trunk_girth(const geometry::TriangleMesh& mesh, double z) {
   return hull_perimeter(trunk->points, Vec3::UnitZ());
 }
 
+double trunk_girth_front(const geometry::TriangleMesh& mesh, double z) {
+  const auto loops = plane_section(mesh, Vec3(0, 0, z), Vec3::UnitZ());
+  const SectionLoop* trunk = trunk_loop(loops);
+  if (!trunk) throw GeometryError("body: found no closed section round the trunk at this level");
+  std::vector<Vec2> points;
+  for (const Vec3& p : trunk->points) points.emplace_back(p.x(), p.y());
+  const std::vector<Vec2> hull = convex_hull(points);
+  const auto aside = [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); };
+  const auto right = std::min_element(hull.begin(), hull.end(), aside),
+             left = std::max_element(hull.begin(), hull.end(), aside);
+  // Counter-clockwise seen from above, the front (−y) runs from the wearer's right to the left.
+  double length = 0;
+  const std::size_t n = hull.size();
+  for (auto i = std::size_t(right - hull.begin()); i != std::size_t(left - hull.begin());
+       i = (i + 1) % n)
+    length += (hull[(i + 1) % n] - hull[i]).norm();
+  return length;
+}
+
 double girth_round(const geometry::TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
   for (const auto& loop : plane_section(mesh, origin, normal)) {
     if (loop_contains(loop, normal, origin)) return hull_perimeter(loop.points, normal);
@@ -35,38 +54,57 @@ double girth_round(const geometry::TriangleMesh& mesh, const Vec3& origin, const
   throw GeometryError("body: found no closed section round this point");
 }
 
-double back_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double down_to) {
-  std::vector<Vec2> back = {{from.z(), from.y()}};
+namespace {
+
+/// Tape down one side of the body, behind (+1) or in front (−1) of the line from start to end.
+double taut_down(const geometry::TriangleMesh& mesh, const Vec3& from, double down_to,
+                 double behind) {
+  // Height and how far out, of the side that the tape is on.
+  const auto seen = [&](const Vec3& p) { return Vec2(p.z(), behind * p.y()); };
+  std::vector<Vec2> skin = {seen(from)};
   for (const auto& loop : plane_section(mesh, from, Vec3::UnitX())) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       const Vec3& a = loop.points[i];
       const Vec3& b = loop.points[(i + 1) % loop.points.size()];
-      if (a.z() <= from.z() && a.z() >= down_to) back.emplace_back(a.z(), a.y());
-      if ((a.z() - down_to) * (b.z() - down_to) < 0) {
-        const Vec3 end = a + (down_to - a.z()) / (b.z() - a.z()) * (b - a);
-        back.emplace_back(end.z(), end.y());
-      }
+      if (a.z() <= from.z() && a.z() >= down_to) skin.push_back(seen(a));
+      if ((a.z() - down_to) * (b.z() - down_to) < 0)
+        skin.push_back(seen(a + (down_to - a.z()) / (b.z() - a.z()) * (b - a)));
     }
   }
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const auto& p : back) {
-    if (p.x() <= down_to + 1e-9) deepest = std::max(deepest, p.y());
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const auto& p : skin) {
+    if (p.x() <= down_to + 1e-9) farthest = std::max(farthest, p.y());
   }
-  // Keep the chain of the hull that lies behind the line from start to end.
-  const Vec2 start(from.z(), from.y()), end(down_to, deepest);
-  const auto behind = [&](const Vec2& p) {
+  // Keep the chain of the hull that lies outside the line from start to end.
+  const Vec2 start = seen(from), end(down_to, farthest);
+  const auto outside = [&](const Vec2& p) {
     const Vec2 d = end - start, e = p - start;
     return d.x() * e.y() - d.y() * e.x() <= 1e-12;
   };
   std::vector<Vec2> kept = {start, end};
-  for (const auto& p : back) {
-    if (behind(p)) kept.push_back(p);
+  for (const auto& p : skin) {
+    if (outside(p)) kept.push_back(p);
   }
   const auto hull = convex_hull(kept);
   double perimeter = 0;
   for (std::size_t i = 0; i < hull.size(); ++i)
     perimeter += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   return perimeter - (end - start).norm();
+}
+
+}  // namespace
+
+double back_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double down_to) {
+  return taut_down(mesh, from, down_to, 1);
+}
+
+double front_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double down_to) {
+  return taut_down(mesh, from, down_to, -1);
+}
+
+double bent_elbow_girth(const geometry::TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
+                        const Vec3& wrist) {
+  return girth_round(mesh, elbow, (elbow - shoulder).normalized() + (wrist - elbow).normalized());
 }
 
 double neck_base_girth(const Vec3& left, const Vec3& right, const Vec3& c7, const Vec3& pit) {

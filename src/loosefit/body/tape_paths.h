@@ -8,12 +8,24 @@ namespace loosefit::body {
 /// Horizontal tape round the trunk at height z. \throws GeometryError when there is no trunk there.
 double trunk_girth(const geometry::TriangleMesh& mesh, double z);
 
+/// The part of trunk_girth in front of the two points that lie farthest aside, where a garment has
+/// its side seams.
+double trunk_girth_front(const geometry::TriangleMesh& mesh, double z);
+
 /// Tape round the limb that contains `origin`, in the plane with this normal.
 /// \throws GeometryError when no closed section contains the point.
 double girth_round(const geometry::TriangleMesh& mesh, const Vec3& origin, const Vec3& normal);
 
-/// Tape from a point on the shoulder straight down the back to height z, bridging hollows.
+/// Tape from a point on the shoulder straight down the back to height z, bridging hollows; hangs
+/// from what stands out most.
 double back_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double z);
+
+/// The same down the front, over the bust or the belly.
+double front_tape(const geometry::TriangleMesh& mesh, const Vec3& from, double z);
+
+/// Tape round an elbow, in the plane that halves the angle between upper arm and forearm.
+double bent_elbow_girth(const geometry::TriangleMesh& mesh, const Vec3& shoulder, const Vec3& elbow,
+                        const Vec3& wrist);
 
 /// Tape round the neck base: behind through C7, in front through the pit of the neck, at the sides
 /// through the neck-shoulder points. No plane cuts that curve out; each half is taken as half an

@@ -14,7 +14,7 @@ NamedValues known_measures(const GarmentKind& kind, const std::map<std::string, 
 
 NamedValues draft_measures(const GarmentKind& kind, const std::map<std::string, double>& measured) {
   for (const KindMeasure& m : kind.measures)
-    if (!measured.count(m.of_body))
+    if (m.required && !measured.count(m.of_body))
       throw InvalidInput({"", 0, "body." + m.of_body}, "no such measure on this body",
                          "one for the draft of a " + kind.title,
                          kind.sizes.empty()

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loosefit/dress/lay_round.h"
+#include "loosefit/kinds/fit_stations.h"
 #include "loosefit/kinds/named_values.h"
 #include "loosefit/kinds/opening_use.h"
 #include "loosefit/pattern/pattern.h"
@@ -18,6 +19,7 @@ struct KindMeasure {
   std::string of_body;       ///< name in Body::measured
   double low = 0, high = 0;  ///< what people have [unit]
   std::string unit = "m";    ///< m or rad
+  bool required = true;      ///< false: where it is not known it follows from the others
 };
 
 /// A key of [garment.fit].
@@ -85,6 +87,12 @@ struct GarmentKind {
   std::function<std::vector<FitLevel>(const pattern::Pattern&, const NamedValues& measures,
                                       const NamedValues& fit)>
       levels;
+
+  /// Girths of the pieces along trunk and arms, every kStationStep; arguments as of `levels`. Empty
+  /// for a kind whose pieces do not tell.
+  std::function<std::vector<FitStation>(const pattern::Pattern&, const NamedValues& measures,
+                                        const NamedValues& fit)>
+      stations;
 
   /// How it is laid round the body; empty: where its pattern places the panels.
   dress::LayRound lay;

@@ -18,6 +18,9 @@ void measure_fit(CasePattern& result, const body::Body& body,
   const kinds::GarmentKind& kind = kinds::garment_kind(result.pattern.kind);
   result.levels =
       kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+  if (kind.stations)
+    result.girths_along =
+        kind.stations(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
   for (const kinds::FitLevel& level : result.levels) {
     result.girths[level.name] = level.garment;
     if (level.body && *level.body > 0) result.fit[level.name] = level.garment / *level.body - 1;
@@ -92,6 +95,10 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   }
   measure_fit(result, body, fit);
   return result;
+}
+
+void set_fit_along(std::vector<CasePattern>& patterns, const body::Body& open) {
+  for (CasePattern& pattern : patterns) pattern.fit_along = fit_along(pattern.girths_along, open);
 }
 
 }  // namespace loosefit::study

@@ -13,7 +13,8 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.body = make_body(scenario.body);
 
   progress.stage("pattern");
-  const std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);
+  std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);
+  set_fit_along(patterns, result.body.path(0).body());
 
   progress.stage("garment");
   result.scenario.sites = place_boards(scenario, result.body, patterns, progress);

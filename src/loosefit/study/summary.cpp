@@ -112,6 +112,14 @@ Json fit_json(const CaseGarment& garment) {
   Json json = {{"measured", Json::object()}, {"girths", Json::object()}};
   for (const auto& [level, mobility] : garment.pattern.fit) json["measured"][level] = mobility;
   for (const auto& [level, girth] : garment.pattern.girths) json["girths"][level] = girth;
+  for (const StationFit& s : garment.pattern.fit_along) {
+    Json station = {{"limb", s.limb},         {"place", s.place}, {"along_m", s.along},
+                    {"garment_m", s.garment}, {"body_m", s.body}, {"cut", s.cut()}};
+    if (s.asked) station["asked"] = *s.asked;
+    json["stations"].push_back(station);
+    Json& least = json["least"][s.limb];
+    if (least.is_null() || s.cut() < least["cut"].get<double>()) least = station;
+  }
   if (!garment.maps.maps.empty()) {
     const maps::GarmentGirth& chest = garment.maps.chest;
     json["chest_cut"] = {{"level", chest.level},

@@ -18,7 +18,7 @@ std::vector<KindMeasure> measures() {
   for (const ShirtMeasure& m : shirt_measure_list()) {
     const std::string name = m.name;
     list.push_back({name, name == "hps_to_hem" ? "hps_to_hip" : name, m.low, m.high,
-                    name == "shoulder_slope" ? "rad" : "m"});
+                    name == "shoulder_slope" ? "rad" : "m", m.usual == nullptr});
   }
   return list;
 }
@@ -31,12 +31,20 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
        "girth at the waist; without it the side seams run straight", true},
       {"hip", usual.hip, -0.35, 2, kMobility, "girth of the hem", true},
       {"sleeve", usual.sleeve, -0.35, 2, kMobility, "girth of the sleeve at the upper arm", true},
+      {"elbow", usual.elbow, -0.35, 2, kMobility,
+       "girth of the sleeve at the bent elbow; without it even between sleeve and wrist", true},
+      {"forearm", usual.forearm, -0.35, 2, kMobility,
+       "girth of the sleeve where the forearm is fullest; without it as elbow", true},
       {"wrist", usual.wrist, -0.35, 2, kMobility, "girth of the cuff", true},
-      {"neck_ease", usual.neck_ease, -0.2, 1, kFraction, "share added to the neck width"},
+      {"neck_ease", usual.neck_ease, -0.2, 1, kFraction,
+       "share added to the neck base, in length and in width"},
       {"scye_ease", usual.scye_ease, 0, 0.15, "metres", "underarm below the armpit"},
       {"shoulder_follow", usual.shoulder_follow, 0, 1, kFraction,
        "share of a loose chest that widens the shoulders"},
       {"cap_ease", usual.cap_ease, 0, 0.15, kFraction, "sleeve cap longer than the armhole"},
+      {"cap_ratio", usual.cap_ratio, 0.4, 0.85, kFraction,
+       "cap height over armhole depth that the draft seeks: high for hanging arms, low for raised "
+       "ones"},
       {"sleeve_length", usual.sleeve_length, 0.25, 1, "a share of the arm",
        "from the shoulder point to the hem of the sleeve; below 1 wrist counts against the arm "
        "there"},
@@ -80,6 +88,7 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
   kind.sizes = shirt_sizes();
   kind.draft = [name, usual](const DraftRequest& request) { return draft(name, usual, request); };
   kind.levels = shirt_levels;
+  kind.stations = shirt_stations;
   kind.lay = lay_shirt;
   kind.openings = {
       {OpeningUse::neck, {{"front", "neck"}, {"back", "neck"}}},
@@ -102,7 +111,9 @@ GarmentKind long_sleeve_shirt() {
 
 GarmentKind t_shirt() {
   ShirtFit fit = usual_shirt_fit();
-  fit.wrist = 0.12;
+  fit.sleeve = fit.wrist = 0.20;
+  fit.cap_ease = 0;
+  fit.cap_ratio = 0.55;  // knits give, and the arms of a T-shirt are raised
   fit.sleeve_length = 0.36;
   return shirt_kind("t-shirt", "T-shirt", fit);
 }

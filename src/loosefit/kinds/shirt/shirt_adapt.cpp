@@ -8,6 +8,7 @@
 #include <map>
 
 #include "loosefit/base/text.h"
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_refusal.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 
@@ -154,14 +155,13 @@ class Adapter {
   /// How much wider each shoulder is than the body's [m].
   double widening() const {
     const ShirtFit& fit = shirt_.fit;
-    return fit.chest * fit.shoulder_follow * shirt_.measures.shoulder_breadth / 2;
+    return fit.chest * fit.shoulder_follow * shoulder_half_width(shirt_.measures);
   }
   bool follow_less(double metres) {
     const ShirtFit& fit = shirt_.fit;
     if (!(fit.chest > 0)) return false;
-    return set("fit.shoulder_follow",
-               fit.shoulder_follow - metres / (fit.chest * shirt_.measures.shoulder_breadth / 2), 0,
-               1);
+    const double wider = fit.chest * shoulder_half_width(shirt_.measures);
+    return set("fit.shoulder_follow", fit.shoulder_follow - metres / wider, 0, 1);
   }
 
   bool relieve_by_fit(const ShirtRefusal& refusal) {
@@ -184,7 +184,7 @@ class Adapter {
         return !yields("measures.hps_to_hem") &&
                set("fit.scye_ease", fit.scye_ease - missing, -0.02, 0.15);
       case ShirtRule::neck:
-        return set("fit.neck_ease", fit.neck_ease - 5 * missing / m.neck, -0.2, 1);
+        return set("fit.neck_ease", fit.neck_ease - 2 * missing / m.neck_width, -0.2, 1);
       case ShirtRule::sleeve_length:
         return set("fit.sleeve_length", fit.sleeve_length + missing / m.arm_length, 0.25, 1) ||
                follow_less(missing);
@@ -231,11 +231,12 @@ class Adapter {
                    0.15, 0.8);
       }
       case ShirtRule::neck:
-        return set("measures.neck", m.neck - 5 * missing / (1 + fit.neck_ease), 0.15, 0.8);
+        return set("measures.neck_width", m.neck_width - 2 * missing / (1 + fit.neck_ease), 0.04,
+                   0.35);
       case ShirtRule::sleeve_length:
         return set("measures.arm_length", m.arm_length + missing / fit.sleeve_length, 0.15, 1);
       case ShirtRule::torso_outline:
-        return move("measures.shoulder_breadth", 0.15);
+        return move("measures.shoulder_length", 0.03);
       case ShirtRule::sleeve_outline:
         return false;
     }

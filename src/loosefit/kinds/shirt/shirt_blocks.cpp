@@ -5,21 +5,74 @@
 
 namespace loosefit::kinds {
 
-TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double underarm_depth,
-                           bool front, double drop) {
-  const double x_underarm = (1 + fit.chest) * m.chest / 4;
-  const double x_hem = (1 + fit.hip) * m.hip / 4;
+namespace {
+
+/// Quarter of a neck seam, from the centre to the high point shoulder.
+pattern::CurveChain neck_curve(double half_width, double drop) {
+  pattern::CurveChain neck;
+  neck.start = Vec2(0, -drop);
+  neck.cubic_to({0.55 * half_width, -drop}, {half_width, -0.45 * drop}, {half_width, 0});
+  return neck;
+}
+
+/// Slopes dx/dy at the points of a monotone cubic (Fritsch and Carlson 1980; their harmonic mean).
+std::vector<double> monotone_slopes(const std::vector<Vec2>& p) {
+  const std::size_t n = p.size();
+  std::vector<double> chord(n - 1), slope(n);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    chord[i] = (p[i + 1].x() - p[i].x()) / (p[i + 1].y() - p[i].y());
+  slope.front() = chord.front();
+  slope.back() = chord.back();
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    slope[i] =
+        chord[i - 1] * chord[i] > 0 ? 2 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]) : 0.0;
+  return slope;
+}
+
+}  // namespace
+
+NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
+  constexpr int kPieces = 8;
+  NeckOpening neck;
+  neck.half_width = 0.5 * (1 + fit.neck_ease) * m.neck_width;
+  // A flat back neck is never straight, also where C7 lies as high as the sides of the neck.
+  neck.drop_back = (1 + fit.neck_ease) * std::max(m.neck_drop_back, 0.03 * m.neck);
+  const double half_seam = 0.5 * (1 + fit.neck_ease) * m.neck;
+  const double front = half_seam - neck_curve(neck.half_width, neck.drop_back).length(kPieces);
+  double low = 0.5 * neck.half_width, high = 3 * neck.half_width;
+  for (int i = 0; i < 40; ++i) {
+    const double drop = 0.5 * (low + high);
+    (neck_curve(neck.half_width, drop).length(kPieces) < front ? low : high) = drop;
+  }
+  neck.drop_front = 0.5 * (low + high);
+  return neck;
+}
+
+double shoulder_half_width(const ShirtMeasures& m, const ShirtFit& fit) {
   // A tight shirt narrows the shoulders in full, a loose one widens them only in part.
   const double follow = fit.chest > 0 ? fit.shoulder_follow : 1.0;
-  const double x_shoulder =
-      std::min(m.shoulder_breadth / 2 * (1 + follow * fit.chest) + drop, 0.97 * x_underarm);
-  const double x_neck = (1 + fit.neck_ease) * m.neck / 5;
+  return shoulder_half_width(m) * (1 + follow * fit.chest);
+}
+
+double shoulder_half_width(const ShirtMeasures& m) {
+  return 0.5 * m.neck_width + std::cos(m.shoulder_slope) * m.shoulder_length;
+}
+
+TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double underarm_depth,
+                           bool front, double drop) {
+  const NeckOpening neck = fit_neck(m, fit);
+  // A bust needs its width in front: the side seams lie where the body's sides are. All levels move
+  // alike, which keeps both side seams equal.
+  const double forward = (front ? 0.5 : -0.5) * (1 + fit.chest) * m.front_fullness;
+  const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
+  const double x_hem = (1 + fit.hip) * m.hip / 4 + forward;
+  const double narrow = (1 + fit.chest) * m.chest / 4 - std::abs(forward);
+  const double x_shoulder = std::min(shoulder_half_width(m, fit) + drop, 0.97 * narrow);
   const double slope = std::tan(m.shoulder_slope);
-  const double y_shoulder = -slope * (x_shoulder - x_neck);
+  const double y_shoulder = -slope * (x_shoulder - neck.half_width);
   // Tied to the body's shoulder point, so that a wide shoulder does not lower the underarm.
-  const double y_underarm = -slope * (m.shoulder_breadth / 2 - x_neck) - underarm_depth;
+  const double y_underarm = -std::sin(m.shoulder_slope) * m.shoulder_length - underarm_depth;
   const double depth = y_shoulder - y_underarm;
-  const double neck_drop = front ? x_neck + 0.010 : 0.06 * m.neck;
   const double x_pitch =
       std::min(0.97 * x_shoulder, 0.95 * x_underarm) - (front ? 0.010 * m.chest : 0.0);
 
@@ -30,9 +83,8 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   TorsoHalf half;
   half.shoulder_x = x_shoulder;
   half.armhole_depth = depth;
-  half.neck.start = Vec2(0, -neck_drop);
-  half.neck.cubic_to({0.55 * x_neck, -neck_drop}, {x_neck, -0.45 * neck_drop}, {x_neck, 0});
-  half.shoulder.start = Vec2(x_neck, 0);
+  half.neck = neck_curve(neck.half_width, front ? neck.drop_front : neck.drop_back);
+  half.shoulder.start = Vec2(neck.half_width, 0);
   half.shoulder.line_to(shoulder_point);
   half.armhole.start = shoulder_point;
   half.armhole
@@ -41,15 +93,42 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                 underarm);
   half.side.start = underarm;
   const Vec2 hem(x_hem, -m.hps_to_hem);
-  if (fit.waist) {
-    const Vec2 waist((1 + *fit.waist) * m.waist / 4, -m.hps_to_waist);
+  // A straight side that a belly leaves less room than was asked for above and below goes round it.
+  const double share = (m.hps_to_waist + y_underarm) / (m.hps_to_hem + y_underarm);
+  const double straight = x_underarm + share * (x_hem - x_underarm);
+  const double needed = (1 + fit.chest + share * (fit.hip - fit.chest)) * m.waist / 4 + forward;
+  const bool between = share > 0 && share < 1;
+  if (fit.waist || (between && needed > straight)) {
+    const Vec2 waist(fit.waist ? (1 + *fit.waist) * m.waist / 4 + forward : needed,
+                     -m.hps_to_waist);
     const Vec2 above(0, 0.4 * (y_underarm - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
     half.side.cubic_to(underarm - above, waist + above, waist)
         .cubic_to(waist - below, hem + below, hem);
   } else {
     half.side.line_to(hem);
   }
+  // The way down over bust or belly is longer than over the back: the front ends lower in its
+  // middle and meets the back at the sides.
+  half.hem.start = hem;
+  const double longer = front ? m.front_balance : 0.0;
+  if (longer == 0)
+    half.hem.line_to({0, hem.y()});
+  else
+    half.hem.cubic_to({0.65 * x_hem, hem.y()}, {0.55 * x_hem, hem.y() - longer},
+                      {0, hem.y() - longer});
   return half;
+}
+
+pattern::CurveChain draft_under_seam(const std::vector<Vec2>& width_at) {
+  const std::vector<double> slope = monotone_slopes(width_at);
+  pattern::CurveChain seam;
+  seam.start = width_at.front();
+  for (std::size_t i = 0; i + 1 < width_at.size(); ++i) {
+    const Vec2 &a = width_at[i], &b = width_at[i + 1];
+    const double third = (b.y() - a.y()) / 3;
+    seam.cubic_to(a + third * Vec2(slope[i], 1), b - third * Vec2(slope[i + 1], 1), b);
+  }
+  return seam;
 }
 
 pattern::CurveChain draft_cap(double width, double height) {

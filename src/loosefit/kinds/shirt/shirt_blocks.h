@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/curve_chain.h"
@@ -12,13 +13,32 @@ struct TorsoHalf {
   pattern::CurveChain shoulder;  ///< neck → shoulder point
   pattern::CurveChain armhole;   ///< shoulder point → underarm
   pattern::CurveChain side;      ///< underarm → hem
+  pattern::CurveChain hem;       ///< side → centre
   double shoulder_x = 0, armhole_depth = 0;
 };
+
+/// The neck seam of both pieces together fits the neck base: as wide, as deep behind, and as deep
+/// in front as its length asks for.
+struct NeckOpening {
+  double half_width = 0, drop_front = 0, drop_back = 0;  ///< [m]
+};
+NeckOpening fit_neck(const ShirtMeasures& measures, const ShirtFit& fit);
+
+/// Half the shoulder breadth of the pieces: where the body's shoulder seam ends, and in part where
+/// a loose chest takes it [m].
+double shoulder_half_width(const ShirtMeasures& measures, const ShirtFit& fit);
+/// The same of the body, flat.
+double shoulder_half_width(const ShirtMeasures& measures);
 
 /// docs/theory/patterns.md 2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
 /// extra half shoulder width [m].
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
+
+/// Underarm seam of half a sleeve, from (w, 0) at the underarm to the cuff: through the half widths
+/// at its levels, with no bend (monotone cubics, Fritsch and Carlson 1980). `width_at`: x at each
+/// y, downwards from the underarm.
+pattern::CurveChain draft_under_seam(const std::vector<Vec2>& width_at);
 
 /// Half cap from the top (0, h) to the underarm (w, 0) (docs/theory/patterns.md 3).
 pattern::CurveChain draft_cap(double width, double height);

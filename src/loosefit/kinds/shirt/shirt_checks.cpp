@@ -28,11 +28,14 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   if (fit.waist) in_range("fit.waist", *fit.waist, -0.5, 3.0, "");
   in_range("fit.hip", fit.hip, -0.5, 2.0, "");
   in_range("fit.sleeve", fit.sleeve, -0.5, 3.0, "");
+  if (fit.elbow) in_range("fit.elbow", *fit.elbow, -0.5, 3.0, "");
+  if (fit.forearm) in_range("fit.forearm", *fit.forearm, -0.5, 3.0, "");
   in_range("fit.wrist", fit.wrist, -0.5, 3.0, "");
   in_range("fit.neck_ease", fit.neck_ease, -0.2, 1.0, "");
   in_range("fit.scye_ease", fit.scye_ease, -0.02, 0.15, " m");
   in_range("fit.shoulder_follow", fit.shoulder_follow, 0.0, 1.0, "");
   in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
+  in_range("fit.cap_ratio", fit.cap_ratio, 0.4, 0.85, "");
   in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
 }
 
@@ -72,13 +75,13 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
 
 void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,
                           const ShirtFit& fit, double shoulder_x, double under_length) {
-  const double neck_x = (1 + fit.neck_ease) * m.neck / 5;
+  const double neck_x = 0.5 * (1 + fit.neck_ease) * m.neck_width;
   if (shoulder_x < neck_x + 0.02)
     throw ShirtRefusal(
-        {InputPlace{{}, 0, "measures.neck"}, fmt::format("{:.4g} m", m.neck),
-         fmt::format("at most {:.3f} m for a shoulder breadth of {:.3f} m at chest "
+        {InputPlace{{}, 0, "measures.neck_width"}, fmt::format("{:.4g} m", m.neck_width),
+         fmt::format("at most {:.3f} m for a shoulder length of {:.3f} m at chest "
                      "fit {:.3g}",
-                     5 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_breadth, fit.chest),
+                     2 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_length, fit.chest),
          "the shoulder seam must be at least 20 mm long"},
         ShirtRule::neck, neck_x + 0.02 - shoulder_x);
   const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]

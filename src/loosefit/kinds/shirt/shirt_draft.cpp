@@ -14,8 +14,9 @@ namespace loosefit::kinds {
 namespace {
 
 constexpr double kStep = 0.0025;                       // adjustment step [m]
-constexpr double kRatioLow = 0.50, kRatioHigh = 0.85;  // wanted cap height / armhole depth
-constexpr double kDeepest = 0.08;                      // underarm lowered at most by [m]
+constexpr double kRatioLow = 0.50, kRatioHigh = 0.85;  // of cap height / armhole depth
+constexpr int kDeeper = 14;   // steps by which the underarm is lowered for a better cap …
+constexpr int kDeepest = 32;  // … and for a cap that can be worn at all
 
 struct Draft {
   TorsoHalf front, back;
@@ -31,9 +32,11 @@ pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
   pattern::CurveChain neck = to_centre, other = half.neck.mirrored();
   neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
   neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
-  pattern::CurveChain hem;
-  hem.start = Vec2(-half.side.end().x(), half.side.end().y());
-  hem.line_to(half.side.end());
+  // From the side at x < 0 to the other one.
+  pattern::CurveChain hem = half.hem.mirrored();
+  const pattern::CurveChain rest = half.hem.reversed();
+  hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
+  hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
   return pattern::draft_panel(front ? "front" : "back", "body",
                               {{"hem", hem},
                                {"side_" + at_right, side},
@@ -45,16 +48,17 @@ pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
                                {"side_" + at_left, half.side.mirrored()}});
 }
 
-pattern::Panel sleeve_panel(const std::string& name, double width, double cuff, double cap_height,
-                            double underarm_length, bool at_positive_x) {
+pattern::Panel sleeve_panel(const std::string& name, const std::vector<Vec2>& width_at,
+                            double cap_height, bool at_positive_x) {
+  const double width = width_at.front().x(), cuff = width_at.back().x(),
+               cuff_level = width_at.back().y();
   const pattern::CurveChain cap = draft_cap(width, cap_height);
-  pattern::CurveChain top, hem, under;
+  const pattern::CurveChain under = draft_under_seam(width_at).reversed();  // cuff → underarm
+  pattern::CurveChain top, hem;
   top.start = Vec2(0, cap_height);
-  top.line_to({0, -underarm_length});
+  top.line_to({0, cuff_level});
   hem.start = top.end();
-  hem.line_to({cuff, -underarm_length});
-  under.start = hem.end();
-  under.line_to({width, 0});
+  hem.line_to({cuff, cuff_level});
   if (at_positive_x)
     return pattern::draft_panel(
         name, "arm", {{"top", top}, {"cuff", hem}, {"under", under}, {"cap", cap.reversed()}});
@@ -63,6 +67,28 @@ pattern::Panel sleeve_panel(const std::string& name, double width, double cuff, 
                                {"under", under.reversed().mirrored()},
                                {"cuff", hem.reversed().mirrored()},
                                {"top", top.reversed().mirrored()}});
+}
+
+/// Levels of the sleeve below the underarm: how far from the shoulder point, and its girth there.
+/// Towards the hand it never widens by itself: what the forearm needs the elbow gets too. Where no
+/// other girth is asked for it tapers evenly if that leaves more room.
+std::vector<ArmLevel> sleeve_levels(const ShirtMeasures& m, const ShirtFit& fit, double underarm) {
+  constexpr double kApart = 0.02;  // between two levels [m]
+  std::vector<ArmLevel> levels = arm_levels(m, fit);
+  for (ArmLevel& level : levels) level.girth *= 1 + level.mobility;
+  const double end = fit.sleeve_length * m.arm_length;
+  std::vector<ArmLevel> kept = {{end, (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length), 0}};
+  const double upper = levels[0].girth, cuff = kept.front().girth;
+  for (int i : {2, 1}) {
+    if (levels[i].along > kept.back().along - kApart || levels[i].along < underarm + kApart)
+      continue;
+    const bool asked = i == 2 ? fit.forearm.has_value() : fit.elbow.has_value();
+    const double even = upper + (levels[i].along - underarm) / (end - underarm) * (cuff - upper);
+    const double girth = asked ? levels[i].girth : std::max(levels[i].girth, even);
+    kept.push_back({levels[i].along, std::max(girth, kept.back().girth), 0});
+  }
+  std::reverse(kept.begin(), kept.end());
+  return kept;
 }
 
 Draft draft_at(const ShirtMeasures& m, const ShirtFit& fit, double depth, double drop) {
@@ -80,16 +106,31 @@ Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& rep
   const double first = m.scye_depth + fit.scye_ease;
   double depth = first, drop = 0;
   Draft d = at(depth, drop);
-  while ((!d.cap || d.ratio() < kRatioLow) && depth - first < kDeepest) {
-    depth += kStep;
+  // The deeper the underarm the higher the cap: the first step in `low` … `high` that will do.
+  const auto high_enough = [&](int steps, double wanted) {
+    depth = first + steps * kStep;
     d = at(depth, drop);
-  }
+    return d.cap && d.ratio() >= std::min(wanted, kRatioHigh);
+  };
+  const auto lower_to = [&](int low, int high, double wanted) {
+    while (low < high) {
+      const int middle = (low + high) / 2;
+      if (high_enough(middle, wanted))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return high_enough(low, wanted);
+  };
+  if (!lower_to(0, kDeeper, fit.cap_ratio) && !high_enough(kDeeper, kRatioLow))
+    lower_to(kDeeper, kDeepest, kRatioLow);
   while (d.cap && d.ratio() > kRatioHigh && depth - kStep > m.scye_depth + 0.005) {
     depth -= kStep;
     d = at(depth, drop);
   }
   while (d.cap && d.ratio() > kRatioHigh &&
-         d.front.shoulder_x < 0.969 * d.front.armhole.end().x()) {
+         d.front.shoulder_x <
+             0.969 * std::min(d.front.armhole.end().x(), d.back.armhole.end().x())) {
     drop += kStep;
     d = at(depth, drop);
   }
@@ -101,7 +142,7 @@ Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& rep
 }  // namespace
 
 bool sleeve_fits_armhole(const ShirtMeasures& m, const ShirtFit& fit) {
-  return draft_at(m, fit, m.scye_depth + fit.scye_ease + kDeepest, 0).cap.has_value();
+  return draft_at(m, fit, m.scye_depth + fit.scye_ease + kDeepest * kStep, 0).cap.has_value();
 }
 
 pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
@@ -113,16 +154,22 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
 
   check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
 
-  const double upper = (1 + fit.sleeve) * m.upper_arm,
-               wrist = (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length);
-  const double front_width = d.cap->front_share * upper, back_width = upper - front_width;
+  const double upper = (1 + fit.sleeve) * m.upper_arm;
+  const double front_width = d.cap->front_share * upper;
   // A dropped shoulder is taken off the sleeve.
-  const double top_length =
-      fit.sleeve_length * m.arm_length - (d.front.shoulder_x - m.shoulder_breadth / 2);
-  const double under_length = top_length - d.cap->height;
-  // Equal taper of both halves keeps the two underarm seams equal.
-  const double front_cuff = wrist / 2 + front_width - upper / 2;
-  const double back_cuff = wrist / 2 + back_width - upper / 2;
+  const double dropped = d.front.shoulder_x - shoulder_half_width(m);
+  const double underarm = d.cap->height + dropped;  // from the body's shoulder point
+  const std::vector<ArmLevel> levels = sleeve_levels(m, fit, underarm);
+  const double under_length = levels.back().along - underarm;
+  // Both halves taper alike, which keeps the two underarm seams equal.
+  const auto widths = [&](double width) {
+    std::vector<Vec2> at = {{width, 0}};
+    for (const ArmLevel& level : levels)
+      at.emplace_back(width - 0.5 * (upper - level.girth), underarm - level.along);
+    return at;
+  };
+  const std::vector<Vec2> front_widths = widths(front_width),
+                          back_widths = widths(upper - front_width);
 
   pattern::Pattern shirt;
   shirt.name = fit.sleeve_length < 1 ? "short-sleeve-shirt" : "long-sleeve-shirt";
@@ -130,10 +177,9 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
   shirt.panels = {torso_panel(d.front, true), torso_panel(d.back, false)};
   for (const std::string s : {"L", "R"}) {
     const bool left = s == "L";
-    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_front", front_width, front_cuff,
-                                        d.cap->height, under_length, !left));
-    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_back", back_width, back_cuff,
-                                        d.cap->height, under_length, left));
+    shirt.panels.push_back(
+        sleeve_panel("sleeve_" + s + "_front", front_widths, d.cap->height, !left));
+    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_back", back_widths, d.cap->height, left));
   }
   for (const std::string s : {"L", "R"}) {
     const std::string sleeve_front = "sleeve_" + s + "_front",

@@ -1,7 +1,9 @@
 #include "loosefit/kinds/shirt/shirt_levels.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/pattern/outline.h"
 
@@ -16,10 +18,15 @@ std::optional<double> value_of(const NamedValues& values, const char* name) {
 /// Girth of the arm where a sleeve of this share of its length ends.
 std::optional<double> arm_at(const NamedValues& measures, double share) {
   if (!measures.count("upper_arm") || !measures.count("wrist")) return std::nullopt;
-  ShirtMeasures arm;
-  arm.upper_arm = measures.at("upper_arm");
-  arm.wrist = measures.at("wrist");
-  return arm_girth_at(arm, share);
+  return arm_girth_at(shirt_measures_of(measures), share);
+}
+
+/// y where the side seams of a body piece begin, at the underarm.
+double underarm_level(const pattern::Panel& piece) {
+  const int e = pattern::find_edge_part(piece, "armhole_L");
+  if (e < 0) return 0;
+  const pattern::PanelEdge& armhole = piece.edges[e];
+  return std::min(piece.vertices[armhole.start].y(), piece.vertices[armhole.end].y());
 }
 
 }  // namespace
@@ -61,13 +68,20 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   };
   add("waist", width("front", "side_L", "side_R", at_waist),
       width("back", "side_L", "side_R", at_waist));
-  // Hip: along the hem, which may be curved.
+  // Hip: straight between the ends of the hem, which may be curved.
+  const auto hem_width = [&](const char* panel) {
+    const int p = shirt.find_part(panel);
+    const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], "hem");
+    if (e < 0) return 0.0;
+    const pattern::PanelEdge& hem = shirt.panels[p].edges[e];
+    return (shirt.panels[p].vertices[hem.end] - shirt.panels[p].vertices[hem.start]).norm();
+  };
+  add("hip", hem_width("front"), hem_width("back"));
   const auto length = [&](const char* panel, const char* edge) {
     const int p = shirt.find_part(panel);
     const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], edge);
     return e < 0 ? 0.0 : pattern::EdgePath(shirt.panels[p], e).length();
   };
-  add("hip", length("front", "hem"), length("back", "hem"));
   // Sleeve: straight between the ends of its cap; wrist: along the cuff.
   const auto cap_width = [&](const char* panel) {
     const int p = shirt.find_part(panel);
@@ -101,6 +115,53 @@ std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedVal
   else
     add("wrist", "wrist", value_of(measures, "wrist"));
   return levels;
+}
+
+std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const NamedValues& measures,
+                                       const NamedValues& fit) {
+  const auto piece = [&](const char* part) {
+    const int p = shirt.find_part(part);
+    return p < 0 ? nullptr : &shirt.panels[p];
+  };
+  const ShirtMeasures m = shirt_measures_of(measures);
+  const ShirtFit f = shirt_fit_of(fit);
+  const bool asked = !fit.empty();
+  std::vector<FitStation> stations;
+  const pattern::Panel *front = piece("front"), *back = piece("back");
+  if (!front || !back) return stations;
+
+  // Trunk: y = 0 at the high point shoulder; the back tells how far down its hem is.
+  const double underarm = -underarm_level(*back);
+  std::vector<AskedMobility> trunk;
+  if (asked) {
+    trunk.push_back({underarm, f.chest});
+    if (f.waist) trunk.push_back({m.hps_to_waist, *f.waist});
+    trunk.push_back({m.hps_to_hem, f.hip});
+  }
+  stations = stations_along(
+      "trunk", {front, back}, underarm, m.hps_to_hem, [](double along) { return -along; }, trunk);
+
+  // Arm: the cap begins where the shoulder of the piece ends, beyond the body's shoulder point.
+  const pattern::Panel *sleeve_front = piece("sleeve_L_front"),
+                       *sleeve_back = piece("sleeve_L_back");
+  const int cap = sleeve_front ? pattern::find_edge_part(*sleeve_front, "cap") : -1;
+  const int shoulder = pattern::find_edge_part(*front, "shoulder_L");
+  if (cap < 0 || !sleeve_back || shoulder < 0) return stations;
+  const pattern::PanelEdge& cap_edge = sleeve_front->edges[cap];
+  const double cap_top = std::max(sleeve_front->vertices[cap_edge.start].y(),
+                                  sleeve_front->vertices[cap_edge.end].y());
+  const pattern::PanelEdge& seam = front->edges[shoulder];
+  const double end =
+      std::max(std::abs(front->vertices[seam.start].x()), std::abs(front->vertices[seam.end].x()));
+  const double dropped = end - shoulder_half_width(m);
+  std::vector<AskedMobility> arm;
+  if (asked)
+    for (const ArmLevel& level : arm_levels(m, f)) arm.push_back({level.along, level.mobility});
+  const std::vector<FitStation> sleeve = stations_along(
+      "arm", {sleeve_front, sleeve_back}, cap_top + dropped, m.arm_length,
+      [&](double along) { return cap_top + dropped - along; }, arm);
+  stations.insert(stations.end(), sleeve.begin(), sleeve.end());
+  return stations;
 }
 
 }  // namespace loosefit::kinds

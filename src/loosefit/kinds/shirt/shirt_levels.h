@@ -16,4 +16,8 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist);
 std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedValues& measures,
                                    const NamedValues& fit);
 
+/// As GarmentKind::stations: the trunk from underarm to hem, and the left sleeve if there is one.
+std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const NamedValues& measures,
+                                       const NamedValues& fit);
+
 }  // namespace loosefit::kinds

@@ -53,18 +53,19 @@ const std::array<Row, 10> kRows{{
 ShirtMeasures body_of(const Row& row) {
   const std::array<double, 12>& v = row.cm;
   constexpr double kCm = 0.01;
-  return {.chest = v[0] * kCm,
-          .waist = v[1] * kCm,
-          .hip = v[2] * kCm,
-          .neck = v[3] * kCm,
-          .upper_arm = v[4] * kCm,
-          .wrist = v[5] * kCm,
-          .shoulder_breadth = v[6] * kCm,
-          .shoulder_slope = radians(v[7]),
-          .scye_depth = v[8] * kCm,
-          .hps_to_waist = v[9] * kCm,
-          .hps_to_hem = v[10] * kCm,
-          .arm_length = v[11] * kCm};
+  const ShirtMeasures known{.chest = v[0] * kCm,
+                            .waist = v[1] * kCm,
+                            .hip = v[2] * kCm,
+                            .neck = v[3] * kCm,
+                            .upper_arm = v[4] * kCm,
+                            .wrist = v[5] * kCm,
+                            .shoulder_breadth = v[6] * kCm,
+                            .shoulder_slope = radians(v[7]),
+                            .scye_depth = v[8] * kCm,
+                            .hps_to_waist = v[9] * kCm,
+                            .hps_to_hem = v[10] * kCm,
+                            .arm_length = v[11] * kCm};
+  return with_usual_measures(known);
 }
 
 }  // namespace

@@ -1,19 +1,40 @@
 #include "loosefit/kinds/shirt/shirt_values.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "loosefit/base/types.h"
 
 namespace loosefit::kinds {
 
 ShirtFit usual_shirt_fit() {
-  return {.chest = 0.10, .waist = {}, .hip = 0.08, .sleeve = 0.15, .wrist = 0.20};
+  return {.chest = 0.10, .hip = 0.08, .sleeve = 0.25, .wrist = 0.25, .cap_ease = 0.02};
+}
+
+std::vector<ArmLevel> arm_levels(const ShirtMeasures& m, const ShirtFit& fit) {
+  // The upper arm is taped at 30 % of its length, the forearm at 25 % (docs/theory/body_model.md).
+  const double fullest = m.elbow_length + 0.25 * (m.arm_length - m.elbow_length);
+  std::vector<ArmLevel> levels = {{0.3 * m.elbow_length, m.upper_arm, fit.sleeve},
+                                  {m.elbow_length, m.elbow, 0},
+                                  {fullest, m.forearm, 0},
+                                  {m.arm_length, m.wrist, fit.wrist}};
+  const double first = levels[0].along, way = levels[3].along - first;
+  const std::optional<double> asked[2] = {fit.elbow, fit.forearm};
+  for (int i : {1, 2}) {
+    const double share = (levels[i].along - first) / way;
+    levels[i].mobility = asked[i - 1].value_or(fit.sleeve + share * (fit.wrist - fit.sleeve));
+  }
+  return levels;
 }
 
 double arm_girth_at(const ShirtMeasures& m, double share) {
-  constexpr double kAboveElbow = 0.5;
-  const double down = std::clamp((share - kAboveElbow) / (1 - kAboveElbow), 0.0, 1.0);
-  return (1 - down) * m.upper_arm + down * m.wrist;
+  const std::vector<ArmLevel> levels = arm_levels(m, {});
+  const double along = share * m.arm_length;
+  if (along <= levels.front().along) return levels.front().girth;
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    if (const ArmLevel& a = levels[i - 1], &b = levels[i]; along <= b.along)
+      return a.girth + (along - a.along) / (b.along - a.along) * (b.girth - a.girth);
+  return levels.back().girth;
 }
 
 const std::vector<ShirtMeasure>& shirt_measure_list() {
@@ -31,8 +52,31 @@ const std::vector<ShirtMeasure>& shirt_measure_list() {
       {"hps_to_waist", &M::hps_to_waist, 0.15, 0.80, " m"},
       {"hps_to_hem", &M::hps_to_hem, 0.20, 1.60, " m"},
       {"arm_length", &M::arm_length, 0.15, 1.0, " m"},
+      // Shares of upper arm and wrist: judgement. Elbow at 0.56 of the arm: acromion to radiale and
+      // to wrist in ANSUR II (Gordon et al. 2014), women and men. Neck: as on the parametric body.
+      {"elbow", &M::elbow, 0.06, 0.90, " m",
+       [](const M& m) { return m.wrist + 0.82 * (m.upper_arm - m.wrist); }},
+      {"forearm", &M::forearm, 0.06, 0.80, " m",
+       [](const M& m) { return m.wrist + 0.72 * (m.upper_arm - m.wrist); }},
+      {"elbow_length", &M::elbow_length, 0.08, 0.70, " m",
+       [](const M& m) { return 0.56 * m.arm_length; }},
+      {"neck_width", &M::neck_width, 0.04, 0.35, " m", [](const M& m) { return 0.31 * m.neck; }},
+      {"neck_drop_back", &M::neck_drop_back, -0.05, 0.10, " m",
+       [](const M& m) { return 0.04 * m.neck; }},
+      {"shoulder_length", &M::shoulder_length, 0.03, 0.35, " m",
+       [](const M& m) {
+         return (0.46 * m.shoulder_breadth - 0.5 * m.neck_width) / std::cos(m.shoulder_slope);
+       }},
+      {"front_fullness", &M::front_fullness, -0.10, 0.15, " m", [](const M&) { return 0.0; }},
+      {"front_balance", &M::front_balance, -0.10, 0.25, " m", [](const M&) { return 0.0; }},
   };
   return kList;
+}
+
+ShirtMeasures with_usual_measures(ShirtMeasures measures) {
+  for (const ShirtMeasure& m : shirt_measure_list())
+    if (m.usual) measures.*m.field = m.usual(measures);
+  return measures;
 }
 
 const std::vector<ShirtFitValue>& shirt_fit_list() {
@@ -45,7 +89,15 @@ const std::vector<ShirtFitValue>& shirt_fit_list() {
                                                    {"scye_ease", &F::scye_ease},
                                                    {"shoulder_follow", &F::shoulder_follow},
                                                    {"cap_ease", &F::cap_ease},
+                                                   {"cap_ratio", &F::cap_ratio},
                                                    {"sleeve_length", &F::sleeve_length}};
+  return kList;
+}
+
+const std::vector<ShirtFitOption>& shirt_fit_options() {
+  using F = ShirtFit;
+  static const std::vector<ShirtFitOption> kList = {
+      {"waist", &F::waist}, {"elbow", &F::elbow}, {"forearm", &F::forearm}};
   return kList;
 }
 
@@ -54,6 +106,8 @@ ShirtMeasures shirt_measures_of(const NamedValues& values, const ShirtMeasures& 
   for (const ShirtMeasure& m : shirt_measure_list())
     if (const auto found = values.find(m.name); found != values.end())
       measures.*m.field = found->second;
+    else if (m.usual)
+      measures.*m.field = m.usual(measures);
   return measures;
 }
 
@@ -61,7 +115,8 @@ ShirtFit shirt_fit_of(const NamedValues& values, const ShirtFit& otherwise) {
   ShirtFit fit = otherwise;
   for (const ShirtFitValue& f : shirt_fit_list())
     if (const auto found = values.find(f.name); found != values.end()) fit.*f.field = found->second;
-  if (const auto waist = values.find("waist"); waist != values.end()) fit.waist = waist->second;
+  for (const ShirtFitOption& f : shirt_fit_options())
+    if (const auto found = values.find(f.name); found != values.end()) fit.*f.field = found->second;
   return fit;
 }
 
@@ -74,7 +129,8 @@ NamedValues named(const ShirtMeasures& measures) {
 NamedValues named(const ShirtFit& fit) {
   NamedValues values;
   for (const ShirtFitValue& f : shirt_fit_list()) values[f.name] = fit.*f.field;
-  if (fit.waist) values["waist"] = *fit.waist;
+  for (const ShirtFitOption& f : shirt_fit_options())
+    if (fit.*f.field) values[f.name] = *(fit.*f.field);
   return values;
 }
 

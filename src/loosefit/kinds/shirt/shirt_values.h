@@ -21,21 +21,36 @@ struct ShirtMeasures {
   double scye_depth = 0.145;                   ///< D0, shoulder point to armpit, vertical
   double hps_to_waist = 0.425;                 ///< l_w, high point shoulder to waist
   double hps_to_hem = 0.630;                   ///< l_h, high point shoulder to hem
-  double arm_length = 0.585;                   ///< l_a, shoulder point to wrist
+  double arm_length = 0.585;                   ///< l_a, shoulder point to wrist, elbow bent
+  // What a size table or a scan may not know; then it follows from the others.
+  double elbow = 0.26168;            ///< round the bent elbow
+  double forearm = 0.24928;          ///< where it is fullest
+  double elbow_length = 0.3276;      ///< shoulder point to elbow
+  double neck_width = 0.1116;        ///< between the high point shoulders
+  double neck_drop_back = 0.0144;    ///< high point shoulder to C7, vertical
+  double shoulder_length = 0.12908;  ///< high point shoulder to shoulder point
+  double front_fullness = 0;         ///< the chest in front of the sides, beyond half of it
+  double front_balance = 0;          ///< high point shoulder to hem level, front longer than back
 };
 
 /// Body-garment mobility of each level, garment girth / body girth − 1 (Harms et al. 2012), and
 /// ease.
 struct ShirtFit {
   double chest = 0.05;
-  std::optional<double> waist;  ///< absent: side seams run straight from underarm to hem
+  /// Absent: side seams run straight from underarm to hem, and outwards where a belly needs room.
+  std::optional<double> waist = {};
   double hip = 0.05;
   double sleeve = 0.10;  ///< at the upper arm
+  /// At the bent elbow and round the forearm; absent: even between sleeve and wrist.
+  std::optional<double> elbow = {}, forearm = {};
   double wrist = 0.15;
-  double neck_ease = 0.10;       ///< share added to the neck width
+  double neck_ease = 0.06;       ///< share added to the neck base, in length and in width
   double scye_ease = 0.025;      ///< underarm below the armpit [m]
   double shoulder_follow = 0.5;  ///< share of a positive chest fit that widens the shoulders
   double cap_ease = 0.0;         ///< sleeve cap longer than the armhole by this share
+  /// Cap height / armhole depth that the draft seeks: high for arms that hang, low for arms that
+  /// are raised.
+  double cap_ratio = 0.75;
   /// Sleeve, from the shoulder point to its hem, as a share of the arm; below 1 `wrist` counts
   /// against arm_girth_at there.
   double sleeve_length = 1.0;
@@ -44,8 +59,18 @@ struct ShirtFit {
 /// The fit of a shirt where nothing else is asked for: the only place of these defaults.
 ShirtFit usual_shirt_fit();
 
-/// Girth of the arm at a share of the way from the shoulder point to the wrist [m]: that of the
-/// upper arm to half way, above the elbow, then even down to the wrist (forearms are nearly cones).
+/// A level of the arm, where a sleeve has its ease.
+struct ArmLevel {
+  double along = 0;     ///< from the shoulder point [m]
+  double girth = 0;     ///< of the arm [m]
+  double mobility = 0;  ///< of the sleeve there
+};
+/// Upper arm, elbow, the fullest of the forearm, wrist. The upper arm's girth holds from the
+/// shoulder down to its own level.
+std::vector<ArmLevel> arm_levels(const ShirtMeasures& measures, const ShirtFit& fit);
+
+/// Girth of the arm at a share of the way from the shoulder point to the wrist [m], even between
+/// its levels.
 double arm_girth_at(const ShirtMeasures& measures, double share);
 
 /// A measure with its name and the range of people [m, rad].
@@ -54,17 +79,29 @@ struct ShirtMeasure {
   double ShirtMeasures::*field;
   double low, high;
   const char* unit;  ///< for messages: " m", " rad"
+  /// What it usually is where it is not known; none: it has to be known.
+  double (*usual)(const ShirtMeasures&) = nullptr;
 };
 const std::vector<ShirtMeasure>& shirt_measure_list();
 
-/// A number of ShirtFit with its name; fit.waist, which may be absent, is not among them.
+/// With the usual values of all that follow from others.
+ShirtMeasures with_usual_measures(ShirtMeasures measures);
+
+/// A number of ShirtFit with its name; those that may be absent are not among them.
 struct ShirtFitValue {
   const char* name;
   double ShirtFit::*field;
 };
 const std::vector<ShirtFitValue>& shirt_fit_list();
+/// A number of ShirtFit that may be absent.
+struct ShirtFitOption {
+  const char* name;
+  std::optional<double> ShirtFit::*field;
+};
+const std::vector<ShirtFitOption>& shirt_fit_options();
 
-/// The same as named values and back; of a missing one the value of `otherwise` stays.
+/// The same as named values and back; of a missing one the value of `otherwise` stays, and measures
+/// that follow from others follow from them.
 ShirtMeasures shirt_measures_of(const NamedValues& values, const ShirtMeasures& otherwise = {});
 ShirtFit shirt_fit_of(const NamedValues& values, const ShirtFit& otherwise = {});
 NamedValues named(const ShirtMeasures& measures);

@@ -142,6 +142,7 @@ GarmentKind tank_top() {
   kind.sizes = shirt_sizes();
   kind.draft = draft;
   kind.levels = shirt_levels;
+  kind.stations = shirt_stations;
   kind.lay = lay_tank_top;
   kind.openings = {{OpeningUse::neck, {{"front", "neck"}, {"back", "neck"}}},
                    {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}}},
