@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/tape_paths.h"
+#include "support/shapes.h"
 
 namespace loosefit::body {
 namespace {
@@ -76,6 +77,28 @@ TEST(TapePaths, NeckBaseOfACircleIsItsCircumference) {
   EXPECT_NEAR(neck_base_girth({r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}), 2 * kPi * r, 1e-6);
   // An ellipse of half axes 3 : 2 has the perimeter 15.8654 (complete elliptic integral).
   EXPECT_NEAR(neck_base_girth({3, 0, 0}, {-3, 0, 0}, {0, 2, 0}, {0, -2, 0}), 15.865439589, 1e-5);
+}
+
+TEST(TapePaths, HalfOfARoundTrunkLiesInFront) {
+  const geometry::TriangleMesh trunk = loosefit::support::cylinder(0.15, 0, 0.5, 5, 200);
+  EXPECT_NEAR(trunk_girth_front(trunk, 0.25), kPi * 0.15, 1e-3);
+  geometry::TriangleMesh deep = trunk;  // twice as deep in front
+  for (Vec3& p : deep.vertices)
+    if (p.y() < 0) p.y() *= 2;
+  // Half the perimeter of an ellipse of half axes 1 and 2: 4.8442 (complete elliptic integral).
+  EXPECT_NEAR(trunk_girth_front(deep, 0.25), 4.8442 * 0.15, 2e-3);
+  EXPECT_NEAR(trunk_girth(deep, 0.25), (4.8442 + kPi) * 0.15, 2e-3);
+}
+
+TEST(TapePaths, FrontAndBackTapesFollowTheirOwnSide) {
+  geometry::TriangleMesh trunk = loosefit::support::sphere(0.3, 120, 120);
+  const Vec3 top(1e-5, 0, 0.3 - 1e-6);
+  EXPECT_NEAR(front_tape(trunk, top, 0), 0.15 * kPi, 1e-3);
+  EXPECT_NEAR(back_tape(trunk, top, 0), 0.15 * kPi, 1e-3);
+  for (Vec3& p : trunk.vertices)
+    if (p.y() < 0) p.y() *= 2;
+  EXPECT_NEAR(front_tape(trunk, top, 0), 0.5 * 4.8442 * 0.3, 1e-3);
+  EXPECT_NEAR(back_tape(trunk, top, 0), 0.15 * kPi, 1e-3);
 }
 
 }  // namespace

@@ -111,6 +111,23 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
   }
 }
 
+/// What drafts take from others where a scan cannot tell it: shape of front, neck and elbow.
+void add_draft_measures(const geometry::TriangleMesh& surface, const Vec3& hps, const Vec3& c7,
+                        const Vec3& acromion, const ArmLine& arm, const TrunkTapes& tapes,
+                        std::map<std::string, double>& m) {
+  m["neck_drop_back"] = hps.z() - c7.z();
+  m["elbow_length"] = (acromion - arm.elbow()).norm();
+  try {
+    m["elbow"] = bent_elbow_girth(surface, arm.points.front(), arm.elbow(), arm.wrist());
+  } catch (const GeometryError&) {  // no closed section there
+  }
+  m["front_balance"] = front_tape(surface, hps, tapes.hip.level) - m.at("hps_to_hip");
+  // Where the arms have grown together with the trunk, half of their section is no front.
+  constexpr double kAlike = 0.01;
+  if (std::abs(trunk_girth(surface, tapes.chest.level) / tapes.chest.girth - 1) < kAlike)
+    m["front_fullness"] = trunk_girth_front(surface, tapes.chest.level) - tapes.chest.girth / 2;
+}
+
 void warn_of_touching_limbs(const ScanSections& s, const ScanLimbs& limbs,
                             std::vector<std::string>& warnings) {
   if (!s.legs_apart) {
@@ -183,7 +200,8 @@ ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options)
   // Segments and the three girths of the trunk need the height of the neck.
   const double c7_height = 0.25 * (hps[0].z() + hps[1].z() + acromion[0].z() + acromion[1].z());
   label_segments(s, limbs, arms, c7_height, body);
-  const auto [chest, waist, hip] = tape_trunk(s, body, made.warnings);
+  const TrunkTapes tapes = tape_trunk(s, body, made.warnings);
+  const auto& [chest, waist, hip] = tapes;
   // Landmarks along the middle of the trunk.
   const Vec3 c7 = place["c7"] = midline_point(surface, c7_height, 1);
   const Vec3 pit = place["neck_pit"] = midline_point(surface, c7_height - 0.008 * s.height, -1);
@@ -239,6 +257,7 @@ ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options)
   m["hps_to_waist"] = back_tape(surface, hps[0], waist.level);
   m["hps_to_hip"] = back_tape(surface, hps[0], hip.level);
   m["arm_length"] = (acromion[0] - elbow).norm() + (elbow - wrist).norm();
+  add_draft_measures(surface, hps[0], c7, acromion[0], arm, tapes, m);
   m["back_length"] = back_tape(surface, c7 + Vec3(1e-6, 0, 0), waist.level);
   m["crotch_height"] = s.crotch;
   m["chest_level"] = chest.level;

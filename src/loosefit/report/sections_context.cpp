@@ -8,6 +8,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/plot.h"
 #include "loosefit/report/sections.h"
 
 namespace loosefit::report {
@@ -25,6 +26,29 @@ Table fit_table(const study::CaseResult& result) {
                known ? millimetres(girth->second / (1 + mobility)) : "–", percent(mobility)});
   }
   return table;
+}
+
+/// The fit along one limb, as cut and as asked; empty without stations.
+std::string fit_plot(const study::CaseResult& result, const std::string& limb,
+                     const std::string& title, const std::string& from) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = "mm down from the " + from;
+  plot.y_label = "fit (BGM) [%]";
+  plot.height = 260;
+  Plot::Series cut{"as cut", {}, {}, false}, asked{"as asked", {}, {}, true};
+  for (const study::StationFit& s : result.studied().pattern.fit_along) {
+    if (s.limb != limb) continue;
+    cut.x.push_back(1000 * s.along);
+    cut.y.push_back(100 * s.cut());
+    if (!s.asked) continue;
+    asked.x.push_back(1000 * s.along);
+    asked.y.push_back(100 * *s.asked);
+  }
+  if (cut.x.empty()) return {};
+  plot.series = {cut};
+  if (!asked.x.empty()) plot.series.push_back(asked);
+  return svg_plot(plot);
 }
 
 Table body_table(const study::CaseResult& result) {
@@ -90,7 +114,14 @@ std::string fit_section(const study::CaseResult& result) {
                          percent(chest.hoop_strain()) + ".");
   }
   const std::string body = element("h2", "Body") + body_table(result).html();
-  return element("div", element("div", fit) + element("div", body), "columns");
+  std::string html = element("div", element("div", fit) + element("div", body), "columns");
+  const std::string trunk =
+                        fit_plot(result, "trunk", "Trunk", "high point shoulder, over the back"),
+                    arm = fit_plot(result, "arm", "Sleeve", "shoulder point");
+  if (!trunk.empty() || !arm.empty())
+    html += element("h3", "Fit along trunk and arm") +
+            element("div", element("div", trunk) + element("div", arm), "columns");
+  return html;
 }
 
 std::string provenance_section(const study::CaseResult& result) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "loosefit/base/text.h"
 #include "loosefit/kinds/registry.h"
@@ -44,6 +45,15 @@ std::vector<StationEase> station_eases(const CasePattern& pattern,
   for (const kinds::FitLevel& level : pattern.levels)
     if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
       stations.push_back({level.name, cut->second, asked_ease(level.name, spec)});
+  // Along trunk and arm, the tightest of each place.
+  std::map<std::string, StationEase> tightest;
+  for (const StationFit& s : pattern.fit_along) {
+    const std::string name =
+        s.limb == "arm" ? "sleeve at the " + s.place : "trunk at the " + s.place;
+    const auto [entry, first] = tightest.insert({name, {name, s.cut(), s.asked}});
+    if (!first && s.cut() < entry->second.cut) entry->second = {name, s.cut(), s.asked};
+  }
+  for (auto& entry : tightest) stations.push_back(std::move(entry.second));
   return stations;
 }
 

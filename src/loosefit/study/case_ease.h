@@ -10,13 +10,14 @@ namespace loosefit::study {
 /// Cut ease (of the flat pieces) and asked ease of a garment at one station, as garment girth /
 /// body girth − 1.
 struct StationEase {
-  std::string name;             ///< "chest", "sleeve", …
+  std::string name;             ///< "chest", "sleeve", "sleeve at the forearm", …
   double cut = 0;               ///< of the flat pieces on this body [–]
   std::optional<double> asked;  ///< [–]; absent: nobody asked for one there
 };
 
-/// All stations whose body girth is known. Those that have a key of the kind were asked for: by the
-/// scenario, or by what the kind usually has. A fixed size and a pattern file ask for nothing.
+/// All stations whose body girth is known: the levels of fit, and the tightest near each place
+/// along trunk and arm. Those that have a key of the kind were asked for: by the scenario, or by
+/// what the kind usually has. A fixed size and a pattern file ask for nothing.
 std::vector<StationEase> station_eases(const CasePattern& pattern,
                                        const scenario::GarmentSpec& spec);
 

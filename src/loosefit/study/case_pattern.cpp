@@ -13,14 +13,14 @@
 namespace loosefit::study {
 namespace {
 
-void measure_fit(CasePattern& result, const body::Body& body,
-                 const kinds::NamedValues& drafted_fit) {
+void measure_fit(CasePattern& result, const body::Body& body, const kinds::NamedValues& drafted_fit,
+                 bool made_to_measure) {
   const kinds::GarmentKind& kind = kinds::garment_kind(result.pattern.kind);
   result.levels =
       kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
   if (kind.stations)
-    result.girths_along =
-        kind.stations(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+    result.girths_along = kind.stations(result.pattern, kinds::known_measures(kind, body.measured),
+                                        made_to_measure ? drafted_fit : kinds::NamedValues{});
   for (const kinds::FitLevel& level : result.levels) {
     result.girths[level.name] = level.garment;
     if (level.body && *level.body > 0) result.fit[level.name] = level.garment / *level.body - 1;
@@ -93,7 +93,7 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
     result.warnings = std::move(garment.notes);
     fit = std::move(garment.fit);
   }
-  measure_fit(result, body, fit);
+  measure_fit(result, body, fit, wished.file.empty() && wished.size.empty());
   return result;
 }
 

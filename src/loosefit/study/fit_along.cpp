@@ -37,8 +37,8 @@ class TrunkTape {
 
   double height(double along) const {
     for (std::size_t i = 1; i < down_.size(); ++i) {
-      const auto &[a, za] = down_[i - 1];
-      const auto &[b, zb] = down_[i];
+      const auto& [a, za] = down_[i - 1];
+      const auto& [b, zb] = down_[i];
       if (along <= b) return za + (along - a) / (b - a) * (zb - za);
     }
     return down_.back()[1];
