@@ -26,7 +26,7 @@ struct Wish {
   std::map<std::string, std::optional<double>> measures;
   std::string posture = "standing";
   std::optional<double> arm_abduction_deg, forward_bend_deg, sitting, arm_flexion_deg,
-      elbow_extension, slouch;
+      elbow_extension, slouch, relaxed_arms;
   std::string file, units, up;
   std::string out;
 };
@@ -62,6 +62,7 @@ body::Posture posture_of(const Wish& wish) {
   if (wish.arm_flexion_deg) posture.arm_flexion = radians(*wish.arm_flexion_deg);
   if (wish.elbow_extension) posture.elbow_extension = *wish.elbow_extension;
   if (wish.slouch) posture.slouch = *wish.slouch;
+  if (wish.relaxed_arms) posture.relaxed_arms = *wish.relaxed_arms;
   return posture;
 }
 
@@ -149,6 +150,8 @@ void add_body_command(CLI::App& app) {
   command->add_option("--arm-flexion-deg", wish->arm_flexion_deg, "arms raised forward");
   command->add_option("--elbow-extension", wish->elbow_extension, "0 bent … 1 straight elbows");
   command->add_option("--slouch", wish->slouch, "0 upright … 1 slumped");
+  command->add_option("--relaxed-arms", wish->relaxed_arms,
+                      "0 arms as the model has them … 1 hanging, palms to the thighs");
   command->add_option("--file", wish->file, "body surface: OBJ, PLY or STL");
   command->add_option("--units", wish->units, "units of the file: m, cm, mm, in");
   command->add_option("--up", wish->up, "up axis of the file: y or z");

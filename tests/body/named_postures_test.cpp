@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "support/body_fixture.h"
 
 namespace loosefit::body {
@@ -31,7 +32,124 @@ TEST(NamedPostures, RaisedArmsPointWhereTheyShouldAndAreStraight) {
   EXPECT_NEAR(upper_arm(overhead).z(), std::cos(radians(20)) * std::cos(radians(20)), 0.01);
   for (const Body* body : {&forward, &overhead})
     EXPECT_GT(upper_arm(*body).dot(forearm(*body)), std::cos(radians(1)));
-  EXPECT_LT(upper_arm(in("standing")).dot(forearm(in("standing"))), std::cos(radians(30)));
+  EXPECT_LT(upper_arm(in("a-pose")).dot(forearm(in("a-pose"))), std::cos(radians(30)));
+}
+
+struct Person {
+  const char* name;
+  double sex, age, height, chest, waist, hip;
+};
+constexpr Person kWoman{"woman", 0, 30, 1.68, 0.88, 0.72, 0.97},
+    kMan{"man", 1, 30, 1.80, 1.00, 0.86, 1.02},
+    kSlimChild{"slim child", 0.4, 10, 1.40, 0.63, 0.55, 0.68},
+    kHeavyChild{"heavy child", 0.4, 10, 1.40, 0.75, 0.72, 0.80},
+    kStoutWoman{"stout woman", 0, 50, 1.62, 1.15, 1.05, 1.22};
+
+BodyParameters parameters_of(const Person& person) {
+  BodySpec spec;
+  spec.sex = person.sex, spec.age = person.age, spec.height = person.height;
+  spec.measurements = {{"chest", person.chest}, {"waist", person.waist}, {"hip", person.hip}};
+  return fit_body(body_model(), spec, BodyDetail::coarse).parameters;
+}
+
+/// Upper arm to the downward vertical in the frontal plane [deg].
+double degrees_aside(const Body& body) {
+  return degrees(std::atan2(upper_arm(body).x(), -upper_arm(body).z()));
+}
+
+double elbow_degrees(const Body& body) {
+  return degrees(std::acos(upper_arm(body).dot(forearm(body))));
+}
+
+/// Where the skin next to a joint of the rest posture has gone.
+Vec3 carried(const Body& body, const RestBody& rest, const std::string& bone) {
+  const BodyData& data = body_model().data();
+  const Vec3& joint = rest.joints[std::size_t(data.bones[std::size_t(data.bone(bone))].head)];
+  std::size_t nearest = 0;
+  for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v)
+    if ((rest.surface.vertices[v] - joint).norm() < (rest.surface.vertices[nearest] - joint).norm())
+      nearest = v;
+  return body.pose_from_rest[nearest] * joint.homogeneous();
+}
+
+/// Where the left palm looks: fingers × thumb, from the knuckles of the first and the last finger.
+Vec3 palm_normal(const Body& body, const RestBody& rest) {
+  const Vec3 wrist = carried(body, rest, "wrist.L"), first = carried(body, rest, "finger2-1.L"),
+             last = carried(body, rest, "finger5-1.L");
+  return (0.5 * (first + last) - wrist).cross(first - last).normalized();
+}
+
+TEST(NamedPostures, StandingArmsHangRelaxed) {
+  for (const Person& person : {kWoman, kMan, kSlimChild, kHeavyChild}) {
+    const Body body = body_model().build(parameters_of(person), named_posture("standing"));
+    EXPECT_GE(degrees_aside(body), 7.9) << person.name;
+    EXPECT_LE(degrees_aside(body), person.name == kHeavyChild.name ? 13 : 10) << person.name;
+    EXPECT_GE(elbow_degrees(body), 10) << person.name;
+    EXPECT_LE(elbow_degrees(body), 20) << person.name;
+    // Seen from above the forearm points ahead of the upper arm, not aside.
+    const Vec3 arm = upper_arm(body), bend = (forearm(body) - arm.dot(forearm(body)) * arm);
+    EXPECT_LT(bend.normalized().y(), -0.98) << person.name;
+    EXPECT_LT(std::abs(arm.y()), std::sin(radians(5))) << person.name;
+  }
+}
+
+TEST(NamedPostures, PalmsOfHangingArmsFaceTheThighs) {
+  for (const Person& person : {kWoman, kMan, kSlimChild, kStoutWoman}) {
+    const BodyParameters parameters = parameters_of(person);
+    const RestBody rest = body_model().rest(parameters);
+    const Body relaxed = body_model().build(parameters, kStanding);
+    EXPECT_LT(palm_normal(relaxed, rest).x(), -std::cos(radians(15))) << person.name;
+    // The model's own palms look back as well.
+    const Body stiff = body_model().build(parameters, named_posture("model-standing"));
+    EXPECT_GT(palm_normal(stiff, rest).x(), -std::cos(radians(18))) << person.name;
+  }
+}
+
+/// Least distance of the left forearm's skin, sideways, from trunk and thighs at its depth and
+/// height within 10 mm [m].
+double room_beside_trunk(const Body& body) {
+  const auto is_trunk = [&](std::size_t v) {
+    return body.segment[v] == Segment::torso || body.segment[v] == Segment::thigh;
+  };
+  double room = 1;
+  for (std::size_t v = 0; v < body.segment.size(); ++v) {
+    if (body.segment[v] != Segment::forearm || body.side[v] < 0) continue;
+    const Vec3& p = body.surface.vertices[v];
+    for (std::size_t w = 0; w < body.segment.size(); ++w) {
+      const Vec3 way = p - body.surface.vertices[w];
+      if (is_trunk(w) && std::abs(way.y()) < 0.01 && std::abs(way.z()) < 0.01)
+        room = std::min(room, way.x());
+    }
+  }
+  return room;
+}
+
+TEST(NamedPostures, StoutPeopleHoldTheirArmsFartherAside) {
+  const auto standing = [](const Person& person) {
+    return body_model().build(parameters_of(person), kStanding);
+  };
+  const Body slim = standing(kSlimChild), heavy = standing(kHeavyChild),
+             stout = standing(kStoutWoman);
+  EXPECT_NEAR(degrees_aside(slim), 8, 0.1);
+  EXPECT_GT(degrees_aside(heavy), degrees_aside(slim) + 1);
+  EXPECT_GT(degrees_aside(stout), degrees_aside(heavy) + 3);
+  EXPECT_LT(degrees_aside(stout), 30);
+  for (const Body* body : {&slim, &heavy, &stout}) EXPECT_GT(room_beside_trunk(*body), 0.008);
+  // Nothing of it where it was not asked for.
+  const Posture stiff{kStanding.arm_abduction, 0, 0};
+  EXPECT_NEAR(degrees_aside(body_model().build(parameters_of(kStoutWoman), stiff)), 8, 0.1);
+}
+
+TEST(NamedPostures, ArmsAreLoweredWithoutJumps) {
+  const BodyParameters parameters = parameters_of(kStoutWoman);
+  double before = degrees_aside(body_model().build(parameters, kArmsApart));
+  for (int k = 1; k <= 16; ++k) {
+    const double now =
+        degrees_aside(body_model().build(parameters, blend(kArmsApart, kStanding, k / 16.0)));
+    EXPECT_LT(now, before + 1) << k << ": straightening elbows need a little more room";
+    EXPECT_GT(now, before - 4) << k;
+    before = now;
+  }
 }
 
 TEST(NamedPostures, BendsLeanTheBackAndLetTheArmsHang) {
@@ -40,6 +158,7 @@ TEST(NamedPostures, BendsLeanTheBackAndLetTheArmsHang) {
     const Body body = in("forward-bend-" + std::to_string(static_cast<int>(lean)));
     EXPECT_NEAR(turn_of_back(body) - upright, lean, 2) << lean;
     EXPECT_NEAR(upper_arm(body).y(), upper_arm(in("standing")).y(), 0.1) << lean;
+    EXPECT_NEAR(forearm(body).y(), forearm(in("standing")).y(), 0.1) << lean;
   }
 }
 
@@ -77,10 +196,17 @@ TEST(NamedPostures, AnUnknownNameIsToldTheNearest) {
 TEST(NamedPostures, BlendGoesHalfWayInEveryAngle) {
   const Posture half = blend(named_posture("standing"), named_posture("arms-overhead"), 0.5);
   EXPECT_DOUBLE_EQ(degrees(half.arm_flexion), 80);
-  EXPECT_DOUBLE_EQ(degrees(half.arm_abduction), 22.5);
-  EXPECT_DOUBLE_EQ(half.elbow_extension, 0.5);
+  EXPECT_DOUBLE_EQ(degrees(half.arm_abduction), 14);
+  EXPECT_DOUBLE_EQ(half.elbow_extension, 0.83);
+  EXPECT_DOUBLE_EQ(half.relaxed_arms, 0.5);
   EXPECT_EQ(default_dress_posture(named_posture("arms-forward")).arm_flexion, 0);
   EXPECT_EQ(default_dress_posture(named_posture("slouch")).slouch, 0);
+}
+
+TEST(NamedPostures, GarmentsArePutOnWithTheArmsApartUnlessThatIsHowTheyAreWorn) {
+  EXPECT_EQ(default_dress_posture(kStanding), kArmsApart);
+  EXPECT_EQ(default_dress_posture(named_posture("model-standing")), kArmsApart);
+  EXPECT_EQ(default_dress_posture(kArmsWide), kArmsWide);
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ struct Posture {
   double arm_flexion = 0;      ///< the arms so abducted, raised forward against the trunk
   double elbow_extension = 0;  ///< share of the model's bent elbow (46°) that is straightened
   double slouch = 0;           ///< 0 upright … 1 slumped (skeleton_pose.h)
+  /// 0 arms turned as the model has them … 1 hanging as people let them: elbows bend forward, palms
+  /// face the thighs (skeleton_pose.h), and arms that find no room beside the trunk hang as far
+  /// aside as they need (hanging_arms.h).
+  double relaxed_arms = 0;
   bool operator==(const Posture&) const = default;
 };
 
@@ -50,8 +54,13 @@ inline Posture blend(const Posture& from, const Posture& to, double share) {
     return from.*angle + share * (to.*angle - from.*angle);
   };
   return {mix(&Posture::arm_abduction), mix(&Posture::forward_bend),    mix(&Posture::sitting),
-          mix(&Posture::arm_flexion),   mix(&Posture::elbow_extension), mix(&Posture::slouch)};
+          mix(&Posture::arm_flexion),   mix(&Posture::elbow_extension), mix(&Posture::slouch),
+          mix(&Posture::relaxed_arms)};
 }
+
+/// As people stand: the named posture "standing". Upper arms 8° aside, elbows bent by about 15° (a
+/// third of the model's bend).
+inline constexpr Posture kStanding{radians(8.0), 0, 0, 0, 0.66, 0, 1};
 
 /// Upright with room for a garment under the arms: the named posture "a-pose".
 inline constexpr Posture kArmsApart{radians(40.0), 0, 0};
@@ -59,10 +68,10 @@ inline constexpr Posture kArmsApart{radians(40.0), 0, 0};
 /// The arms farther apart: for garments that find no room in a-pose.
 inline constexpr Posture kArmsWide{radians(55.0), 0, 0};
 
-/// Where a garment is put on when nothing is said: in the wanted posture itself if the arms stand
-/// off the trunk and the person is upright, otherwise with the arms apart.
+/// Where a garment is put on when nothing is said: in the wanted posture itself if the arms are
+/// apart and the person is upright, otherwise with the arms apart; they are then lowered.
 inline Posture default_dress_posture(const Posture& wanted) {
-  const bool open = wanted.arm_abduction >= radians(20.0) && wanted.arm_abduction <= radians(60.0);
+  const bool open = wanted.arm_abduction >= radians(35.0) && wanted.arm_abduction <= radians(60.0);
   const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
                        wanted.slouch == 0;
   return open && upright ? wanted : kArmsApart;

@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_tape.h"
+#include "loosefit/body/hanging_arms.h"
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/skeleton_pose.h"
 #include "loosefit/body/tape_paths.h"
@@ -47,6 +48,7 @@ void check_posture(const Posture& posture) {
   check("arm_flexion", degrees(posture.arm_flexion), -40, 180, "°");
   check("elbow_extension", posture.elbow_extension, 0, 1, "");
   check("slouch", posture.slouch, 0, 1, "");
+  check("relaxed_arms", posture.relaxed_arms, 0, 1, "");
 }
 
 std::vector<Vec3> carried(const std::vector<Eigen::Matrix<double, 3, 4>>& maps,
@@ -129,8 +131,8 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   check_posture(posture);
   // Shape first, in rest posture, then the pose of the bones.
   const RestBody rest = this->rest(parameters);
-  const auto bones =
-      pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture));
+  const Posture clear = with_clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
+  const auto bones = pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, clear));
 
   // Measures belong to the shape, not to the posture.
   Body body;

@@ -16,13 +16,28 @@ Posture arms(double aside, double forward) {
 
 // The arms hang: they are as far forward of the trunk as it leans.
 Posture bend(double lean) {
-  Posture posture;
+  Posture posture = kStanding;
   posture.forward_bend = posture.arm_flexion = radians(lean);
   return posture;
 }
 
+Posture lean_with_arms_along() {
+  Posture posture = kStanding;
+  posture.forward_bend = radians(30);
+  return posture;
+}
+
+// The forearms lie along the thighs.
+Posture sitting() {
+  Posture posture = kStanding;
+  posture.sitting = 1;
+  posture.elbow_extension = 0;
+  posture.arm_flexion = radians(15);
+  return posture;
+}
+
 Posture slouch() {
-  Posture posture;
+  Posture posture = kStanding;
   posture.slouch = 1;
   posture.arm_flexion = radians(25);
   return posture;
@@ -32,15 +47,16 @@ Posture slouch() {
 
 const std::vector<std::pair<std::string, Posture>>& named_postures() {
   static const std::vector<std::pair<std::string, Posture>> kTable = {
-      {"standing", {}},
+      {"standing", kStanding},
+      {"model-standing", {}},
       {"a-pose", kArmsApart},
       {"arms-forward", arms(10, 90)},
       {"arms-overhead", arms(20, 160)},
-      {"forward-bend", {radians(25.0), radians(30.0), 0}},
+      {"forward-bend", lean_with_arms_along()},
       {"forward-bend-15", bend(15)},
       {"forward-bend-30", bend(30)},
       {"forward-bend-45", bend(45)},
-      {"sitting", {radians(25.0), 0, 1}},
+      {"sitting", sitting()},
       {"slouch", slouch()},
   };
   return kTable;

@@ -9,21 +9,25 @@ namespace loosefit::body {
 
 /// Postures by name, in the order in which they are offered:
 ///
-/// | name            | arms from the trunk          | trunk                       | legs          |
-/// |-----------------|------------------------------|-----------------------------|---------------|
-/// | standing        | 25° aside                    | upright                     | standing      |
-/// | a-pose          | 40° aside                    | upright                     | standing      |
-/// | arms-forward    | 90° forward, 10° aside       | upright                     | standing      |
-/// | arms-overhead   | 160° forward, 20° aside      | upright                     | standing      |
-/// | forward-bend    | 25° aside                    | back leans by 30°           | standing      |
-/// | forward-bend-15 | 25° aside, hanging down      | back leans by 15°           | standing      |
-/// | forward-bend-30 | 25° aside, hanging down      | back leans by 30°           | standing      |
-/// | forward-bend-45 | 25° aside, hanging down      | back leans by 45°           | standing      |
-/// | sitting         | 25° aside                    | upright                     | hip, knee 90° |
-/// | slouch          | 25° aside, hanging down      | slumped (skeleton_pose.h)   | standing      |
+/// | name            | arms from the trunk     | elbows   | trunk        | legs          |
+/// |-----------------|-------------------------|----------|--------------|---------------|
+/// | standing        | 8° aside, relaxed       | 15°      | upright      | standing      |
+/// | model-standing  | 25° aside               | 46°      | upright      | standing      |
+/// | a-pose          | 40° aside               | 46°      | upright      | standing      |
+/// | arms-forward    | 90° forward, 10° aside  | straight | upright      | standing      |
+/// | arms-overhead   | 160° forward, 20° aside | straight | upright      | standing      |
+/// | forward-bend    | along the trunk         | 15°      | leans by 30° | standing      |
+/// | forward-bend-15 | hanging down            | 15°      | leans by 15° | standing      |
+/// | forward-bend-30 | hanging down            | 15°      | leans by 30° | standing      |
+/// | forward-bend-45 | hanging down            | 15°      | leans by 45° | standing      |
+/// | sitting         | 15° forward             | 46°      | upright      | hip, knee 90° |
+/// | slouch          | hanging down            | 15°      | slumped      | standing      |
 ///
-/// Raised arms are straight at the elbow. 160° is what healthy adults reach forward without the
-/// trunk leaning back (Soucie et al. 2011: about 170° in all, passive; recalled).
+/// Where no angle aside is told, arms are 8° aside and relaxed as in `standing`.
+/// Relaxed arms bend forward at the elbow, palms to the thighs; where trunk or thighs leave them no
+/// room they hang farther aside (hanging_arms.h). The others are turned as the model has them, with
+/// the palms back. 160° is what healthy adults reach forward without the trunk leaning back (Soucie
+/// et al. 2011: about 170° in all, passive; recalled). A full slouch: skeleton_pose.h.
 const std::vector<std::pair<std::string, Posture>>& named_postures();
 
 /// Names of the table.

@@ -16,18 +16,66 @@ constexpr double kSlouchShoulder = radians(10), kSlouchNeck = radians(8),
 // Measured: bones turning by b together turn the line C7 - back waist by b / 1.09 for 10° … 60°.
 constexpr double kBendGain = 1.09;
 
+// Twists of the two halves of the upper arm, and of the two halves of the forearm and the hand: the
+// skin turns evenly from the shoulder to the elbow, and from there to the wrist.
+constexpr double kHumerusTwist = 0.5, kForearmTwist[3] = {0.25, 0.5, 0.25};
+
 Mat3 about(const Vec3& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
+
+Vec3 joint_of(const BodyData& data, const std::vector<Vec3>& joints, const std::string& bone) {
+  return joints[std::size_t(data.bones[std::size_t(data.bone(bone))].head)];
+}
+
+/// Angle about `axis` (unit) that brings `from` into the half plane of axis and `to`.
+double turn_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
+  const Vec3 a = from - axis * axis.dot(from), b = to - axis * axis.dot(to);
+  return std::atan2(axis.dot(a.cross(b)), a.dot(b));
+}
+
+Mat3& rotation_of(BoneRotations& rotations, const std::string& bone) {
+  return rotations.try_emplace(bone, Mat3::Identity()).first->second;
+}
+
+/// Turns upper arms and forearms about their own length after what the bones do already: the elbow
+/// bends to where `forward` points (of an arm that is not raised: −y), and so does the thumb.
+void relax_arms(const BodyData& data, const std::vector<Vec3>& joints, double share,
+                const Vec3& forward, BoneRotations& rotations) {
+  for (const std::string side : {".L", ".R"}) {
+    const auto head = [&](const char* bone) { return joint_of(data, joints, bone + side); };
+    const Vec3 elbow = head("lowerarm01");
+    const Vec3 upper = (elbow - head("upperarm01")).normalized();
+    const Vec3 fore = (head("wrist") - elbow).normalized();
+    const Vec3 thumbward = head("finger2-1") - head("finger5-1");
+    const Mat3 arm = rotation_of(rotations, "clavicle" + side) *
+                     rotation_of(rotations, "shoulder01" + side) *
+                     rotation_of(rotations, "upperarm01" + side);
+    // In the frame of the rest posture, in which the bones' own rotations are told.
+    const Vec3 ahead = arm.transpose() * forward;
+    const double humerus = turn_about(upper, fore, ahead);
+    const auto twist = [&](const std::string& bone, const Vec3& axis, double angle) {
+      Mat3& rotation = rotation_of(rotations, bone + side);
+      rotation = rotation * about(axis, share * angle);
+    };
+    twist("upperarm01", upper, kHumerusTwist * humerus);
+    twist("upperarm02", upper, (1 - kHumerusTwist) * humerus);
+    // Elbow and palm, after the whole turn of the upper arm.
+    const Mat3 bend = rotation_of(rotations, "lowerarm01" + side);
+    const Vec3 ahead_of_elbow = (about(upper, humerus) * bend).transpose() * ahead;
+    const double radius = turn_about(fore, thumbward, ahead_of_elbow);
+    twist("lowerarm01", fore, kForearmTwist[0] * radius);
+    twist("lowerarm02", fore, kForearmTwist[1] * radius);
+    twist("wrist", fore, kForearmTwist[2] * radius);
+  }
 }
 
 /// Turn of the forearm about the elbow that brings it into line with the upper arm.
 Mat3 straightening(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
                    double share) {
-  const auto head = [&](const std::string& bone) {
-    return joints[std::size_t(data.bones[std::size_t(data.bone(bone + side))].head)];
-  };
-  const Vec3 elbow = head("lowerarm01");
-  const Vec3 upper = elbow - head("upperarm01"), fore = head("wrist") - elbow;
+  const Vec3 elbow = joint_of(data, joints, "lowerarm01" + side);
+  const Vec3 upper = elbow - joint_of(data, joints, "upperarm01" + side),
+             fore = joint_of(data, joints, "wrist" + side) - elbow;
   const Eigen::AngleAxisd whole(Eigen::Quaterniond::FromTwoVectors(fore, upper));
   return about(whole.axis(), share * whole.angle());
 }
@@ -86,6 +134,9 @@ BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& j
     for (const char* side : {".L", ".R"})
       rotations[std::string("lowerarm01") + side] =
           straightening(data, joints, side, posture.elbow_extension);
+  if (posture.relaxed_arms != 0)
+    relax_arms(data, joints, posture.relaxed_arms,
+               about(Vec3::UnitX(), -posture.arm_flexion) * -Vec3::UnitY(), rotations);
 
   for (int i = 0; i < 5; ++i) {
     rotations["spine0" + std::to_string(5 - i)] =

@@ -18,7 +18,8 @@ double turn_between(const body::Posture& a, const body::Posture& b) {
   return std::max(
       {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
        std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
-       std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch)});
+       std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch),
+       std::abs(a.relaxed_arms - b.relaxed_arms)});
 }
 
 /// What a garment can get between.

@@ -20,13 +20,15 @@ body::Posture read_posture(ConfigReader& body, const std::string& key,
   if (node->kind != ConfigNode::Kind::table)
     throw body.error(key, "a posture in quotes or a table of angles");
   ConfigReader table = body.table(key);
-  body::Posture posture;
-  posture.arm_abduction = radians(table.number("arm_abduction_deg", 25, {5, 90, "degrees"}));
+  body::Posture posture = body::kStanding;
+  if (const auto aside = table.optional_number("arm_abduction_deg", {5, 90, "degrees"}))
+    posture.arm_abduction = radians(*aside);
   posture.forward_bend = radians(table.number("forward_bend_deg", 0, {-20, 90, "degrees"}));
   posture.sitting = table.number("sitting", 0, kFraction);
   posture.arm_flexion = radians(table.number("arm_flexion_deg", 0, {-40, 180, "degrees"}));
-  posture.elbow_extension = table.number("elbow_extension", 0, kFraction);
+  posture.elbow_extension = table.number("elbow_extension", posture.elbow_extension, kFraction);
   posture.slouch = table.number("slouch", 0, kFraction);
+  posture.relaxed_arms = table.number("relaxed_arms", posture.relaxed_arms, kFraction);
   table.finish();
   return posture;
 }

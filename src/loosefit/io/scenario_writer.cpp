@@ -18,9 +18,10 @@ namespace {
 std::string posture_text(const body::Posture& p) {
   return fmt::format(
       "{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {}, arm_flexion_deg = {}, "
-      "elbow_extension = {}, slouch = {} }}",
+      "elbow_extension = {}, slouch = {}, relaxed_arms = {} }}",
       degrees_text(p.arm_abduction), degrees_text(p.forward_bend), shortest(p.sitting),
-      degrees_text(p.arm_flexion), shortest(p.elbow_extension), shortest(p.slouch));
+      degrees_text(p.arm_flexion), shortest(p.elbow_extension), shortest(p.slouch),
+      shortest(p.relaxed_arms));
 }
 
 std::string list_text(const std::vector<std::string>& words) {
