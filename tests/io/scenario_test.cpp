@@ -100,8 +100,8 @@ TEST(Scenario, MapsMadeByDefaultAreThoseOfTheCatalogue) {
 TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   const scenario::Scenario s = default_scenario();
   EXPECT_EQ(s.body.height, 1.68);
-  EXPECT_DOUBLE_EQ(degrees(s.body.posture.arm_abduction), 25);
-  EXPECT_DOUBLE_EQ(degrees(s.body.dress_posture.arm_abduction), 25);
+  EXPECT_EQ(s.body.posture, body::kStanding);
+  EXPECT_EQ(s.body.dress_posture, body::kArmsApart);
   EXPECT_EQ(s.studied().spec.fit.at("chest"), 0.10);
   EXPECT_EQ(s.studied().spec.fit.count("waist"), 0u);
   EXPECT_EQ(s.studied().material.material.name, "paper-cotton");
@@ -159,7 +159,7 @@ TEST(Scenario, ResolvedTextReadsBackToTheSame) {
 
 TEST(Scenario, ResolvedTextWritesOutDefaults) {
   const std::string resolved = scenario_toml(default_scenario());
-  for (const char* key : {"sex", "arm_abduction_deg = 25", "neck_ease", "stiffness_shear", "seed",
+  for (const char* key : {"sex", "arm_abduction_deg = 8", "neck_ease", "stiffness_shear", "seed",
                           "time_budget", "undecorated", "name = \"paper-cotton\""})
     EXPECT_NE(resolved.find(key), std::string::npos) << key;
 }

@@ -33,6 +33,23 @@ TEST(ScenarioWear, TheReferenceComesFirstAndIsThePostureOfTheMaps) {
   EXPECT_EQ(scenario_toml(again), scenario_toml(s));
 }
 
+TEST(ScenarioWear, MovementsAreMadeUnlessSwitchedOffAndAskForNoRepeats) {
+  EXPECT_EQ(parse_scenario("", "case.toml").donning.movements,
+            (std::vector<std::string>{"hem-pull", "arm-raise", "breath"}));
+  const scenario::Scenario none = parse_scenario("[donning]\nmovements = []\n", "case.toml");
+  EXPECT_TRUE(none.donning.movements.empty());
+  EXPECT_EQ(none.donning.repeats, 1);
+  const scenario::Scenario again = parse_scenario(scenario_toml(none), "again.toml");
+  EXPECT_TRUE(again.donning.movements.empty());
+  EXPECT_EQ(again.donning.repeats, 1);
+  const scenario::Scenario own = parse_scenario(
+      "[donning]\nmovements = [\"breath\", \"hem-pull\"]\nmovement_spread = 0.1\n", "case.toml");
+  EXPECT_EQ(own.donning.movements, (std::vector<std::string>{"breath", "hem-pull"}));
+  EXPECT_EQ(own.donning.movement_spread, 0.1);
+  EXPECT_EQ(own.donning.repeats, 4);
+  EXPECT_EQ(scenario_toml(parse_scenario(scenario_toml(own), "again.toml")), scenario_toml(own));
+}
+
 TEST(ScenarioWear, EveryNamedPostureReadsBackFromTheResolvedText) {
   for (const auto& [name, posture] : body::named_postures()) {
     const scenario::Scenario s =
@@ -59,6 +76,9 @@ TEST(ScenarioWear, OddInputIsRefusedByName) {
   expect_refused("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
   expect_refused("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
                  {"donning.repeats", "simulation.repeats"});
+  expect_refused("[donning]\nmovements = [\"jump\"]", {"donning.movements", "hem-pull"});
+  expect_refused("[donning]\nmovements = \"breath\"", {"donning.movements", "array"});
+  expect_refused("[donning]\nmovement_spread = 2", {"donning.movement_spread"});
   expect_refused("donning = 4", {"donning"});
 }
 

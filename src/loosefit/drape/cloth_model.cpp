@@ -91,6 +91,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   }
   // Gravity and contact of cloth with cloth see all layers at once.
   gravity_ = std::make_unique<particles::GravityEnergy>(system_.mass, options.gravity);
+  load_ = std::make_unique<particles::DeadLoad>();
   contact.thickness = layers.front().self_thickness;
   contact.friction = friction(0, 0);
   if (mesh_.layers() > 1) {
@@ -104,6 +105,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   for (const auto& e : membrane_) system_.energies.push_back(e.get());
   for (const auto& e : bending_) system_.energies.push_back(e.get());
   system_.energies.push_back(gravity_.get());
+  system_.energies.push_back(load_.get());
   for (const auto& e : body_) system_.energies.push_back(e.get());
   system_.energies.push_back(self_.get());
   system_.gravity = options.gravity;

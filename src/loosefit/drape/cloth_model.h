@@ -9,6 +9,7 @@
 #include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
+#include "loosefit/particles/dead_load.h"
 #include "loosefit/particles/gravity_energy.h"
 #include "loosefit/solver/particle_system.h"
 
@@ -63,6 +64,11 @@ class ClothModel {
   /// Takes the weight off the cloth; residuals still refer to it.
   void take_weight() { gravity_->set_gravity(0); }
 
+  /// Pulls at the particles [N], one force each, until told otherwise; none: lets go. `forces` does
+  /// not list it.
+  void set_load(particles::VectorField forces) { load_->set_forces(std::move(forces)); }
+  bool is_loaded() const { return !load_->forces().empty(); }
+
   ClothMemory memory() const;
   /// Takes up what this model remembered earlier.
   void recall(const ClothMemory& memory);
@@ -72,6 +78,7 @@ class ClothModel {
   std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // per layer
   std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
   std::unique_ptr<particles::GravityEnergy> gravity_;
+  std::unique_ptr<particles::DeadLoad> load_;
   std::vector<std::unique_ptr<contact::BodyContact>> body_;
   std::unique_ptr<contact::SelfContact> self_;
   std::vector<double> half_thickness_, contact_stiffness_;  // per layer

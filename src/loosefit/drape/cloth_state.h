@@ -15,6 +15,7 @@
 #include "loosefit/drape/drape.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/free_fall.h"
+#include "loosefit/drape/movement.h"
 #include "loosefit/drape/recovery.h"
 #include "loosefit/drape/settling_budget.h"
 #include "loosefit/drape/stop_reason.h"
@@ -85,6 +86,7 @@ struct ClothState {
   std::optional<Stop> given_up;       ///< a posture that is not followed further
   std::string no_room;                ///< why the garment cannot be laid round the body; or empty
   body::BodyPath path, wide_path;     ///< of the body; the second for more room, may be empty
+  Movements movements;                ///< of the wearer, once the garment is on
   PostureStep step;
   Certificate certificate;
   SettleReport report;

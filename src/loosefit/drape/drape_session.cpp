@@ -29,8 +29,10 @@ DrapeSession::DrapeSession(const garment::GarmentHierarchy& garment, fabric::Mat
 
 DrapeSession::~DrapeSession() = default;
 
-Drape DrapeSession::put_on(const body::BodyPath& path, const body::BodyPath& wide_path) {
+Drape DrapeSession::put_on(const body::BodyPath& path, const body::BodyPath& wide_path,
+                           Movements movements) {
   if (state_->worn) throw Error("a garment is put on once in a drape session");
+  state_->cloth->movements = std::move(movements);
   Drape drape = dress_and_settle(*state_->cloth, path, wide_path, state_->worn);
   state_->cloth.reset();  // all but what is worn would only take memory
   return drape;

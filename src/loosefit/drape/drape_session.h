@@ -7,6 +7,7 @@
 #include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/drape.h"
 #include "loosefit/drape/drape_options.h"
+#include "loosefit/drape/movement.h"
 
 namespace loosefit::drape {
 
@@ -31,11 +32,13 @@ class DrapeSession {
 
   /// Dresses the garments at the beginning of `path`, settles them coarse to fine at its end, and
   /// certifies them there. Where they find no room, at the beginning of `wide_path`, if there is
-  /// one: the report then says why (SettleReport::no_room). Does not throw when it fails to settle:
-  /// the certificate says why. Calls progress.stage("dress") and progress.stage("settle").
-  /// \throws NoRoom when the garments find no room round the body in any of these postures,
-  /// GeometryError if they cannot be put on (no arms for sleeves, …), Cancelled.
-  Drape put_on(const body::BodyPath& path, const body::BodyPath& wide_path = {});
+  /// one: the report then says why (SettleReport::no_room). `movements` are made at the end of the
+  /// path, before the garments settle there. Does not throw when it fails to settle: the
+  /// certificate says why. Calls progress.stage("dress") and progress.stage("settle"). \throws
+  /// NoRoom when the garments find no room round the body in any of these postures, GeometryError
+  /// if they cannot be put on (no arms for sleeves, …), Cancelled.
+  Drape put_on(const body::BodyPath& path, const body::BodyPath& wide_path = {},
+               Movements movements = {});
 
   /// The body moves from where put_on left it to path(1), path giving the way; the cloth goes
   /// along with the skin and rubs on it in steps, then settles on the finest level as after

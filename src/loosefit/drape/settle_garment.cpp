@@ -9,6 +9,7 @@
 #include "loosefit/drape/phases/follow_posture.h"
 #include "loosefit/drape/phases/free_penetrations.h"
 #include "loosefit/drape/phases/settle_levels.h"
+#include "loosefit/drape/phases/wear_in.h"
 
 // How a drape is made, in the order in which it happens. What is tried when a phase fails stands in
 // drape/recoveries.cpp, all numbers in drape/settling_tuning.h.
@@ -81,6 +82,8 @@ Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
   state.part = "posture";
   state.progress.stage("settle");
   follow_posture(state);
+  state.part = "wear-in";
+  wear_in(state);
   state.soften_contact(false);
 
   state.part = "settle";

@@ -112,6 +112,13 @@ Fields follow_fields(FollowTuning& t) {
       .count("least_iterations", t.least_iterations);
 }
 
+Fields wear_in_fields(WearInTuning& t) {
+  return Fields("wear_in")
+      .residual("pull_tolerance", t.pull_tolerance)
+      .time("first_dt", t.first_dt)
+      .count("pull_iterations", t.pull_iterations);
+}
+
 Fields level_fields(LevelTuning& t) {
   return Fields("levels").residual("tolerance", t.tolerance).time("first_dt", t.first_dt);
 }
@@ -166,9 +173,9 @@ std::vector<TuningField> tuning_fields(SettlingTuning& t) {
   std::vector<TuningField> all;
   for (const Fields& group :
        {cloth_fields(t.cloth), carry_fields(t.carry), contract_fields(t.contract),
-        disturb_fields(t.disturb), follow_fields(t.follow), level_fields(t.levels),
-        penetration_fields(t.penetrations), certify_fields(t.certify), fall_fields(t.free_fall),
-        integrator_fields(t.integrators)})
+        disturb_fields(t.disturb), follow_fields(t.follow), wear_in_fields(t.wear_in),
+        level_fields(t.levels), penetration_fields(t.penetrations), certify_fields(t.certify),
+        fall_fields(t.free_fall), integrator_fields(t.integrators)})
     all.insert(all.end(), group.fields.begin(), group.fields.end());
   return all;
 }

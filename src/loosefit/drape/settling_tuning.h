@@ -101,6 +101,16 @@ struct StepPlan {
   int iterations = 25;     ///< for it, at most [–]
 };
 
+/// The wearer moves once the garment is on (phases/wear_in.h); the body's steps are those of
+/// FollowTuning.
+struct WearInTuning {
+  /// Residual after a pull on the hem and after letting go [–]; as DisturbTuning::tolerance, well
+  /// below the pull itself.
+  double pull_tolerance = 5;
+  double first_dt = 0.02;    ///< first pseudo-step of both [s]; as FollowTuning::first_dt
+  int pull_iterations = 25;  ///< of both, at most [–]; as StepPlan::iterations
+};
+
 /// The body moves, the cloth goes along.
 struct FollowTuning {
   StepPlan one_layer = {};  ///< F; half the turn gave the same states at twice the fields
@@ -229,6 +239,7 @@ struct SettlingTuning {
   ContractTuning contract;
   DisturbTuning disturb;
   FollowTuning follow;
+  WearInTuning wear_in;
   LevelTuning levels;
   PenetrationTuning penetrations;
   CertifyTuning certify;

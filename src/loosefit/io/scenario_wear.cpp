@@ -35,7 +35,16 @@ scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
                                                const scenario::ScenarioSimulation& simulation) {
   constexpr int kUsual = 4;
   scenario::ScenarioDonning d;
-  d.repeats = static_cast<int>(table.integer("repeats", given ? kUsual : 1, 1, 100));
+  // A section that tells of movements alone asks for no repeats.
+  bool repeated = false;
+  for (const char* key : {"shift", "twist_deg", "friction_spread", "movement_spread", "seed"})
+    repeated = repeated || table.has(key);
+  const bool movements_alone = table.has("movements") && !repeated;
+  d.repeats =
+      static_cast<int>(table.integer("repeats", given && !movements_alone ? kUsual : 1, 1, 100));
+  d.movements = table.choices("movements", d.movements,
+                              {scenario::kMovementNames.begin(), scenario::kMovementNames.end()});
+  d.movement_spread = table.number("movement_spread", d.movement_spread, {0, 0.5, "a fraction"});
   d.shift = table.number("shift", d.shift, {0, 0.05, "metres"});
   d.twist = radians(table.number("twist_deg", 10, {0, 30, "degrees"}));
   d.friction_spread = table.number("friction_spread", d.friction_spread, {0, 0.5, "a fraction"});
@@ -57,10 +66,14 @@ std::string wear_toml(const scenario::Scenario& scenario) {
     text += fmt::format("\n[postures]\nlist = [{}]\nreference = {}\n", join(names), names.front());
   }
   const scenario::ScenarioDonning& d = scenario.donning;
+  std::vector<std::string> movements;
+  for (const std::string& name : d.movements) movements.push_back(toml_quoted(name));
+  text += fmt::format("\n[donning]\nmovements = [{}]\nrepeats = {}\n", join(movements), d.repeats);
   if (d.repeats > 1)
     text += fmt::format(
-        "\n[donning]\nrepeats = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\nseed = {}\n",
-        d.repeats, shortest(d.shift), degrees_text(d.twist), shortest(d.friction_spread), d.seed);
+        "movement_spread = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\nseed = {}\n",
+        shortest(d.movement_spread), shortest(d.shift), degrees_text(d.twist),
+        shortest(d.friction_spread), d.seed);
   return text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -23,8 +24,8 @@ struct ScenarioBody {
   double height = 1.68;                        ///< [m]
   std::map<std::string, double> measurements;  ///< wished tape measures [m]
   double muscle = 0.5, proportions = 0.5, cup = 0.5, firmness = 0.5;
-  body::Posture posture;                             ///< in which the maps are made
-  body::Posture dress_posture{radians(40.0), 0, 0};  ///< in which the garment is put on
+  body::Posture posture = body::kStanding;         ///< in which the maps are made
+  body::Posture dress_posture = body::kArmsApart;  ///< in which the garment is put on
   std::string file;   ///< mesh file instead of the parametric person; absolute
   std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
   std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
@@ -81,8 +82,15 @@ struct ScenarioRanking {
   bool partial = false;  ///< by the criteria that the drapes can tell
 };
 
-/// [donning]: putting the garment on again and again, never quite alike.
+/// Names of movements, in the order in which they are offered (study/wearer_movements.h).
+inline constexpr std::array<const char*, 3> kMovementNames = {"hem-pull", "arm-raise", "breath"};
+
+/// [donning]: how the wearer settles the garment once it is on, and putting it on again and again,
+/// never quite alike.
 struct ScenarioDonning {
+  /// In this order, by name; one may come several times. Empty: none.
+  std::vector<std::string> movements{kMovementNames.begin(), kMovementNames.end()};
+  double movement_spread = 0.3;  ///< standard deviation of ln of their sizes in further donnings
   int repeats = 1;               ///< the first is undisturbed
   double shift = 0.010;          ///< of the garment, each axis, to either side [m]
   double twist = radians(10.0);  ///< on the trunk, to either side [rad]

@@ -50,7 +50,9 @@ std::vector<placement::SiteSpec> place_boards(const scenario::Scenario& scenario
   options.residual_tolerance = kCoarseResidual;
   CaseBody wearer = clone_wearer(body);
   drape::DrapeSession session(cloth_layers(scenario, coarse), options, progress);
-  const drape::Drape drape = split_drape(put_on(session, wearer), scenario, coarse).back();
+  const drape::Drape drape =
+      split_drape(put_on(session, wearer, usual_movements(scenario.donning)), scenario, coarse)
+          .back();
 
   // Its place over the skin that the scenario names is that of the board.
   const maps::WornGarment worn = maps::relate(bare, drape.positions, body.body);

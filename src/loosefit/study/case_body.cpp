@@ -1,5 +1,6 @@
 #include "loosefit/study/case_body.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "loosefit/base/error.h"
@@ -85,8 +86,14 @@ std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& 
   return {after.warnings.begin() + static_cast<long>(before.warnings.size()), after.warnings.end()};
 }
 
-drape::Drape put_on(drape::DrapeSession& session, CaseBody& body) try {
-  drape::Drape drape = session.put_on(body.path, body.wide_path);
+drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
+                    const std::vector<CaseMovement>& movements) try {
+  drape::Movements made = movements_of(body.body, body.person, body.to, movements);
+  body.movements.clear();
+  for (const CaseMovement& wanted : movements)
+    if (std::ranges::find(made, wanted.name, &drape::Movement::name) != made.end())
+      body.movements.push_back(wanted);
+  drape::Drape drape = session.put_on(body.path, body.wide_path, std::move(made));
   if (!drape.report.no_room.empty()) {
     body.path = std::exchange(body.wide_path, {});
     body.from = body::kArmsWide;

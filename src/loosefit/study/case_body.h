@@ -8,6 +8,7 @@
 #include "loosefit/body/posed_body.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/scenario/scenario.h"
+#include "loosefit/study/wearer_movements.h"
 
 namespace loosefit::flesh {
 class SoftBody;
@@ -25,6 +26,7 @@ struct CaseBody {
   body::BodyPath wide_path;
   body::Posture from, to;                   ///< of the path, unless it is a scan's
   std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null for a scan
+  std::vector<CaseMovement> movements;      ///< that were made once the garments were on
   std::vector<body::MeasureRow> asked;      ///< wishes against what the surface measures [m]
   std::vector<std::string> warnings;        ///< from the fit or the scan's check
 };
@@ -42,8 +44,10 @@ CaseBody clone_wearer(const CaseBody& body);
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);
 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
-/// posture, along its wide one, which then is its path, with a warning.
-/// \throws GeometryError when it cannot be laid at all.
-drape::Drape put_on(drape::DrapeSession& session, CaseBody& body);
+/// posture, along its wide one, which then is its path, with a warning. Of the movements those that
+/// this wearer can make are made and kept in the body. \throws GeometryError when it cannot be laid
+/// at all.
+drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
+                    const std::vector<CaseMovement>& movements = {});
 
 }  // namespace loosefit::study

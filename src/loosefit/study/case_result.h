@@ -16,9 +16,10 @@ namespace loosefit::study {
 
 /// How the garments were put on for one donning.
 struct CaseDonning {
-  Vec3 shift = Vec3::Zero();  ///< [m]
-  double twist = 0;           ///< [rad]
-  double friction = 1;        ///< share of the materials' coefficients
+  Vec3 shift = Vec3::Zero();                 ///< [m]
+  double twist = 0;                          ///< [rad]
+  double friction = 1;                       ///< share of the materials' coefficients
+  std::vector<CaseMovement> movements = {};  ///< once they were on
 };
 
 /// A case worn in several postures, after several donnings. Empty for one of each.

@@ -57,7 +57,10 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
   drape::DrapeOptions options = drape_options(scenario.simulation, repeat);
   options.drapes_at_once = sharing;
   drape::DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
-  std::vector<drape::Drape> drapes = split_drape(put_on(session, body), scenario, result.garments);
+  const std::vector<CaseMovement> movements =
+      drawn_movements(scenario.donning, options.seed);  // a history of its own
+  std::vector<drape::Drape> drapes =
+      split_drape(put_on(session, body, movements), scenario, result.garments);
 
   // Left out with the reason unless it is settled and worn.
   Repeat made;

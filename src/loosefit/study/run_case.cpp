@@ -28,7 +28,8 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
   {
     const auto session = std::make_shared<drape::DrapeSession>(
         cloth_layers(result.scenario, result.garments), drape_options(scenario.simulation), clock);
-    const drape::Drape drape = put_on(*session, result.body);  // dress, settle
+    const drape::Drape drape =
+        put_on(*session, result.body, usual_movements(scenario.donning));  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
                                   result.garments, result.body.body));
     at_once = drapes_at_once();

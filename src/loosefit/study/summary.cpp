@@ -281,6 +281,12 @@ Json unsettled_json(const drape::Unsettled& u) {
   return json;
 }
 
+Json movements_json(const std::vector<CaseMovement>& movements) {
+  Json json = Json::array();
+  for (const CaseMovement& m : movements) json.push_back({{"name", m.name}, {"size", m.size}});
+  return json;
+}
+
 /// Postures, donnings, and what became of each of their drapes.
 void add_wear(const CaseWear& wear, Json& json) {
   json["postures"] = wear.postures;
@@ -288,7 +294,8 @@ void add_wear(const CaseWear& wear, Json& json) {
   for (const CaseDonning& d : wear.donnings)
     json["donnings"].push_back({{"shift_m", {d.shift.x(), d.shift.y(), d.shift.z()}},
                                 {"twist_deg", degrees(d.twist)},
-                                {"friction", d.friction}});
+                                {"friction", d.friction},
+                                {"movements", movements_json(d.movements)}});
   json["states"] = Json::array();
   for (const CaseState& s : wear.states) {
     const drape::Certificate c = s.certificate();
@@ -350,6 +357,7 @@ std::string summary_json(const CaseResult& result) {
   json["seconds"] = seconds_json(result.seconds);
   json["peak_memory_mb"] = result.peak_memory_mb;
   json["settle"] = settle_json(studied.drape.report);
+  json["settle"]["movements"] = movements_json(result.body.movements);
   if (studied.drape.unsettled)
     json["settle"]["unsettled"] = unsettled_json(*studied.drape.unsettled);
 

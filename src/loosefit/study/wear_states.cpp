@@ -20,11 +20,13 @@ CaseWear plan_wear(const scenario::Scenario& scenario) {
   std::uniform_real_distribution<double> even(-1, 1);
   std::normal_distribution<double> normal;
   wear.donnings.resize(1);
+  wear.donnings.front().movements = usual_movements(scenario.donning);
   for (int k = 1; k < scenario.donning.repeats; ++k) {
     CaseDonning& how = wear.donnings.emplace_back();
     for (double& s : how.shift) s = scenario.donning.shift * even(rng);
     how.twist = scenario.donning.twist * even(rng);
     how.friction = std::exp(scenario.donning.friction_spread * std::clamp(normal(rng), -2.0, 2.0));
+    how.movements = drawn_movements(scenario.donning, scenario.donning.seed + std::uint64_t(k));
   }
   return wear;
 }

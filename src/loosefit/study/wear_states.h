@@ -15,7 +15,7 @@ namespace loosefit::study {
 
 /// Postures and the drawn donnings of a case; no bodies and no states yet. Donnings are drawn from
 /// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
-/// normally, kept within two deviations.
+/// normally, kept within two deviations; movements as drawn_movements.
 CaseWear plan_wear(const scenario::Scenario& scenario);
 
 /// All states of a plan but the reference state, in their order: the other postures of the first

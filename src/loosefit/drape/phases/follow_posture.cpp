@@ -52,14 +52,23 @@ Move plan_move(const ClothState& state, const body::PosedBody& to) {
   return move;
 }
 
-void make_move(ClothState& state, Move move, bool is_last) {
-  const bool rough = !is_last && state.level == 0;
+/// `end`: of the path, if the move leads there.
+void make_move(ClothState& state, Move move, const PathEnd* end) {
+  const bool rough = !(end && end->stays) && state.level == 0;
   state.carry_anchors(displacements(move.skin_motion, state.x));
   state.x = std::move(move.x);
-  state.body = with_field(move.body, bounds(state.x),
-                          rough ? state.tuning.carry.rough_field_spacing : contact::kFieldSpacing,
-                          state.tuning.carry);
+  if (end && end->known && end->known->field->covers(bounds(state.x)))
+    state.body = end->known;
+  else
+    state.body = with_field(move.body, bounds(state.x),
+                            rough ? state.tuning.carry.rough_field_spacing : contact::kFieldSpacing,
+                            state.tuning.carry);
   state.model->set_field(state.body->field);
+}
+
+/// A body without maps does not turn, and may move all the same.
+int usual_steps(double turn, const StepPlan& plan) {
+  return std::max(1, static_cast<int>(std::ceil(turn / plan.turn)));
 }
 
 }  // namespace
@@ -90,12 +99,11 @@ const StepPlan& step_plan(const ClothState& state) {
   return state.is_single() ? state.tuning.follow.one_layer : state.tuning.follow.layers;
 }
 
-void follow_posture(ClothState& state) {
+void follow_path(ClothState& state, const body::BodyPath& path, const PathEnd& path_end) {
   const FollowTuning& tuning = state.tuning.follow;
   const StepPlan& plan = step_plan(state);
-  const double turn = largest_turn(state.body->body, state.path(1.0), tuning);
-  if (turn < tuning.no_turn) return;
-  const double usual = 1 / std::ceil(turn / plan.turn);
+  const double turn = largest_turn(state.body->body, path(1.0), tuning);
+  const double usual = 1.0 / usual_steps(turn, plan);
   PostureStep& step = state.step;
   step = {.done = 0, .length = usual, .least = usual / tuning.shortest};
   while (step.done < 1) {
@@ -103,16 +111,23 @@ void follow_posture(ClothState& state) {
     // What would be left for a last step shorter than half the least one is taken along.
     const double end = step.done + step.length;
     const double to = end > 1 - tuning.taken_along * step.least ? 1 : end;
-    Move move = plan_move(state, state.path(to));
+    const PathEnd* last = to == 1 ? &path_end : nullptr;
+    Move move = plan_move(state, last && last->known ? last->known->body : path(to));
     step.blocked = move.blocked;
     if (state.recover(RecoveryPoint::before_step)) continue;
-    make_move(state, std::move(move), to == 1);
+    make_move(state, std::move(move), last);
     step.done = to;
     step.length = std::min(usual, 2 * step.length);
     if (state.must_stop()) continue;
     state.settle({plan.tolerance, plan.iterations, tuning.first_dt, true});
     state.recover(RecoveryPoint::after_step);
   }
+}
+
+void follow_posture(ClothState& state) {
+  const double turn = largest_turn(state.body->body, state.path(1.0), state.tuning.follow);
+  if (turn < state.tuning.follow.no_turn) return;
+  follow_path(state, state.path, {});
 }
 
 }  // namespace loosefit::drape

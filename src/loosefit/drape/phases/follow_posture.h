@@ -11,6 +11,18 @@ namespace loosefit::drape {
 /// same.
 void follow_posture(ClothState& state);
 
+/// Where a path ends.
+struct PathEnd {
+  /// The cloth settles there; otherwise the body goes on at once, and a rougher field of distances
+  /// does on the coarsest level.
+  bool stays = true;
+  /// The body there with a field that is at hand; null: made anew.
+  std::shared_ptr<const ContactBody> known = nullptr;
+};
+
+/// The same along any path that begins where the body stands; also of a body that does not turn.
+void follow_path(ClothState& state, const body::BodyPath& path, const PathEnd& end);
+
 /// How the steps are made of this state: of one layer or several.
 const StepPlan& step_plan(const ClothState& state);
 

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/body/body_path.h"
+
+namespace loosefit::drape {
+
+/// What a wearer does once the garment is on, so that it comes to lie where wearers have it
+/// (phases/wear_in.h).
+struct Movement {
+  std::string name = {};  ///< for the report
+  /// The body goes from where it stands (0) to the far end (1) and back. Empty: it stands still.
+  body::BodyPath way = {};
+  /// Pull on the hem of each garment that hangs on the shoulders, down along the trunk, before it
+  /// is let go, in weights of that garment [–].
+  double hem_pull = 0;
+};
+
+using Movements = std::vector<Movement>;
+
+}  // namespace loosefit::drape

@@ -1,0 +1,72 @@
+#include "loosefit/drape/phases/wear_in.h"
+
+#include <algorithm>
+
+#include "loosefit/drape/openings.h"
+#include "loosefit/drape/phases/follow_posture.h"
+
+namespace loosefit::drape {
+namespace {
+
+/// Up along the trunk; a body without joints stands upright.
+Vec3 up_the_trunk(const body::Body& body) {
+  const auto pelvis = body.joints.find("pelvis"), neck = body.joints.find("neck");
+  if (pelvis == body.joints.end() || neck == body.joints.end()) return Vec3::UnitZ();
+  return (neck->second - pelvis->second).normalized();
+}
+
+/// The hems of what hangs on the shoulders.
+std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pattern& pattern) {
+  const std::vector<Opening> openings = garment_openings(garment, pattern);
+  std::vector<int> vertices;
+  for (const Opening& hem : openings) {
+    if (hem.use != kinds::OpeningUse::hem && hem.use != kinds::OpeningUse::cape_hem) continue;
+    const bool hangs = std::any_of(openings.begin(), openings.end(), [&](const Opening& other) {
+      return other.use == kinds::OpeningUse::neck && other.piece == hem.piece;
+    });
+    if (hangs) vertices.insert(vertices.end(), hem.loop.begin(), hem.loop.end());
+  }
+  return vertices;
+}
+
+void pull_and_let_go(ClothState& state, double weights) {
+  const WearInTuning& tuning = state.tuning.wear_in;
+  const SettleGoal goal{tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true};
+  state.model->set_load(hem_pull(state, weights));
+  if (!state.must_stop()) state.settle(goal);
+  state.model->set_load({});
+  if (!state.must_stop()) state.settle(goal);
+}
+
+void go_there_and_back(ClothState& state, const body::BodyPath& way) {
+  const std::shared_ptr<const ContactBody> here = state.body;
+  const body::BodyPath back = [&way](double share) { return way(1 - share); };
+  follow_path(state, way, {.stays = false});
+  follow_path(state, back, {.stays = true, .known = here});
+}
+
+}  // namespace
+
+particles::VectorField hem_pull(const ClothState& state, double weights) {
+  const Vec3 down = -up_the_trunk(state.body->body);
+  particles::VectorField force(state.x.size(), Vec3::Zero());
+  for (int l = 0; l < state.layer_count(); ++l) {
+    const garment::Garment& garment = state.garment(l);
+    const std::vector<int> hem = hem_vertices(garment, state.layers[l].garment->pattern);
+    const double weight = garment.mass * state.options.gravity;
+    for (const int v : hem)
+      force[state.model->mesh().first_vertex[l] + v] +=
+          weights * weight / static_cast<double>(hem.size()) * down;
+  }
+  return force;
+}
+
+void wear_in(ClothState& state) {
+  for (const Movement& movement : state.movements) {
+    if (state.must_stop()) return;
+    if (movement.hem_pull > 0) pull_and_let_go(state, movement.hem_pull);
+    if (movement.way) go_there_and_back(state, movement.way);
+  }
+}
+
+}  // namespace loosefit::drape
