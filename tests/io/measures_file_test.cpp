@@ -44,8 +44,11 @@ TEST_F(MeasuresFile, ReadsPlainAndNestedObjects) {
     EXPECT_EQ(m.at("upper_arm"), 0.28);
     EXPECT_EQ(m.at("shoulder_slope"), 0.35);
     EXPECT_EQ(m.at("hps_to_hem"), 0.62) << "hem at the hip unless given";
+    EXPECT_EQ(m.count("elbow"), 0u);
   }
-  write_text_file(path_.string(), R"({"hps_to_hem": 0.7, )" + kPlain.substr(1));
+  write_text_file(path_.string(), R"({"elbow": 0.27, "hps_to_hem": 0.7, )" + kPlain.substr(1));
+  EXPECT_EQ(read_shirt_measures(path_).at("elbow"), 0.27);
+  EXPECT_EQ(read_shirt_measures(path_).count("forearm"), 0u) << "follows from the others";
   EXPECT_EQ(read_shirt_measures(path_).at("hps_to_hem"), 0.7);
 }
 

@@ -13,7 +13,7 @@ namespace {
 CaseResult worn_on(int threads, const std::string& postures) {
   const std::string text =
       "[postures]\nlist = [\"standing\", " + postures + "]\n[donning]\nrepeats = 2\n" +
-      "[simulation]\nedge_length = 0.04\nthreads = " + std::to_string(threads) + "\n";
+      "[simulation]\nedge_length = 0.03\nthreads = " + std::to_string(threads) + "\n";
   Progress silent;
   RunOptions options;
   options.only_drape = true;

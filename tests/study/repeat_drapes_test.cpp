@@ -20,7 +20,7 @@ CaseResult repeated(const std::string& simulation, const std::string& more = "")
   const std::string text = more +
                            "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
                            "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
-                           "[simulation]\nedge_length = 0.04\nrepeats = 3\n" +
+                           "[simulation]\nedge_length = 0.03\nrepeats = 3\n" +
                            simulation;
   Progress silent;
   return run_case(io::parse_scenario(text, "case.toml"), silent);

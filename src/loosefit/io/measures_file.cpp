@@ -30,7 +30,11 @@ kinds::NamedValues read_measures(const std::filesystem::path& path,
     return value.get<double>();
   };
   kinds::NamedValues values;
-  for (const kinds::KindMeasure& m : measures) values[m.name] = get(m.name, m.of_body);
+  const auto given = [&](const kinds::KindMeasure& m) {
+    return table.is_object() && (table.contains(m.name) || table.contains(m.of_body));
+  };
+  for (const kinds::KindMeasure& m : measures)
+    if (m.required || given(m)) values[m.name] = get(m.name, m.of_body);
   return values;
 }
 

@@ -20,6 +20,7 @@ void check_values(const std::vector<KindMeasure>& measures, const NamedValues& b
                   const std::vector<KindKey>& keys, const NamedValues& fit) {
   for (const KindMeasure& m : measures) {
     const auto value = body.find(m.name);
+    if (value == body.end() && !m.required) continue;
     if (value == body.end())
       throw InvalidInput({{}, 0, "measures." + m.name}, "nothing", "this measure in " + m.unit);
     in_range("measures." + m.name, value->second, m.low, m.high, m.unit);

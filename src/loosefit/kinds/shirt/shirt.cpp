@@ -67,7 +67,7 @@ DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const Draft
     const double length = fit.sleeve_length;
     measures = shirt_measures_of(size.measures);
     fit = shirt_fit_of(size.fit);
-    // A size is one of long sleeves; cut off, they are tubes.
+    // A size is one of long sleeves; cut off, they are as loose as at the upper arm.
     if (length < 1) {
       fit.sleeve_length = length;
       fit.wrist = fit.sleeve;
