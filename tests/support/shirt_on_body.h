@@ -47,6 +47,7 @@ inline pattern::Pattern shirt_for(const body::Body& body, double fit, double sle
   kinds::ShirtFit ease;
   ease.chest = ease.hip = fit;
   ease.sleeve_length = sleeve_length;
+  if (sleeve_length < 1) ease.cap_ratio = 0.55;  // as a T-shirt
   return kinds::draft_shirt(measures, ease);
 }
 
