@@ -29,6 +29,8 @@ struct CasePressure {
   maps::PressureField field;  ///< empty when the drape does not know its forces
   maps::PressureAgreement overall;
   std::map<body::Region, maps::PressureAgreement> regional;  ///< where the garment touches
+  /// Of the area that bears a force, the share that reads as contact (maps/contact_share.h) [–].
+  double contact_share = 0;
 };
 
 /// Stage "maps" of one garment.
