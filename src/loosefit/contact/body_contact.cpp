@@ -7,6 +7,7 @@
 #include "loosefit/particles/tile.h"
 
 namespace loosefit::contact {
+static const double kHardest = getenv("LF_HARD") ? atof(getenv("LF_HARD")) : kContact.layer.hardest;
 std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          const std::vector<double>& triangle_area, int particles,
                                          double offset) {
@@ -71,11 +72,11 @@ LayerResponse compress_layer(double k, double offset, double compression) {
   if (d <= onset) return r;
   // u²/w³ with the part w of the remaining layer L that is left: ∞ where nothing is.
   const double h = kContact.layer.hardening * k / offset;
-  const double rest = offset - onset, u = std::min(d, kContact.layer.hardest * offset) - onset;
+  const double rest = offset - onset, u = std::min(d, kHardest * offset) - onset;
   const double w = 1 - u / rest;
   const double pressure = h * u * u / (w * w * w);
   const double slope = h * (2 * u + 3 * u * u / (rest * w)) / (w * w * w);
-  const double beyond = std::max(0.0, d - kContact.layer.hardest * offset);
+  const double beyond = std::max(0.0, d - kHardest * offset);
   r.energy += h * rest * rest * rest * (0.5 / (w * w) - 2 / w + 1.5 - std::log(w)) +
               beyond * (pressure + 0.5 * slope * beyond);
   r.pressure += pressure + slope * beyond;

@@ -1,9 +1,15 @@
 #include "loosefit/contact/contact_lattice.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "loosefit/base/check.h"
 
 namespace loosefit::contact {
 namespace {
+
+/// Places of a cell nearer than this to each other are one [intervals of the lattice].
+constexpr double kSamePlace = 0.2;
 
 /// Corners of the cells as (i, j), weights in n-ths: pointing up, then down, row by row.
 std::vector<std::array<std::array<int, 2>, 3>> cell_nodes(int n) {
@@ -112,6 +118,15 @@ void ContactLattice::add_nearest(int triangle, int cell, const Weights& at, bool
                                  std::vector<ContactPoint>& points) {
   LOOSEFIT_ASSERT(is_refined(triangle));
   std::vector<int>& own = nearest_[{triangle, cell}];
+  // The same corner of the skin keeps its point.
+  for (int p : own) {
+    double apart = 0;
+    for (int k = 0; k < 3; ++k) apart = std::max(apart, std::abs(points[p].weight[k] - at[k]));
+    if (apart < kSamePlace / intervals_) {
+      points[p].weight = at;
+      return;
+    }
+  }
   if (own.empty() || beside) {
     ContactPoint p;
     p.particle = mesh_->triangles[triangle];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loosefit::drape {
 namespace {
@@ -63,47 +64,44 @@ std::vector<Nearest> nearest_places(
     const Skin& skin) {
   std::vector<Nearest> found;
   const PenetrationTuning& tuning = skin.tuning;
+  const auto exact = [&](const ContactLattice::Weights& w) {
+    const Vec3 p = place(t, w, x);
+    const double smooth = skin.smooth(p, tuning.far);
+    return smooth < tuning.far ? skin.exact(p, smooth) : tuning.far;
+  };
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    double at_corners = tuning.far;
-    for (const auto& corner : cells[c]) {
-      const Vec3 p = place(t, corner, x);
-      const double smooth = skin.smooth(p, tuning.far);
-      if (smooth < tuning.far) at_corners = std::min(at_corners, skin.exact(p, smooth));
-    }
-    if (at_corners > offset + tuning.bulge) continue;
-    double least = std::min(offset, at_corners - tuning.worth_a_point);
-    Nearest nearest{static_cast<int>(c), {}};
-    bool any = false;
-    const auto try_place = [&](const std::array<double, 2>& at) {
-      const double third = 1 - at[0] - at[1];
-      if (std::min({at[0], at[1], third}) < 0) return false;
+    // Places of the cell by the weights of its first two corners.
+    using Place = std::array<double, 2>;
+    const auto weights = [&](const Place& at) {
       ContactLattice::Weights w{};
       for (int k = 0; k < 3; ++k)
-        w[k] = at[0] * cells[c][0][k] + at[1] * cells[c][1][k] + third * cells[c][2][k];
-      const Vec3 p = place(t, w, x);
-      const double distance = skin.exact(p, skin.smooth(p, tuning.far));
-      if (distance >= least) return false;
-      least = distance;
-      nearest.at = w;
-      return any = true;
+        w[k] =
+            at[0] * cells[c][0][k] + at[1] * cells[c][1][k] + (1 - at[0] - at[1]) * cells[c][2][k];
+      return w;
     };
+    Place best{};
+    double least = std::numeric_limits<double>::infinity();
+    const auto try_place = [&](const Place& at) {
+      if (std::min({at[0], at[1], 1 - at[0] - at[1]}) < 0) return;
+      const double distance = exact(weights(at));
+      if (distance < least) least = distance, best = at;
+    };
+    for (const Place& corner : {Place{1, 0}, Place{0, 1}, Place{0, 0}}) try_place(corner);
+    const double at_corners = least;
+    if (at_corners > offset + tuning.bulge) continue;
     const int n = tuning.cell_intervals;
-    std::array<double, 2> best{};
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) {
-        const std::array<double, 2> at = {double(i) / n, double(j) / n};
-        if (i != n && j != n && i + j != 0 && try_place(at)) best = at;
-      }
-    // The lowest place is a corner or an edge of the skin: close in on it.
-    if (any)
-      for (double step = 0.5 / n; step > tuning.least_step; step /= 2) {
-        const std::array<double, 2> middle = best;
-        for (const auto& [a, b] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}) {
-          const std::array<double, 2> at = {middle[0] + a * step, middle[1] + b * step};
-          if (try_place(at)) best = at;
-        }
-      }
-    if (any) found.push_back(nearest);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        if (j < n && i + j > 0) try_place({double(i) / n, double(j) / n});
+    // The nearest place is at a corner or an edge of the skin: close in on it.
+    for (double step = 0.5 / n; step > tuning.least_step; step /= 2) {
+      const Place middle = best;
+      for (const Place& way :
+           {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}, Place{1, -1}, Place{-1, 1}})
+        try_place({middle[0] + step * way[0], middle[1] + step * way[1]});
+    }
+    if (least < std::min(offset, at_corners - tuning.worth_a_point))
+      found.push_back({static_cast<int>(c), weights(best)});
   }
   return found;
 }
