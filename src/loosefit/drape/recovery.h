@@ -13,7 +13,7 @@ enum class RecoveryKind {
   wide_posture,
   shorter_step,
   settle_longer,
-  free_cuts,
+  raise_offsets,
   renew_field,
   nearer_to_rest,
   leave_saddle,
