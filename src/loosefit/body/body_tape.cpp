@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kC7 = 1491, kBackWaist = 4181, kCrotch = 4372;
 constexpr int kHpsLeft = 7539, kHpsRight = 828, kNeckPit = 1522, kAcromionLeft = 8274,
-              kAcromionRight = 1602;
+              kAcromionRight = 1602, kNippleLeft = 8451;
 constexpr int kElbowEnd = 10037, kForearmStart = 10040, kWristOuter = 10548;
 constexpr double kUpperArmShare = 0.3, kForearmShare = 0.25;  // where these are usually fullest
 /// Just above the elbow, and how many times as thick an upper arm is at most: a tape that reads
@@ -174,6 +174,12 @@ std::map<std::string, double> BodyTape::all() const {
   found["hps_to_waist"] = back_tape(rest_.surface, hps, waist);
   found["hps_to_hip"] = back_tape(rest_.surface, hps, hip);
   found["front_balance"] = front_tape(rest_.surface, hps, hip) - found["hps_to_hip"];
+  // How much longer the front is, down to the bust: straight down from the shoulder seam above it.
+  const Vec3 bust = vertex(kNippleLeft), above = top_at(rest_.surface, bust.x(), hps.z());
+  const double to_bust = front_tape(rest_.surface, above, bust.z());
+  found["bust_span"] = 2 * bust.x();
+  found["hps_to_bust"] = hps.z() - above.z() + to_bust;
+  found["bust_balance"] = to_bust - back_tape(rest_.surface, above, bust.z());
   found["volume"] = geometry::enclosed_volume(rest_.surface);
   found["mass"] = kDensity * found["volume"];
   return found;

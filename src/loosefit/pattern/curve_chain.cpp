@@ -1,5 +1,7 @@
 #include "loosefit/pattern/curve_chain.h"
 
+#include <Eigen/Geometry>
+
 #include "loosefit/pattern/curve.h"
 
 namespace loosefit::pattern {
@@ -27,6 +29,7 @@ double CurveChain::length(int pieces) const {
 }
 
 CurveChain CurveChain::reversed() const {
+  if (curves.empty()) return *this;
   CurveChain back;
   back.start = end();
   for (std::size_t i = curves.size(); i-- > 0;) {
@@ -42,6 +45,50 @@ CurveChain CurveChain::mirrored() const {
   for (Vec2& k : image.knots) k.x() = -k.x();
   for (EdgeCurve& c : image.curves) c = mirrored_curve(c);
   return image;
+}
+
+CurveChain CurveChain::turned(const Vec2& about, double angle) const {
+  const Eigen::Rotation2Dd turn(angle);
+  const auto place = [&](Vec2& p) { p = Vec2(about + turn * (p - about)); };
+  CurveChain image = *this;
+  place(image.start);
+  for (Vec2& k : image.knots) place(k);
+  for (EdgeCurve& curve : image.curves)
+    for (Vec2& c : curve.control) place(c);
+  return image;
+}
+
+std::pair<CurveChain, CurveChain> CurveChain::cut(double arc) const {
+  constexpr double kAtJoint = 1e-7;  // a shorter rest is no curve [m]
+  CurveChain before, after;
+  before.start = start;
+  std::size_t i = 0;
+  double rest = arc;
+  Vec2 a = start;
+  const auto append = [](CurveChain& chain, const EdgeCurve& curve, const Vec2& end) {
+    chain.curves.push_back(curve);
+    chain.knots.push_back(end);
+  };
+  for (; i < curves.size(); a = knots[i++]) {
+    const double whole = curve_length(curves[i], a, knots[i]);
+    if (rest < whole - kAtJoint) break;
+    append(before, curves[i], knots[i]);
+    rest -= whole;
+  }
+  after.start = a;
+  if (i < curves.size() && rest > kAtJoint) {
+    double low = 0, high = 1;
+    for (int k = 0; k < 60; ++k) {
+      const double t = 0.5 * (low + high);
+      (curve_length(curves[i], a, knots[i], 0, t) < rest ? low : high) = t;
+    }
+    const auto [first, second] = split_curve(curves[i], a, knots[i], high);
+    after.start = curve_point(curves[i], a, knots[i], high);
+    append(before, first, after.start);
+    append(after, second, knots[i++]);
+  }
+  for (; i < curves.size(); ++i) append(after, curves[i], knots[i]);
+  return {before, after};
 }
 
 }  // namespace loosefit::pattern

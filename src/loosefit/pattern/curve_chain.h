@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "loosefit/pattern/pattern.h"
@@ -15,8 +16,13 @@ struct CurveChain {
   CurveChain& line_to(const Vec2& p);
   CurveChain& cubic_to(const Vec2& c1, const Vec2& c2, const Vec2& p);
   double length(int pieces = 64) const;
+  /// The parts before and after a point that lies so far along [m], 0 < arc < length(); a joint
+  /// between two curves that lies there is where they part.
+  std::pair<CurveChain, CurveChain> cut(double arc) const;
   CurveChain reversed() const;
   CurveChain mirrored() const;  ///< under x → -x
+  /// Turned about a point [rad], counter-clockwise.
+  CurveChain turned(const Vec2& about, double angle) const;
 };
 
 }  // namespace loosefit::pattern

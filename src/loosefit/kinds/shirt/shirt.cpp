@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "loosefit/kinds/find_size.h"
 #include "loosefit/kinds/match_parts.h"
 #include "loosefit/kinds/shirt/lay_shirt.h"
@@ -9,6 +11,7 @@
 #include "loosefit/kinds/shirt/shirt_levels.h"
 #include "loosefit/kinds/shirt/shirt_sizes.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/kinds/shirt/shirt_variants.h"
 
 namespace loosefit::kinds {
 namespace {
@@ -48,6 +51,11 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
       {"sleeve_length", usual.sleeve_length, 0.25, 1, "a share of the arm",
        "from the shoulder point to the hem of the sleeve; below 1 wrist counts against the arm "
        "there"},
+      {"bust_dart", usual.bust_dart, 0, 1, kFraction,
+       "share of the length that the front needs over the bust, taken up in darts at the sides; "
+       "below 12 mm no dart is cut"},
+      {"elbow_bend", usual.elbow_bend, 0, 40, "degrees",
+       "bend of the arm that the sleeve is cut for, by a dart in its back at the elbow"},
   };
 }
 
@@ -97,8 +105,9 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
       {OpeningUse::right_arm, {{"sleeve_R_front", "cuff"}, {"sleeve_R_back", "cuff"}}}};
   kind.mark = "shirt 1";
   kind.note_parts = [](pattern::Pattern& pattern) {
-    static const pattern::Pattern kDraft = draft_shirt({});
-    return match_parts(kDraft, pattern);
+    const std::vector<pattern::Pattern>& drafts = shirt_variants();
+    return std::any_of(drafts.begin(), drafts.end(),
+                       [&](const pattern::Pattern& draft) { return match_parts(draft, pattern); });
   };
   return kind;
 }

@@ -109,14 +109,18 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   }
   // The way down over bust or belly is longer than over the back: the front ends lower in its
   // middle and meets the back at the sides.
-  half.hem.start = hem;
-  const double longer = front ? m.front_balance : 0.0;
-  if (longer == 0)
-    half.hem.line_to({0, hem.y()});
-  else
-    half.hem.cubic_to({0.65 * x_hem, hem.y()}, {0.55 * x_hem, hem.y() - longer},
-                      {0, hem.y() - longer});
+  half.hem = draft_hem(hem, hem.y() - (front ? m.front_balance : 0.0));
   return half;
+}
+
+pattern::CurveChain draft_hem(const Vec2& side, double centre_level) {
+  pattern::CurveChain hem;
+  hem.start = side;
+  if (centre_level == side.y())
+    hem.line_to({0, centre_level});
+  else
+    hem.cubic_to({0.65 * side.x(), side.y()}, {0.55 * side.x(), centre_level}, {0, centre_level});
+  return hem;
 }
 
 pattern::CurveChain draft_under_seam(const std::vector<Vec2>& width_at) {
@@ -129,6 +133,18 @@ pattern::CurveChain draft_under_seam(const std::vector<Vec2>& width_at) {
     seam.cubic_to(a + third * Vec2(slope[i], 1), b - third * Vec2(slope[i + 1], 1), b);
   }
   return seam;
+}
+
+SleeveHalf draft_sleeve_half(const std::vector<Vec2>& width_at, double cap_height) {
+  const Vec2& end = width_at.back();
+  SleeveHalf half;
+  half.cap = draft_cap(width_at.front().x(), cap_height);
+  half.under = draft_under_seam(width_at);
+  half.top.start = Vec2(0, cap_height);
+  half.top.line_to({0, end.y()});
+  half.cuff.start = half.top.end();
+  half.cuff.line_to(end);
+  return half;
 }
 
 pattern::CurveChain draft_cap(double width, double height) {

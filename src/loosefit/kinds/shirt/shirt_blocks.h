@@ -12,8 +12,10 @@ struct TorsoHalf {
   pattern::CurveChain neck;      ///< centre → shoulder
   pattern::CurveChain shoulder;  ///< neck → shoulder point
   pattern::CurveChain armhole;   ///< shoulder point → underarm
-  pattern::CurveChain side;      ///< underarm → hem
-  pattern::CurveChain hem;       ///< side → centre
+  pattern::CurveChain side;      ///< underarm → hem, or to where it is cut for a dart
+  pattern::CurveChain dart_above, dart_below;  ///< of a dart: side → tip, tip → side; else empty
+  pattern::CurveChain side_below;              ///< below the cut → hem; empty without one
+  pattern::CurveChain hem;                     ///< side → centre
   double shoulder_x = 0, armhole_depth = 0;
 };
 
@@ -35,10 +37,24 @@ double shoulder_half_width(const ShirtMeasures& measures);
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
 
+/// Hem of half a torso piece, from the side seam to the centre line, level at both ends.
+pattern::CurveChain draft_hem(const Vec2& side, double centre_level);
+
 /// Underarm seam of half a sleeve, from (w, 0) at the underarm to the cuff: through the half widths
 /// at its levels, with no bend (monotone cubics, Fritsch and Carlson 1980). `width_at`: x at each
 /// y, downwards from the underarm.
 pattern::CurveChain draft_under_seam(const std::vector<Vec2>& width_at);
+
+/// Half of a sleeve, x ≥ 0 from the top line, y = 0 at the underarm.
+struct SleeveHalf {
+  pattern::CurveChain cap;    ///< top → underarm
+  pattern::CurveChain under;  ///< underarm → cuff, or to where it is cut for a dart
+  pattern::CurveChain dart_above, dart_below, under_below;  ///< as TorsoHalf's of the side
+  pattern::CurveChain top;                                  ///< cap → cuff
+  pattern::CurveChain cuff;                                 ///< top → under
+};
+/// docs/theory/patterns.md 3; `width_at` as of draft_under_seam.
+SleeveHalf draft_sleeve_half(const std::vector<Vec2>& width_at, double cap_height);
 
 /// Half cap from the top (0, h) to the underarm (w, 0) (docs/theory/patterns.md 3).
 pattern::CurveChain draft_cap(double width, double height);

@@ -37,6 +37,8 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
   in_range("fit.cap_ratio", fit.cap_ratio, 0.4, 0.85, "");
   in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
+  in_range("fit.elbow_bend", fit.elbow_bend, 0.0, 40.0, " degrees");
+  in_range("fit.bust_dart", fit.bust_dart, 0.0, 1.0, "");
 }
 
 void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {

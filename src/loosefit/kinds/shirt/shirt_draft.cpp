@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/kinds/shirt/bust_dart.h"
+#include "loosefit/kinds/shirt/elbow_dart.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_checks.h"
 #include "loosefit/kinds/shirt/shirt_placement.h"
@@ -37,36 +39,45 @@ pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
   const pattern::CurveChain rest = half.hem.reversed();
   hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
   hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
-  return pattern::draft_panel(front ? "front" : "back", "body",
-                              {{"hem", hem},
-                               {"side_" + at_right, side},
-                               {"armhole_" + at_right, armhole},
-                               {"shoulder_" + at_right, shoulder},
-                               {"neck", neck},
-                               {"shoulder_" + at_left, half.shoulder.mirrored()},
-                               {"armhole_" + at_left, half.armhole.mirrored()},
-                               {"side_" + at_left, half.side.mirrored()}});
+  std::vector<std::pair<std::string, pattern::CurveChain>> loop = {{"hem", hem}};
+  // A chain that is empty is left out: a side without a cut, a cut without a dart.
+  const auto add = [&](const std::string& name, const pattern::CurveChain& chain) {
+    if (!chain.curves.empty()) loop.emplace_back(name, chain);
+  };
+  add("side_" + at_right + "_below", half.side_below.reversed());
+  add("dart_" + at_right + "_below", half.dart_below.reversed());
+  add("dart_" + at_right + "_above", half.dart_above.reversed());
+  add("side_" + at_right, side);
+  add("armhole_" + at_right, armhole);
+  add("shoulder_" + at_right, shoulder);
+  add("neck", neck);
+  add("shoulder_" + at_left, half.shoulder.mirrored());
+  add("armhole_" + at_left, half.armhole.mirrored());
+  add("side_" + at_left, half.side.mirrored());
+  add("dart_" + at_left + "_above", half.dart_above.mirrored());
+  add("dart_" + at_left + "_below", half.dart_below.mirrored());
+  add("side_" + at_left + "_below", half.side_below.mirrored());
+  return pattern::draft_panel(front ? "front" : "back", "body", loop);
 }
 
-pattern::Panel sleeve_panel(const std::string& name, const std::vector<Vec2>& width_at,
-                            double cap_height, bool at_positive_x) {
-  const double width = width_at.front().x(), cuff = width_at.back().x(),
-               cuff_level = width_at.back().y();
-  const pattern::CurveChain cap = draft_cap(width, cap_height);
-  const pattern::CurveChain under = draft_under_seam(width_at).reversed();  // cuff → underarm
-  pattern::CurveChain top, hem;
-  top.start = Vec2(0, cap_height);
-  top.line_to({0, cuff_level});
-  hem.start = top.end();
-  hem.line_to({cuff, cuff_level});
-  if (at_positive_x)
-    return pattern::draft_panel(
-        name, "arm", {{"top", top}, {"cuff", hem}, {"under", under}, {"cap", cap.reversed()}});
-  return pattern::draft_panel(name, "arm",
-                              {{"cap", cap.mirrored()},
-                               {"under", under.reversed().mirrored()},
-                               {"cuff", hem.reversed().mirrored()},
-                               {"top", top.reversed().mirrored()}});
+pattern::Panel sleeve_panel(const std::string& name, const SleeveHalf& half, bool at_positive_x) {
+  using Loop = std::vector<std::pair<std::string, pattern::CurveChain>>;
+  // Counter-clockwise for a half at x > 0; a chain that is empty is left out.
+  const Loop all = {{"top", half.top},
+                    {"cuff", half.cuff},
+                    {"under_below", half.under_below.reversed()},
+                    {"dart_below", half.dart_below.reversed()},
+                    {"dart_above", half.dart_above.reversed()},
+                    {"under", half.under.reversed()},
+                    {"cap", half.cap.reversed()}};
+  Loop loop;
+  for (const auto& [edge, chain] : all)
+    if (!chain.curves.empty()) loop.emplace_back(edge, chain);
+  if (!at_positive_x) {
+    std::reverse(loop.begin(), loop.end());
+    for (auto& [edge, chain] : loop) chain = chain.reversed().mirrored();
+  }
+  return pattern::draft_panel(name, "arm", loop);
 }
 
 /// Levels of the sleeve below the underarm: how far from the shoulder point, and its girth there.
@@ -149,10 +160,11 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
                              const ShirtPlacement& placement) {
   check_shirt_input(m, fit);
   ShirtDraftReport result;
-  const Draft d = balance(m, fit, result);
+  Draft d = balance(m, fit, result);
   if (!d.cap) throw_sleeve_too_wide(m, fit, d.front.armhole.length() + d.back.armhole.length());
 
   check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
+  const bool dart = take_bust_dart(d.front, d.back, m, fit);
 
   const double upper = (1 + fit.sleeve) * m.upper_arm;
   const double front_width = d.cap->front_share * upper;
@@ -168,8 +180,12 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
       at.emplace_back(width - 0.5 * (upper - level.girth), underarm - level.along);
     return at;
   };
-  const std::vector<Vec2> front_widths = widths(front_width),
-                          back_widths = widths(upper - front_width);
+  SleeveHalf sleeve_before = draft_sleeve_half(widths(front_width), d.cap->height),
+             sleeve_behind = draft_sleeve_half(widths(upper - front_width), d.cap->height);
+  const bool elbow_dart =
+      levels.size() == 3 &&
+      take_elbow_dart(sleeve_before, sleeve_behind, underarm - levels.front().along,
+                      levels.front().girth, fit.elbow_bend);
 
   pattern::Pattern shirt;
   shirt.name = fit.sleeve_length < 1 ? "short-sleeve-shirt" : "long-sleeve-shirt";
@@ -177,19 +193,30 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
   shirt.panels = {torso_panel(d.front, true), torso_panel(d.back, false)};
   for (const std::string s : {"L", "R"}) {
     const bool left = s == "L";
-    shirt.panels.push_back(
-        sleeve_panel("sleeve_" + s + "_front", front_widths, d.cap->height, !left));
-    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_back", back_widths, d.cap->height, left));
+    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_front", sleeve_before, !left));
+    shirt.panels.push_back(sleeve_panel("sleeve_" + s + "_back", sleeve_behind, left));
   }
   for (const std::string s : {"L", "R"}) {
     const std::string sleeve_front = "sleeve_" + s + "_front",
                       sleeve_back = "sleeve_" + s + "_back";
     pattern::sew_edges(shirt, "side_" + s, "front", "side_" + s, "back", "side_" + s);
+    if (dart) {
+      pattern::sew_edges(shirt, "side_below_" + s, "front", "side_" + s + "_below", "back",
+                         "side_" + s + "_below");
+      pattern::sew_edges(shirt, "bust_dart_" + s, "front", "dart_" + s + "_below", "front",
+                         "dart_" + s + "_above");
+    }
     pattern::sew_edges(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
     pattern::sew_edges(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
     pattern::sew_edges(shirt, "armhole_back_" + s, "back", "armhole_" + s, sleeve_back, "cap");
     pattern::sew_edges(shirt, "sleeve_top_" + s, sleeve_front, "top", sleeve_back, "top");
     pattern::sew_edges(shirt, "sleeve_under_" + s, sleeve_front, "under", sleeve_back, "under");
+    if (elbow_dart) {
+      pattern::sew_edges(shirt, "sleeve_under_below_" + s, sleeve_front, "under_below", sleeve_back,
+                         "under_below");
+      pattern::sew_edges(shirt, "elbow_dart_" + s, sleeve_back, "dart_below", sleeve_back,
+                         "dart_above");
+    }
   }
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);
   check_shirt_outlines(shirt, m, fit, d.front.shoulder_x, under_length);

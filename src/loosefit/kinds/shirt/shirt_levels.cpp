@@ -5,6 +5,8 @@
 
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/kinds/shirt/side_seams.h"
+#include "loosefit/kinds/shirt/sleeve_width.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::kinds {
@@ -54,20 +56,13 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   };
   add("chest", width("front", "armhole_L", "armhole_R", end_of_left),
       width("back", "armhole_L", "armhole_R", end_of_left));
-  // Waist: where the side seams cross its level, which bisection finds along curves.
-  const auto at_waist = [&](const pattern::Panel& piece, int e) -> Vec2 {
-    const pattern::EdgePath path(piece, e);
-    double low = 0, high = 1;
-    const double level = -hps_to_waist;
-    const bool rising = path.at(1).y() > path.at(0).y();
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (low + high);
-      ((path.at(middle).y() < level) == rising ? low : high) = middle;
-    }
-    return path.at(0.5 * (low + high));
-  };
-  add("waist", width("front", "side_L", "side_R", at_waist),
-      width("back", "side_L", "side_R", at_waist));
+  // Waist: where the side seams of the back cross its level, and what is sewn to them there.
+  const int front = shirt.find_part("front"), back = shirt.find_part("back");
+  if (front >= 0 && back >= 0) {
+    const SideSeams before(shirt.panels[front]), behind(shirt.panels[back]);
+    const double down = behind.down_to(-hps_to_waist);
+    add("waist", before.apart(down), behind.apart(down));
+  }
   // Hip: straight between the ends of the hem, which may be curved.
   const auto hem_width = [&](const char* panel) {
     const int p = shirt.find_part(panel);
@@ -138,8 +133,10 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
     if (f.waist) trunk.push_back({m.hps_to_waist, *f.waist});
     trunk.push_back({m.hps_to_hem, f.hip});
   }
+  const SideSeams before(*front), behind(*back);
   stations = stations_along(
-      "trunk", {front, back}, underarm, m.hps_to_hem, [](double along) { return -along; }, trunk);
+      "trunk", {back}, underarm, m.hps_to_hem, [](double along) { return -along; }, trunk);
+  for (FitStation& s : stations) s.garment += before.apart(behind.down_to(-s.along));
 
   // Arm: the cap begins where the shoulder of the piece ends, beyond the body's shoulder point.
   const pattern::Panel *sleeve_front = piece("sleeve_L_front"),
@@ -157,9 +154,10 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
   std::vector<AskedMobility> arm;
   if (asked)
     for (const ArmLevel& level : arm_levels(m, f)) arm.push_back({level.along, level.mobility});
-  const std::vector<FitStation> sleeve = stations_along(
-      "arm", {sleeve_front, sleeve_back}, cap_top + dropped, m.arm_length,
+  std::vector<FitStation> sleeve = stations_along(
+      "arm", {sleeve_front}, cap_top + dropped, m.arm_length,
       [&](double along) { return cap_top + dropped - along; }, arm);
+  for (FitStation& s : sleeve) s.garment += width_below_cap(*sleeve_back, s.along - dropped);
   stations.insert(stations.end(), sleeve.begin(), sleeve.end());
   return stations;
 }

@@ -69,6 +69,11 @@ const std::vector<ShirtMeasure>& shirt_measure_list() {
        }},
       {"front_fullness", &M::front_fullness, -0.10, 0.15, " m", [](const M&) { return 0.0; }},
       {"front_balance", &M::front_balance, -0.10, 0.25, " m", [](const M&) { return 0.0; }},
+      // Bust points 19.4 cm apart and 27.2 cm down at EU 38: judgement.
+      {"bust_balance", &M::bust_balance, -0.15, 0.20, " m", [](const M&) { return 0.0; }},
+      {"bust_span", &M::bust_span, 0.04, 0.60, " m", [](const M& m) { return 0.22 * m.chest; }},
+      {"hps_to_bust", &M::hps_to_bust, 0.05, 0.80, " m",
+       [](const M& m) { return 0.64 * m.hps_to_waist; }},
   };
   return kList;
 }
@@ -90,7 +95,9 @@ const std::vector<ShirtFitValue>& shirt_fit_list() {
                                                    {"shoulder_follow", &F::shoulder_follow},
                                                    {"cap_ease", &F::cap_ease},
                                                    {"cap_ratio", &F::cap_ratio},
-                                                   {"sleeve_length", &F::sleeve_length}};
+                                                   {"sleeve_length", &F::sleeve_length},
+                                                   {"bust_dart", &F::bust_dart},
+                                                   {"elbow_bend", &F::elbow_bend}};
   return kList;
 }
 

@@ -31,6 +31,9 @@ struct ShirtMeasures {
   double shoulder_length = 0.12908;  ///< high point shoulder to shoulder point
   double front_fullness = 0;         ///< the chest in front of the sides, beyond half of it
   double front_balance = 0;          ///< high point shoulder to hem level, front longer than back
+  double bust_balance = 0;           ///< shoulder seam to bust level, front longer than back
+  double bust_span = 0.1936;         ///< between the bust points
+  double hps_to_bust = 0.272;        ///< high point shoulder to bust level, down the front
 };
 
 /// Body-garment mobility of each level, garment girth / body girth − 1 (Harms et al. 2012), and
@@ -54,6 +57,9 @@ struct ShirtFit {
   /// Sleeve, from the shoulder point to its hem, as a share of the arm; below 1 `wrist` counts
   /// against arm_girth_at there.
   double sleeve_length = 1.0;
+  double bust_dart = 0;  ///< share of the bust balance that darts at the sides take up
+  /// Bend at the elbow for which the sleeve is cut [degrees]; its length is taken up in a dart.
+  double elbow_bend = 0;
 };
 
 /// The fit of a shirt where nothing else is asked for: the only place of these defaults.
