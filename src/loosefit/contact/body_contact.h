@@ -72,9 +72,11 @@ class BodyContact : public particles::Energy,
     change_points() = memory.points;
     field_ = memory.field;
     stiffness_ = memory.stiffness;
-    friction_ = memory.friction;
+    friction_.recall(memory.friction);
   }
   void forget_anchors() { friction_.forget(); }
+  /// As Friction::set_share.
+  void set_friction_share(double share) { friction_.set_share(share); }
   /// The skin under each particle has moved so far [m]: the anchors of friction move with it.
   void carry_anchors(const particles::VectorField& motion) { friction_.carry(motion); }
   const std::vector<ContactPoint>& points() const { return points_; }

@@ -55,7 +55,7 @@ double Friction::relax(FrictionContact& c, const FrictionContact& old, double no
           ? std::max(kTuning.min_relaxation, kTuning.relaxation_decrease * old.relaxation)
           : std::min(1.0, kTuning.relaxation_increase * old.relaxation);
   c.normal_force = c.relaxation == 1 ? normal_force : old.normal_force + c.relaxation * c.change;
-  return coefficient_ * c.relative_friction * (normal_force - c.normal_force);
+  return coefficient_ * share_ * c.relative_friction * (normal_force - c.normal_force);
 }
 
 void Friction::iterate(std::vector<FrictionContact> contacts, const particles::VectorField& x) {

@@ -48,6 +48,9 @@ class Friction {
            int lost_iterations = std::numeric_limits<int>::max())
       : coefficient_(coefficient), reach_(stick_reach), lost_iterations_(lost_iterations) {}
   double coefficient() const { return coefficient_; }
+  /// All contacts hold this share of what they hold at rest [–], until told otherwise.
+  void set_share(double share) { share_ = share; }
+  double share() const { return share_; }
 
   /// Contacts of the new step at x (sorted by key); contacts known before keep their anchors.
   void restart(std::vector<FrictionContact> contacts, const particles::VectorField& x);
@@ -60,6 +63,13 @@ class Friction {
   void forget() {
     contacts_.clear();
     set_active_set(nullptr);
+  }
+  /// Takes up contacts and anchors of `other`, but not its share, which belongs to what the wearer
+  /// does now.
+  void recall(const Friction& other) {
+    const double share = share_;
+    *this = other;
+    share_ = share;
   }
   /// As Energy::set_active_set. Ends when the contacts change.
   void set_active_set(const particles::ActiveSet* active_set);
@@ -79,13 +89,13 @@ class Friction {
  private:
   /// μ λ of one contact [N].
   double strength(const FrictionContact& c) const {
-    return coefficient_ * c.relative_friction * c.normal_force;
+    return coefficient_ * share_ * c.relative_friction * c.normal_force;
   }
   Vec3 slide(const FrictionContact& c, const particles::VectorField& x) const;
   void carry_anchors(std::vector<FrictionContact>& contacts, const particles::VectorField& x,
                      double reach) const;
   double relax(FrictionContact& contact, const FrictionContact& old, double normal_force) const;
-  double coefficient_, reach_, lagged_force_ = 0;
+  double coefficient_, reach_, share_ = 1, lagged_force_ = 0;
   int lost_iterations_;
   std::vector<FrictionContact> contacts_;
   particles::IndexSubset active_contacts_;  ///< contacts

@@ -128,7 +128,7 @@ void SelfContact::recall(const Memory& memory) {
                pair.second < static_cast<int>(edges ? mesh.edges.size() : mesh.triangles.size());
       }));
   pairs_ = memory.pairs;
-  friction_ = memory.friction;
+  friction_.recall(memory.friction);
   blocks_ = memory.blocks;
 }
 

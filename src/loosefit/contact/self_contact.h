@@ -39,6 +39,8 @@ class SelfContact : public particles::Energy,
               int particles, const Options& options);
 
   void forget_anchors() { friction_.forget(); }
+  /// As Friction::set_share.
+  void set_friction_share(double share) { friction_.set_share(share); }
   void set_active_set(const particles::ActiveSet* active_set) override;
   void begin_step(const particles::VectorField& x, double dt) override;
   double max_step(const particles::VectorField& x, const particles::VectorField& dx) override;

@@ -118,6 +118,16 @@ void ClothModel::soften_body_contact(double thickness) {
   }
 }
 
+void ClothModel::set_friction_share(double share) {
+  for (const auto& contact : body_) contact->set_friction_share(share);
+  self_->set_friction_share(share);
+}
+
+void ClothModel::forget_anchors() {
+  for (const auto& contact : body_) contact->forget_anchors();
+  self_->forget_anchors();
+}
+
 ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   Forces forces;
   for (particles::VectorField& f : forces) f.assign(x.size(), Vec3::Zero());

@@ -61,6 +61,11 @@ class ClothModel {
   /// thicker than half the fabric; 0: by the fabric itself.
   void soften_body_contact(double thickness);
 
+  /// Friction holds this share of what it holds at rest [–], on the body and between layers of
+  /// cloth. Anchors stay; forget_anchors lets go of all.
+  void set_friction_share(double share);
+  void forget_anchors();
+
   /// Takes the weight off the cloth; residuals still refer to it.
   void take_weight() { gravity_->set_gravity(0); }
 

@@ -15,6 +15,9 @@ struct Movement {
   /// Pull on the hem of each garment that hangs on the shoulders, down along the trunk, before it
   /// is let go, in weights of that garment [–].
   double hem_pull = 0;
+  /// Small movements in all directions, during which friction holds but this share of what it holds
+  /// at rest [–].
+  double friction_share = 1;
 };
 
 using Movements = std::vector<Movement>;

@@ -17,6 +17,7 @@ constexpr double kArmRaise = radians(45);  ///< forward of where the arms are
 /// trunk comes free and can go along.
 constexpr double kArmsAside = radians(25);
 constexpr double kRaised = radians(60);  ///< arms that are up already
+constexpr double kFidget = 0.2;  ///< share of friction
 constexpr double kBreath = 0.02;         ///< of the girth of the chest
 
 drape::Movement arm_raise(const std::shared_ptr<flesh::SoftBody>& person,
@@ -74,7 +75,8 @@ drape::Movements movements_of(const body::PosedBody& at_rest,
     if (name == "hem-pull") movement.hem_pull = size * kHemPull;
     if (name == "arm-raise") movement = arm_raise(person, stands, size);
     if (name == "breath") movement = breath(at_rest, size);
-    if (!movement.way && movement.hem_pull == 0) continue;
+    if (name == "fidget") movement.friction_share = getenv("FIDGET") ? atof(getenv("FIDGET")) : kFidget;
+    if (!movement.way && movement.friction_share == 1 && movement.hem_pull == 0) continue;
     movement.name = name;
     made.push_back(std::move(movement));
   }

@@ -38,6 +38,16 @@ void pull_and_let_go(ClothState& state, double weights) {
   if (!state.must_stop()) state.settle(goal);
 }
 
+/// Lets the cloth slide where little friction holds it; then it sticks where it lies.
+void fidget(ClothState& state, double share) {
+  const WearInTuning& tuning = state.tuning.wear_in;
+  const SettleGoal goal{tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true};
+  state.model->set_friction_share(share);
+  if (!state.must_stop()) state.settle(goal);
+  state.model->forget_anchors();
+  state.model->set_friction_share(1);
+}
+
 void go_there_and_back(ClothState& state, const body::BodyPath& way) {
   const std::shared_ptr<const ContactBody> here = state.body;
   const body::BodyPath back = [&way](double share) { return way(1 - share); };
@@ -65,6 +75,7 @@ void wear_in(ClothState& state) {
   for (const Movement& movement : state.movements) {
     if (state.must_stop()) return;
     if (movement.hem_pull > 0) pull_and_let_go(state, movement.hem_pull);
+    if (movement.friction_share < 1) fidget(state, movement.friction_share);
     if (movement.way) go_there_and_back(state, movement.way);
   }
 }
