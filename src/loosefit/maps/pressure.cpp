@@ -76,11 +76,12 @@ std::vector<Mat3> membrane_tension(const garment::Garment& garment, const std::v
                                    const fabric::Material& material) {
   const fabric::MembraneEnergy membrane(garment.triangles, garment.triangle_uv,
                                         garment.triangle_membrane_factor, material);
+  const std::vector<fabric::MembraneEnergy::State> states = membrane.states(x);
   std::vector<Mat3> tension;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const geometry::DeformationGradient f =
         geometry::deformation_gradient(garment.triangle_uv[t], garment.triangles[t], x);
-    const Vec3 s = membrane.state(static_cast<int>(t), x).stress;
+    const Vec3 s = states[t].stress;
     Mat2 stress;
     stress << s[0], s[2], s[2], s[1];
     const double stretch = f.col(0).cross(f.col(1)).norm();
