@@ -101,7 +101,7 @@ def main():
         folder = pathlib.Path(options.out or scratch).resolve()
         folder.mkdir(parents=True, exist_ok=True)
         found = {"none": study(options, folder, "none", "[]"),
-                 "usual": study(options, folder, "usual", '["hem-pull", "arm-raise", "breath"]')}
+                 "usual": study(options, folder, "usual", '["arm-raise", "breath", "hem-pull", "fidget"]')}
     print(f"{'movements':10} {'ways':22} {'map':22} {'difference':>10} {'spread':>8} {'ratio':>6}")
     for part in found.values():
         for row in part["table"]:

@@ -73,6 +73,20 @@ TEST(Incline, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
   }
 }
 
+TEST(Incline, AShareOfFrictionHoldsThatShareOfTheSlope) {
+  for (double slope : {0.99, 1.01}) {
+    Incline incline(std::atan(slope * 0.2 * kFriction));
+    incline.scene->contact->set_friction_share(0.2);
+    const particles::VectorField start = incline.scene->x;
+    solver::SettleOptions options;
+    options.tolerance = 1e-4;
+    options.first_dt = 1e-3;
+    options.max_iterations = 300;
+    solver::make_quasi_static(incline.scene->system)->settle(incline.scene->x, options);
+    EXPECT_EQ(incline.moved(start) < 2e-4, slope < 1) << slope << " " << incline.moved(start);
+  }
+}
+
 TEST(Incline, SlidesWithTheAccelerationOfCoulomb) {
   const double slope = radians(30), dt = 0.004;
   const int steps = 25;

@@ -108,6 +108,32 @@ TEST(WearIn, ABodyWithoutASkeletonBreathesToo) {
   EXPECT_EQ(state.body->body->surface.vertices, scan.surface.vertices);
 }
 
+double friction_on_body(const ClothState& state) {
+  particles::VectorField force(state.x.size(), Vec3::Zero());
+  state.model->body().add_friction(state.x, force);
+  double sum = 0;
+  for (const Vec3& f : force) sum += f.norm();
+  return sum;
+}
+
+TEST(WearIn, FidgetingSetsFreeWhatFrictionHadLockedIn) {
+  Dressed shirt;
+  ClothState& state = shirt.state;
+  state.movements = {{.name = "hem-pull", .hem_pull = 5}};
+  wear_in(state);
+  const std::vector<Vec3> locked = state.x;
+  const double held = friction_on_body(state);
+  state.movements = {{.name = "fidget", .friction_share = 0.2}};
+  wear_in(state);
+  EXPECT_GT(farthest(state.x, locked), 0.001);
+  EXPECT_EQ(friction_on_body(state), 0) << "it sticks anew from where the cloth lies";
+  EXPECT_EQ(state.friction_share, 0.2) << "finer levels begin likewise";
+  const SettleGoal goal{5, 25, 0.02, true};
+  state.settle(goal);
+  EXPECT_GT(friction_on_body(state), 0) << "in full again";
+  EXPECT_LT(friction_on_body(state), held);
+}
+
 TEST(WearIn, ADrapeThatWasMovedInSettlesElsewhere) {
   const Dressed shirt;
   const auto drape = [&](const Movements& movements) {

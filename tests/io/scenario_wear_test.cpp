@@ -35,7 +35,7 @@ TEST(ScenarioWear, TheReferenceComesFirstAndIsThePostureOfTheMaps) {
 
 TEST(ScenarioWear, MovementsAreMadeUnlessSwitchedOffAndAskForNoRepeats) {
   EXPECT_EQ(parse_scenario("", "case.toml").donning.movements,
-            (std::vector<std::string>{"hem-pull", "arm-raise", "breath"}));
+            (std::vector<std::string>{"arm-raise", "breath", "hem-pull", "fidget"}));
   const scenario::Scenario none = parse_scenario("[donning]\nmovements = []\n", "case.toml");
   EXPECT_TRUE(none.donning.movements.empty());
   EXPECT_EQ(none.donning.repeats, 1);

@@ -79,6 +79,17 @@ TEST(BodyLoad, ClothBetweenArmAndTrunkIsSqueezedWhenBothAreNear) {
   EXPECT_DOUBLE_EQ(Scene(0.005).load().between_arm_and_trunk, 3);
 }
 
+TEST(BodyLoad, ClothProppedInAGapNarrowerThanItsEdgesIsSqueezed) {
+  Scene scene(0.012);
+  EXPECT_EQ(scene.load().between_arm_and_trunk, 0);
+  scene.worn.areas = {1e-4, 1e-4};
+  // Mean area 2 cm²: edges of 21.5 mm; of 0.2 cm²: 6.8 mm.
+  scene.garment.triangles = {{0, 1, 0}};
+  EXPECT_DOUBLE_EQ(scene.load().between_arm_and_trunk, 5);
+  scene.garment.triangles.assign(10, {0, 1, 0});
+  EXPECT_EQ(scene.load().between_arm_and_trunk, 0);
+}
+
 TEST(BodyLoad, SkinThatLooksTheSameWayDoesNotSqueeze) {
   Scene scene(0.5);
   body::Body flat = trunk_and_arm(0.5);

@@ -43,7 +43,7 @@ TEST(WearerMovements, FurtherDonningsHaveAHistoryOfTheirOwn) {
     }
     orders.insert(order);
   }
-  EXPECT_EQ(orders.size(), 6u) << "all orders of three movements";
+  EXPECT_EQ(orders.size(), 6u) << "all orders of three movements, then fidgeting";
   EXPECT_NEAR(std::sqrt(squares / sizes), 0.27, 0.05) << "0.3, cut at two deviations";
   EXPECT_EQ(plan_wear(s).donnings[7].movements, wear.donnings[7].movements);
 }
@@ -75,6 +75,14 @@ TEST(WearerMovements, SizesScaleThem) {
   EXPECT_NEAR(degrees_forward(made[1].way(1)) - degrees_forward(wearer().body), 22.5, 3);
   EXPECT_NEAR(body::breathing_girth(made[2].way(1)) / body::breathing_girth(wearer().body), 1.01,
               1e-4);
+}
+
+TEST(WearerMovements, FidgetingLeavesAFifthOfFrictionToThePowerOfItsSize) {
+  const drape::Movements made = made_by(wearer(), {{"fidget", 1}});
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_FALSE(made[0].way);
+  EXPECT_DOUBLE_EQ(made[0].friction_share, 0.2);
+  EXPECT_NEAR(made_by(wearer(), {{"fidget", 2}})[0].friction_share, 0.04, 1e-12);
 }
 
 TEST(WearerMovements, RaisedArmsAreLoweredInstead) {

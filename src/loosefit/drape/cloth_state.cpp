@@ -87,6 +87,14 @@ void ClothState::soften_contact(bool soft) {
   model->soften_body_contact(soft ? tuning.contract.pad_thickness : 0);
 }
 
+void ClothState::loosen_friction() { model->set_friction_share(friction_share); }
+
+void ClothState::stick() {
+  if (friction_share == 1) return;
+  model->forget_anchors();
+  model->set_friction_share(1);
+}
+
 void ClothState::move_without_collision(const std::vector<Vec3>& displacement) {
   const double allowed = model->self().max_step(x, displacement);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += allowed * displacement[i];

@@ -87,6 +87,7 @@ struct ClothState {
   std::string no_room;                ///< why the garment cannot be laid round the body; or empty
   body::BodyPath path, wide_path;     ///< of the body; the second for more room, may be empty
   Movements movements;                ///< of the wearer, once the garment is on
+  double friction_share = 1;  ///< that the wearer's fidgeting leaves (phases/wear_in.h) [–]
   PostureStep step;
   Certificate certificate;
   SettleReport report;
@@ -131,6 +132,10 @@ struct ClothState {
   /// Lays a soft layer between body and cloth (ClothModel::soften_body_contact), or takes it away.
   /// Several layers get none: it frees cloth from the skin, not from other cloth.
   void soften_contact(bool soft);
+  /// Friction holds `friction_share` until `stick`, which lets it hold in full from where the cloth
+  /// lies: what was locked in by friction on the way there is gone, but for that share.
+  void loosen_friction();
+  void stick();
   /// Moves the cloth by as much of `displacement` as nothing meets on the way [m].
   void move_without_collision(const std::vector<Vec3>& displacement);
   /// Moves the anchors of friction along with the skin under them [m].

@@ -1,6 +1,9 @@
 #include "loosefit/maps/body_load.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/triangle_mesh.h"
@@ -33,6 +36,13 @@ bool lies_between(const Vec3& x, const body::BodyPartner& partner, const body::P
     return normal.dot(partner.normal) < kFacing;
   };
   return body.tree().query(x, reach, faces).triangle >= 0;
+}
+
+/// Edge of the equilateral triangle of the mean area [m]; 0 without triangles.
+double mean_edge(const garment::Garment& garment, const std::vector<double>& vertex_area) {
+  if (garment.triangles.empty()) return 0;
+  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
+  return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(garment.triangles.size()));
 }
 
 }  // namespace
@@ -83,7 +93,8 @@ BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
   BodyLoad load;
   load.weight = garment.mass * gravity;
   for (const std::string& limb : limb_names()) load.of_limb[limb] = 0;
-  const double reach = 2 * material.thickness + kBothSidesReach;
+  const double reach =
+      2 * material.thickness + std::max(kBothSidesReach, mean_edge(garment, worn.areas));
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const body::BodyPartner& partner = worn.partners[i];

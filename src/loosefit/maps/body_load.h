@@ -36,7 +36,8 @@ const std::vector<std::string>& limb_names();
 std::string limb_of(body::Region region);
 
 /// Cloth counts as pressed from both sides where skin that looks the other way is nearer than two
-/// layers and this [m]: an error of the mesh on either side.
+/// layers and this [m], or the mean edge of the mesh if that is longer: triangles do not fold into
+/// a gap narrower than their edges, they are propped in it.
 inline constexpr double kBothSidesReach = 0.003;
 
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.

@@ -17,8 +17,8 @@ constexpr double kArmRaise = radians(45);  ///< forward of where the arms are
 /// trunk comes free and can go along.
 constexpr double kArmsAside = radians(25);
 constexpr double kRaised = radians(60);  ///< arms that are up already
-constexpr double kFidget = 0.2;  ///< share of friction
 constexpr double kBreath = 0.02;         ///< of the girth of the chest
+constexpr double kFidget = 0.2;          ///< share of friction that is left
 
 drape::Movement arm_raise(const std::shared_ptr<flesh::SoftBody>& person,
                           const body::Posture& stands, double size) {
@@ -59,7 +59,10 @@ std::vector<CaseMovement> drawn_movements(const scenario::ScenarioDonning& donni
   if (donning.movement_spread == 0) return movements;
   std::mt19937_64 rng(seed);
   std::normal_distribution<double> normal;
-  std::shuffle(movements.begin(), movements.end(), rng);
+  // Fidgeting ends them all: it lasts until the cloth lies still.
+  const auto last = std::stable_partition(movements.begin(), movements.end(),
+                                          [](const CaseMovement& m) { return m.name != "fidget"; });
+  std::shuffle(movements.begin(), last, rng);
   for (CaseMovement& movement : movements)
     movement.size = std::exp(donning.movement_spread * std::clamp(normal(rng), -2.0, 2.0));
   return movements;
@@ -75,7 +78,7 @@ drape::Movements movements_of(const body::PosedBody& at_rest,
     if (name == "hem-pull") movement.hem_pull = size * kHemPull;
     if (name == "arm-raise") movement = arm_raise(person, stands, size);
     if (name == "breath") movement = breath(at_rest, size);
-    if (name == "fidget") movement.friction_share = getenv("FIDGET") ? atof(getenv("FIDGET")) : kFidget;
+    if (name == "fidget") movement.friction_share = std::pow(kFidget, size);
     if (!movement.way && movement.friction_share == 1 && movement.hem_pull == 0) continue;
     movement.name = name;
     made.push_back(std::move(movement));

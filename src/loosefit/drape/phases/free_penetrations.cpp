@@ -29,18 +29,17 @@ void free_penetrations(ClothState& state) {
   state.times_cut.clear();
   state.lowest.reset(), state.clear.reset(), state.saddle.reset();
   state.attempts[RecoveryKind::raise_offsets] = 0;
+  state.loosen_friction();
   // Penetrations are looked for long before the last digits of the balance are sought, and what is
   // about to cut is treated alike.
   for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
-    const bool loose = getenv("FIDGET_LEVELS") && atoi(getenv("FIDGET_LEVELS")) > int(i) + 1 && !state.movements.empty();
-    if (loose) state.model->set_friction_share(atof(getenv("FIDGET")));
     state.settle({std::max(tuning.look_tolerances[i], wanted), tuning.look_iterations,
                   tuning.look_first_dt[i]});
-    if (loose) state.model->forget_anchors(), state.model->set_friction_share(1);
     if (state.is_over()) return;
     find_penetrations(state);
     raise_offsets(state);
   }
+  state.stick();
   settle_without_penetrations(state, tuning.first_dt);
 }
 

@@ -60,10 +60,9 @@ void refine_as_worn(ClothState& state) {
 void settle_coarse_levels(ClothState& state) {
   const LevelTuning& tuning = state.tuning.levels;
   while (!state.is_finest()) {
-    const bool loose = getenv("FIDGET_LEVELS") && !state.movements.empty();
-    if (loose) state.model->set_friction_share(atof(getenv("FIDGET")));
+    state.loosen_friction();
     if (!state.must_stop()) state.settle({tuning.tolerance, kNoLimit, tuning.first_dt});
-    if (loose) state.model->forget_anchors(), state.model->set_friction_share(1);
+    state.stick();
     state.handed_on.push_back({state.x, state.model->memory()});
     refine(state);
   }

@@ -38,14 +38,14 @@ void pull_and_let_go(ClothState& state, double weights) {
   if (!state.must_stop()) state.settle(goal);
 }
 
-/// Lets the cloth slide where little friction holds it; then it sticks where it lies.
+/// Lets the cloth slide where little friction holds it; finer levels begin likewise.
 void fidget(ClothState& state, double share) {
   const WearInTuning& tuning = state.tuning.wear_in;
   const SettleGoal goal{tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true};
-  state.model->set_friction_share(share);
+  state.friction_share = share;
+  state.loosen_friction();
   if (!state.must_stop()) state.settle(goal);
-  state.model->forget_anchors();
-  state.model->set_friction_share(1);
+  state.stick();
 }
 
 void go_there_and_back(ClothState& state, const body::BodyPath& way) {
