@@ -10,7 +10,7 @@ constexpr double kStiffness = 2e7, kOffset = 2.5e-4;
 
 TEST(CompressLayer, PressureIsTheSlopeOfTheEnergyAndStiffnessThatOfThePressure) {
   // Below the onset of hardening, in it, and beyond full compression.
-  for (double share : {0.05, 0.3, 0.59, 0.61, 0.8, 0.99, 1.01, 1.5, 3.0}) {
+  for (double share : {0.05, 0.3, 0.59, 0.61, 0.8, 0.84, 0.86, 1.5, 3.0}) {
     const double d = share * kOffset, h = 1e-5 * kOffset;
     const LayerResponse r = compress_layer(kStiffness, kOffset, d);
     const LayerResponse up = compress_layer(kStiffness, kOffset, d + h);
@@ -29,17 +29,17 @@ TEST(CompressLayer, HardensMonotonicallyAndContinuously) {
     const LayerResponse r = compress_layer(kStiffness, kOffset, 2 * kOffset * i / n);
     EXPECT_GT(r.pressure, last.pressure);
     EXPECT_GE(r.stiffness, last.stiffness * (1 - 1e-12));
-    EXPECT_LT(r.stiffness - last.stiffness, 0.05 * kStiffness);  // no jump
+    EXPECT_LT(r.stiffness - last.stiffness, 0.02 * r.stiffness);  // no jump
     last = r;
   }
 }
 
-TEST(CompressLayer, CarriesTheStatedPressureAtHalfAndFullCompression) {
+TEST(CompressLayer, CarriesTheStatedPressureAtHalfCompressionAndWhereItIsHardest) {
   EXPECT_NEAR(compress_layer(kStiffness, kOffset, 0.5 * kOffset).pressure,
               0.5 * kStiffness * kOffset, 1e-9);
-  // k o + (20 k / o) (0.4 o)² = 4.2 k o
-  EXPECT_NEAR(compress_layer(kStiffness, kOffset, kOffset).pressure, 4.2 * kStiffness * kOffset,
-              1e-6);
+  // 0.85 k o + (20 k / o) (0.25 o)² / 0.375³ where it is hardest
+  EXPECT_NEAR(compress_layer(kStiffness, kOffset, 0.85 * kOffset).pressure,
+              (0.85 + 1.25 / 0.052734375) * kStiffness * kOffset, 1e-6);
 }
 
 TEST(ContactPoints, ShareTheAreaOfTheirTriangles) {
@@ -66,22 +66,6 @@ TEST(ContactPoints, ShareTheAreaOfTheirTriangles) {
     for (int v : mesh.triangles[t]) centroid += area[t] / 3 * mesh.vertices[v];
   EXPECT_NEAR(sum, total, 1e-15);
   EXPECT_LT((moment - centroid).norm(), 1e-12);
-}
-
-TEST(ContactPoints, LatticeAddsOnlyNewPointsInsideTheTriangle) {
-  const std::vector<Vec3> x = {{0, 0, 0}, {0.02, 0, 0}, {0, 0.02, 0}};
-  std::vector<ContactPoint> points;
-  add_lattice({0, 1, 2}, 2e-4, kOffset, 4, points);
-  EXPECT_EQ(points.size(), 15u - 3 - 3);  // lattice less corners less edge midpoints
-  for (const ContactPoint& p : points) {
-    EXPECT_TRUE(p.within({2, 0, 1}));
-    EXPECT_FALSE(p.within({0, 1, 5}));
-    const Vec3 q = p.position(x);
-    EXPECT_GE(q[0], 0);
-    EXPECT_GE(q[1], 0);
-    EXPECT_LE(q[0] + q[1], 0.02 + 1e-15);
-    EXPECT_EQ(p.offset, kOffset);
-  }
 }
 
 }  // namespace

@@ -9,83 +9,61 @@ namespace {
 
 struct Square : testing_support::SquareOverBall {
   using SquareOverBall::SquareOverBall;
-  const std::vector<contact::ContactPoint>& points() const { return model->body().points(); }
-  double held_off() const {
-    double sum = 0;
-    for (const contact::ContactPoint& p : points()) sum += p.offset - 0.5 * material.thickness;
-    return sum;
-  }
+  double half_thickness() const { return 0.5 * material.thickness; }
   std::set<int> penetrating() const { return penetrating_triangles(model->mesh(), body->body, x); }
-  bool raise(std::map<int, int>& times_cut) {
-    return raise_offsets_at_penetrations(*model, *body, x, {0.5 * material.thickness},
-                                         penetrating(), times_cut, PenetrationTuning{});
+  void raise(std::map<int, int>& times_cut) {
+    raise_offsets_at_penetrations(*model, *body, x, penetrating(), times_cut, PenetrationTuning{});
+  }
+  /// Of the contact points of a triangle [m].
+  double least_distance(int triangle) const {
+    double least = 1;
+    for (int p : model->lattice().points_of(triangle))
+      least =
+          std::min(least, body->body.tree().signed_distance(model->body().points()[p].position(x)));
+    return least;
   }
 };
 
 TEST(RaiseOffsets, LeavesClothThatDoesNotCutAlone) {
   Square square(0.01);
-  const std::size_t before = square.points().size();
   std::map<int, int> times_cut;
   EXPECT_TRUE(square.penetrating().empty());
-  EXPECT_FALSE(square.raise(times_cut));
-  EXPECT_EQ(square.points().size(), before);
+  square.raise(times_cut);
   EXPECT_TRUE(times_cut.empty());
+  for (const contact::ContactPoint& p : square.model->body().points())
+    EXPECT_EQ(p.offset, square.half_thickness());
 }
 
-TEST(RaiseOffsets, GivesATriangleThatCutsMorePointsAndHoldsThemOffTheSkin) {
+TEST(RaiseOffsets, HoldsTheTrianglesThatCutOffTheSkinAndNoOthersMoreSoEachTime) {
   Square square(-0.001);
-  const std::size_t before = square.points().size();
+  const std::set<int> cut = square.penetrating();
+  ASSERT_FALSE(cut.empty());
+  ASSERT_LT(cut.size(), square.garment.triangles.size());
+  const PenetrationTuning tuning;
   std::map<int, int> times_cut;
-  EXPECT_FALSE(square.penetrating().empty());
-  EXPECT_TRUE(square.raise(times_cut));
-  ASSERT_FALSE(times_cut.empty());
-  std::map<Triangle, int> lattice;
-  for (std::size_t i = before; i < square.points().size(); ++i)
-    ++lattice[square.points()[i].particle];
-  EXPECT_EQ(lattice.size(), times_cut.size());
-  for (const auto& [t, times] : times_cut) {
-    EXPECT_EQ(times, 1);
-    // At least five intervals an edge without corners, edge midpoints aside.
-    EXPECT_GE(lattice.at(square.garment.triangles[t]), 12);
-  }
-  for (std::size_t i = before; i < square.points().size(); ++i) {
-    EXPECT_GE(square.points()[i].offset, 0.5 * square.material.thickness + 3e-5);
-    EXPECT_LE(square.points()[i].offset, square.body->field->smooth_reach());
-  }
-}
-
-TEST(RaiseOffsets, ATriangleThatCutAgainIsHeldOffFartherByThePointsThatItHas) {
-  Square square(-0.001);
-  std::map<int, int> times_cut;
-  square.raise(times_cut);
-  const std::size_t points = square.points().size();
-  double held_off = square.held_off();
-  square.raise(times_cut);
-  EXPECT_EQ(square.points().size(), points);
-  EXPECT_GT(square.held_off(), held_off);
-  held_off = square.held_off();
-  std::map<int, int> in_next_posture;
-  square.raise(in_next_posture);
-  EXPECT_EQ(square.points().size(), points);
-  EXPECT_GT(square.held_off(), held_off);
-}
-
-TEST(RaiseOffsets, WhatIsAboutToCutIsTreatedAsIfItDid) {
-  for (const auto& [height, is_near] : {std::pair(5e-5, true), std::pair(2e-4, false)}) {
-    Square square(height);
-    std::map<int, int> times_cut;
-    EXPECT_TRUE(square.penetrating().empty());
+  std::vector<double> expected(square.model->body().points().size(), square.half_thickness());
+  for (int round = 1; round <= 3; ++round) {
     square.raise(times_cut);
-    // The top of the ball is under the middle of the square, and nowhere else is it that near.
-    EXPECT_EQ(!times_cut.empty(), is_near);
-    EXPECT_LE(times_cut.size(), 6u);
-    for (const auto& [t, times] : times_cut) {
-      double nearest = 1;
-      for (int v : square.garment.triangles[t])
-        nearest = std::min(nearest, square.x[v].head<2>().norm());
-      EXPECT_LT(nearest, 0.03);
-    }
+    EXPECT_EQ(times_cut.size(), cut.size());
+    std::vector<double> raise(expected.size(), 0.0);
+    for (int t : cut)
+      for (int p : square.model->lattice().points_of(t))
+        raise[p] = std::max(
+            raise[p], std::min(tuning.clearance - square.least_distance(t), tuning.largest_raise) +
+                          round * tuning.clearance_each_time);
+    for (std::size_t p = 0; p < expected.size(); ++p)
+      EXPECT_NEAR(square.model->body().points()[p].offset, expected[p] += raise[p], 1e-9) << p;
   }
+}
+
+TEST(RaiseOffsets, NoFartherThanTheFieldIsSmooth) {
+  Square square(-0.001);
+  std::map<int, int> times_cut;
+  double most = 0;
+  for (int round = 0; round < 60; ++round) square.raise(times_cut);
+  for (const contact::ContactPoint& p : square.model->body().points())
+    most = std::max(most, p.offset);
+  EXPECT_EQ(most, square.body->field->smooth_reach());
 }
 
 }  // namespace

@@ -64,6 +64,18 @@ TEST(Gap, OfATiltedPlaneGrowsWithTheSineAndTouchesWhereItIsBelowTheTolerance) {
   }
 }
 
+TEST(Gap, ClothThatBearsAForceTouchesWhereFlatTrianglesStandOff) {
+  const garment::Garment patch = testing::patch_garment(0.1, 0.02);
+  const fabric::Material m = cloth(0.001);
+  const auto positions = testing::before_wall(patch, 0.002, Mat3::Identity());
+  const WornGarment worn = relate(patch, positions, testing::wall_body());
+  PressureField pressure;
+  pressure.contact.assign(patch.vertex_count, 0.0);
+  pressure.contact[3] = 100;
+  const auto maps = make_maps("gap", {patch, positions, worn, &m, &pressure});
+  for (int v = 0; v < patch.vertex_count; ++v) EXPECT_EQ(maps[1].values[v], v == 3 ? 1 : 0);
+}
+
 TEST(Gap, ShowsWhereClothBridgesAHollow) {
   // A groove 30 mm wide and 10 mm deep along z under a flat patch that lies on both banks.
   const body::Body body = testing::wall_body(

@@ -43,23 +43,6 @@ bool ContactPoint::within(const Triangle& t) const {
   return true;
 }
 
-void add_lattice(const Triangle& triangle, double area, double offset, int n,
-                 std::vector<ContactPoint>& points) {
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j) {
-      const int k = n - i - j;
-      const int zeros = (i == 0) + (j == 0) + (k == 0);
-      if (zeros == 2 || (zeros == 1 && (2 * i == n || 2 * j == n))) continue;
-      ContactPoint p;
-      p.particle = triangle;
-      p.weight = {double(i) / n, double(j) / n, double(k) / n};
-      p.count = 3;
-      p.area = area / (n * n);
-      p.offset = offset;
-      points.push_back(p);
-    }
-}
-
 BodyContact::BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
                          double stick_reach)
     : points_(std::move(points)), stiffness_(stiffness), friction_(friction, stick_reach) {}
@@ -82,14 +65,20 @@ Vec3 ContactPoint::position(const particles::VectorField& x) const {
 
 LayerResponse compress_layer(double k, double offset, double compression) {
   LayerResponse r;
-  const double d = compression, over = std::min(d, offset) - kContact.layer.onset * offset;
+  const double d = compression, onset = kContact.layer.onset * offset;
   r.energy = 0.5 * k * d * d;
   r.pressure = k * d;
   r.stiffness = k;
-  if (over <= 0) return r;
+  if (d <= onset) return r;
+  // u²/w³ with the part w of the remaining layer L that is left: ∞ where nothing is.
   const double h = kContact.layer.hardening * k / offset;
-  const double pressure = h * over * over, slope = 2 * h * over, beyond = std::max(0.0, d - offset);
-  r.energy += h * over * over * over / 3 + beyond * (pressure + 0.5 * slope * beyond);
+  const double rest = offset - onset, u = std::min(d, kContact.layer.hardest * offset) - onset;
+  const double w = 1 - u / rest;
+  const double pressure = h * u * u / (w * w * w);
+  const double slope = h * (2 * u + 3 * u * u / (rest * w)) / (w * w * w);
+  const double beyond = std::max(0.0, d - kContact.layer.hardest * offset);
+  r.energy += h * rest * rest * rest * (0.5 / (w * w) - 2 / w + 1.5 - std::log(w)) +
+              beyond * (pressure + 0.5 * slope * beyond);
   r.pressure += pressure + slope * beyond;
   r.stiffness += slope;
   return r;
@@ -109,10 +98,10 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField&
   Clear& clear = clear_[i];
   if (clear.slack > 0 && (p - clear.position).squaredNorm() < clear.slack * clear.slack)
     return touch;
-  touch.active = field_->sample(p, points_[i].offset, with_hessian, touch.sample);
-  clear = {p, touch.active
-                  ? -1
-                  : (touch.sample.distance - points_[i].offset) / DistanceField::kSteepest};
+  const double reach = points_[i].offset + points_[i].field_error;
+  touch.active = field_->sample(p, reach, with_hessian, touch.sample);
+  clear = {p, touch.active ? -1 : (touch.sample.distance - reach) / DistanceField::kSteepest};
+  touch.sample.distance -= points_[i].field_error;
   return touch;
 }
 

@@ -14,6 +14,8 @@ struct ContactPoint {
   int count = 1;
   double area = 0;    ///< cloth area it stands for [m²]
   double offset = 0;  ///< rest distance of the mid-surface from the skin [m]
+  /// By how much the field reads too far where the point last lay [m]; taken off what it reads.
+  double field_error = 0;
 
   /// Whether all its particles are corners of the triangle.
   bool within(const Triangle& t) const;
@@ -34,16 +36,13 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          const std::vector<double>& triangle_area, int particles,
                                          double offset);
 
-/// Adds the points of a regular lattice over one triangle, n intervals an edge, that are neither
-/// corners nor edge midpoints. `area` is the flat area of the triangle [m²].
-void add_lattice(const Triangle& triangle, double area, double offset, int n,
-                 std::vector<ContactPoint>& points);
-
 /// Unilateral contact of the cloth with the body: a penalty on the signed distance to the skin. The
 /// cloth is a layer of finite thickness o (the offset) that can be compressed and hardens: with d
 /// the distance of its mid-surface to the skin and the compression δ = (o − d)₊ the pressure is
 ///
-///   p = k δ + (20 k/o) (δ − 0.6 o)₊²   up to δ = o, linear beyond               [Pa], k [Pa/m]
+///   p = k δ + (20 k/o) u²/(1 − u/(0.4 o))³,  u = (δ − 0.6 o)₊               [Pa], k [Pa/m]
+///
+/// up to δ = 0.85 o, linear beyond,
 ///
 /// and Π_n = Σ A ∫ p dδ [J]. The gap error is at most o. Friction per point, see Friction.
 ///

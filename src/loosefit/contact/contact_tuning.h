@@ -9,9 +9,12 @@ namespace loosefit::contact {
 
 /// Pressure law of the compressed layer between cloth and body (compress_layer).
 struct LayerTuning {
-  /// Share of the offset from which the layer hardens, and the factor of the hardening: 17 times as
-  /// stiff at full compression, so that the cloth does not reach the skin.
+  /// Share of the offset from which the layer hardens, and the factor of the hardening.
   double onset = 0.6, hardening = 20;
+  /// Share from which the pressure grows linearly: at it the layer bears 25 k o
+  /// (120 kPa in thin cotton), so that not even the points of a shoulder or a breast
+  /// reach the skin; a finite stiffness, since cloth may start from within the skin.
+  double hardest = 0.85;
 };
 
 /// Signed distance field of the body (DistanceField).
@@ -98,17 +101,17 @@ struct ContactTuning {
 
 constexpr bool is_valid(const ContactTuning& t) {
   const auto is_share = [](double value) { return value > 0 && value < 1; };
-  return is_share(t.layer.onset) && t.layer.hardening >= 0 && t.field.spacing > 0 &&
-         t.field.max_nodes > 1000 && t.field.max_nodes < 2147483647 && t.field.coarsening > 1 &&
-         t.field.rim_cells >= 2 && t.field.band_cells > t.field.rim_cells &&
-         t.field.largest_fall > 0.866 && t.friction.memory >= 1 &&
-         t.friction.lost_iterations >= 0 && is_share(t.friction.min_relaxation) &&
-         is_share(t.friction.relaxation_decrease) && t.friction.relaxation_increase > 1 &&
-         t.broad_phase.margin > 0 && t.broad_phase.long_move > 0 &&
-         is_share(t.broad_phase.long_move_margin) && is_share(t.broad_phase.short_again) &&
-         is_share(t.broad_phase.max_outliers) && t.broad_phase.rounding > 0 &&
-         is_share(t.impact.kept_distance) && is_share(t.impact.min_gain) &&
-         t.impact.max_advances > 0 && t.barrier.pressure > 0 &&
+  return is_share(t.layer.onset) && t.layer.hardening >= 0 && is_share(t.layer.hardest) &&
+         t.layer.hardest > t.layer.onset && t.field.spacing > 0 && t.field.max_nodes > 1000 &&
+         t.field.max_nodes < 2147483647 && t.field.coarsening > 1 && t.field.rim_cells >= 2 &&
+         t.field.band_cells > t.field.rim_cells && t.field.largest_fall > 0.866 &&
+         t.friction.memory >= 1 && t.friction.lost_iterations >= 0 &&
+         is_share(t.friction.min_relaxation) && is_share(t.friction.relaxation_decrease) &&
+         t.friction.relaxation_increase > 1 && t.broad_phase.margin > 0 &&
+         t.broad_phase.long_move > 0 && is_share(t.broad_phase.long_move_margin) &&
+         is_share(t.broad_phase.short_again) && is_share(t.broad_phase.max_outliers) &&
+         t.broad_phase.rounding > 0 && is_share(t.impact.kept_distance) &&
+         is_share(t.impact.min_gain) && t.impact.max_advances > 0 && t.barrier.pressure > 0 &&
          is_share(t.barrier.parallel_threshold) && is_share(t.barrier.pressed);
 }
 

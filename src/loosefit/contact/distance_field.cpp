@@ -93,13 +93,16 @@ float DistanceField::measure(int x, int y, int z) const {
   if (y + 1 < size_[1]) bound_by(index(x, y + 1, z));
   if (z > 0) bound_by(index(x, y, z - 1));
   if (z + 1 < size_[2]) bound_by(index(x, y, z + 1));
-  const Vec3 p = place(x, y, z);
+  return static_cast<float>(exact_distance(place(x, y, z), bound));
+}
+
+double DistanceField::exact_distance(const Vec3& p, double bound) const {
   // Covered skin may lie beyond the bound, and is then beyond the cover too.
   double distance = tree_.signed_distance(p, nullptr, bound);
   for (const Cover& cover : covers_)
     if (cover.box.exteriorDistance(p) <= std::max(0.0, distance))
       distance = std::min(distance, cover.tree.signed_distance(p));
-  return static_cast<float>(distance);
+  return distance;
 }
 
 float DistanceField::value(int x, int y, int z) const {

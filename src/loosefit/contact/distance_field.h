@@ -53,6 +53,9 @@ class DistanceField {
   /// given. Derivatives are those of the interpolant, so that an energy of the distance is exactly
   /// integrable.
   bool sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const;
+  /// Signed distance to the surfaces themselves [m], which the nodes hold. A bound on the distance
+  /// to the body that is known to hold makes it faster.
+  double exact_distance(const Vec3& p, double bound) const;
 
  private:
   enum class Zone : std::uint8_t { band, outside, inside };

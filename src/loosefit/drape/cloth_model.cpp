@@ -27,15 +27,17 @@ fabric::Material stable(fabric::Material m, const garment::Garment& garment,
   return m;
 }
 
-std::vector<contact::ContactPoint> layer_points(const ClothMesh& mesh, int layer,
-                                                const garment::Garment& garment, double offset) {
+contact::ContactLattice layer_lattice(const ClothMesh& mesh, int layer,
+                                      const PenetrationTuning& tuning) {
   const std::vector<double> area(mesh.area.begin() + mesh.first_triangle[layer],
                                  mesh.area.begin() + mesh.first_triangle[layer + 1]);
-  std::vector<contact::ContactPoint> points =
-      contact::contact_points(garment.triangles, area, garment.vertex_count, offset);
-  for (contact::ContactPoint& p : points)
-    for (int k = 0; k < p.count; ++k) p.particle[k] += mesh.first_vertex[layer];
-  return points;
+  // Edges of an equilateral triangle of the mean area.
+  double mean = 0;
+  for (double a : area) mean += a / static_cast<double>(area.size());
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * mean);
+  const int halves = std::max(1, static_cast<int>(std::ceil(0.5 * edge / tuning.lattice_spacing)));
+  return {mesh.triangles_of(layer), area, mesh.first_vertex[layer],
+          mesh.first_vertex[layer + 1] - mesh.first_vertex[layer], 2 * halves};
 }
 
 }  // namespace
@@ -82,8 +84,9 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     // Cloth keeps half its thickness from the skin.
     half_thickness_.push_back(0.5 * m.thickness);
     contact_stiffness_.push_back(transverse_stiffness(m, tuning));
+    lattice_.push_back(layer_lattice(mesh_, l, options.tuning.penetrations));
     body_.push_back(std::make_unique<contact::BodyContact>(
-        layer_points(mesh_, l, garment, half_thickness_.back()), contact_stiffness_.back(),
+        lattice_.back().first_points(half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
     // A single layer needs no thickness by triangle.
     if (mesh_.layers() > 1)
@@ -154,7 +157,7 @@ void ClothModel::set_field(const std::shared_ptr<const contact::DistanceField>& 
 }
 
 ClothMemory ClothModel::memory() const {
-  ClothMemory memory{{}, self_->memory(), {}};
+  ClothMemory memory{{}, lattice_, self_->memory(), {}};
   for (const auto& contact : body_) memory.body.push_back(contact->memory());
   for (const auto& bending : bending_) memory.bending.push_back(bending->memory());
   return memory;
@@ -165,6 +168,7 @@ void ClothModel::recall(const ClothMemory& memory) {
     body_[l]->recall(memory.body[l]);
     bending_[l]->recall(memory.bending[l]);
   }
+  lattice_ = memory.lattice;
   self_->recall(memory.self);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/contact/body_contact.h"
+#include "loosefit/contact/contact_lattice.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/drape_options.h"
@@ -18,6 +19,7 @@ namespace loosefit::drape {
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
   std::vector<contact::BodyContact::Memory> body;  ///< per layer
+  std::vector<contact::ContactLattice> lattice;    ///< per layer
   contact::SelfContact::Memory self;
   std::vector<std::vector<fabric::PlaneRows>> bending;
 };
@@ -50,6 +52,8 @@ class ClothModel {
   contact::BodyContact& body(int layer = 0) { return *body_[layer]; }
   contact::SelfContact& self() { return *self_; }
   const contact::BodyContact& body(int layer = 0) const { return *body_[layer]; }
+  /// Of the points of that contact.
+  contact::ContactLattice& lattice(int layer = 0) { return lattice_[layer]; }
   /// Of the body contact of every layer.
   void set_field(const std::shared_ptr<const contact::DistanceField>& field);
 
@@ -85,6 +89,7 @@ class ClothModel {
   std::unique_ptr<particles::GravityEnergy> gravity_;
   std::unique_ptr<particles::DeadLoad> load_;
   std::vector<std::unique_ptr<contact::BodyContact>> body_;
+  std::vector<contact::ContactLattice> lattice_;  // per layer
   std::unique_ptr<contact::SelfContact> self_;
   std::vector<double> half_thickness_, contact_stiffness_;  // per layer
   solver::ParticleSystem system_;

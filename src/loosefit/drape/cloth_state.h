@@ -107,7 +107,6 @@ struct ClothState {
   bool best_was_taken = false;    ///< `x` is the best of them
   std::set<int> penetrating;      ///< triangles that cut the skin when last looked
   std::map<int, int> times_cut;   ///< rounds in which each triangle's offsets were raised
-  bool offsets_raised = false;    ///< in the last of these rounds
   std::shared_ptr<const WornCloth> worn;    ///< following: where it starts
   std::vector<WornCloth::Level> handed_on;  ///< putting on: the levels so far
   std::map<RecoveryKind, int> attempts;     ///< of each, as often as it was tried

@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/cloth_model.h"
 #include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/settling_tuning.h"
@@ -13,16 +14,13 @@ namespace loosefit::drape {
 std::set<int> penetrating_triangles(const ClothMesh& cloth, const body::PosedBody& body,
                                     const std::vector<Vec3>& x);
 
-/// Flat triangles can cut a curved skin between their contact points. A penetrating triangle gets a
-/// lattice of contact points, whose offsets make up for the error of the distance field there, and
-/// is held off by what it lacks of clearing the skin, more so each time; so are triangles that are
-/// about to cut. No farther than the field is smooth. times_cut counts per triangle over the
-/// rounds. half_thickness: offset of an undisturbed contact point of each layer [m]. Whether an
-/// offset was raised: the cloth has to be settled again.
-bool raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
-                                   const std::vector<Vec3>& x,
-                                   const std::vector<double>& half_thickness,
-                                   const std::set<int>& penetrating, std::map<int, int>& times_cut,
-                                   const PenetrationTuning& tuning);
+/// Holds off the skin what still cuts it although its contact points see the skin exactly
+/// (drape/refine_contact.h): the layer is squeezed through, or the skin reaches in between points.
+/// All contact points of such a triangle rest farther off by what it lacks of clearing the skin,
+/// more so each time; so do those of triangles that are about to cut, or each round would find
+/// neighbours. No farther than the field is smooth. times_cut counts per triangle over the rounds.
+void raise_offsets_at_penetrations(ClothModel& model, const ContactBody& body,
+                                   const std::vector<Vec3>& x, const std::set<int>& penetrating,
+                                   std::map<int, int>& times_cut, const PenetrationTuning& tuning);
 
 }  // namespace loosefit::drape

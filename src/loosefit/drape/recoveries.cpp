@@ -103,12 +103,12 @@ const Recoveries& recoveries() {
        "cloth has come near the edge of the field of distances to the skin",
        "off its grid the energy of contact jumps, and no step descends any more", always,
        has_left_field, renew_field},
-      {Kind::raise_offsets, Point::at_rest, "hold cutting triangles off the skin",
+      {Kind::free_cuts, Point::at_rest, "free cutting triangles from the skin",
        "triangles cut the skin between their contact points",
-       "more contact points on them, farther off the skin, make up for curvature and for the error "
-       "of the field",
+       "a contact point where a corner or an edge of the skin reaches into them keeps it out; what "
+       "still cuts is held off",
        [](const SettlingTuning& tuning) { return tuning.penetrations.rounds; }, find_penetrations,
-       raise_offsets},
+       free_cuts},
       {Kind::nearer_to_rest, Point::certified, "settle nearer to rest",
        "the certificate, which refreshes contacts, finds more residual than settling had",
        "contacts that came or went have to find their balance, too",

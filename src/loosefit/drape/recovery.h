@@ -13,7 +13,7 @@ enum class RecoveryKind {
   wide_posture,
   shorter_step,
   settle_longer,
-  raise_offsets,
+  free_cuts,
   renew_field,
   nearer_to_rest,
   leave_saddle,

@@ -133,16 +133,19 @@ Fields penetration_fields(PenetrationTuning& t) {
       .time("first_dt", t.first_dt)
       .time("near_rest_dt", t.near_rest_dt)
       .length("lattice_spacing", t.lattice_spacing)
+      .number("bulge", t.bulge, 0, kMostLength)
+      .number("worth_a_point", t.worth_a_point, 0, kMostLength)
+      .count("cell_intervals", t.cell_intervals, 2)
+      .share("least_step", t.least_step)
+      .count("exact_rounds", t.exact_rounds)
       .number("clearance", t.clearance, 0, kMostLength)
       .number("clearance_each_time", t.clearance_each_time, 0, kMostLength)
       .number("near_penetration", t.near_penetration, 0, kMostLength)
-      .length("largest_raise", t.largest_raise)
+      .number("largest_raise", t.largest_raise, 0, kMostLength)
       .number("largest_field_error", t.largest_field_error, 0, kMostLength)
       .length("far", t.far)
-      .length("signed_reach", t.signed_reach)
       .count("look_iterations", t.look_iterations)
-      .count("rounds", t.rounds)
-      .count("least_lattice", t.least_lattice, 1);
+      .count("rounds", t.rounds);
 }
 
 Fields certify_fields(CertifyTuning& t) {

@@ -6,6 +6,7 @@
 #include "loosefit/drape/drape.h"
 #include "loosefit/garment/hierarchy.h"
 #include "loosefit/maps/body_load.h"
+#include "loosefit/maps/contact_share.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/maps/pressure.h"
@@ -29,6 +30,7 @@ struct CasePressure {
   maps::PressureField field;  ///< empty when the drape does not know its forces
   maps::PressureAgreement overall;
   std::map<body::Region, maps::PressureAgreement> regional;  ///< where the garment touches
+  maps::ContactShare contact_share;
 };
 
 /// Stage "maps" of one garment.

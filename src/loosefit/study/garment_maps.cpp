@@ -1,6 +1,7 @@
 #include "loosefit/study/garment_maps.h"
 
 #include "loosefit/maps/compute_maps.h"
+#include "loosefit/maps/contact_share.h"
 
 namespace loosefit::study {
 namespace {
@@ -12,6 +13,8 @@ CasePressure make_pressure(const DressedGarment& dressed, const maps::WornGarmen
   made.field =
       maps::contact_pressure(dressed.mesh, dressed.drape, dressed.body, dressed.material, gravity);
   made.overall = maps::compare_pressures(made.field, worn.regions);
+  made.contact_share = maps::contact_share_of_pressed_area(
+      dressed.mesh.triangles, dressed.drape.positions, made.field, dressed.body, dressed.material);
   for (body::Region region : body::all_regions()) {
     const maps::PressureAgreement here = maps::compare_pressures(made.field, worn.regions, region);
     if (here.contact_area > 0) made.regional[region] = here;

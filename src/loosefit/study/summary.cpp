@@ -52,6 +52,8 @@ Json agreement_json(const maps::PressureAgreement& a) {
 
 Json pressure_json(const CasePressure& pressure) {
   Json json = agreement_json(pressure.overall);
+  json["contact_share_of_pressed_area"] = pressure.contact_share.of_places;
+  json["touching_share_of_pressed_area"] = pressure.contact_share.of_triangles;
   const std::vector<double> shares = maps::pressure_class_shares(pressure.field);
   for (std::size_t i = 0; i < shares.size(); ++i)
     json["area_share"][maps::kPressureClassNames[i]] = shares[i];

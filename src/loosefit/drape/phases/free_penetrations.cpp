@@ -3,8 +3,18 @@
 #include <algorithm>
 
 #include "loosefit/drape/raise_offsets.h"
+#include "loosefit/drape/refine_contact.h"
 
 namespace loosefit::drape {
+
+namespace {
+
+/// `cut`: triangles that still cut the skin at rest.
+void see_skin(ClothState& state, const std::set<int>& cut = {}) {
+  refine_contact(*state.model, *state.body, state.x, cut, state.tuning.penetrations);
+}
+
+}  // namespace
 
 bool find_penetrations(ClothState& state) {
   state.penetrating = penetrating_triangles(state.model->mesh(), state.body->body, state.x);
@@ -13,13 +23,12 @@ bool find_penetrations(ClothState& state) {
   return !state.penetrating.empty();
 }
 
-void raise_offsets(ClothState& state) {
-  std::vector<double> half_thickness;
-  for (const ClothLayer& layer : state.layers)
-    half_thickness.push_back(0.5 * layer.material.thickness);
-  state.offsets_raised =
-      raise_offsets_at_penetrations(*state.model, *state.body, state.x, half_thickness,
-                                    state.penetrating, state.times_cut, state.tuning.penetrations);
+void free_cuts(ClothState& state) {
+  const PenetrationTuning& tuning = state.tuning.penetrations;
+  if (state.attempts[RecoveryKind::free_cuts] <= tuning.exact_rounds)
+    return see_skin(state, state.penetrating);
+  raise_offsets_at_penetrations(*state.model, *state.body, state.x, state.penetrating,
+                                state.times_cut, tuning);
   state.report.held_off_triangles = static_cast<int>(state.times_cut.size());
 }
 
@@ -28,16 +37,18 @@ void free_penetrations(ClothState& state) {
   const double wanted = state.options.residual_tolerance;
   state.times_cut.clear();
   state.lowest.reset(), state.clear.reset(), state.saddle.reset();
-  state.attempts[RecoveryKind::raise_offsets] = 0;
+  state.attempts[RecoveryKind::free_cuts] = 0;
+  state.report.held_off_triangles = 0;
+  state.soften_contact(false);  // nothing is held off yet
+  see_skin(state);
   state.loosen_friction();
-  // Penetrations are looked for long before the last digits of the balance are sought, and what is
-  // about to cut is treated alike.
+  // Penetrations are looked for long before the last digits of the balance are sought.
   for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
     state.settle({std::max(tuning.look_tolerances[i], wanted), tuning.look_iterations,
                   tuning.look_first_dt[i]});
     if (state.is_over()) return;
     find_penetrations(state);
-    raise_offsets(state);
+    see_skin(state);
   }
   state.stick();
   settle_without_penetrations(state, tuning.first_dt);
@@ -46,7 +57,7 @@ void free_penetrations(ClothState& state) {
 void settle_without_penetrations(ClothState& state, double first_dt) {
   const PenetrationTuning& tuning = state.tuning.penetrations;
   const double wanted = state.options.residual_tolerance;
-  const auto freed = [&] { return state.recover(RecoveryPoint::at_rest) && state.offsets_raised; };
+  const auto freed = [&] { return state.recover(RecoveryPoint::at_rest); };
   // A round for the last digits, while there are still penetrations, would be thrown away.
   for (;; first_dt = tuning.near_rest_dt) {
     state.settle({std::max(tuning.tolerance, wanted), kNoLimit, first_dt});

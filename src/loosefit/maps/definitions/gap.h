@@ -34,13 +34,22 @@ inline MapDefinition gap_map() {
                              .pictured = false,
                              .companion = true},
                    .meaning =
-                       "1 where the gap is within the contact tolerance, else 0; the area "
-                       "mean is the share of the cloth that touches.",
-                   .formula = "gap ≤ max(0.5 mm, ¾ thickness)",
+                       "1 at vertices that bear a contact force, or whose gap is within the "
+                       "contact tolerance, else 0; the area mean is the share of the cloth that "
+                       "touches. A flat triangle that lies on a convex body touches within and "
+                       "stands off at its corners: the smooth cloth that it stands for touches.",
+                   .formula = "p > 0 or gap ≤ max(0.5 mm, ¾ thickness)",
                    .source = "docs/theory/sensor_metrics.md 4",
-                   .read = ReadOverSkin([](const ClothOverSkin& at) {
-                     const double below = gap_of(at.partner.exact.distance, *at.material);
-                     return touches(below, *at.material) ? 1.0 : 0.0;
+                   .read = ReadField([](const MapInput& in) {
+                     const bool known = in.pressure && !in.pressure->empty();
+                     std::vector<double> touching;
+                     for (std::size_t v = 0; v < in.worn.partners.size(); ++v) {
+                       const double below =
+                           gap_of(in.worn.partners[v].exact.distance, *in.material);
+                       const bool bears = known && in.pressure->contact[v] > 0;
+                       touching.push_back(bears || touches(below, *in.material) ? 1 : 0);
+                     }
+                     return touching;
                    }),
                    .metrics = {{"contact_ratio", "share of the footprint that touches the skin",
                                 OverFootprint::mean, OverStates::least},
