@@ -148,7 +148,12 @@ TEST(ContactLattice, ACellsPointLiesInItsTriangleAndMovesWithoutTakingMore) {
   EXPECT_EQ(sheet.points.size(), before + 1);
   EXPECT_EQ(sheet.points.back().area, area);
   EXPECT_EQ(sheet.points.back().weight[0], 0.25);
-  sheet.lattice.add_nearest(2, 5, {0.2, 0.5, 0.3}, true, sheet.points);
+  // Beside it, unless it is the same place.
+  sheet.lattice.add_nearest(2, 5, {0.26, 0.44, 0.3}, true, sheet.points);
+  EXPECT_EQ(sheet.points.size(), before + 1);
+  EXPECT_EQ(sheet.points.back().weight[0], 0.26);
+  sheet.lattice.add_nearest(2, 5, {0.25, 0.45, 0.3}, true, sheet.points);
+  sheet.lattice.add_nearest(2, 5, {0.15, 0.45, 0.4}, true, sheet.points);
   EXPECT_EQ(sheet.points.size(), before + 2);
   EXPECT_EQ(sheet.points[before].weight[0], 0.25);
   EXPECT_EQ(sheet.points[before].area + sheet.points.back().area, area);

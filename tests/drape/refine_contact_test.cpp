@@ -59,7 +59,8 @@ TEST(RefineContact, EveryPointNearTheSkinThenSeesItsExactDistance) {
 
 TEST(RefineContact, ACornerOfTheSkinThatCutsATriangleGetsAPointOfItsOwn) {
   Square square(-1e-4);
-  // The pole of the ball is a corner of the skin right under the middle of the square.
+  // The pole of the ball is a corner of the skin beside the middle of the square, its vertex.
+  for (Vec3& p : square.x) p += Vec3(0.004, 0.003, 0);
   const auto deepest = [&] {
     double least = 1;
     for (const contact::ContactPoint& p : square.points())

@@ -38,16 +38,6 @@ void pull_and_let_go(ClothState& state, double weights) {
   if (!state.must_stop()) state.settle(goal);
 }
 
-/// Lets the cloth slide where little friction holds it; finer levels begin likewise.
-void fidget(ClothState& state, double share) {
-  const WearInTuning& tuning = state.tuning.wear_in;
-  const SettleGoal goal{tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true};
-  state.friction_share = share;
-  state.loosen_friction();
-  if (!state.must_stop()) state.settle(goal);
-  state.stick();
-}
-
 void go_there_and_back(ClothState& state, const body::BodyPath& way) {
   const std::shared_ptr<const ContactBody> here = state.body;
   const body::BodyPath back = [&way](double share) { return way(1 - share); };
@@ -75,7 +65,7 @@ void wear_in(ClothState& state) {
   for (const Movement& movement : state.movements) {
     if (state.must_stop()) return;
     if (movement.hem_pull > 0) pull_and_let_go(state, movement.hem_pull);
-    if (movement.friction_share < 1) fidget(state, movement.friction_share);
+    state.friction_share = std::min(state.friction_share, movement.friction_share);
     if (movement.way) go_there_and_back(state, movement.way);
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kEdge = 0.020;  ///< [m]
 constexpr int kDonnings = 3;
-constexpr double kSlice = 0.020;        ///< between sections [m]
+constexpr double kSlice = 0.005;        ///< between sections [m]
 constexpr double kTop = 0.080;          ///< of the trunk, that is the shoulder [m]
 constexpr double kContactGap = 1e-3;    ///< below which scans see contact [m]
 constexpr double kLeastContact = 1e-3;  ///< a share below it is called this: ratios stay finite
@@ -45,7 +45,7 @@ const Fit kFits[] = {{"close", "fit = { chest = 0.06, hip = 0.06 }"},
 struct Reading {
   double by_regions = 0, by_slices = 0;               ///< air from hip to armpit [m³]
   double least_filling = HUGE_VAL, most_filling = 0;  ///< over the slices
-  double waist = 0, chest = 0, shoulder = 0;          ///< mean gaps [m]
+  double waist = NAN, chest = NAN, shoulder = 0;      ///< mean gaps [m]
   double contact_above = 0, contact_below = 0;        ///< shares: shoulders and upper back; abdomen
                                                       ///< and lower back
 };
@@ -90,7 +90,12 @@ Reading read(const WornDrape& worn) {
                           }).volume;
   // The profile.
   if (const auto s = section(body.measured.at("waist_level"))) reading.waist = s->mean_gap();
-  if (const auto s = section(maps::chest_height(body))) reading.chest = s->mean_gap();
+  // Armholes may open the cloth at the level of the chest: then the highest section below it.
+  for (double z = maps::chest_height(body); z > body.measured.at("waist_level"); z -= kSlice)
+    if (const auto s = section(z)) {
+      reading.chest = s->mean_gap();
+      break;
+    }
   const double top = body.landmarks.at("hps_L").z() - kTop;
   reading.shoulder = maps::air_gap(mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
                        return of_trunk(t) && height(t) > top;
