@@ -13,15 +13,6 @@ constexpr double kStep = 0.2;            ///< largest joint angle of one step on
 constexpr std::size_t kRemembered = 32;  ///< bodies; 9 MB each
 constexpr double kMargin = 0.05;         ///< of skin round what overlaps that may give way [m]
 
-/// Largest angle by which a joint turns from one posture to the other [rad].
-double turn_between(const body::Posture& a, const body::Posture& b) {
-  return std::max(
-      {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
-       std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
-       std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch),
-       std::abs(a.relaxed_arms - b.relaxed_arms)});
-}
-
 /// What a garment can get between.
 bool is_dressed(body::Segment s) {
   return s == body::Segment::torso || s == body::Segment::neck || s == body::Segment::upper_arm ||
@@ -44,16 +35,29 @@ std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
 
 }  // namespace
 
-body::Body SoftBody::displaced(body::Body body, const CachedDisplacement& cached) {
-  for (std::size_t i = 0; i < cached.vertex.size(); ++i) {
-    const int v = cached.vertex[i];
-    body.surface.vertices[v] += cached.moved[i];
-    body.pose_from_rest[v].col(3) += cached.moved[i];
+double turn_between(const body::Posture& a, const body::Posture& b) {
+  return std::max(
+      {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
+       std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
+       std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch),
+       std::abs(a.relaxed_arms - b.relaxed_arms)});
+}
+
+body::Body displaced(body::Body body, const std::vector<Vec3>& moved) {
+  for (std::size_t v = 0; v < moved.size(); ++v) {
+    body.surface.vertices[v] += moved[v];
+    body.pose_from_rest[v].col(3) += moved[v];
   }
   body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
   for (const auto& [name, v] : body.landmark_vertex)
     body.landmarks[name] = body.surface.vertices[static_cast<std::size_t>(v)];
   return body;
+}
+
+body::Body SoftBody::moved(body::Body body, const CachedDisplacement& cached) {
+  std::vector<Vec3> all(body.surface.vertices.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < cached.vertex.size(); ++i) all[cached.vertex[i]] = cached.moved[i];
+  return displaced(std::move(body), all);
 }
 
 std::vector<Vec3> SoftBody::built(const body::Posture& posture) const {
@@ -124,17 +128,17 @@ body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   const auto overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
   const CachedDisplacement start = nearest(posture);
-  if (turn_between(start.posture, posture) == 0) return displaced(std::move(stiff), start);
+  if (turn_between(start.posture, posture) == 0) return moved(std::move(stiff), start);
   CachedDisplacement there =
       led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
-  body::Body body = displaced(stiff, there);
+  body::Body body = moved(stiff, there);
   bool free = overlaps_of(body).empty();
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const CachedDisplacement rest = cached_.front();
     there =
         led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
-    body = displaced(stiff, there);
+    body = moved(stiff, there);
     free = overlaps_of(body).empty();
   }
   if (free) cached_.push_back(std::move(there));

@@ -10,6 +10,13 @@
 
 namespace loosefit::flesh {
 
+/// Largest angle by which a joint turns from one posture to the other [rad].
+double turn_between(const body::Posture& a, const body::Posture& b);
+
+/// The body with its skin moved by so much at every vertex [m]; pose_from_rest tells the same
+/// place.
+body::Body displaced(body::Body body, const std::vector<Vec3>& moved);
+
 /// One person in any posture, with flesh that gives way where BodyModel::build pushes skin through
 /// skin: armpits of arms that hang close, groins and bellies of people who sit. There the skin is
 /// led from a posture in which nothing overlaps as an elastic surface on an elastic foundation
@@ -29,6 +36,11 @@ class SoftBody {
   /// there is one. \throws as BodyModel::build, Cancelled.
   body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
+  /// As BodyModel::build: flesh has not given way.
+  body::Body as_built(const body::Posture& posture) const {
+    return model_.build(parameters_, posture);
+  }
+
   /// The same person, not asked anything yet.
   SoftBody without_cache() const { return {model_, parameters_}; }
 
@@ -47,7 +59,7 @@ class SoftBody {
   CachedDisplacement led_from(const CachedDisplacement& start, const body::Posture& posture,
                               const body::Body& body, const SkinPatch& patch,
                               Progress* progress) const;
-  static body::Body displaced(body::Body body, const CachedDisplacement& cached);
+  static body::Body moved(body::Body body, const CachedDisplacement& cached);
   std::vector<Vec3> built(const body::Posture& posture) const;
 
   const body::BodyModel& model_;

@@ -68,7 +68,7 @@ struct RegionTuning {
   int min_particles = 2000;   ///< of the cloth; below, a step of all particles costs little more
   double force_share = 0.95;  ///< of ‖force‖² that the seeds bear
   double max_seeds = 0.02;    ///< as a share of all particles; more: the force is spread out
-  int rings = 8;              ///< round the seeds, steps on the graph of the matrix
+  int rings = 4;              ///< round the seeds, steps on the graph of the matrix (of two edges)
   double max_extent = 0.15;   ///< most particles in the region, as a share of all
   int max_steps = 5;          ///< Newton steps on one region
   /// Share of the region's force at which it is good enough: the border is held, which makes more

@@ -6,7 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/breath.h"
-#include "loosefit/flesh/soft_body.h"
+#include "loosefit/flesh/soft_way.h"
 
 namespace loosefit::study {
 namespace {
@@ -30,9 +30,8 @@ drape::Movement arm_raise(const std::shared_ptr<flesh::SoftBody>& person,
   } else {
     up.arm_flexion -= std::min(size, 1.0) * kRaised;
   }
-  return {.way = [person, stands, up](double share) {
-    return person->in(body::blend(stands, up, share));
-  }};
+  const auto way = std::make_shared<flesh::SoftWay>(person, stands, up);
+  return {.way = [way](double share) { return way->at(share); }};
 }
 
 drape::Movement breath(const body::PosedBody& at_rest, double size) try {
