@@ -19,6 +19,11 @@ SoftWay::SoftWay(std::shared_ptr<SoftBody> person, const body::Posture& from,
       to_(to),
       stops_(std::max(1, static_cast<int>(std::ceil(turn_between(from, to) / kBetweenStops)))) {}
 
+// The ends to the last bit, so that the person knows them again.
+body::Posture SoftWay::posture(double share) const {
+  return share == 0 ? from_ : share == 1 ? to_ : body::blend(from_, to_, share);
+}
+
 const std::vector<Vec3>& SoftWay::moved(int stop) {
   const auto known = moved_.find(stop);
   if (known != moved_.end()) return known->second;

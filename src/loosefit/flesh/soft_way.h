@@ -21,7 +21,7 @@ class SoftWay {
  private:
   /// What flesh has moved the skin by at a stop, at every vertex [m].
   const std::vector<Vec3>& moved(int stop);
-  body::Posture posture(double share) const { return body::blend(from_, to_, share); }
+  body::Posture posture(double share) const;
 
   std::shared_ptr<SoftBody> person_;
   body::Posture from_, to_;
