@@ -73,6 +73,48 @@ TEST(OwnPatterns, ReadAndWrittenAgainAreTheSameBytes) {
   }
 }
 
+TEST(OwnPatterns, BandsAndHemsComeBackAndAreKnown) {
+  for (const double neckband : {0.0, 0.02})
+    for (const double cuff : {0.0, 0.05})
+      for (const double length : {0.4, 1.0}) {
+        kinds::ShirtFit fit = kinds::usual_shirt_fit();
+        fit.neckband = neckband, fit.cuff = cuff, fit.sleeve_length = length;
+        fit.band_stiffness = 1.5, fit.edge_finish = 0.012;
+        const pattern::Pattern shirt = kinds::draft_shirt({}, fit);
+        const std::string text = garmentcode_text(shirt);
+        const PatternFile again = parse_garmentcode(text, "p.json");
+        EXPECT_TRUE(again.warnings.empty()) << again.warnings[0];
+        EXPECT_EQ(again.pattern.kind, "long-sleeve-shirt");
+        ASSERT_EQ(again.pattern.panels.size(), shirt.panels.size());
+        for (std::size_t p = 0; p < shirt.panels.size(); ++p) {
+          const pattern::Panel &a = shirt.panels[p], &b = again.pattern.panels[p];
+          EXPECT_EQ(b.part, a.part);
+          EXPECT_EQ(b.cloth, a.cloth);
+          ASSERT_EQ(b.edges.size(), a.edges.size());
+          for (std::size_t e = 0; e < a.edges.size(); ++e) {
+            EXPECT_EQ(b.edges[e].part, a.edges[e].part);
+            EXPECT_NEAR(b.edges[e].finish, a.edges[e].finish, 1e-12);
+          }
+        }
+        EXPECT_EQ(garmentcode_text(again.pattern), text);
+      }
+}
+
+TEST(OwnPatterns, ClothOutOfRangeIsNamed) {
+  kinds::ShirtFit fit = kinds::usual_shirt_fit();
+  fit.neckband = 0.02;
+  const std::string text =
+      replaced(garmentcode_text(kinds::draft_shirt({}, fit)), "\"mass\":2.0", "\"mass\":-2.0");
+  try {
+    parse_garmentcode(text, "p.json");
+    FAIL() << "no error";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("loosefit_cloth.mass: found -2.0, expected 0.01 to 100"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(OwnPatterns, WhatWasReadFromOthersIsWrittenAndReadAsTheSameBytes) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(kSource + "/tests/data/patterns"))

@@ -6,13 +6,13 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/garment/check_attachment.h"
+#include "loosefit/garment/covered_share.h"
 #include "loosefit/geometry/closest_point.h"
 
 namespace loosefit::garment {
 namespace {
 
 constexpr int kFootprintSamples = 24;  // per direction, for the mass of a board
-constexpr int kTriangleSamples = 8;    // per direction, for the covered share of a triangle
 constexpr double kCableStep = 0.001;   // [m]
 
 Vec3 lift(const Vec2& p) { return {p.x(), p.y(), 0}; }
@@ -62,47 +62,6 @@ struct BoardShape {
   bool covers(const Vec2& p) const { return covers_local(turn.inverse() * (p - board.centre)); }
 };
 
-/// Strip along a cable.
-struct CableShape {
-  const Cable& cable;
-  std::vector<std::size_t> near;  // segments near the box of the last may_cover
-
-  bool may_cover(const Vec2& low, const Vec2& high) {
-    const Vec2 half_width = Vec2::Constant(cable.width / 2);
-    near.clear();
-    for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
-      const Vec2 &a = cable.path[i], &b = cable.path[i + 1];
-      if ((a.cwiseMin(b) - half_width - high).maxCoeff() <= 0 &&
-          (low - a.cwiseMax(b) - half_width).maxCoeff() <= 0)
-        near.push_back(i);
-    }
-    return !near.empty();
-  }
-  bool covers(const Vec2& p) const {
-    return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
-      const Vec2 along = cable.path[i + 1] - cable.path[i];
-      const double squared = along.squaredNorm();
-      const double t =
-          squared > 0 ? std::clamp((p - cable.path[i]).dot(along) / squared, 0.0, 1.0) : 0.0;
-      return (cable.path[i] + t * along - p).norm() <= cable.width / 2;
-    });
-  }
-};
-
-/// Share of a triangle within a shape, by equal sub-triangles.
-template <class Shape>
-double covered_share(const std::array<Vec2, 3>& uv, const Shape& shape) {
-  int hits = 0;
-  for (int i = 0; i < kTriangleSamples; ++i)
-    for (int j = 0; j < kTriangleSamples - i; ++j)
-      for (const double third : {1.0 / 3, 2.0 / 3}) {
-        if (third > 0.5 && i + j == kTriangleSamples - 1) continue;
-        const double a = (i + third) / kTriangleSamples, b = (j + third) / kTriangleSamples;
-        hits += shape.covers(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
-      }
-  return double(hits) / (kTriangleSamples * kTriangleSamples);
-}
-
 template <class Shape>
 void stiffen(Garment& g, int panel, double bending, double membrane_factor, Shape shape) {
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
@@ -138,7 +97,7 @@ void add(Garment& g, int panel, const Cable& cable) {
       add_mass(g, panel, a + (s + 0.5) / steps * (b - a), cable.linear_density * length / steps);
     g.mass += cable.linear_density * length;
   }
-  stiffen(g, panel, cable.bending / cable.width, 1, CableShape{cable, {}});
+  stiffen(g, panel, cable.bending / cable.width, 1, PathStrip(cable.path, cable.width));
 }
 
 }  // namespace

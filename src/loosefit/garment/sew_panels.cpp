@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/union_find.h"
 #include "loosefit/garment/surface_check.h"
+#include "loosefit/garment/thicken.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
 
@@ -142,10 +143,11 @@ SewnPanels sew_panels(const pattern::Pattern& pattern,
       g.edge_chains.push_back(chain);
     }
   }
-  // Attachments come later; until then cloth is the same everywhere.
+  // Attachments come later.
   g.triangle_membrane_factor.assign(g.triangles.size(), 1.0);
   g.triangle_added_bending.assign(g.triangles.size(), 0.0);
   g.mass = g.area * material.areal_density;
+  thicken(g, pattern, material);
   check_surface(g);
   return sewn;
 }

@@ -18,9 +18,10 @@ struct SewnPanels {
 
 /// Welds the seams of meshed panels: paired vertices become one. Orientation is that of the
 /// outlines (normal = outside); a panel behind a right_wrong seam is turned over. Masses are a
-/// third of the flat triangle area each. Vertices of `coarser` (numbering of the coarser level, or
-/// nullptr) keep their numbers, new ones follow. \throws GeometryError when a seam cannot close:
-/// gather beyond kGatherLimit, a triangle or edge
+/// third of the flat triangle area each, more where pieces and hems are thicker (thicken.h).
+/// Vertices of `coarser` (numbering of the coarser level, or nullptr) keep their numbers, new ones
+/// follow. \throws GeometryError when a seam cannot close: gather beyond kGatherLimit, a triangle
+/// or edge
 ///         that collapses, more than two triangles at an edge, sheets that touch in a point only, a
 ///         one-sided (Möbius) surface.
 SewnPanels sew_panels(const pattern::Pattern& pattern,

@@ -71,6 +71,11 @@ struct Node {
       fail(describe(), fmt::format("a number of at most {:g}", kLargestNumber));
     return x;
   }
+  double within(double low, double high) const {
+    const double x = number();
+    if (!(x >= low && x <= high)) fail(describe(), fmt::format("{:g} to {:g}", low, high));
+    return x;
+  }
   int index(int count, const std::string& of) const {
     const double x = value.is_number() ? value.get<double>() : std::nan("");
     if (!(x >= 0 && x < count && x == std::floor(x)))
@@ -150,6 +155,11 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
   panel.name = name;
   node.object();
   panel.label = node.optional_text("label");
+  if (node.has(kClothKey)) {
+    const Node cloth = node.at(kClothKey).object();
+    panel.cloth = {cloth.at("mass").within(0.01, 100), cloth.at("membrane").within(0.01, 1e4),
+                   cloth.at("bending").within(1, 1e4)};
+  }
   const Node vertices = node.at("vertices").array(2, 2 * kMostEdges);
   for (std::size_t i = 0; i < vertices.value.size(); ++i)
     panel.vertices.push_back(vertices.item(i).pair() * rules.metre);
@@ -163,6 +173,8 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
     edge.end = ends.item(1).index(count, "a vertex");
     edge.name = item.optional_text("name");
     edge.label = item.optional_text("label");
+    if (item.has(kFinishKey))
+      edge.finish = item.at(kFinishKey).within(0, 0.1 / rules.metre) * rules.metre;
     if (item.has("curvature"))
       edge.curves = {read_curve(item.at("curvature"), panel.vertices[edge.start],
                                 panel.vertices[edge.end], rules)};
@@ -294,10 +306,10 @@ void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
   unread.note(pattern, {"panels", "stitches", "panel_order"});
   for (const auto& [name, value] : panels.value.items()) {
     const Node panel{value, panels.path, panels.file};
-    unread.note(panel, {"label", "translation", "rotation", "vertices", "edges"});
+    unread.note(panel, {"label", "translation", "rotation", "vertices", "edges", kClothKey});
     const Node edges = panel.at("edges");
     for (std::size_t i = 0; i < edges.value.size(); ++i)
-      unread.note(edges.item(i), {"endpoints", "curvature", "label", "name"});
+      unread.note(edges.item(i), {"endpoints", "curvature", "label", "name", kFinishKey});
   }
   unread.warn(warnings);
 }

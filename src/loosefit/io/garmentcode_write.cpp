@@ -96,6 +96,14 @@ Json curvature_of(const Part& part, const std::string& where) {
           {"params", params}};
 }
 
+/// A line with what a piece is made of; nothing for one layer of the fabric.
+std::string cloth_line(const pattern::PanelCloth& cloth) {
+  if (cloth == pattern::PanelCloth{}) return {};
+  const Json values = {
+      {"mass", cloth.mass}, {"membrane", cloth.membrane}, {"bending", cloth.bending}};
+  return fmt::format("        \"{}\": {},\n", kClothKey, values.dump());
+}
+
 Json numbers(const Vec3& v) { return Json::array({tidy(v.x()), tidy(v.y()), tidy(v.z())}); }
 
 std::string list_lines(const std::vector<Json>& items, const std::string& indent) {
@@ -154,15 +162,16 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
         item["curvature"] = curvature_of(part, "panel " + panel.name + " edge " + edge->name);
       if (!edge->label.empty()) item["label"] = edge->label;
       item["name"] = edge->name;
+      if (edge->finish > 0) item[kFinishKey] = tidy(edge->finish * kPerMetre);
       edges.push_back(item);
     }
     // Placement in the frame of the file, in centimetres and degrees.
     const Mat3 to_file = frame_from_y_up().transpose();
     const Vec3 translation = to_file * panel.translation * kPerMetre;
     panels += fmt::format(
-        "{}\n      {}: {{\n        \"label\": {},\n        \"translation\": {},\n"
+        "{}\n      {}: {{\n        \"label\": {},\n{}        \"translation\": {},\n"
         "        \"rotation\": {},\n        \"vertices\": {},\n        \"edges\": {}\n      }}",
-        p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(),
+        p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(), cloth_line(panel.cloth),
         numbers(translation).dump(),
         numbers(euler_deg_from_rotation(to_file * panel.rotation)).dump(),
         list_lines(vertices, "        "), list_lines(edges, "        "));

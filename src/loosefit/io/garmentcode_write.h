@@ -10,6 +10,10 @@ namespace loosefit::io {
 /// readers of other programs pass over it.
 inline constexpr const char* kDraftKey = "loosefit_draft";
 
+/// Keys of ours in a panel, what it is made of ("mass", "membrane", "bending": Panel::cloth), and
+/// in an edge, the width of its hem (PanelEdge::finish).
+inline constexpr const char *kClothKey = "loosefit_cloth", *kFinishKey = "loosefit_finish";
+
 /// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
 /// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.
 /// What is written and read again is written as the same bytes. \throws GeometryError for an

@@ -1,5 +1,6 @@
 #include "loosefit/io/scenario_garment.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -68,10 +69,12 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
         kinds::garment_kind(table.choice("pattern", garment.kind, kinds::drafted_kinds()));
     garment.kind = kind.name;
     garment.size = table.choice("size", "", kinds::size_names(kind.sizes));
-    if (!garment.size.empty() && table.has("fit"))
-      throw table.error("fit", "either fit or size",
-                        "a size fixes the garment; a fit follows the body");
     const std::vector<std::string> given = table.table("fit").keys();
+    for (const kinds::KindKey& key : kind.keys)
+      if (!garment.size.empty() && !key.with_size &&
+          std::find(given.begin(), given.end(), key.name) != given.end())
+        throw table.error("fit", "either fit." + key.name + " or size",
+                          "a size fixes the garment; a fit follows the body");
     garment.fit = read_fit(table.table("fit"), kind);
     garment.adapt = read_adapt(table, kind, {given.begin(), given.end()});
   }
@@ -92,10 +95,15 @@ std::string garment_toml(const scenario::GarmentSpec& garment, const std::string
   std::vector<std::string> adapt;
   for (const std::string& name : garment.adapt) adapt.push_back(toml_quoted(name));
   text += "adapt = [" + join(adapt) + "]\n";
-  if (!garment.size.empty()) return text + "size = " + toml_quoted(garment.size) + "\n";
+  const bool sized = !garment.size.empty();
+  if (sized) text += "size = " + toml_quoted(garment.size) + "\n";
+  const std::vector<kinds::KindKey>& keys = kinds::garment_kind(garment.kind).keys;
+  if (sized && std::none_of(keys.begin(), keys.end(), [](const auto& k) { return k.with_size; }))
+    return text;
   text += "\n[" + section + ".fit]\n";
-  for (const kinds::KindKey& key : kinds::garment_kind(garment.kind).keys)
-    if (const auto value = garment.fit.find(key.name); value != garment.fit.end())
+  for (const kinds::KindKey& key : keys)
+    if (const auto value = garment.fit.find(key.name);
+        value != garment.fit.end() && (key.with_size || !sized))
       text += key.name + " = " + shortest(value->second) + "\n";
   return text;
 }

@@ -29,7 +29,8 @@ struct KindKey {
   double low = 0, high = 0;     ///< what a scenario may ask for
   std::string unit;             ///< as messages say it: "a body-garment mobility", "metres"
   std::string meaning;
-  bool mobility = false;  ///< garment girth / body girth − 1: an option is called --fit-NAME
+  bool mobility = false;   ///< garment girth / body girth − 1: an option is called --fit-NAME
+  bool with_size = false;  ///< of making, not of fit: may be asked for beside a size
 };
 
 /// A fixed garment: the body it is cut for and its fit.
@@ -64,7 +65,8 @@ struct FitLevel {
   std::optional<double> body;  ///< [m]; absent: the body does not say
 };
 
-/// Edges of the draft that form one opening, by part of panel and edge, and what goes through it.
+/// Edges that form one opening, by part of panel and edge, and what goes through it; those of
+/// pieces that a draft may leave out are among them.
 struct KindOpening {
   OpeningUse use = OpeningUse::unknown;
   std::vector<std::pair<std::string, std::string>> edges;  ///< panel part, edge part

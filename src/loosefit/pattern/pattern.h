@@ -25,6 +25,16 @@ struct PanelEdge {
       name;  ///< unique within the panel: "hem", "armhole_L", …; "edge_3" if the file has none
   std::string label;  ///< GarmentCode label, may be empty
   std::string part;   ///< what it is in the draft that made the pattern; empty without one
+  double finish = 0;  ///< width of the hem turned under along it [m]; 0: cut and left
+};
+
+/// What a piece is made of, against one layer of the garment's fabric. A folded strip is 2, 2, 2.
+struct PanelCloth {
+  double mass = 1;      ///< areal density
+  double membrane = 1;  ///< stiffness in the plane
+  double bending = 1;   ///< bending rigidity, at least 1
+
+  bool operator==(const PanelCloth&) const = default;
 };
 
 /// A flat piece. x is weft, y is warp (grain). The outline runs counter-clockwise seen from the
@@ -35,6 +45,7 @@ struct Panel {
   std::string part;                  ///< as PanelEdge::part: "front", "sleeve_L_back", …
   std::vector<Vec2> vertices;        ///< [m]
   std::vector<PanelEdge> edges;      ///< one closed loop in order
+  PanelCloth cloth = {};             ///< of what
   Vec3 translation = Vec3::Zero();   ///< placement in our frame (z up, facing -y) [m]
   Mat3 rotation = Mat3::Identity();  ///< panel (x, y, 0) → our frame
 };

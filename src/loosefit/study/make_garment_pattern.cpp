@@ -1,5 +1,6 @@
 #include "loosefit/study/make_garment_pattern.h"
 
+#include <algorithm>
 #include <set>
 
 #include "loosefit/base/error.h"
@@ -20,7 +21,7 @@ namespace {
 void check_one_source(const GarmentPatternWish& wish) {
   const int sources = !wish.file.empty() + !wish.size.empty() + !wish.scenario.empty();
   const bool fixed = !wish.file.empty() || !wish.scenario.empty();
-  if (sources > 1 || (sources == 1 && !wish.fit.empty()) || (fixed && wish.kind))
+  if (sources > 1 || (fixed && !(wish.fit.empty() && !wish.kind)))
     throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
                        "one of --file, --size, --scenario, or measures with a fit");
 }
@@ -45,6 +46,11 @@ scenario::GarmentSpec garment_of(const GarmentPatternWish& wish, const kinds::Ga
     if (std::erase(garment.adapt, given.key) == 0)
       throw InvalidInput({{}, 0, given.place}, "an option that a " + kind.title + " has not",
                          "keys of its fit: " + join(garment.adapt));
+    const auto key = std::find_if(kind.keys.begin(), kind.keys.end(),
+                                  [&](const auto& k) { return k.name == given.key; });
+    if (!wish.size.empty() && !key->with_size)
+      throw InvalidInput({{}, 0, given.place}, "a fit beside --size",
+                         "a size, which fixes the garment, or a fit, which follows the body");
     garment.fit[given.key] = given.value;
   }
   return garment;

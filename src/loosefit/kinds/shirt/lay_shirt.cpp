@@ -6,32 +6,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/dress/body_outline.h"
 #include "loosefit/dress/sheets.h"
+#include "loosefit/kinds/shirt/lay_bands.h"
 #include "loosefit/kinds/shirt/shirt_frame.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 
 namespace loosefit::kinds {
 namespace {
-
-/// The first part of a polyline, as long as this share of it, and the rest.
-std::pair<std::vector<Vec2>, std::vector<Vec2>> cut_line(const std::vector<Vec2>& line,
-                                                         double share) {
-  double rest = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) rest += share * (line[i] - line[i - 1]).norm();
-  std::vector<Vec2> before = {line.front()};
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double step = (line[i] - line[i - 1]).norm();
-    if (rest < step) {
-      const Vec2 cut = line[i - 1] + rest / step * (line[i] - line[i - 1]);
-      before.push_back(cut);
-      std::vector<Vec2> after = {cut};
-      after.insert(after.end(), line.begin() + static_cast<std::ptrdiff_t>(i), line.end());
-      return {before, after};
-    }
-    rest -= step;
-    before.push_back(line[i]);
-  }
-  return {line, {line.back(), line.back()}};
-}
 
 /// The part of a seam that ends lowest: the one below a dart.
 std::string lowest_part(const garment::Garment& g, const std::string& part,
@@ -54,10 +34,56 @@ void lay_seam(dress::PanelOutline& panel, const garment::Garment& g, const std::
   // By the divisions of the mesh, which are the same on both pieces that meet here.
   const double up = static_cast<double>(upper->vertices.size() - 1),
                down = static_cast<double>(lower->vertices.size() - 1);
-  auto [above, rest] = cut_line(line, up / (up + down));
+  auto [above, rest] = cut_line(line, down / (up + down));
   panel.lay(seam, first, above);
   std::reverse(rest.begin(), rest.end());
   panel.lay(below, last, rest);
+}
+
+void lay_torso(dress::PanelOutline& panel, const garment::Garment& g, const std::string& part,
+               const ShirtFrame& frame, const std::vector<Vec2>& neck) {
+  const auto &l = frame.left, &r = frame.right;
+  panel.lay("hem", lowest_part(g, part, "side_L"), {l.hem, r.hem});
+  lay_seam(panel, g, part, "side_L", "armhole_L", "hem", {l.armpit, l.hem});
+  lay_seam(panel, g, part, "side_R", "armhole_R", "hem", {r.armpit, r.hem});
+  panel.lay("armhole_L", "side_L", l.armhole);
+  panel.lay("armhole_R", "side_R", r.armhole);
+  panel.lay("shoulder_L", "armhole_L", {l.shoulder, neck.front()});
+  panel.lay("shoulder_R", "armhole_R", {r.shoulder, neck.back()});
+  panel.lay("neck", "shoulder_L", neck);
+}
+
+void lay_neckband(dress::PanelOutline& panel, const std::vector<Vec2>& rim,
+                  const std::vector<Vec2>& seam) {
+  panel.lay("seam", "end_L", seam);
+  panel.lay("rim", "end_L", rim);
+  panel.lay("end_L", "seam", {seam.front(), rim.front()});
+  panel.lay("end_R", "seam", {seam.back(), rim.back()});
+}
+
+/// Share of a sleeve's length, with its cuff, that is cuff.
+double cuff_share(const garment::Garment& g, int side) {
+  const double cuff = band_width(g, side > 0 ? "cuff_L_front" : "cuff_R_front");
+  return cuff > 0 ? cuff / sleeve_length(g, side) : 0;
+}
+
+/// Half a sleeve or half its cuff, which goes on along the arm where the sleeve ends.
+void lay_sleeve(dress::PanelOutline& panel, const garment::Garment& g, const ShirtPart& part,
+                const ShirtFrame::Half& half) {
+  const double cuff = cuff_share(g, part.side);
+  const auto [top, cuff_top] = cut_line(half.sleeve_top, cuff);
+  const auto [under, cuff_under] = cut_line(half.sleeve_under, cuff);
+  if (part.band) {
+    panel.lay("seam", "top", {top.back(), under.back()});
+    panel.lay("rim", "top", {cuff_top.back(), cuff_under.back()});
+    panel.lay("top", "seam", cuff_top);
+    panel.lay("under", "seam", cuff_under);
+    return;
+  }
+  panel.lay("cap", "under", half.armhole);
+  panel.lay("top", "cap", top);
+  lay_seam(panel, g, part.name, "under", "cap", "cuff", under);
+  panel.lay("cuff", "top", {top.back(), under.back()});
 }
 
 }  // namespace
@@ -66,30 +92,20 @@ std::vector<Vec3> lay_shirt(const garment::Garment& g, const body::Body& body,
                             const dress::LayingRoom& room) {
   const dress::BodyOutline depth(body, room.clearance);
   const ShirtFrame frame = shirt_frame(g, body, depth, room.clearance);
+  const NeckbandLines neck =
+      neckband_lines(frame, band_width(g, "neckband_front"), room.straight_neck);
   dress::Sheets sheets(g);
   for (int p = 0; p < static_cast<int>(g.panel_names.size()); ++p) {
     const ShirtPart* part = find_shirt_part(g.panel_parts[p]);
     if (!part) throw GeometryError("pattern: panel " + g.panel_names[p] + " is no part of a shirt");
     dress::PanelOutline panel(g, part->name);
-    if (!part->sleeve) {
-      const auto &l = frame.left, &r = frame.right;
-      panel.lay("hem", lowest_part(g, part->name, "side_L"), {l.hem, r.hem});
-      lay_seam(panel, g, part->name, "side_L", "armhole_L", "hem", {l.armpit, l.hem});
-      lay_seam(panel, g, part->name, "side_R", "armhole_R", "hem", {r.armpit, r.hem});
-      panel.lay("armhole_L", "side_L", l.armhole);
-      panel.lay("armhole_R", "side_R", r.armhole);
-      panel.lay("shoulder_L", "armhole_L", {l.shoulder, l.neck});
-      panel.lay("shoulder_R", "armhole_R", {r.shoulder, r.neck});
-      panel.lay(
-          "neck", "shoulder_L",
-          part->back || room.straight_neck ? std::vector<Vec2>{l.neck, r.neck} : frame.front_neck);
-    } else {
-      const auto& half = part->side > 0 ? frame.left : frame.right;
-      panel.lay("cap", "under", half.armhole);
-      panel.lay("top", "cap", half.sleeve_top);
-      lay_seam(panel, g, part->name, "under", "cap", "cuff", half.sleeve_under);
-      panel.lay("cuff", "top", {half.sleeve_top.back(), half.sleeve_under.back()});
-    }
+    if (part->sleeve)
+      lay_sleeve(panel, g, *part, part->side > 0 ? frame.left : frame.right);
+    else if (part->band)
+      lay_neckband(panel, part->back ? neck.back_rim : neck.front_rim,
+                   part->back ? neck.back_seam : neck.front_seam);
+    else
+      lay_torso(panel, g, part->name, frame, part->back ? neck.back_seam : neck.front_seam);
     sheets.add(p, panel, part->back);
   }
   return sheets.positions(depth, room);

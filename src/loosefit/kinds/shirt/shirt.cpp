@@ -56,6 +56,22 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
        "below 12 mm no dart is cut"},
       {"elbow_bend", usual.elbow_bend, 0, 40, "degrees",
        "bend of the arm that the sleeve is cut for, by a dart in its back at the elbow"},
+      {"neckband_width", usual.neckband, 0, 0.08, "metres",
+       "folded strip round the neck, whose rim lies at the neck base; 0: none", false, true},
+      {"neckband_stretch", usual.neckband_stretch, 0, 0.4, kFraction,
+       "neckband shorter than the neckline, which it is sewn to stretched", false, true},
+      {"cuff_width", usual.cuff, 0, 0.12, "metres",
+       "folded strip at the end of the sleeve, within sleeve_length; wrist is its "
+       "girth; "
+       "0: none",
+       false, true},
+      {"cuff_stretch", usual.cuff_stretch, 0, 0.6, kFraction,
+       "cuff shorter than the end of the sleeve, which it is sewn to stretched", false, true},
+      {"band_stiffness", usual.band_stiffness, 0.1, 100, "a multiple",
+       "stiffness of neckband and cuffs, of one layer of the fabric; in bending at least 1", false,
+       true},
+      {"edge_finish", usual.edge_finish, 0, 0.05, "metres",
+       "width of the hems turned under along free edges; 0: edges as they are cut", false, true},
   };
 }
 
@@ -67,17 +83,28 @@ std::string details_of(const ShirtDraftReport& report) {
       report.cap_ratio, 1000 * report.deepened, 1000 * report.dropped);
 }
 
+/// Bands and hems, which may be asked for beside a size.
+void take_making(ShirtFit& fit, const ShirtFit& asked) {
+  fit.neckband = asked.neckband;
+  fit.neckband_stretch = asked.neckband_stretch;
+  fit.cuff = asked.cuff;
+  fit.cuff_stretch = asked.cuff_stretch;
+  fit.band_stiffness = asked.band_stiffness;
+  fit.edge_finish = asked.edge_finish;
+}
+
 DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const DraftRequest& request) {
   ShirtMeasures measures = shirt_measures_of(request.measures);
   ShirtFit fit = shirt_fit_of(request.fit, usual);
   if (!request.size.empty()) {
     const KindSize size = find_size(shirt_sizes(), request.size);
-    const double length = fit.sleeve_length;
+    const ShirtFit asked = fit;
     measures = shirt_measures_of(size.measures);
     fit = shirt_fit_of(size.fit);
+    take_making(fit, asked);
     // A size is one of long sleeves; cut off, they are as loose as at the upper arm.
-    if (length < 1) {
-      fit.sleeve_length = length;
+    if (asked.sleeve_length < 1) {
+      fit.sleeve_length = asked.sleeve_length;
       fit.wrist = fit.sleeve;
     }
   }
@@ -99,10 +126,19 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
   kind.stations = shirt_stations;
   kind.lay = lay_shirt;
   kind.openings = {
-      {OpeningUse::neck, {{"front", "neck"}, {"back", "neck"}}},
+      {OpeningUse::neck,
+       {{"front", "neck"}, {"back", "neck"}, {"neckband_front", "rim"}, {"neckband_back", "rim"}}},
       {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}}},
-      {OpeningUse::left_arm, {{"sleeve_L_front", "cuff"}, {"sleeve_L_back", "cuff"}}},
-      {OpeningUse::right_arm, {{"sleeve_R_front", "cuff"}, {"sleeve_R_back", "cuff"}}}};
+      {OpeningUse::left_arm,
+       {{"sleeve_L_front", "cuff"},
+        {"sleeve_L_back", "cuff"},
+        {"cuff_L_front", "rim"},
+        {"cuff_L_back", "rim"}}},
+      {OpeningUse::right_arm,
+       {{"sleeve_R_front", "cuff"},
+        {"sleeve_R_back", "cuff"},
+        {"cuff_R_front", "rim"},
+        {"cuff_R_back", "rim"}}}};
   kind.mark = "shirt 1";
   kind.note_parts = [](pattern::Pattern& pattern) {
     const std::vector<pattern::Pattern>& drafts = shirt_variants();

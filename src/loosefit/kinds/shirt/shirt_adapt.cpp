@@ -42,9 +42,10 @@ std::vector<std::string> fits_of(ShirtRule rule) {
     case ShirtRule::waist_level:
       return {};
     case ShirtRule::neck:
-      return {"fit.neck_ease", "fit.chest"};
+      return {"fit.neck_ease", "fit.neckband_width", "fit.chest"};
     case ShirtRule::sleeve_length:
-      return {"fit.sleeve_length", "fit.chest", "fit.shoulder_follow", "fit.sleeve"};
+      return {"fit.sleeve_length", "fit.cuff_width", "fit.chest", "fit.shoulder_follow",
+              "fit.sleeve"};
     case ShirtRule::torso_outline:
       return {"fit.chest", "fit.waist", "fit.hip", "fit.neck_ease", "fit.scye_ease"};
     case ShirtRule::sleeve_outline:
@@ -246,8 +247,14 @@ class Adapter {
   /// What the user asked for and the rule depends on.
   std::vector<std::string> asked_of(ShirtRule rule) const {
     std::vector<std::string> asked;
+    const ShirtFit& fit = shirt_.fit;
+    const auto absent = [&](const std::string& key) {
+      return (key == "fit.waist" && !fit.waist) ||
+             (key == "fit.neckband_width" && fit.neckband == 0) ||
+             (key == "fit.cuff_width" && fit.cuff == 0);
+    };
     for (const std::string& key : fits_of(rule))
-      if (!yields(key) && (key != "fit.waist" || shirt_.fit.waist)) asked.push_back(key);
+      if (!yields(key) && !absent(key)) asked.push_back(key);
     return asked;
   }
 

@@ -7,11 +7,16 @@ namespace loosefit::kinds {
 
 namespace {
 
-/// Quarter of a neck seam, from the centre to the high point shoulder.
-pattern::CurveChain neck_curve(double half_width, double drop) {
+/// Quarter of a neck seam, from the centre to the shoulder seam, which it meets at a right angle:
+/// across the seam front and back go on into each other without a corner, which would stand up from
+/// the neck as a spike. `end`: where the shoulder seam begins.
+pattern::CurveChain neck_curve(const Vec2& end, double drop, double slope) {
+  constexpr double kHandle = 0.45, kLongest = 0.35, kLevel = 0.62;  // of the fall, of the width
+  const double width = end.x(), handle = std::min(kHandle * (drop + end.y()), kLongest * width);
   pattern::CurveChain neck;
   neck.start = Vec2(0, -drop);
-  neck.cubic_to({0.55 * half_width, -drop}, {half_width, -0.45 * drop}, {half_width, 0});
+  neck.cubic_to({kLevel * width, -drop}, end + handle * Vec2(-std::sin(slope), -std::cos(slope)),
+                end);
   return neck;
 }
 
@@ -38,13 +43,21 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
   // A flat back neck is never straight, also where C7 lies as high as the sides of the neck.
   neck.drop_back = (1 + fit.neck_ease) * std::max(m.neck_drop_back, 0.03 * m.neck);
   const double half_seam = 0.5 * (1 + fit.neck_ease) * m.neck;
-  const double front = half_seam - neck_curve(neck.half_width, neck.drop_back).length(kPieces);
+  const auto length = [&](double drop) {
+    return neck_curve({neck.half_width, 0}, drop, m.shoulder_slope).length(kPieces);
+  };
+  const double front = half_seam - length(neck.drop_back);
   double low = 0.5 * neck.half_width, high = 3 * neck.half_width;
   for (int i = 0; i < 40; ++i) {
     const double drop = 0.5 * (low + high);
-    (neck_curve(neck.half_width, drop).length(kPieces) < front ? low : high) = drop;
+    (length(drop) < front ? low : high) = drop;
   }
   neck.drop_front = 0.5 * (low + high);
+  // Down the shoulder seam, the back and the front.
+  neck.half_width += fit.neckband * std::cos(m.shoulder_slope);
+  neck.shoulder = fit.neckband * std::sin(m.shoulder_slope);
+  neck.drop_back += fit.neckband;
+  neck.drop_front += fit.neckband;
   return neck;
 }
 
@@ -69,7 +82,7 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   const double narrow = (1 + fit.chest) * m.chest / 4 - std::abs(forward);
   const double x_shoulder = std::min(shoulder_half_width(m, fit) + drop, 0.97 * narrow);
   const double slope = std::tan(m.shoulder_slope);
-  const double y_shoulder = -slope * (x_shoulder - neck.half_width);
+  const double y_shoulder = -slope * (x_shoulder - neck.half_width) - neck.shoulder;
   // Tied to the body's shoulder point, so that a wide shoulder does not lower the underarm.
   const double y_underarm = -std::sin(m.shoulder_slope) * m.shoulder_length - underarm_depth;
   const double depth = y_shoulder - y_underarm;
@@ -83,8 +96,9 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   TorsoHalf half;
   half.shoulder_x = x_shoulder;
   half.armhole_depth = depth;
-  half.neck = neck_curve(neck.half_width, front ? neck.drop_front : neck.drop_back);
-  half.shoulder.start = Vec2(neck.half_width, 0);
+  const Vec2 neck_point(neck.half_width, -neck.shoulder);
+  half.neck = neck_curve(neck_point, front ? neck.drop_front : neck.drop_back, m.shoulder_slope);
+  half.shoulder.start = neck_point;
   half.shoulder.line_to(shoulder_point);
   half.armhole.start = shoulder_point;
   half.armhole

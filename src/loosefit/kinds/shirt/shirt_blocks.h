@@ -19,10 +19,13 @@ struct TorsoHalf {
   double shoulder_x = 0, armhole_depth = 0;
 };
 
-/// The neck seam of both pieces together fits the neck base: as wide, as deep behind, and as deep
-/// in front as its length asks for.
+/// The edge of the neck of both pieces together fits the neck base: as wide, as deep behind, and as
+/// deep in front as its length asks for. A neckband ends there, and is sewn on as much farther out
+/// all round as it is wide.
 struct NeckOpening {
-  double half_width = 0, drop_front = 0, drop_back = 0;  ///< [m]
+  double half_width = 0;                 ///< of the pieces, at the shoulder seam [m]
+  double shoulder = 0;                   ///< how far the shoulder seam begins below the HPS [m]
+  double drop_front = 0, drop_back = 0;  ///< of the pieces, below the HPS [m]
 };
 NeckOpening fit_neck(const ShirtMeasures& measures, const ShirtFit& fit);
 

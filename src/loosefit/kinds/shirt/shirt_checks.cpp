@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_refusal.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
@@ -16,6 +17,17 @@ void in_range(const std::string& key, double value, double low, double high, con
   throw ShirtRefusal({InputPlace{{}, 0, key}, fmt::format("{:.6g}{}", value, unit),
                       fmt::format("{:g} to {:g}{}", low, high, unit)},
                      ShirtRule::range);
+}
+
+/// Strips and hems; a strip narrower than this cannot be folded.
+void check_bands(const ShirtFit& fit) {
+  for (const auto& [key, width] :
+       {std::pair("fit.neckband_width", fit.neckband), {"fit.cuff_width", fit.cuff}})
+    if (width != 0) in_range(key, width, 0.005, 0.12, " m");
+  in_range("fit.neckband_stretch", fit.neckband_stretch, 0, 0.4, "");
+  in_range("fit.cuff_stretch", fit.cuff_stretch, 0, 0.6, "");
+  in_range("fit.band_stiffness", fit.band_stiffness, 0.1, 100, "");
+  in_range("fit.edge_finish", fit.edge_finish, 0, 0.05, " m");
 }
 
 }  // namespace
@@ -39,6 +51,7 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
   in_range("fit.elbow_bend", fit.elbow_bend, 0.0, 40.0, " degrees");
   in_range("fit.bust_dart", fit.bust_dart, 0.0, 1.0, "");
+  check_bands(fit);
 }
 
 void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
@@ -77,13 +90,14 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
 
 void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,
                           const ShirtFit& fit, double shoulder_x, double under_length) {
-  const double neck_x = 0.5 * (1 + fit.neck_ease) * m.neck_width;
+  const double neck_x = fit_neck(m, fit).half_width;
   if (shoulder_x < neck_x + 0.02)
     throw ShirtRefusal(
         {InputPlace{{}, 0, "measures.neck_width"}, fmt::format("{:.4g} m", m.neck_width),
          fmt::format("at most {:.3f} m for a shoulder length of {:.3f} m at chest "
                      "fit {:.3g}",
-                     2 * (shoulder_x - 0.02) / (1 + fit.neck_ease), m.shoulder_length, fit.chest),
+                     m.neck_width + 2 * (shoulder_x - 0.02 - neck_x) / (1 + fit.neck_ease),
+                     m.shoulder_length, fit.chest),
          "the shoulder seam must be at least 20 mm long"},
         ShirtRule::neck, neck_x + 0.02 - shoulder_x);
   const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]

@@ -6,6 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/kinds/shirt/bust_dart.h"
 #include "loosefit/kinds/shirt/elbow_dart.h"
+#include "loosefit/kinds/shirt/shirt_bands.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_checks.h"
 #include "loosefit/kinds/shirt/shirt_placement.h"
@@ -87,8 +88,11 @@ std::vector<ArmLevel> sleeve_levels(const ShirtMeasures& m, const ShirtFit& fit,
   constexpr double kApart = 0.02;  // between two levels [m]
   std::vector<ArmLevel> levels = arm_levels(m, fit);
   for (ArmLevel& level : levels) level.girth *= 1 + level.mobility;
-  const double end = fit.sleeve_length * m.arm_length;
-  std::vector<ArmLevel> kept = {{end, (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length), 0}};
+  // A cuff is as wide round as asked for and holds the sleeve's end together.
+  const double end = fit.sleeve_length * m.arm_length - fit.cuff;
+  const double held = fit.cuff > 0 ? 1 - fit.cuff_stretch : 1.0;
+  std::vector<ArmLevel> kept = {
+      {end, (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length) / held, 0}};
   const double upper = levels[0].girth, cuff = kept.front().girth;
   for (int i : {2, 1}) {
     if (levels[i].along > kept.back().along - kApart || levels[i].along < underarm + kApart)
@@ -218,6 +222,8 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
                          "dart_above");
     }
   }
+  add_bands(shirt, fit);
+  finish_edges(shirt, fit);
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);
   check_shirt_outlines(shirt, m, fit, d.front.shoulder_x, under_length);
   place_shirt(shirt, m, placement, Vec2(d.front.shoulder_x, d.front.shoulder.end().y()),

@@ -97,8 +97,7 @@ ShirtFrame::Half half_frame(const garment::Garment& g, const body::Body& body,
   half.armpit = armpit + bisector * (0.6 * clearance / std::sin(angle / 2));
 
   // Cuff: as far along the arm as the sleeve is long, beyond the wrist if need be.
-  const auto* top = g.find_part(side > 0 ? "sleeve_L_front" : "sleeve_R_front", "top");
-  const double length = top ? dress::flat_length(g, *top) : 0.55;
+  const double length = sleeve_length(g, side);
   const double upper_arm = (elbow3 - shoulder3).norm(), forearm = (wrist3 - elbow3).norm();
   const Vec2 fore = (wrist - elbow).normalized();
   // A sleeve longer than the arm starts gathered before the hand, whose fingers it could not clear.
@@ -162,8 +161,17 @@ ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
 }
 
 double front_neck_length(const garment::Garment& shirt) {
-  const auto* neck = shirt.find_part("front", "neck");
+  const auto* neck = shirt.find_part("neckband_front", "rim");
+  if (!neck) neck = shirt.find_part("front", "neck");
   return neck ? dress::flat_length(shirt, *neck) : 0;
+}
+
+double sleeve_length(const garment::Garment& shirt, int side) {
+  constexpr double kNone = 0.55;
+  const auto* top = shirt.find_part(side > 0 ? "sleeve_L_front" : "sleeve_R_front", "top");
+  const auto* cuff = shirt.find_part(side > 0 ? "cuff_L_front" : "cuff_R_front", "top");
+  if (!top) return kNone;
+  return dress::flat_length(shirt, *top) + (cuff ? dress::flat_length(shirt, *cuff) : 0);
 }
 
 }  // namespace loosefit::kinds

@@ -25,7 +25,11 @@ struct ShirtFrame {
 ShirtFrame shirt_frame(const garment::Garment& shirt, const body::Body& body,
                        const dress::BodyOutline& outline, double clearance);
 
-/// Flat length of the front neckline [m]; 0 without one.
+/// Flat length of the free edge of the neck in front [m], of its neckband if it has one; 0 without
+/// either.
 double front_neck_length(const garment::Garment& shirt);
+/// Flat length of a sleeve along its top with its cuff [m]; of an arm for what has no sleeves.
+/// `side`: +1 left, −1 right.
+double sleeve_length(const garment::Garment& shirt, int side);
 
 }  // namespace loosefit::kinds

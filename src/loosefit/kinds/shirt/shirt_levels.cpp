@@ -31,6 +31,12 @@ double underarm_level(const pattern::Panel& piece) {
   return std::min(piece.vertices[armhole.start].y(), piece.vertices[armhole.end].y());
 }
 
+double lowest(const pattern::Panel& piece) {
+  double low = piece.vertices.front().y();
+  for (const Vec2& p : piece.vertices) low = std::min(low, p.y());
+  return low;
+}
+
 }  // namespace
 
 NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
@@ -87,7 +93,11 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
                     shirt.panels[p].vertices[cap.start].x());
   };
   add("sleeve", cap_width("sleeve_L_front"), cap_width("sleeve_L_back"));
-  add("wrist", length("sleeve_L_front", "cuff"), length("sleeve_L_back", "cuff"));
+  // Its free end: the rim of a cuff, or that of the sleeve, which is called so, too.
+  if (shirt.find_part("cuff_L_front") >= 0)
+    add("wrist", length("cuff_L_front", "rim"), length("cuff_L_back", "rim"));
+  else
+    add("wrist", length("sleeve_L_front", "cuff"), length("sleeve_L_back", "cuff"));
   return girths;
 }
 
@@ -159,6 +169,15 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
       [&](double along) { return cap_top + dropped - along; }, arm);
   for (FitStation& s : sleeve) s.garment += width_below_cap(*sleeve_back, s.along - dropped);
   stations.insert(stations.end(), sleeve.begin(), sleeve.end());
+
+  // A cuff goes on where the sleeve ends; y = 0 is its seam.
+  const pattern::Panel *cuff_front = piece("cuff_L_front"), *cuff_back = piece("cuff_L_back");
+  if (!cuff_front || !cuff_back) return stations;
+  const double cuff_seam = cap_top + dropped - lowest(*sleeve_front);
+  const std::vector<FitStation> cuff = stations_along(
+      "arm", {cuff_front, cuff_back}, cuff_seam, cuff_seam - lowest(*cuff_front),
+      [&](double along) { return cuff_seam - along; }, arm);
+  stations.insert(stations.end(), cuff.begin(), cuff.end());
   return stations;
 }
 

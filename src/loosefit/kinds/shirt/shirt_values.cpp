@@ -8,7 +8,13 @@
 namespace loosefit::kinds {
 
 ShirtFit usual_shirt_fit() {
-  return {.chest = 0.10, .hip = 0.08, .sleeve = 0.25, .wrist = 0.25, .cap_ease = 0.02};
+  return {.chest = 0.10,
+          .hip = 0.08,
+          .sleeve = 0.25,
+          .wrist = 0.25,
+          .cap_ease = 0.02,
+          .neckband_stretch = 0.10,
+          .cuff_stretch = 0.10};
 }
 
 std::vector<ArmLevel> arm_levels(const ShirtMeasures& m, const ShirtFit& fit) {
@@ -97,7 +103,13 @@ const std::vector<ShirtFitValue>& shirt_fit_list() {
                                                    {"cap_ratio", &F::cap_ratio},
                                                    {"sleeve_length", &F::sleeve_length},
                                                    {"bust_dart", &F::bust_dart},
-                                                   {"elbow_bend", &F::elbow_bend}};
+                                                   {"elbow_bend", &F::elbow_bend},
+                                                   {"neckband_width", &F::neckband},
+                                                   {"neckband_stretch", &F::neckband_stretch},
+                                                   {"cuff_width", &F::cuff},
+                                                   {"cuff_stretch", &F::cuff_stretch},
+                                                   {"band_stiffness", &F::band_stiffness},
+                                                   {"edge_finish", &F::edge_finish}};
   return kList;
 }
 
@@ -142,10 +154,18 @@ NamedValues named(const ShirtFit& fit) {
 }
 
 const std::vector<ShirtPart>& shirt_parts() {
-  static const std::vector<ShirtPart> kParts = {
-      {"front", false, false, 0},          {"back", false, true, 0},
-      {"sleeve_L_front", true, false, 1},  {"sleeve_L_back", true, true, 1},
-      {"sleeve_R_front", true, false, -1}, {"sleeve_R_back", true, true, -1}};
+  static const std::vector<ShirtPart> kParts = {{"front", false, false, 0},
+                                                {"back", false, true, 0},
+                                                {"sleeve_L_front", true, false, 1},
+                                                {"sleeve_L_back", true, true, 1},
+                                                {"sleeve_R_front", true, false, -1},
+                                                {"sleeve_R_back", true, true, -1},
+                                                {"neckband_front", false, false, 0, true},
+                                                {"neckband_back", false, true, 0, true},
+                                                {"cuff_L_front", true, false, 1, true},
+                                                {"cuff_L_back", true, true, 1, true},
+                                                {"cuff_R_front", true, false, -1, true},
+                                                {"cuff_R_back", true, true, -1, true}};
   return kParts;
 }
 

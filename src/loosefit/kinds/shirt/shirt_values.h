@@ -60,6 +60,12 @@ struct ShirtFit {
   double bust_dart = 0;  ///< share of the bust balance that darts at the sides take up
   /// Bend at the elbow for which the sleeve is cut [degrees]; its length is taken up in a dart.
   double elbow_bend = 0;
+  double neckband = 0;          ///< width of the strip round the neck [m]; 0: none
+  double neckband_stretch = 0;  ///< strip shorter than the neckline by this share
+  double cuff = 0;              ///< width of the strip at the end of the sleeve [m]; 0: none
+  double cuff_stretch = 0;      ///< strip shorter than the sleeve's end by this share
+  double band_stiffness = 2;    ///< of the strips in the plane, times that of the fabric
+  double edge_finish = 0;       ///< width of the hems along free edges [m]; 0: none
 };
 
 /// The fit of a shirt where nothing else is asked for: the only place of these defaults.
@@ -117,9 +123,10 @@ NamedValues named(const ShirtFit& fit);
 struct ShirtPart {
   const char* name;
   bool sleeve, back;
-  int side;  ///< of a sleeve: +1 left, −1 right
+  int side;           ///< of a sleeve: +1 left, −1 right
+  bool band = false;  ///< a cuff if of a sleeve, otherwise a neckband
 };
-/// In the order of the draft.
+/// In the order of the draft, which may leave out bands.
 const std::vector<ShirtPart>& shirt_parts();
 /// By Panel::part; nullptr for what is no piece of a shirt.
 const ShirtPart* find_shirt_part(const std::string& name);

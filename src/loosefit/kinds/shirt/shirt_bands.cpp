@@ -1,0 +1,90 @@
+#include "loosefit/kinds/shirt/shirt_bands.h"
+
+#include <algorithm>
+#include <set>
+
+#include "loosefit/pattern/drafting.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit::kinds {
+namespace {
+
+/// Names of the edges of a strip, counter-clockwise from the corner at the lowest x and y.
+struct StripEdges {
+  const char *below, *right, *above, *left;
+};
+
+/// Rectangle from (x, low) to (x + length, high).
+pattern::Panel strip(const std::string& name, const std::string& label, double x, double length,
+                     double low, double high, const StripEdges& edges, double stiffness) {
+  const std::vector<Vec2> corners = {{x, low}, {x + length, low}, {x + length, high}, {x, high}};
+  const char* names[] = {edges.below, edges.right, edges.above, edges.left};
+  std::vector<std::pair<std::string, pattern::CurveChain>> loop;
+  for (int i = 0; i < 4; ++i) {
+    pattern::CurveChain side;
+    side.start = corners[i];
+    side.line_to(corners[(i + 1) % 4]);
+    loop.emplace_back(names[i], side);
+  }
+  pattern::Panel panel = pattern::draft_panel(name, label, loop);
+  panel.cloth = {2, stiffness, std::max(1.0, stiffness)};
+  return panel;
+}
+
+double length_of(const pattern::Pattern& shirt, const std::string& panel, const char* edge) {
+  const pattern::Panel& piece = shirt.panels[shirt.find_part(panel)];
+  return pattern::EdgePath(piece, pattern::find_edge_part(piece, edge)).length();
+}
+
+void add_neckband(pattern::Pattern& shirt, const ShirtFit& fit) {
+  for (const std::string half : {"front", "back"}) {
+    const bool front = half == "front";  // x > 0 is the wearer's left in front
+    const double length = (1 - fit.neckband_stretch) * length_of(shirt, half, "neck");
+    shirt.panels.push_back(strip(
+        "neckband_" + half, "body", -length / 2, length, 0, fit.neckband,
+        {"seam", front ? "end_L" : "end_R", "rim", front ? "end_R" : "end_L"}, fit.band_stiffness));
+    pattern::sew_edges(shirt, "neckband_" + half, half, "neck", "neckband_" + half, "seam");
+  }
+  for (const std::string end : {"end_L", "end_R"})
+    pattern::sew_edges(shirt, "neckband_" + end, "neckband_front", end, "neckband_back", end);
+}
+
+void add_cuffs(pattern::Pattern& shirt, const ShirtFit& fit) {
+  for (const std::string s : {"L", "R"}) {
+    const std::string cuff = "cuff_" + s;
+    for (const std::string half : {"front", "back"}) {
+      const std::string sleeve = "sleeve_" + s + "_" + half, name = cuff + "_" + half;
+      const double length = (1 - fit.cuff_stretch) * length_of(shirt, sleeve, "cuff");
+      // As its half of the sleeve, whose top line is x = 0.
+      const bool at_positive_x = (s == "L") == (half == "back");
+      shirt.panels.push_back(strip(name, "arm", at_positive_x ? 0 : -length, length, -fit.cuff, 0,
+                                   at_positive_x ? StripEdges{"rim", "under", "seam", "top"}
+                                                 : StripEdges{"rim", "top", "seam", "under"},
+                                   fit.band_stiffness));
+      pattern::sew_edges(shirt, name, sleeve, "cuff", name, "seam");
+    }
+    for (const std::string end : {"top", "under"})
+      pattern::sew_edges(shirt, cuff + "_" + end, cuff + "_front", end, cuff + "_back", end);
+  }
+}
+
+}  // namespace
+
+void add_bands(pattern::Pattern& shirt, const ShirtFit& fit) {
+  if (fit.neckband > 0) add_neckband(shirt, fit);
+  if (fit.cuff > 0) add_cuffs(shirt, fit);
+}
+
+void finish_edges(pattern::Pattern& shirt, const ShirtFit& fit) {
+  std::set<std::pair<int, int>> sewn;
+  for (const pattern::Stitch& stitch : shirt.stitches) {
+    sewn.insert({stitch.first.panel, stitch.first.edge});
+    sewn.insert({stitch.second.panel, stitch.second.edge});
+  }
+  for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p)
+    for (int e = 0; e < static_cast<int>(shirt.panels[p].edges.size()); ++e)
+      if (!find_shirt_part(shirt.panels[p].part)->band && !sewn.count({p, e}))
+        shirt.panels[p].edges[e].finish = fit.edge_finish;
+}
+
+}  // namespace loosefit::kinds
