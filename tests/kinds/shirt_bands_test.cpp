@@ -67,7 +67,7 @@ TEST(ShirtBands, StripsAreShorterThanTheirEdgesByTheAskedStretch) {
   }
 }
 
-// The hem of the sleeve is that of its cuff: its girth as asked, and where it ends without one.
+// The hem of the sleeve is that of its cuff: its ease as asked, and where it ends without one.
 TEST(ShirtBands, CuffsAreWithinTheSleeve) {
   for (const double length : {1.0, 0.5}) {
     ShirtFit fit = banded();
@@ -76,7 +76,9 @@ TEST(ShirtBands, CuffsAreWithinTheSleeve) {
     const ShirtMeasures m;
     const pattern::Pattern with = draft_shirt(m, fit);
     EXPECT_NEAR(shirt_girths(with, m.hps_to_waist).at("wrist"),
-                (1 + fit.wrist) * arm_girth_at(m, length), 1e-9);
+                (1 + fit.wrist) * arm_girth_at(m, length - 0.05 / m.arm_length), 1e-9);
+    const std::vector<FitLevel> levels = shirt_levels(with, named(m), named(fit));
+    EXPECT_NEAR(levels.back().garment / levels.back().body.value() - 1, fit.wrist, 1e-9);
     fit.cuff = 0;
     const pattern::Pattern without = draft_shirt(m, fit);
     EXPECT_NEAR(edge_length(with, "sleeve_L_front", "top") + 0.05,

@@ -62,8 +62,7 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
        "neckband shorter than the neckline, which it is sewn to stretched", false, true},
       {"cuff_width", usual.cuff, 0, 0.12, "metres",
        "folded strip at the end of the sleeve, within sleeve_length; wrist is its "
-       "girth; "
-       "0: none",
+       "ease, against the arm at its seam; 0: none",
        false, true},
       {"cuff_stretch", usual.cuff_stretch, 0, 0.6, kFraction,
        "cuff shorter than the end of the sleeve, which it is sewn to stretched", false, true},

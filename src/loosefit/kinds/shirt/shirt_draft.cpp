@@ -88,11 +88,11 @@ std::vector<ArmLevel> sleeve_levels(const ShirtMeasures& m, const ShirtFit& fit,
   constexpr double kApart = 0.02;  // between two levels [m]
   std::vector<ArmLevel> levels = arm_levels(m, fit);
   for (ArmLevel& level : levels) level.girth *= 1 + level.mobility;
-  // A cuff is as wide round as asked for and holds the sleeve's end together.
+  // A cuff is a tube: it has the asked ease where the arm is thickest under it, at its seam.
   const double end = fit.sleeve_length * m.arm_length - fit.cuff;
   const double held = fit.cuff > 0 ? 1 - fit.cuff_stretch : 1.0;
   std::vector<ArmLevel> kept = {
-      {end, (1 + fit.wrist) * arm_girth_at(m, fit.sleeve_length) / held, 0}};
+      {end, (1 + fit.wrist) * arm_girth_at(m, end / m.arm_length) / held, 0}};
   const double upper = levels[0].girth, cuff = kept.front().girth;
   for (int i : {2, 1}) {
     if (levels[i].along > kept.back().along - kApart || levels[i].along < underarm + kApart)

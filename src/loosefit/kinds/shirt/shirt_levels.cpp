@@ -12,6 +12,8 @@
 namespace loosefit::kinds {
 namespace {
 
+constexpr double kArm = 0.585;  ///< where its length is not known [m]
+
 std::optional<double> value_of(const NamedValues& values, const char* name) {
   const auto found = values.find(name);
   return found == values.end() ? std::nullopt : std::optional(found->second);
@@ -115,8 +117,14 @@ std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedVal
   add("hip", "hip", value_of(measures, "hip"));
   add("sleeve", "sleeve", value_of(measures, "upper_arm"));
   const double length = value_of(fit, "sleeve_length").value_or(1);
+  // A cuff counts against the arm at its seam.
+  const int cuff = shirt.find_part("cuff_L_front");
+  const double width =
+      cuff < 0 ? 0 : -lowest(shirt.panels[cuff]) / value_of(measures, "arm_length").value_or(kArm);
   if (length < 1)
-    add("cuff", "wrist", arm_at(measures, length));
+    add("cuff", "wrist", arm_at(measures, length - width));
+  else if (cuff >= 0)
+    add("wrist", "wrist", arm_at(measures, 1 - width));
   else
     add("wrist", "wrist", value_of(measures, "wrist"));
   return levels;

@@ -62,7 +62,9 @@ struct ShirtFit {
   double elbow_bend = 0;
   double neckband = 0;          ///< width of the strip round the neck [m]; 0: none
   double neckband_stretch = 0;  ///< strip shorter than the neckline by this share
-  double cuff = 0;              ///< width of the strip at the end of the sleeve [m]; 0: none
+  /// Width of the strip at the end of the sleeve [m]; 0: none. `wrist` counts against the arm at
+  /// its seam then.
+  double cuff = 0;
   double cuff_stretch = 0;      ///< strip shorter than the sleeve's end by this share
   double band_stiffness = 2;    ///< of the strips in the plane, times that of the fabric
   double edge_finish = 0;       ///< width of the hems along free edges [m]; 0: none
