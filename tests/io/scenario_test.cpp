@@ -194,8 +194,9 @@ TEST(ScenarioErrors, UnitsRangesAndTypesAreNamed) {
 }
 
 TEST(ScenarioErrors, ChoicesThatExcludeEachOther) {
-  EXPECT_NE(refusal("[garment]\nsize = \"child-142\"\nfit = { chest = 0 }\n").find("either fit or"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("[garment]\nsize = \"child-142\"\nfit = { chest = 0 }\n").find("either fit.chest or"),
+      std::string::npos);
   EXPECT_NE(refusal("[body]\nunits = \"cm\"\n").find("only beside file"), std::string::npos);
   EXPECT_NE(refusal("[body]\nfile = \"nowhere.obj\"\n").find("expected a file that exists"),
             std::string::npos);
