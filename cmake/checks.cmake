@@ -14,6 +14,8 @@ add_test(NAME tools_bench_suite
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/bench_suite_test.py)
 add_test(NAME tools_validation_summary
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/validation_summary_test.py)
+add_test(NAME harms2012_study
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/harms2012_test.py)
 
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)

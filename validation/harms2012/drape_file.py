@@ -1,4 +1,4 @@
-"""Reads drape.vtp: what the scripts of this folder need of it."""
+"""Reads drape.vtp and body.vtp: what the scripts of this folder need of them."""
 
 import re
 import struct
@@ -18,7 +18,7 @@ class DrapeFile:
         data = path.read_bytes()
         mark = re.search(rb"<AppendedData[^>]*>\s*_", data)
         if not mark:
-            raise SystemExit(f"error: {path}: found no appended data, expected a drape.vtp")
+            raise SystemExit(f"error: {path}: found no appended data, expected a drape.vtp or body.vtp")
         self._blob = data[mark.end():]
         root = etree.fromstring(data[:mark.start()] + b"</VTKFile>")
         self._arrays, strings = {}, {}
@@ -31,8 +31,10 @@ class DrapeFile:
         polys = next(root.iter("Polys"))
         by_name = {node.get("Name"): node for node in polys.iter("DataArray")}
         self.triangles = self._read(by_name["connectivity"]).reshape(-1, 3)
-        text = self._bytes(int(strings["panel_names"].get("offset")))
-        self.panels = [name.decode() for name in text.split(b"\0") if name]
+        self.panels = []  # of a drape
+        if "panel_names" in strings:
+            text = self._bytes(int(strings["panel_names"].get("offset")))
+            self.panels = [name.decode() for name in text.split(b"\0") if name]
 
     def _bytes(self, offset):
         """One array: header of UInt64 (blocks, block size, last size, sizes…), then zlib blocks."""

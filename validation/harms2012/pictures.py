@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """The pictures of docs/validation/harms2012.md from the pictures and figures of the runs.
 
-    python3 validation/harms2012/pictures.py out/harms2012
+    python3 validation/harms2012/pictures.py out/harms2012 [--into FOLDER]    # FOLDER: of a quick trial
 """
 
+import argparse
 import json
 import pathlib
-import sys
 
 import matplotlib
 
@@ -17,10 +17,9 @@ import matplotlib.pyplot as plot
 import numpy
 from PIL import Image
 
-from cases import HERE, REPOSITORY, SITES
+from cases import CHILDREN, HERE, MATERIALS, REPOSITORY
 from drape_file import DrapeFile
 
-IMAGES = REPOSITORY / "docs" / "images"
 LETTERS = {"scapula_L": "S", "scapula_R": "S", "upper_back": "U", "mid_back": "M",
            "lower_back": "L"}
 NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back",
@@ -40,9 +39,8 @@ def back_projection(drape, width, height):
                       height / 2 - (p[2] - centre[2]) * per_metre)
 
 
-def save(figure, name):
+def save(figure, target):
     """As small as a PNG goes without fewer colours, which would show in maps and legends."""
-    target = IMAGES / name
     figure.savefig(target)
     plot.close(figure)
     Image.open(target).convert("RGB").save(target, optimize=True)
@@ -82,10 +80,12 @@ def title_of(folder, child):
             f"{100 * fit['waist']:+.0f} %, hip {100 * fit['hip']:+.0f} %")
 
 
-def figure4(out, material):
+def figure4(out, images, material):
     """Both children from behind in one shirt: how it hangs, and its angular deviation."""
+    if not any((out / f"{child}-{material}" / "maps").exists() for child in CHILDREN):
+        return
     figure = plot.figure(figsize=(9, 9.2), dpi=92)
-    for column, child in enumerate(("slim", "heavy")):
+    for column, child in enumerate(CHILDREN):
         folder = out / f"{child}-{material}"
         if not (folder / "maps").exists():
             continue
@@ -101,13 +101,13 @@ def figure4(out, material):
     axis = figure.add_axes([0.28, 0.0, 0.44, 0.085])
     axis.imshow(legend)
     frame(axis)
-    save(figure, f"harms2012-back-{material}.png")
+    save(figure, images / f"harms2012-back-{material}.png")
 
 
-def bent(out):
+def bent(out, images):
     """The child tight at the hip, as put on and after a bend."""
-    fit = json.loads((out / "tight-hip-base" / "summary.json").read_text())["fit"]["measured"]
-    panels = [("tight-hip-base/maps", f"tight hip ({100 * fit['hip']:+.0f} %), as put on"),
+    fit = json.loads((out / "tight-hip-upright" / "summary.json").read_text())["fit"]["measured"]
+    panels = [("tight-hip-upright/maps", f"tight hip ({100 * fit['hip']:+.0f} %), upright"),
               ("tight-hip-bent/postures/standing", "the same child, after a bend of 30°")]
     figure = plot.figure(figsize=(9, 4.7), dpi=92)
     for column, (folder, title) in enumerate(panels):
@@ -115,10 +115,10 @@ def bent(out):
         axis.imshow(plot.imread(out / folder / "drape-back.png"))
         axis.set_title(title, fontsize=10.5)
         frame(axis)
-    save(figure, "harms2012-bent.png")
+    save(figure, images / "harms2012-bent.png")
 
 
-def figure3(out):
+def figure3(out, images):
     """The paper's four panels of the reference garment."""
     panels = [("drape", "(a) reference garment"), ("strain", "(b) vertical strain"),
               ("distance", "(c) body-garment distance"),
@@ -133,61 +133,59 @@ def figure3(out):
         axis.imshow(image)
         axis.set_title(title, fontsize=11)
         frame(axis)
-    save(figure, "harms2012-reference.png")
+    save(figure, images / "harms2012-reference.png")
 
 
 def profile(axis, x, values, colour, label):
-    ok = [i for i, v in enumerate(values) if v]
+    ok = [i for i, v in enumerate(values["mean"]) if v is not None]
     x = numpy.array([x[i] for i in ok])
-    mean, spread = numpy.array([values[i] for i in ok]).T
+    mean, spread = (numpy.array([values[key][i] for i in ok]) for key in ("mean", "deviation"))
     axis.plot(x, mean, color=colour, linewidth=1.6, label=label)
     axis.fill_between(x, mean - spread, mean + spread, color=colour, alpha=0.2, linewidth=0)
 
 
-def lines(places):
-    """Angular deviation across the back at the shoulder blades and down the spine."""
-    figure, (across, spine) = plot.subplots(1, 2, figsize=(11, 3.9), dpi=110)
-    for child in ("slim", "heavy"):
-        case = places.get(f"{child}-paper-cotton")
-        if not case:
-            continue
-        profile(across, [1000 * u for u in case["across"]["u_m"]],
-                case["across"]["angular_deviation_deg"], COLOURS[child], f"{child} child")
-        profile(spine, [-1000 * v for v in case["spine"]["v_m"]],
-                case["spine"]["angular_deviation_deg"], COLOURS[child], f"{child} child")
-        for u, _ in case["centres"]["scapula"]:
-            across.axvline(1000 * u, color=COLOURS[child], linestyle=":", linewidth=1.3)
-        for name in SITES[1:]:
-            spine.axvline(-1000 * case["centres"][name][0][1], color=COLOURS[child],
-                          linestyle=":", linewidth=1.3)
-    case = places["slim-paper-cotton"]
-    for name in SITES[1:]:
-        spine.annotate(NAMES[name], (-1000 * case["centres"][name][0][1], 58), (-3, 0),
-                       textcoords="offset points", rotation=90, fontsize=8.5, ha="right", va="top")
-    for u, _ in case["centres"]["scapula"]:
-        across.annotate("scapula", (1000 * u, 58), (-3, 0), textcoords="offset points",
-                        rotation=90, fontsize=8.5, ha="right", va="top")
-    across.set_xlabel("across the back panel at the shoulder blades [mm], 0 = spine")
-    spine.set_xlabel("down the spine on the back panel [mm]")
-    across.set_ylabel("angular deviation [°]")
-    for axis in (across, spine):
-        axis.set_ylim(0, 60)
-        axis.grid(alpha=0.3)
-    across.legend(frameon=False, fontsize=9, loc="upper center")
+def lines(results, images):
+    """Calibrated error and angular deviation across the back at the shoulder blades and down the spine."""
+    figure, axes = plot.subplots(2, 2, figsize=(11, 7), dpi=110, sharex="col")
+    for row, (key, words) in enumerate((("error_rms", "calibrated error, rms [°]"),
+                                        ("angular_deviation", "angular deviation upright [°]"))):
+        for column, (line, axis_of) in enumerate((("across", 0), ("spine", 1))):
+            axis, sign = axes[row][column], 1 - 2 * axis_of
+            for child in CHILDREN:
+                case = results.get(f"{child}-{MATERIALS[0]}", {}).get("profiles")
+                if case:
+                    profile(axis, [sign * at[axis_of] for at in case[line]["at_mm"]], case[line][key],
+                            COLOURS[child], f"{child} child")
+            for name, (u, v) in results["places"].items():
+                if name.startswith("scapula") == (line == "across"):
+                    axis.axvline(1000 * (u if line == "across" else -v), color="grey", linestyle=":")
+                    axis.annotate(NAMES[name.removesuffix("_L").removesuffix("_R")],
+                                  (1000 * (u if line == "across" else -v), 0.97), (-3, 0),
+                                  xycoords=("data", "axes fraction"), textcoords="offset points",
+                                  rotation=90, fontsize=8.5, ha="right", va="top")
+            axis.set_ylim(bottom=0)
+            axis.grid(alpha=0.3)
+        axes[row][0].set_ylabel(words)
+    axes[1][0].set_xlabel("across the back panel at the shoulder blades [mm], 0 = spine")
+    axes[1][1].set_xlabel("down the spine on the back panel [mm]")
+    axes[0][0].legend(frameon=False, fontsize=9, loc="upper center")
     figure.tight_layout()
-    save(figure, "harms2012-lines.png")
+    save(figure, images / "harms2012-lines.png")
 
 
 def main():
-    if len(sys.argv) != 2:
-        raise SystemExit(__doc__)
-    out = pathlib.Path(sys.argv[1])
-    IMAGES.mkdir(parents=True, exist_ok=True)
-    for material in ("paper-cotton", "cotton-jersey"):
-        figure4(out, material)
-    figure3(out)
-    bent(out)
-    lines(json.loads((HERE / "places.json").read_text()))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--into", type=pathlib.Path, help="folder of a quick trial: reads its results.json "
+                        "and draws there")
+    arguments = parser.parse_args()
+    images = arguments.into / "images" if arguments.into else REPOSITORY / "docs" / "images"
+    images.mkdir(parents=True, exist_ok=True)
+    for material in MATERIALS:
+        figure4(arguments.out, images, material)
+    figure3(arguments.out, images)
+    bent(arguments.out, images)
+    lines(json.loads(((arguments.into or HERE) / "results.json").read_text()), images)
 
 
 if __name__ == "__main__":

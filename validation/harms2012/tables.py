@@ -1,37 +1,44 @@
 #!/usr/bin/env python3
-"""The tables of docs/validation/harms2012.md from results.json and places.json.
+"""The tables of docs/validation/harms2012.md from results.json.
 
-    python3 validation/harms2012/tables.py
+    python3 validation/harms2012/tables.py [--into FOLDER]    # FOLDER: of a quick trial
 """
 
+import argparse
 import json
+import pathlib
 import statistics
 
-from cases import HERE, MAIN, REPOSITORY, SIDE, SITES
-from statistics_of import deviation, mean_direction, order_text, parts, ranking, samples
+from cases import (BENDS, BOARDS, CHILDREN, EDGE, FOLDS, HERE, MAIN, MOVED, MOVES, REPOSITORY, SIDE,
+                   SITES)
+from statements import LEVEL, PLAIN, UPRIGHT_FOLD, fold_words, judged, placements
+from statistics_of import (ABSOLUTE, CALIBRATED, counted, deviation, mean_direction, order_of,
+                           order_text, over_donnings, over_places, parts, ranking, samples, verdict)
 
 PAGE = REPOSITORY / "docs" / "validation" / "harms2012.md"
 NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back",
-         "lower_back": "lower back", "scapula_L": "scapula L", "scapula_R": "scapula R",
+         "lower_back": "lower back", "scapula_L": "left scapula", "scapula_R": "right scapula",
          "hips": "hips (buttocks, to the hem)"}
-TITLES = {"slim-paper-cotton": "slim child, cotton of the paper",
-          "heavy-paper-cotton": "heavy child, cotton of the paper",
-          "slim-cotton-jersey": "slim child, cotton jersey",
-          "heavy-cotton-jersey": "heavy child, cotton jersey"}
-VARIANTS = {"base": "14 mm edges, else as above", "arms": "arms 40° aside instead of 25°", "low": "arms 12° aside instead of 25°",
-            "lifted": "put on up to 30 mm off", "literal": "cotton with the printed modulus of fibre",
-            "knit": "cotton with the tension of a knit", "friction": "friction on skin 0.9, not 0.4",
-            "starts": "only the start shaken by 1 mm rms"}
-AD = "angular_deviation_deg"
-LEVEL, UPRIGHT, PLAIN = 60, 30, 0.2  # [deg], [deg], least coherence that is a direction
+CLOTHS = {"paper-cotton": "cotton", "cotton-jersey": "jersey"}
+VARIANTS = {"bare": "no boards", "as-put-on": "no movements after putting on",
+            "fine": "edges of 10 mm"}
+READINGS = {"rms over the bends": CALIBRATED, "largest of the bends": "largest",
+            "by the normal alone": "normal_rms", "whole rotation, calibrated": "coe_rms",
+            "upright difference, not calibrated": lambda site: abs(site["upright"]),
+            "angular deviation upright": ABSOLUTE}
+
+
+def title(name):
+    child = next(c for c in CHILDREN if name.startswith(c))
+    return f"{child}, {CLOTHS[name[len(child) + 1:]]}"
 
 
 def pm(values, digits=1):
-    return f"{statistics.fmean(values):.{digits}f} ± {deviation(values):.{digits}f}"
+    return f"{statistics.fmean(values):.{digits}f} ± {deviation(values):.{digits}f}".replace("-", "−")
 
 
-def settled(case):
-    return [d for d in case["drapes"] if d["settled"]]
+def span(pair, digits=1):
+    return "{} … {}".format(*(f"{x:.{digits}f}" for x in pair))
 
 
 def table(head, rows):
@@ -44,106 +51,69 @@ def degrees(value):
     return f"{round(value)}°".replace("-", "−")
 
 
-def words(holds):
-    """Verdict of a statement over the two children in the paper's cotton."""
-    return {(True, True): "agrees", (False, False): "disagrees"}.get(
-        tuple(holds.values()), "; ".join(f"{child}: {'agrees' if ok else 'disagrees'}"
-                                         for child, ok in holds.items()))
+def percent(part):
+    return f"{100 * part:.0f} %"
 
 
-def main_cases(found):
-    """Those that were run: the table of cases tells which were not."""
-    return [name for name in MAIN if found.get(name)]
+def main_cases(results):
+    """Those that were run and have a donning that counts: the table of cases tells of the others."""
+    return [name for name in MAIN if name in results and counted(results[name])]
 
 
-def statements_block(results, _):
-    """Each statement of the paper with our figures and a verdict by a fixed rule."""
-    cases = {child: results[f"{child}-paper-cotton"] for child in ("slim", "heavy")}
-    by_site = {child: samples(case, SITES) for child, case in cases.items()}
-    if not all(s["scapula"] for s in by_site.values()):
-        return ["No drape settled."]
-    order, found = {}, {}
-    for child in cases:
-        order[child], found[child] = ranking(by_site[child])
-    mean = {c: {s: statistics.fmean(v) for s, v in by_site[c].items()} for c in cases}
-
-    def folds(child, test):
-        parts, share = [], []
-        for region in ("mid_back", "lower_back"):
-            seen = [d["wrinkles"][region] for d in settled(cases[child])]
-            good = sum(w["coherence"] >= PLAIN and test(abs(w["angle_deg"])) for w in seen)
-            share.append(good / len(seen))
-            parts.append(f"{NAMES[region]} {degrees(mean_direction(seen))}, coherence "
-                         f"{statistics.fmean(w['coherence'] for w in seen):.2f}, in {good} of "
-                         f"{len(seen)} donnings")
-        return "; ".join(parts), min(share) > 0.5
-
-    def sites(*names):
-        return "; ".join(f"{c}: " + ", ".join(f"{NAMES[s]} {mean[c][s]:.1f}°" for s in names)
-                         for c in cases)
-
-    upright, slim_ok = folds("slim", lambda a: a <= UPRIGHT)
-    level, heavy_ok = folds("heavy", lambda a: a >= LEVEL)
-    least = {c: sum(by_site[c]["scapula"][k] == min(v[k] for v in by_site[c].values())
-                    for k in range(len(by_site[c]["scapula"]))) for c in cases}
-    first = {c: order[c][0] == "scapula" or "scapula" in found[c][order[c][0]]["tied"]
-             for c in cases}
-    low = {c: max(mean[c]["scapula"], mean[c]["upper_back"])
-           < min(mean[c]["mid_back"], mean[c]["lower_back"]) for c in cases}
-    spine = {c: min(mean[c]["mid_back"], mean[c]["lower_back"]) > 5 for c in cases}
-    second = {c: order[c].index("mid_back") == 1 or
-              (order[c].index("mid_back") == 2 and order[c][1] in found[c]["mid_back"]["tied"])
-              for c in cases}
-    worst = {c: set(order[c][2:]) == {"lower_back", "upper_back"} for c in cases}
-    rows = [
-        ["simulation, slim child", "vertical drape in middle and lower back (high BGM)",
-         "within 30° of the vertical: " + upright, words({"slim": slim_ok, "heavy": slim_ok})],
-        ["simulation, child tight at the hip", "horizontal drape above the hip (small BGM)",
-         "heavy, beyond 60°: " + level, words({"slim": heavy_ok, "heavy": heavy_ok})],
-        ["simulation, both", "low deviations at the upper back and scapula (below mid and lower "
-         "back)", sites("scapula", "upper_back", "mid_back", "lower_back"), words(low)],
-        ["simulation, both", "orientation errors possible in middle and lower back along the spine "
-         "(5° or more)", sites("mid_back", "lower_back"), words(spine)],
-        ["study, all 21 children", "the scapula sensor has the smallest error",
-         "; ".join(f"{c}: place {order[c].index('scapula') + 1} of 4, least in {least[c]} of "
-                   f"{len(by_site[c]['scapula'])} donnings" for c in cases), words(first)],
-        ["study", "mid back marginally worse (second)",
-         "; ".join(f"{c}: place {order[c].index('mid_back') + 1}, "
-                   f"{mean[c]['mid_back'] - mean[c]['scapula']:+.1f}° against the scapula"
-                   for c in cases).replace("-", "−"), words(second)],
-        ["study", "lower and upper back considerably deflected (the two worst)",
-         "; ".join(f"{c}: worst {NAMES[order[c][3]]}, then {NAMES[order[c][2]]}" for c in cases),
-         words(worst)]]
-    return table(["from", "the paper", "here, cotton of the paper", "verdict"], rows)
+def run_block(results):
+    cases = [case for name, case in results.items() if name != "places"]
+    edges = sorted({results[name]["case"]["edge_mm"] for name in MAIN if name in results})
+    donnings = sorted({results[name]["case"]["donnings"] for name in MAIN if name in results})
+    versions = sorted({case["version"] for case in cases})
+    text = (f"Loosefit {', '.join(versions)}; edges of {' and '.join(map(str, edges))} mm, "
+            f"{' and '.join(map(str, donnings))} donnings a child and cloth; "
+            f"{sum(case['seconds'] for case in cases) / 60:.0f} minutes for all drapes.")
+    missing = [name for name in MAIN if name not in main_cases(results)]
+    lines = [text, ""]
+    if edges != [EDGE] or missing:
+        lines = ["**A coarse or incomplete trial of the scripts: not the study.** "
+                 + (f"Not there: {', '.join(missing)}. " if missing else "") + text, ""]
+    return lines
 
 
-def settled_block(results, places):
+def short_block(results):
+    """The statements by verdict."""
+    lines = []
+    found = judged(results, main_cases(results))
+    for words, heading in (("agrees", "We agree"), ("disagrees", "We disagree"),
+                           ("cannot tell", "These drapes cannot tell")):
+        rows = []
+        for source, text, _, cases in found:
+            own = [name for name, (part, _) in cases.items() if verdict(part) == words]
+            if own:
+                where = ("all cases" if len(own) == len(main_cases(results)) > 1
+                         else "; ".join(title(n) for n in own))
+                rows.append(f"- {source}: {text} ({where})")
+        lines += [f"**{heading}:**", "", *(rows or ["- in nothing"]), ""]
+    return lines
+
+
+def statements_block(results):
+    cases = main_cases(results)
     rows = []
-    for name, case in results.items():
-        if "repeats" in case:
-            values = next(iter(case["repeats"].values()), {"count": 0})
-            count, wished = values["count"], case["case"]["repeats"]
-        else:
-            count, wished = len(settled(case)), len(case["drapes"])
-        moved = places.get(name, {}).get("moved_mm") if places.get(name) else None
-        rows.append([name, case["case"]["material"], f"{case['case']['edge_mm']} mm",
-                     str(case["vertices"]), f"{count} of {wished}",
-                     f"{min(moved):.1f} … {max(moved):.1f}" if moved else "–"])
-    left = [f"{name}: donning {k + 1}, {d['stop_reason']}"
-            + (f" at a residual of {d['residual']:.2e}" if d["residual"] else "") for name, case in results.items()
-            for k, d in enumerate(case["drapes"]) if not d["settled"]]
-    for name, spec in {**MAIN, **SIDE}.items():
-        if name not in results:
-            rows.append([name, spec["material"], f"{spec['edge_mm']} mm", "–", "**not run**", "–"])
-    return table(["case", "material", "edges", "vertices", "settled",
-                  "cloth moved against the first donning [mm rms]"], rows) + [
-        "Not settled, and left out of all figures: " + ("; ".join(left) if left else "none") + ".", ""]
+    for source, text, measure, found in judged(results, cases):
+        cells = []
+        for name in cases:
+            if name not in found:
+                cells.append("–")
+                continue
+            part, itself = found[name]
+            cells.append(f"{verdict(part)}, {percent(part)}"
+                         + ("" if itself is None else f" ({percent(itself)})"))
+        rows.append([source, text, measure, *cells])
+    lines = table(["from", "the paper", "here by", *(title(n) for n in cases)], rows)
+    return lines + [f"- Folds, {title(name)}: {fold_words(results[name])}." for name in cases] + [""]
 
 
-def fit_block(results, _):
+def fit_block(results):
     rows = []
     for name, child in [("slim-paper-cotton", "slim"), ("heavy-paper-cotton", "heavy"),
-                        ("stocky-base", "stocky"), ("tight-hip-base", "tight hip")]:
+                        ("tight-hip-upright", "tight hip")]:
         if name in results:
             fit = results[name]["fit"]
             rows.append([child] + [f"{100 * fit[k]:+.0f} %".replace("-", "−") for k in
@@ -151,218 +121,175 @@ def fit_block(results, _):
     return table(["child", "chest", "waist", "hip", "sleeve", "wrist"], rows)
 
 
-def ranking_block(results, _):
+def places_block(results):
+    places = results["places"]
+    return table(["place", *(NAMES[n] for n in BOARDS)],
+                 [["across, from the middle of the back [mm]",
+                   *(f"{1000 * places[n][0]:.0f}".replace("-", "−") for n in BOARDS)],
+                  ["down from the highest point of the shoulder seam [mm]",
+                   *(f"{-1000 * places[n][1]:.0f}" for n in BOARDS)]])
+
+
+def counts_block(results):
+    rows, left = [], []
+
+    def add(label, names):
+        found = [results[n] for n in names if n in results]
+        if not found:
+            rows.append([label, "–", "–", "**not run**", "–"])
+            return
+        drapes = [d for case in found for d in case["drapes"]]
+        good = sum(not d.get("left_out", not d["settled"]) for d in drapes)
+        wished = sum(case["case"]["donnings"] for case in found)
+        rows.append([label, f"{found[0]['case']['edge_mm']} mm", str(found[0]["vertices"]),
+                     f"{good} of {wished}", f"{sum(c['seconds'] for c in found) / 60:.0f}"])
+        for case in found:
+            if case["start_perturbation"]:
+                left.append(f"{label}: its first drape settled only with the start shaken by "
+                            f"{1000 * case['start_perturbation']:g} mm rms")
+            for k, d in enumerate(case["drapes"]):
+                why = d.get("left_out") or ([] if d["settled"] else [d["stop_reason"]])
+                if why:
+                    left.append(f"{label}, donning {k + 1} ({'; '.join(why)})")
+
+    for name in MAIN:
+        add(title(name), [name])
+        add(f"{title(name)}, boards beside their places", [m for m in MOVED if m.startswith(name)])
+    for name in SIDE:
+        child = name.split("-")[0]
+        add(f"{child}, cotton, {VARIANTS[name[len(child) + 1:]]}", [name])
+    for name in FOLDS:
+        add(name.replace("-", " ") + ", cotton, no boards", [name])
+    return table(["case", "edges", "vertices", "donnings that count", "minutes"], rows) + [
+        "Left out, or of note: " + ("; ".join(left) if left else "none") + ".", ""]
+
+
+def ranking_block(results):
     lines = []
     for name in main_cases(results):
-        by_site = samples(results[name], SITES)
-        if not by_site["scapula"]:
-            lines += [f"**{TITLES[name]}**: no drape settled.", ""]
-            continue
-        count = len(by_site["scapula"])
-        worst = samples(results[name], SITES, AD + "_worst")
+        sets = placements(results, name, CALIBRATED)
+        by_site, count = sets[0], len(sets[0]["scapula"])
+        absolute = samples(results[name], SITES, ABSOLUTE)
+        own, all_places = ranking(over_donnings(by_site)), ranking(over_places(sets))
         least = {s: sum(by_site[s][k] == min(v[k] for v in by_site.values()) for k in range(count))
                  for s in SITES}
-        order, found = ranking(by_site)
-        lines += [f"**{TITLES[name]}**, {count} donnings", ""]
-        lines += table(
-            ["rank", "site", "mean ± deviation [°]", "90 % of the mean [°]", "least … greatest [°]",
-             "worst 5 % of the disc [°]", "90 % of the rank", "tied with", "least in"],
-            [[str(place + 1), NAMES[s], pm(by_site[s]),
-              "{:.1f} … {:.1f}".format(*found[s]["mean_interval"]),
-              f"{min(by_site[s]):.1f} … {max(by_site[s]):.1f}", f"{statistics.fmean(worst[s]):.1f}",
-              "{} … {}".format(*found[s]["rank_interval"]),
-              ", ".join(NAMES[o] for o in found[s]["tied"]) or "–", f"{least[s]} of {count}"]
-             for place, s in enumerate(order)])
+        beside = {s: [statistics.fmean(p[s]) for p in sets if p[s]] for s in SITES}
+        rows = []
+        for place, s in enumerate(order_of(by_site)):
+            rows.append([
+                str(place + 1), NAMES[s], pm(by_site[s]), span(own[s]["mean_interval"]),
+                span((min(beside[s]), max(beside[s]))), span(own[s]["rank_interval"], 0),
+                span(all_places[s]["rank_interval"], 0), f"{least[s]} of {count}",
+                percent(all_places[s]["first"]), pm(absolute[s]),
+                str(order_of(absolute).index(s) + 1)])
+        lines += [f"**{title(name)}**, {count} donnings; and {len(sets) - 1} times "
+                  "with the boards beside their places", ""]
+        lines += table(["rank", "place", "calibrated error [°]", "90 % of its mean", "means, boards moved",
+                        "90 % of the rank", "with places", "least in", "first, with places",
+                        "angular deviation upright [°]", "its rank"], rows)
         sides = samples(results[name], ["scapula_L", "scapula_R"])
         greater = sum(a > b for a, b in zip(sides["scapula_L"], sides["scapula_R"]))
         lines += [f"Left shoulder blade {pm(sides['scapula_L'])}°, right {pm(sides['scapula_R'])}°; "
-                  f"the left one is the greater in {greater} of {count} donnings.", ""]
+                  f"the left one errs more in {greater} of {count} donnings.", ""]
     return lines
 
 
-def regions_block(results, _):
-    regions = ["scapula_L", "scapula_R", "upper_back", "mid_back", "lower_back", "hips"]
+def bends_block(results):
     rows = []
-    for region in regions:
-        cells = []
-        for name in main_cases(results):
-            values = [d["regions"][region][AD] for d in settled(results[name]) if "regions" in d]
-            cells.append(pm(values) if values else "–")
-        rows.append([NAMES[region], *cells])
-    return table(["region", *(TITLES[n] for n in main_cases(results))], rows)
-
-
-def direction_row(case, region, tensor):
-    found = [d["wrinkles"][region] for d in settled(case) if "wrinkles" in d]
-    if not found:
-        return ["–"] * 7
-    plain = [w for w in found if w["coherence"] >= PLAIN]
-    upright = sum(abs(w["angle_deg"]) <= UPRIGHT for w in plain)
-    level = sum(abs(w["angle_deg"]) >= LEVEL for w in plain)
-    check = "–"
-    if tensor:
-        mean = mean_direction([{"angle_deg": a, "coherence": c} for a, c in tensor])
-        check = f"{degrees(mean)}, {statistics.fmean(c for _, c in tensor):.2f}"
-    return [degrees(mean_direction(found)), pm([w["coherence"] for w in found], 2),
-            pm([parts(w)[0] for w in found]), pm([parts(w)[1] for w in found]), f"{upright} of {len(found)}",
-            f"{level} of {len(found)}", check]
-
-
-def wrinkles_block(results, places):
-    rows = []
-    extra = [n for n in ("stocky-base", "tight-hip-base") if n in results]
-    for name in [*main_cases(results), *extra]:
-        for region in ("mid_back", "lower_back", "hips"):
-            tensor = (places.get(name) or {}).get("tilt_tensor", {}).get(region)
-            rows.append([TITLES.get(name, name.replace("-base", " child, 14 mm edges")),
-                         NAMES[region], *direction_row(results[name], region, tensor)])
-    return table(["case", "region", "fold direction to the vertical", "coherence",
-                  "slope of upright folds [° rms]", "of level folds",
-                  "upright in", "level in", "check: direction, coherence"], rows)
-
-
-def width_block(_, places):
-    rows = []
-    for name in main_cases(places):
-        for width, regions in places[name]["wrinkle_width"].items():
-            cells = []
-            for region in ("mid_back", "lower_back"):
-                found = [{"angle_deg": a, "coherence": c} for a, c, _ in regions[region]]
-                slopes = [slope for _, _, slope in regions[region]]
-                cells += [degrees(mean_direction(found)),
-                          f"{statistics.fmean(w['coherence'] for w in found):.2f}", pm(slopes)]
-            rows.append([TITLES[name], f"{width} mm", *cells])
-    return table(["case", "smoothed over", "mid back: direction", "coherence", "slope [° rms]",
-                  "lower back: direction", "coherence", "slope [° rms]"], rows)
-
-
-def lifted_block(results, _):
-    how = {"base": "as put on", "lifted": "put on up to 30 mm off", "bent": "after a bend of 30°"}
-    rows = []
-
-    def add(child, what, drapes):
-        seen = [[parts(d["wrinkles"][r]) for d in drapes]
-                for r in ("mid_back", "lower_back", "hips")]
-        rows.append([child, what, str(len(drapes)),
-                     *(pm([p[k] for p in region]) if len(region) > 1 else f"{region[0][k]:.1f}"
-                       for region in seen for k in (0, 1))])
-
-    for child in ("heavy", "tight-hip"):
-        for variant, words_of in how.items():
-            drapes = [d for d in results.get(f"{child}-{variant}", {"drapes": []})["drapes"]
-                      if "wrinkles" in d]
-            if not drapes:
-                continue
-            name = child.replace("-", " ")
-            add(name, words_of, drapes)
-            if variant == "lifted":
-                top = max(drapes, key=lambda d: d["how"]["shift_m"][2])
-                add(name, f"… {1000 * top['how']['shift_m'][2]:.0f} mm too high", [top])
-    return table(["child", "", "drapes", "mid back: upright [° rms]", "level", "lower back: upright",
-                  "level", "hips: upright", "level"], rows)
-
-
-def tilt_block(results, _):
-    lines = []
     for name in main_cases(results):
-        signed = samples(results[name], SITES, "tilt_sagittal_deg")
-        if not signed["scapula"]:
-            continue
-        sizes = {s: [abs(v) for v in signed[s]] for s in SITES}
-        lines.append([TITLES[name], *(pm(signed[s]).replace("-", "−") for s in SITES), order_text(sizes, NAMES),
-                      " < ".join(f"{NAMES[s]} {deviation(signed[s]):.1f}" for s in
-                                 sorted(SITES, key=lambda s: deviation(signed[s])))])
-    return table(["case", *(NAMES[s] + " [°]" for s in SITES), "order by size",
-                  "order by deviation over donnings"], lines)
+        for s in SITES:
+            at = lambda key, k: samples(results[name], [s], lambda site: site[key][k])[s]
+            skin = " / ".join(f"{statistics.fmean(at('skin', k)):.0f}" for k in range(len(BENDS)))
+            rows.append([title(name), NAMES[s], skin, pm(samples(results[name], [s], "upright")[s]),
+                         *(pm(at("error", k)) for k in range(len(BENDS)))])
+    return table(["case", "place", f"skin leans by, bent {' / '.join(map(str, BENDS.values()))}° [°]",
+                  "upright, sensor less skin [°]",
+                  *(f"error, bent {b}° [°]" for b in BENDS.values())], rows)
 
 
-def address_block(_, places):
+def readings_block(results):
+    rows = [[title(name), words, order_text(samples(results[name], SITES, value), NAMES)]
+            for name in main_cases(results) for words, value in READINGS.items()]
+    return table(["case", "reading", "order [°], ≈ tied"], rows)
+
+
+def moved_block(results):
     rows = []
-    for across in (-20, -10, 0, 10, 20, 30):
-        where = (f"{abs(across)} mm {'towards the spine' if across > 0 else 'outwards'}"
-                 if across else "as addressed")
-        cells = []
-        for name in main_cases(places):
-            case = places[name]
-            by_site = {s: case["shift"][s]["0,0"] for s in SITES}
-            by_site["scapula"] = case["shift"]["scapula"][f"{across},0"]
-            order, found = ranking(by_site)
-            place = order.index("scapula") + 1
-            ties = found["scapula"]["tied"]
-            cells.append(f"{statistics.fmean(by_site['scapula']):.1f}°, place {place}"
-                         + (" (tied)" if ties else ""))
-        rows.append([where, *cells])
-    lines = table(["scapula site", *(TITLES[n] for n in main_cases(places))], rows)
-    rows = []
-    for site in SITES:
-        cells = []
-        for name in main_cases(places):
-            case = places[name]
-            means = [statistics.fmean(v) for k, v in case["shift"][site].items()
-                     if max(abs(float(x)) for x in k.split(",")) <= 20]
-            cells.append(f"{statistics.fmean(case['shift'][site]['0,0']):.1f} "
-                         f"({min(means):.1f} … {max(means):.1f})")
-        rows.append([NAMES[site], *cells])
-    return lines + table(["site [°], and over places up to 20 mm off along and across",
-                          *(TITLES[n] for n in main_cases(places))], rows)
-
-
-def radius_block(_, places):
-    rows = []
-    for name in main_cases(places):
-        for radius in ("5", "12", "25", "40"):
-            by_site = {s: places[name]["radius"][s][radius] for s in SITES}
-            rows.append([TITLES[name], f"{radius} mm", order_text(by_site, NAMES)])
-    return table(["case", "disc radius", "order [°], ≈ tied"], rows)
-
-
-def variants_block(results, _):
-    rows = []
-    for name in SIDE:
-        if name not in results or "postures" in SIDE[name]:
-            continue
-        case, (child, _, variant) = results[name], name.rpartition("-")
-        if "repeats" in case:
-            if not case["repeats"]:
+    for name in main_cases(results):
+        for k, (across, up) in enumerate([(0, 0), *MOVES]):
+            case = results.get(f"{name}-moved-{k}" if k else name)
+            if not case or not counted(case):
                 continue
-            mean = {s: case["repeats"][s]["mean"] for s in SITES[1:]}
-            mean["scapula"] = statistics.fmean(case["repeats"][s]["mean"]
-                                               for s in ("scapula_L", "scapula_R"))
-            text = " < ".join(f"{NAMES[s]} {mean[s]:.1f}" for s in sorted(mean, key=mean.get))
-            count = case["repeats"]["mid_back"]["count"]
-            spread = ", ".join(f"{NAMES[s]} {case['repeats'][s]['deviation']:.1f}"
-                               for s in case["repeats"])
-            rows.append([f"{child} child, {VARIANTS[variant]}", str(count),
-                         f"{text} (no ties known; deviations {spread})"])
-            continue
-        by_site = samples(case, SITES)
-        count = len(by_site["scapula"])
-        rows.append([f"{child.replace('-', ' ')} child, {VARIANTS[variant]}", str(count),
-                     order_text(by_site, NAMES) if count else "none settled"])
-    return table(["variant", "donnings", "order [°], ≈ tied"], rows)
+            where = ("as addressed" if not k else
+                     f"{abs(up)} mm {'up' if up > 0 else 'down'}" if up else
+                     f"{abs(across)} mm {'to the spine' if across > 0 else 'outwards'} "
+                     f"(on the spine: {'right' if across > 0 else 'left'})")
+            by_site = samples(case, SITES)
+            rows.append([title(name), where, str(len(by_site["scapula"])),
+                         *(pm(by_site[s]) for s in SITES)])
+    return table(["case", "boards", "donnings", *(f"{NAMES[s]} [°]" for s in SITES)], rows)
 
 
-BLOCKS = {"statements": statements_block, "settled": settled_block, "fit": fit_block, "ranking": ranking_block,
-          "regions": regions_block, "wrinkles": wrinkles_block, "tilt": tilt_block,
-          "address": address_block, "radius": radius_block, "variants": variants_block, "width": width_block,
-          "lifted": lifted_block}
+def variants_block(results):
+    rows = []
+    for child in CHILDREN:
+        for name, words in [(f"{child}-paper-cotton", "the study"),
+                            *((f"{child}-{v}", text) for v, text in VARIANTS.items())]:
+            if name not in results or not counted(results[name]):
+                continue
+            case = results[name]
+            rows.append([child, words, str(len(counted(case))),
+                         *(order_text(samples(case, SITES, v), NAMES) for v in (CALIBRATED, ABSOLUTE))])
+    return table(["child", "variant", "donnings", "calibrated error [°], ≈ tied",
+                  "angular deviation upright [°]"], rows)
+
+
+def wrinkles_block(results):
+    titles = {**{name: title(name) for name in MAIN},
+              **{f"{c}-bare": f"{c}, cotton, no boards" for c in CHILDREN},
+              "tight-hip-upright": "tight hip, cotton, no boards",
+              "heavy-bent": "heavy, after a bend of 30°", "tight-hip-bent": "tight hip, after a bend of 30°"}
+    rows = []
+    for name, words in titles.items():
+        for region in ("mid_back", "lower_back", "hips"):
+            found = [d["wrinkles"][region] for d in results.get(name, {"drapes": []})["drapes"]
+                     if "wrinkles" in d]
+            if not found:
+                continue
+            plain = [w for w in found if w["coherence"] >= PLAIN]
+            rows.append([words, NAMES[region], degrees(mean_direction(found)),
+                         pm([w["coherence"] for w in found], 2), pm([parts(w)[0] for w in found]),
+                         pm([parts(w)[1] for w in found]),
+                         f"{sum(abs(w['angle_deg']) <= UPRIGHT_FOLD for w in plain)} of {len(found)}",
+                         f"{sum(abs(w['angle_deg']) >= LEVEL for w in plain)} of {len(found)}"])
+    return table(["case", "region", "fold direction to the vertical", "coherence",
+                  "slope of upright folds [° rms]", "of level folds", "upright in", "level in"], rows)
+
+
+BLOCKS = {"run": run_block, "short": short_block, "statements": statements_block, "fit": fit_block,
+          "places": places_block, "counts": counts_block, "ranking": ranking_block, "bends": bends_block,
+          "readings": readings_block, "moved": moved_block, "variants": variants_block,
+          "wrinkles": wrinkles_block}
 
 
 def main():
-    results = json.loads((HERE / "results.json").read_text())
-    places = json.loads((HERE / "places.json").read_text())
-    if not {"slim-paper-cotton", "heavy-paper-cotton"} <= set(results):
-        raise SystemExit("error: results.json: found not both children in the paper's cotton, "
-                         "expected at least these: run run_study.py")
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--into", type=pathlib.Path, help="folder of a quick trial: reads its results.json "
+                        "and writes the page there")
+    into = parser.parse_args().into
+    results = json.loads(((into or HERE) / "results.json").read_text())
+    if not main_cases(results):
+        raise SystemExit("error: results.json: found no donning that counts, expected at least one of "
+                         f"{', '.join(MAIN)}: run run_study.py")
     page = PAGE.read_text()
     for name, block in BLOCKS.items():
         begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
         if begin not in page or end not in page:
             raise SystemExit(f"error: {PAGE}: found no place for a table, expected {begin} … {end}")
         head, rest = page.split(begin, 1)
-        page = head + begin + "\n" + "\n".join(block(results, places)).rstrip() + "\n" + end \
+        page = head + begin + "\n" + "\n".join(block(results)).rstrip() + "\n" + end \
             + rest.split(end, 1)[1]
-    PAGE.write_text(page)
+    (into / PAGE.name if into else PAGE).write_text(page)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,96 @@
+"""The study of four back sensors: its calibrated error, and its verdicts."""
+import math
+import pathlib
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "validation" / "harms2012"))
+import statistics_of  # noqa: E402
+from cases import ALL, BOARDS, MAIN, moved_place, scenario_text  # noqa: E402
+from statements import OF_PLACES, order  # noqa: E402
+
+try:
+    import numpy
+    import inclination
+except ImportError:
+    numpy = None
+
+
+class Cases(unittest.TestCase):
+    def test_boards_of_both_blades_move_to_the_spine_alike(self):
+        left = moved_place("scapula_L", (-0.08, -0.15), (20, 0))
+        right = moved_place("scapula_R", (0.08, -0.15), (20, 0))
+        self.assertAlmostEqual(left[0], -0.06)
+        self.assertAlmostEqual(right[0], 0.06)
+
+    def test_every_board_is_in_the_scenario_with_its_mass(self):
+        places = {name: (0.0, -0.1) for name in BOARDS}
+        for name in MAIN:
+            text = scenario_text(ALL[name], places)
+            self.assertEqual(text.count("board = { mass = 0.01 }"), len(BOARDS))
+
+
+class Verdicts(unittest.TestCase):
+    clear = {"scapula": [1.0, 1.1], "mid_back": [2.0, 2.1], "upper_back": [5.0, 5.1],
+             "lower_back": [6.0, 6.1]}
+
+    def holds(self, placements):
+        draws = list(statistics_of.over_places(placements))
+        return [statistics_of.share(draws, test) for *_, test in OF_PLACES[2:]]
+
+    def test_the_order_of_the_study_agrees_with_the_study(self):
+        self.assertEqual(self.holds([self.clear]), [1, 1, 1])
+
+    def test_the_opposite_order_disagrees(self):
+        turned = {s: [10 - x for x in v] for s, v in self.clear.items()}
+        self.assertEqual(self.holds([turned]), [0, 0, 0])
+
+    def test_a_place_that_doubles_within_the_tolerance_leaves_it_open(self):
+        beside = {**self.clear, "scapula": [9.0, 9.1]}
+        part = self.holds([self.clear, beside])[0]
+        self.assertEqual(statistics_of.verdict(part), "cannot tell")
+
+    def test_order_is_by_error(self):
+        self.assertEqual(order({"a": 2, "b": 1}), ["b", "a"])
+
+
+@unittest.skipUnless(numpy, "needs numpy")
+class Inclination(unittest.TestCase):
+    def frames_bent(self, bend, tilt_deg):
+        """Axes of a sensor on an upright back, tilted down by `tilt_deg`, after a bend about x."""
+        lean, tilt = math.radians(bend), math.radians(tilt_deg)
+        angle = lean - tilt
+        # The wearer faces -y: the normal of the back is +y, and a bend turns it up.
+        n = numpy.array([[0, math.cos(angle), math.sin(angle)]])
+        a = numpy.array([[0, -math.sin(angle), math.cos(angle)]])
+        return inclination.frames(numpy.eye(1), n, a)
+
+    def test_upright_is_zero_and_a_bend_reads_its_angle(self):
+        for bend in (0, 15, 45):
+            self.assertAlmostEqual(inclination.inclination(self.frames_bent(bend, 0))[0], bend)
+            self.assertAlmostEqual(inclination.inclination_of_normal(self.frames_bent(bend, 0))[0], bend)
+
+    def test_a_normal_that_leans_down_reads_less(self):
+        self.assertAlmostEqual(inclination.inclination(self.frames_bent(30, 10))[0], 20)
+
+    def test_turning_about_the_normal_leaves_the_reading_of_the_normal(self):
+        frame = self.frames_bent(30, 0)
+        about = math.radians(20)
+        s, a, n = frame[0].T
+        turned = numpy.stack([math.cos(about) * s + math.sin(about) * a,
+                              math.cos(about) * a - math.sin(about) * s, n], axis=1)[None]
+        self.assertAlmostEqual(inclination.inclination_of_normal(turned)[0], 30)
+        relative = numpy.swapaxes(frame, 1, 2) @ turned
+        self.assertAlmostEqual(inclination.rotation_angle(relative)[0], 20)
+
+    def test_the_nearest_point_of_a_triangle_is_inside_on_an_edge_or_a_corner(self):
+        corner = numpy.array([[[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]])
+        for p, expected in (((0.2, 0.3, 1), (0.5, 0.2, 0.3)), ((0.5, -1, 0), (0.5, 0.5, 0)),
+                            ((-1, -1, 0), (1, 0, 0)), ((2, 2, 0), (0, 0.5, 0.5))):
+            share = inclination.nearest_on_triangles(numpy.array(p), corner)[0]
+            numpy.testing.assert_allclose(share, expected, atol=1e-12)
+
+
+if __name__ == "__main__":
+    unittest.main()
