@@ -79,6 +79,7 @@ TEST(OwnPatterns, BandsAndHemsComeBackAndAreKnown) {
       for (const double length : {0.5, 1.0}) {
         kinds::ShirtFit fit = kinds::usual_shirt_fit();
         fit.neckband = neckband, fit.cuff = cuff, fit.sleeve_length = length;
+        fit.neckband_stretch = length < 1 ? 0.1 : 0.0;  // straight and curved
         fit.band_stiffness = 1.5, fit.edge_finish = 0.012;
         const pattern::Pattern shirt = kinds::draft_shirt({}, fit);
         const std::string text = garmentcode_text(shirt);

@@ -67,6 +67,29 @@ TEST(ShirtBands, StripsAreShorterThanTheirEdgesByTheAskedStretch) {
   }
 }
 
+// Without stretch it is the part of the shirt that is cut away for it: as long as the neckline at
+// its seam, as long as the neck base at its rim, with no corner anywhere.
+TEST(ShirtBands, NeckbandWithoutStretchIsCutAsTheNecklineIs) {
+  for (const std::string& name : size_names()) {
+    SCOPED_TRACE(name);
+    const ShirtMeasures m = support::shirt_size(name).body;
+    ShirtFit fit = usual_shirt_fit();
+    const pattern::Pattern plain = draft_shirt(m, fit);
+    fit.neckband = 0.02;
+    const pattern::Pattern shirt = draft_shirt(m, fit);
+    double rim = 0;
+    for (const std::string half : {"front", "back"}) {
+      EXPECT_NEAR(edge_length(shirt, "neckband_" + half, "seam"), edge_length(shirt, half, "neck"),
+                  1e-9);
+      EXPECT_NEAR(edge_length(shirt, "neckband_" + half, "rim"), edge_length(plain, half, "neck"),
+                  1e-9);
+      EXPECT_NEAR(edge_length(shirt, "neckband_" + half, "end_L"), 0.02, 1e-9);
+      rim += edge_length(shirt, "neckband_" + half, "rim");
+    }
+    EXPECT_NEAR(rim, (1 + fit.neck_ease) * m.neck, 1e-4);
+  }
+}
+
 // The hem of the sleeve is that of its cuff: its ease as asked, and where it ends without one.
 TEST(ShirtBands, CuffsAreWithinTheSleeve) {
   for (const double length : {1.0, 0.5}) {

@@ -57,9 +57,11 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
       {"elbow_bend", usual.elbow_bend, 0, 40, "degrees",
        "bend of the arm that the sleeve is cut for, by a dart in its back at the elbow"},
       {"neckband_width", usual.neckband, 0, 0.08, "metres",
-       "folded strip round the neck, whose rim lies at the neck base; 0: none", false, true},
+       "strip of two layers round the neck, whose rim lies at the neck base; 0: none", false, true},
       {"neckband_stretch", usual.neckband_stretch, 0, 0.4, kFraction,
-       "neckband shorter than the neckline, which it is sewn to stretched", false, true},
+       "neckband a straight strip, shorter than the neckline, which it is sewn to stretched; "
+       "0: cut curved, as the neckline is",
+       false, true},
       {"cuff_width", usual.cuff, 0, 0.12, "metres",
        "folded strip at the end of the sleeve, within sleeve_length; wrist is its "
        "ease, against the arm at its seam; 0: none",
@@ -159,6 +161,7 @@ GarmentKind t_shirt() {
   fit.cap_ease = 0;
   fit.cap_ratio = 0.55;  // knits give, and the arms of a T-shirt are raised
   fit.sleeve_length = 0.36;
+  fit.neckband_stretch = 0.10;  // of rib, which gives
   return shirt_kind("t-shirt", "T-shirt", fit);
 }
 

@@ -1,8 +1,10 @@
 #include "loosefit/kinds/shirt/shirt_bands.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/pattern/drafting.h"
 #include "loosefit/pattern/outline.h"
 
@@ -14,21 +16,49 @@ struct StripEdges {
   const char *below, *right, *above, *left;
 };
 
-/// Rectangle from (x, low) to (x + length, high).
-pattern::Panel strip(const std::string& name, const std::string& label, double x, double length,
-                     double low, double high, const StripEdges& edges, double stiffness) {
-  const std::vector<Vec2> corners = {{x, low}, {x + length, low}, {x + length, high}, {x, high}};
-  const char* names[] = {edges.below, edges.right, edges.above, edges.left};
-  std::vector<std::pair<std::string, pattern::CurveChain>> loop;
-  for (int i = 0; i < 4; ++i) {
-    pattern::CurveChain side;
-    side.start = corners[i];
-    side.line_to(corners[(i + 1) % 4]);
-    loop.emplace_back(names[i], side);
-  }
-  pattern::Panel panel = pattern::draft_panel(name, label, loop);
+pattern::Panel strip(const std::string& name, const std::string& label,
+                     const std::array<pattern::CurveChain, 4>& sides, const StripEdges& edges,
+                     double stiffness) {
+  pattern::Panel panel = pattern::draft_panel(name, label,
+                                              {{edges.below, sides[0]},
+                                               {edges.right, sides[1]},
+                                               {edges.above, sides[2]},
+                                               {edges.left, sides[3]}});
   panel.cloth = {2, stiffness, std::max(1.0, stiffness)};
   return panel;
+}
+
+pattern::CurveChain straight(const Vec2& from, const Vec2& to) {
+  pattern::CurveChain side;
+  side.start = from;
+  side.line_to(to);
+  return side;
+}
+
+/// Rectangle from (x, low) to (x + length, high).
+std::array<pattern::CurveChain, 4> rectangle(double x, double length, double low, double high) {
+  const Vec2 corners[] = {{x, low}, {x + length, low}, {x + length, high}, {x, high}};
+  std::array<pattern::CurveChain, 4> sides;
+  for (int i = 0; i < 4; ++i) sides[i] = straight(corners[i], corners[(i + 1) % 4]);
+  return sides;
+}
+
+/// A whole neck edge from its half, from negative to positive x.
+pattern::CurveChain both_halves(const pattern::CurveChain& half) {
+  pattern::CurveChain whole = half.mirrored().reversed();
+  whole.curves.insert(whole.curves.end(), half.curves.begin(), half.curves.end());
+  whole.knots.insert(whole.knots.end(), half.knots.begin(), half.knots.end());
+  return whole;
+}
+
+/// What lies between the neck of this fit and that without a neckband: flat where the shirt is.
+std::array<pattern::CurveChain, 4> curved_neckband(const ShirtMeasures& m, const ShirtFit& fit,
+                                                   bool front) {
+  ShirtFit without = fit;
+  without.neckband = 0;
+  const pattern::CurveChain seam = both_halves(draft_neck_half(m, fit, front)),
+                            rim = both_halves(draft_neck_half(m, without, front));
+  return {seam, straight(seam.end(), rim.end()), rim.reversed(), straight(rim.start, seam.start)};
 }
 
 double length_of(const pattern::Pattern& shirt, const std::string& panel, const char* edge) {
@@ -36,12 +66,14 @@ double length_of(const pattern::Pattern& shirt, const std::string& panel, const 
   return pattern::EdgePath(piece, pattern::find_edge_part(piece, edge)).length();
 }
 
-void add_neckband(pattern::Pattern& shirt, const ShirtFit& fit) {
+void add_neckband(pattern::Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
   for (const std::string half : {"front", "back"}) {
     const bool front = half == "front";  // x > 0 is the wearer's left in front
     const double length = (1 - fit.neckband_stretch) * length_of(shirt, half, "neck");
     shirt.panels.push_back(strip(
-        "neckband_" + half, "body", -length / 2, length, 0, fit.neckband,
+        "neckband_" + half, "body",
+        fit.neckband_stretch > 0 ? rectangle(-length / 2, length, 0, fit.neckband)
+                                 : curved_neckband(m, fit, front),
         {"seam", front ? "end_L" : "end_R", "rim", front ? "end_R" : "end_L"}, fit.band_stiffness));
     pattern::sew_edges(shirt, "neckband_" + half, half, "neck", "neckband_" + half, "seam");
   }
@@ -57,7 +89,8 @@ void add_cuffs(pattern::Pattern& shirt, const ShirtFit& fit) {
       const double length = (1 - fit.cuff_stretch) * length_of(shirt, sleeve, "cuff");
       // As its half of the sleeve, whose top line is x = 0.
       const bool at_positive_x = (s == "L") == (half == "back");
-      shirt.panels.push_back(strip(name, "arm", at_positive_x ? 0 : -length, length, -fit.cuff, 0,
+      shirt.panels.push_back(strip(name, "arm",
+                                   rectangle(at_positive_x ? 0 : -length, length, -fit.cuff, 0),
                                    at_positive_x ? StripEdges{"rim", "under", "seam", "top"}
                                                  : StripEdges{"rim", "top", "seam", "under"},
                                    fit.band_stiffness));
@@ -70,8 +103,8 @@ void add_cuffs(pattern::Pattern& shirt, const ShirtFit& fit) {
 
 }  // namespace
 
-void add_bands(pattern::Pattern& shirt, const ShirtFit& fit) {
-  if (fit.neckband > 0) add_neckband(shirt, fit);
+void add_bands(pattern::Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
+  if (fit.neckband > 0) add_neckband(shirt, m, fit);
   if (fit.cuff > 0) add_cuffs(shirt, fit);
 }
 

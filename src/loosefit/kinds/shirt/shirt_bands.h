@@ -5,11 +5,12 @@
 namespace loosefit::kinds {
 
 /// Adds the strips that a fit asks for to a shirt whose neck and sleeves leave room for them: a
-/// neckband of a front and a back half and a cuff of two halves to each sleeve, rectangles with
-/// edges seam, rim, and at the ends end_L, end_R or top, under. Each half is shorter than the edge
-/// that it is sewn to by the share of the fit. Strips are folded: two layers, whose bending
-/// rigidity is at least that of one.
-void add_bands(pattern::Pattern& shirt, const ShirtFit& fit);
+/// neckband of a front and a back half and a cuff of two halves to each sleeve, with edges seam,
+/// rim, and at the ends end_L, end_R or top, under. Each half is shorter than the edge that it is
+/// sewn to by the share of the fit. They are rectangles, but for a neckband without stretch, which
+/// is what lies between its seam and the edge of a neck without a neckband. Strips have two layers,
+/// whose bending rigidity is at least that of one.
+void add_bands(pattern::Pattern& shirt, const ShirtMeasures& measures, const ShirtFit& fit);
 
 /// Notes the hems of a fit on all edges of a shirt that are neither sewn nor of a band.
 void finish_edges(pattern::Pattern& shirt, const ShirtFit& fit);

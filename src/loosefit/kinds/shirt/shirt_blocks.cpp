@@ -61,6 +61,12 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
   return neck;
 }
 
+pattern::CurveChain draft_neck_half(const ShirtMeasures& m, const ShirtFit& fit, bool front) {
+  const NeckOpening neck = fit_neck(m, fit);
+  return neck_curve({neck.half_width, -neck.shoulder}, front ? neck.drop_front : neck.drop_back,
+                    m.shoulder_slope);
+}
+
 double shoulder_half_width(const ShirtMeasures& m, const ShirtFit& fit) {
   // A tight shirt narrows the shoulders in full, a loose one widens them only in part.
   const double follow = fit.chest > 0 ? fit.shoulder_follow : 1.0;
@@ -97,7 +103,7 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   half.shoulder_x = x_shoulder;
   half.armhole_depth = depth;
   const Vec2 neck_point(neck.half_width, -neck.shoulder);
-  half.neck = neck_curve(neck_point, front ? neck.drop_front : neck.drop_back, m.shoulder_slope);
+  half.neck = draft_neck_half(m, fit, front);
   half.shoulder.start = neck_point;
   half.shoulder.line_to(shoulder_point);
   half.armhole.start = shoulder_point;

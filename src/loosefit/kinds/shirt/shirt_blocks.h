@@ -28,6 +28,8 @@ struct NeckOpening {
   double drop_front = 0, drop_back = 0;  ///< of the pieces, below the HPS [m]
 };
 NeckOpening fit_neck(const ShirtMeasures& measures, const ShirtFit& fit);
+/// Half of that edge on the front or on the back, centre → shoulder, of the pieces.
+pattern::CurveChain draft_neck_half(const ShirtMeasures& measures, const ShirtFit& fit, bool front);
 
 /// Half the shoulder breadth of the pieces: where the body's shoulder seam ends, and in part where
 /// a loose chest takes it [m].

@@ -222,7 +222,7 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
                          "dart_above");
     }
   }
-  add_bands(shirt, fit);
+  add_bands(shirt, m, fit);
   finish_edges(shirt, fit);
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);
   check_shirt_outlines(shirt, m, fit, d.front.shoulder_x, under_length);

@@ -13,7 +13,6 @@ ShirtFit usual_shirt_fit() {
           .sleeve = 0.25,
           .wrist = 0.25,
           .cap_ease = 0.02,
-          .neckband_stretch = 0.10,
           .cuff_stretch = 0.10};
 }
 

@@ -60,14 +60,15 @@ struct ShirtFit {
   double bust_dart = 0;  ///< share of the bust balance that darts at the sides take up
   /// Bend at the elbow for which the sleeve is cut [degrees]; its length is taken up in a dart.
   double elbow_bend = 0;
-  double neckband = 0;          ///< width of the strip round the neck [m]; 0: none
-  double neckband_stretch = 0;  ///< strip shorter than the neckline by this share
+  double neckband = 0;  ///< width of the strip round the neck [m]; 0: none
+  /// A straight strip, shorter than the neckline by this share; 0: cut curved, as the neckline is.
+  double neckband_stretch = 0;
   /// Width of the strip at the end of the sleeve [m]; 0: none. `wrist` counts against the arm at
   /// its seam then.
   double cuff = 0;
-  double cuff_stretch = 0;      ///< strip shorter than the sleeve's end by this share
-  double band_stiffness = 2;    ///< of the strips in the plane, times that of the fabric
-  double edge_finish = 0;       ///< width of the hems along free edges [m]; 0: none
+  double cuff_stretch = 0;    ///< strip shorter than the sleeve's end by this share
+  double band_stiffness = 2;  ///< of the strips in the plane, times that of the fabric
+  double edge_finish = 0;     ///< width of the hems along free edges [m]; 0: none
 };
 
 /// The fit of a shirt where nothing else is asked for: the only place of these defaults.
