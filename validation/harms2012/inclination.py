@@ -134,8 +134,8 @@ def bodies(folder):
     return found
 
 
-def of_donning(folder, donning, weights, panel, wearer):
-    """Errors of all places of one donning: arrays, a row a place and a column a bend.
+def of_donning(folder, donning, postures, weights, panel, wearer):
+    """Errors of all places of one donning: arrays, a row a place and a column a posture.
 
     error: by two axes; normal: by the normal alone; coe: angle of the whole calibrated rotation;
     skin: how much the skin's inclination has changed, to which the error adds; and of the upright
@@ -152,7 +152,7 @@ def of_donning(folder, donning, weights, panel, wearer):
     g0, b0 = cloth(upright), under("")
     calibrated = numpy.swapaxes(b0, 1, 2) @ g0
     found = {key: [] for key in ("error", "normal", "coe", "skin")}
-    for posture in BENDS:
+    for posture in postures:
         g, b = cloth(DrapeFile(files[posture])), under(posture)
         for key, angle in (("error", inclination), ("normal", inclination_of_normal)):
             found[key].append((angle(g) - angle(b)) - (angle(g0) - angle(b0)))

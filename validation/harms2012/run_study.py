@@ -26,7 +26,7 @@ import threading
 import numpy
 
 from back_panel import BackPanel
-from cases import (ADDRESSES, ALL, BENDS, BOARDS, FOLDS, HERE, MAIN, REFERENCE, REPOSITORY, SHAKES,
+from cases import (ADDRESSES, ALL, BENDS, BOARDS, FOLDS, HERE, JUDGED, MAIN, REFERENCE, REPOSITORY, SHAKES,
                    UPRIGHT, moved_place, quick, scenario_text)
 from drape_file import DrapeFile
 from inclination import FOOTPRINT, bodies, of_donning
@@ -126,11 +126,24 @@ def shake_of(target):
     return float(found.group(1)) if found else 0.0
 
 
-def missing_bends(states, donning):
-    """Bends of a donning whose drapes do not count, with the reason."""
+def bends_of(states, donning, asked):
+    """Bends of a donning whose drapes count, and the others with the reason."""
     of = {s["posture"]: s for s in states if s["donning"] == donning}
-    return [f"{posture}: {of[posture]['stop_reason'] if posture in of else 'not tried'}"
-            for posture in BENDS if not of.get(posture, {}).get("counts")]
+    good = [posture for posture in asked if of.get(posture, {}).get("counts")]
+    return good, {posture: of[posture]["stop_reason"] if posture in of else "not tried"
+                  for posture in asked if posture not in good}
+
+
+def of_site(found, row, postures):
+    """What is kept of one board: by bend, and over those that are judged, which come first."""
+    site = {key: {str(BENDS[posture]): round(float(x), 2) for posture, x in zip(postures, found[key][row])}
+            for key in ("error", "normal", "coe", "skin")}
+    judged = {key: found[key][row][:len(JUDGED)] for key in ("error", "normal", "coe")}
+    site.update({f"{key}_rms": round(float(numpy.sqrt((values ** 2).mean())), 3)
+                 for key, values in judged.items()})
+    site["largest"] = round(float(abs(judged["error"]).max()), 3)
+    site.update({key: round(float(found[key][row]), 3) for key in ("upright", "deviation")})
+    return site
 
 
 def figures(target, spec, places):
@@ -156,25 +169,17 @@ def figures(target, spec, places):
     weights += [panel.disc_weights(line, FOOTPRINT) for line in lines.values()]
     profiles = {name: [] for name in lines}
     for k, one in enumerate(kept["drapes"]):
-        one["left_out"] = (missing_bends(states, k + 1) if one["settled"]
-                           else [f"upright: {one['stop_reason']}"])
-        if one["left_out"]:
+        asked = [posture for posture in spec["postures"] if posture in BENDS]
+        good, bad = bends_of(states, k + 1, asked)
+        one["left_out"] = bad if one["settled"] else {UPRIGHT: one["stop_reason"]}
+        if not one["settled"] or any(posture in bad for posture in JUDGED):
             continue
-        found = of_donning(target, k + 1, numpy.concatenate(weights), panel, wearer)
-        one["sites"] = {}
-        for row, name in enumerate(BOARDS):
-            site = {key: [round(float(x), 2) for x in found[key][row]]
-                    for key in ("error", "normal", "coe", "skin")}
-            site.update({f"{key}_rms": round(float(numpy.sqrt((found[key][row] ** 2).mean())), 3)
-                         for key in ("error", "normal", "coe")})
-            site["largest"] = round(float(abs(found["error"][row]).max()), 3)
-            for key in ("upright", "deviation"):
-                site[key] = round(float(found[key][row]), 3)
-            one["sites"][name] = site
+        found = of_donning(target, k + 1, good, numpy.concatenate(weights), panel, wearer)
+        one["sites"] = {name: of_site(found, row, good) for row, name in enumerate(BOARDS)}
         first = len(BOARDS)
         for name, line in lines.items():
             rows = slice(first, first + len(line))
-            profiles[name].append([numpy.sqrt((found["error"][rows] ** 2).mean(axis=1)),
+            profiles[name].append([numpy.sqrt((found["error"][rows, :len(JUDGED)] ** 2).mean(axis=1)),
                                    found["deviation"][rows]])
             first += len(line)
     for name, samples in profiles.items():
@@ -226,7 +231,8 @@ def main():
                 for name in wanted}
         for name, done in work.items():
             results[name] = figures(done.result(), specs[name], places)
-            counted = sum(not d.get("left_out", not d["settled"]) for d in results[name]["drapes"])
+            counted = sum("sites" in d or d["settled"] and "left_out" not in d
+                          for d in results[name]["drapes"])
             print(f"{name}: {counted} of {specs[name]['donnings']} donnings count", file=sys.stderr,
                   flush=True)
             ordered = {key: results[key] for key in ALL if key in results}

@@ -15,11 +15,12 @@ def counted(case):
 
 
 def samples(case, sites, value=CALIBRATED):
-    """site -> one figure per donning that counts; the scapula is the mean of left and right."""
+    """site -> one figure per donning that counts and has it (a bend beyond those that are judged may
+    be missing); the scapula is the mean of left and right."""
     names = {s: (["scapula_L", "scapula_R"] if s == "scapula" else [s]) for s in sites}
     pick = value if callable(value) else lambda site: site[value]
-    return {s: [statistics.fmean(pick(d["sites"][n]) for n in names[s]) for d in counted(case)]
-            for s in sites}
+    return {s: [statistics.fmean(pick(d["sites"][n]) for n in names[s]) for d in counted(case)
+                if pick(d["sites"][names[s][0]]) is not None] for s in sites}
 
 
 def deviation(values):

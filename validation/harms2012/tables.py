@@ -9,7 +9,7 @@ import json
 import pathlib
 import statistics
 
-from cases import (BENDS, BOARDS, CHILDREN, EDGE, FOLDS, HERE, MAIN, MOVED, MOVES, REPOSITORY, SIDE,
+from cases import (BENDS, BOARDS, CHILDREN, EDGE, FOLDS, HERE, JUDGED, MAIN, MOVED, MOVES, REPOSITORY, SIDE,
                    SITES)
 from statements import LEVEL, PLAIN, UPRIGHT_FOLD, fold_words, judged, placements
 from statistics_of import (ABSOLUTE, CALIBRATED, counted, deviation, mean_direction, order_of,
@@ -22,7 +22,10 @@ NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back
 CLOTHS = {"paper-cotton": "cotton", "cotton-jersey": "jersey"}
 VARIANTS = {"bare": "no boards", "as-put-on": "no movements after putting on",
             "fine": "edges of 10 mm"}
-READINGS = {"rms over the bends": CALIBRATED, "largest of the bends": "largest",
+BEYOND = [b for posture, b in BENDS.items() if posture not in JUDGED]
+READINGS = {"rms over the judged bends": CALIBRATED, "largest of them": "largest",
+            **{f"bent {b}°": lambda site, b=b: abs(site["error"][str(b)]) if str(b) in site["error"] else None
+               for b in BEYOND},
             "by the normal alone": "normal_rms", "whole rotation, calibrated": "coe_rms",
             "upright difference, not calibrated": lambda site: abs(site["upright"]),
             "angular deviation upright": ABSOLUTE}
@@ -139,7 +142,7 @@ def counts_block(results):
             rows.append([label, "–", "–", "**not run**", "–"])
             return
         drapes = [d for case in found for d in case["drapes"]]
-        good = sum(not d.get("left_out", not d["settled"]) for d in drapes)
+        good = sum("sites" in d or d["settled"] and "left_out" not in d for d in drapes)
         wished = sum(case["case"]["donnings"] for case in found)
         rows.append([label, f"{found[0]['case']['edge_mm']} mm", str(found[0]["vertices"]),
                      f"{good} of {wished}", f"{sum(c['seconds'] for c in found) / 60:.0f}"])
@@ -148,9 +151,10 @@ def counts_block(results):
                 left.append(f"{label}: its first drape settled only with the start shaken by "
                             f"{1000 * case['start_perturbation']:g} mm rms")
             for k, d in enumerate(case["drapes"]):
-                why = d.get("left_out") or ([] if d["settled"] else [d["stop_reason"]])
+                why = d.get("left_out", {} if d["settled"] else {"upright": d["stop_reason"]})
                 if why:
-                    left.append(f"{label}, donning {k + 1} ({'; '.join(why)})")
+                    left.append(f"{label}, donning {k + 1}: "
+                                + ", ".join(f"{posture} ({reason})" for posture, reason in why.items()))
 
     for name in MAIN:
         add(title(name), [name])
@@ -198,18 +202,24 @@ def bends_block(results):
     rows = []
     for name in main_cases(results):
         for s in SITES:
-            at = lambda key, k: samples(results[name], [s], lambda site: site[key][k])[s]
-            skin = " / ".join(f"{statistics.fmean(at('skin', k)):.0f}" for k in range(len(BENDS)))
+            at = {b: {key: samples(results[name], [s], lambda site: site[key].get(str(b)))[s]
+                      for key in ("skin", "error")} for b in BENDS.values()}
+            skin = " / ".join(f"{statistics.fmean(v['skin']):.0f}" if v["skin"] else "–" for v in at.values())
             rows.append([title(name), NAMES[s], skin, pm(samples(results[name], [s], "upright")[s]),
-                         *(pm(at("error", k)) for k in range(len(BENDS)))])
+                         *(f"{pm(v['error'])} ({len(v['error'])})" if v["error"] else "–"
+                           for v in at.values())])
     return table(["case", "place", f"skin leans by, bent {' / '.join(map(str, BENDS.values()))}° [°]",
                   "upright, sensor less skin [°]",
-                  *(f"error, bent {b}° [°]" for b in BENDS.values())], rows)
+                  *(f"error, bent {b}° [°] (donnings)" for b in BENDS.values())], rows)
 
 
 def readings_block(results):
-    rows = [[title(name), words, order_text(samples(results[name], SITES, value), NAMES)]
-            for name in main_cases(results) for words, value in READINGS.items()]
+    rows = []
+    for name in main_cases(results):
+        for words, value in READINGS.items():
+            by_site = samples(results[name], SITES, value)
+            if by_site["scapula"]:
+                rows.append([title(name), words, order_text(by_site, NAMES)])
     return table(["case", "reading", "order [°], ≈ tied"], rows)
 
 
