@@ -18,9 +18,11 @@ NOTABLE = 5  # a deviation that "could result in orientation errors" [deg]; the 
 order = lambda mean: sorted(mean, key=mean.get)
 # source, what the paper says, in what it is measured here, test on the means of the four places
 OF_PLACES = [
-    ("simulation", "low deviation at the upper back and scapula: both below mid and lower back", ABSOLUTE,
-     lambda m: max(m["scapula"], m["upper_back"]) < min(m["mid_back"], m["lower_back"])),
-    ("simulation", f"orientation errors possible in middle and lower back (both above {NOTABLE}°)", ABSOLUTE,
+    ("simulation", "low deviation at the upper back: below mid and lower back", ABSOLUTE,
+     lambda m: m["upper_back"] < min(m["mid_back"], m["lower_back"])),
+    ("simulation", "low deviation at the scapula: below mid and lower back", ABSOLUTE,
+     lambda m: m["scapula"] < min(m["mid_back"], m["lower_back"])),
+    ("simulation", f"orientation errors possible in middle and lower back: both above {NOTABLE}°", ABSOLUTE,
      lambda m: min(m["mid_back"], m["lower_back"]) > NOTABLE),
     ("study", "the scapula sensor has the smallest error", CALIBRATED,
      lambda m: order(m)[0] == "scapula"),
@@ -28,6 +30,11 @@ OF_PLACES = [
      lambda m: order(m)[1] == "mid_back"),
     ("study", "lower and upper back are the two worst", CALIBRATED,
      lambda m: set(order(m)[2:]) == {"lower_back", "upper_back"}),
+    # The paper explains its upper back by hair, which ours do not have.
+    ("study", "without the upper back: the scapula has the smallest error", CALIBRATED,
+     lambda m: m["scapula"] < min(m["mid_back"], m["lower_back"])),
+    ("study", "without the upper back: the mid back errs less than the lower back", CALIBRATED,
+     lambda m: m["mid_back"] < m["lower_back"]),
 ]
 OF_FOLDS = [
     ("simulation", "loose child: vertical folds in middle and lower back", "slim",
