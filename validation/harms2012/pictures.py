@@ -104,18 +104,15 @@ def figure4(out, images, material):
     save(figure, images / f"harms2012-back-{material}.png")
 
 
-def bent(out, images):
-    """The child tight at the hip, as put on and after a bend."""
-    fit = json.loads((out / "tight-hip-upright" / "summary.json").read_text())["fit"]["measured"]
-    panels = [("tight-hip-upright/maps", f"tight hip ({100 * fit['hip']:+.0f} %), upright"),
-              ("tight-hip-bent/postures/standing", "the same child, after a bend of 30°")]
+def tight_hip(out, images):
+    """The heavy child and the one on whose hip the shirt is tight."""
     figure = plot.figure(figsize=(9, 4.7), dpi=92)
-    for column, (folder, title) in enumerate(panels):
+    for column, (name, child) in enumerate(((f"heavy-{MATERIALS[0]}", "heavy"), ("tight-hip-upright", "tight hip"))):
         axis = figure.add_axes([0.5 * column, 0, 0.5, 0.93])
-        axis.imshow(plot.imread(out / folder / "drape-back.png"))
-        axis.set_title(title, fontsize=10.5)
+        axis.imshow(plot.imread(out / name / "maps" / "drape-back.png"))
+        axis.set_title(title_of(out / name, child), fontsize=10.5)
         frame(axis)
-    save(figure, images / "harms2012-bent.png")
+    save(figure, images / "harms2012-tight-hip.png")
 
 
 def figure3(out, images):
@@ -184,7 +181,7 @@ def main():
     for material in MATERIALS:
         figure4(arguments.out, images, material)
     figure3(arguments.out, images)
-    bent(arguments.out, images)
+    tight_hip(arguments.out, images)
     lines(json.loads(((arguments.into or HERE) / "results.json").read_text()), images)
 
 

@@ -153,9 +153,6 @@ def figures(target, spec, places):
     kept = {"case": spec, "vertices": summary["vertices"], "fit": summary["fit"]["measured"],
             "mass_kg": summary["garment"]["mass_kg"], "start_perturbation": shake_of(target), "seconds": round(summary["seconds"]["total"]),
             "version": summary["versions"]["loosefit"]}
-    if spec["postures"] and spec["postures"][-1] == UPRIGHT:  # bent, then upright again
-        kept["drapes"] = [of_state(s) for s in states if s["posture"] == UPRIGHT]
-        return kept
     upright = [summary] + [s for s in states if s["posture"] in (UPRIGHT, "reference")]
     kept["drapes"] = [of_state(state) for state in upright]
     for how, one in zip(summary.get("donnings", []), kept["drapes"]):
@@ -240,7 +237,7 @@ def main():
     if arguments.no_page:
         return
     drape(arguments.binary, out, "reference", [REFERENCE.read_text()])
-    for name in [*(m for m in MAIN if m in specs), "reference", "tight-hip-upright", "tight-hip-bent"]:
+    for name in [*(m for m in MAIN if m in specs), "reference", *FOLDS]:
         draw(arguments.binary, out / name)
     into = ["--into", str(out)] if arguments.quick else []
     for script in (["pictures.py", str(out)], ["tables.py"]):

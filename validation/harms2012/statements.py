@@ -8,7 +8,7 @@ deviation of the upright drape, those of the study about the calibrated error of
 
 import statistics
 
-from cases import MOVED, SITES
+from cases import FOLDS, MOVED, SITES
 from statistics_of import (ABSOLUTE, CALIBRATED, mean_direction, over_donnings, over_places, samples,
                            share)
 
@@ -37,9 +37,10 @@ OF_PLACES = [
      lambda m: m["mid_back"] < m["lower_back"]),
 ]
 OF_FOLDS = [
-    ("simulation", "loose child: vertical folds in middle and lower back", "slim",
-     lambda angle: abs(angle) <= UPRIGHT_FOLD),
-    ("simulation", "child tight at the hip: horizontal folds", "heavy", lambda angle: abs(angle) >= LEVEL),
+    ("simulation", "loose child: vertical folds in middle and lower back", ["slim"],
+     ("mid_back", "lower_back"), lambda angle: abs(angle) <= UPRIGHT_FOLD),
+    ("simulation", "child tight at the hip: horizontal folds above it", ["heavy", "tight-hip"],
+     ("lower_back",), lambda angle: abs(angle) >= LEVEL),
 ]
 MEASURES = {ABSOLUTE: "angular deviation upright", CALIBRATED: "calibrated error"}
 
@@ -50,11 +51,10 @@ def placements(results, name, value):
     return [samples(case, SITES, value) for case in found]
 
 
-def fold_share(case, holds):
-    """Share of the donnings with plain folds of that direction in both regions."""
+def fold_share(case, regions, holds):
+    """Share of the donnings with plain folds of that direction in all the regions."""
     seen = [d["wrinkles"] for d in case["drapes"] if "wrinkles" in d]
-    good = [all(w[r]["coherence"] >= PLAIN and holds(w[r]["angle_deg"])
-                for r in ("mid_back", "lower_back")) for w in seen]
+    good = [all(w[r]["coherence"] >= PLAIN and holds(w[r]["angle_deg"]) for r in regions) for w in seen]
     return sum(good) / len(good) if good else None
 
 
@@ -68,10 +68,11 @@ def fold_words(case):
 def judged(results, cases):
     """One entry a statement: source, text, measure, case -> (share, share at the places themselves)."""
     found = []
-    for source, text, child, holds in OF_FOLDS:
+    for source, text, children, regions, holds in OF_FOLDS:
         parts = {}
-        for name in cases:
-            part = fold_share(results[name], holds) if name.startswith(child) else None
+        for name in [*cases, *(f for f in FOLDS if f in results)]:
+            part = (fold_share(results[name], regions, holds)
+                    if any(name.startswith(child) for child in children) else None)
             if part is not None:
                 parts[name] = (part, None)
         found.append((source, text, "folds of the upright drape", parts))

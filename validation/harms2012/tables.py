@@ -21,7 +21,7 @@ NAMES = {"scapula": "scapula", "upper_back": "upper back", "mid_back": "mid back
          "hips": "hips (buttocks, to the hem)"}
 CLOTHS = {"paper-cotton": "cotton", "cotton-jersey": "jersey"}
 VARIANTS = {"bare": "no boards", "as-put-on": "no movements after putting on",
-            "fine": "edges of 10 mm"}
+            "fine": "finer mesh"}
 BEYOND = [b for posture, b in BENDS.items() if posture not in JUDGED]
 READINGS = {"rms over the judged bends": CALIBRATED, "largest of them": "largest",
             **{f"bent {b}°": lambda site, b=b: abs(site["error"][str(b)]) if str(b) in site["error"] else None
@@ -32,12 +32,15 @@ READINGS = {"rms over the judged bends": CALIBRATED, "largest of them": "largest
 
 
 def title(name):
+    if name in FOLDS:
+        return "tight hip, cotton, no boards"
     child = next(c for c in CHILDREN if name.startswith(c))
     return f"{child}, {CLOTHS[name[len(child) + 1:]]}"
 
 
 def pm(values, digits=1):
-    return f"{statistics.fmean(values):.{digits}f} ± {deviation(values):.{digits}f}".replace("-", "−")
+    spread = f" ± {deviation(values):.{digits}f}" if len(values) > 1 else ""
+    return f"{statistics.fmean(values):.{digits}f}{spread}".replace("-", "−")
 
 
 def span(pair, digits=1):
@@ -89,7 +92,7 @@ def short_block(results):
         for source, text, _, cases in found:
             own = [name for name, (part, _) in cases.items() if verdict(part) == words]
             if own:
-                where = ("all cases" if len(own) == len(main_cases(results)) > 1
+                where = ("all cases" if set(own) == set(main_cases(results)) and len(own) > 1
                          else "; ".join(title(n) for n in own))
                 rows.append(f"- {source}: {text} ({where})")
         lines += [f"**{heading}:**", "", *(rows or ["- in nothing"]), ""]
@@ -98,14 +101,16 @@ def short_block(results):
 
 def statements_block(results):
     cases = main_cases(results)
+    found = judged(results, cases)
+    cases = cases + [name for name in FOLDS if any(name in by_case for *_, by_case in found)]
     rows = []
-    for source, text, measure, found in judged(results, cases):
+    for source, text, measure, by_case in found:
         cells = []
         for name in cases:
-            if name not in found:
+            if name not in by_case:
                 cells.append("–")
                 continue
-            part, itself = found[name]
+            part, itself = by_case[name]
             cells.append(f"{verdict(part)}, {percent(part)}"
                          + ("" if itself is None else f" ({percent(itself)})"))
         rows.append([source, text, measure, *cells])
@@ -163,7 +168,7 @@ def counts_block(results):
         child = name.split("-")[0]
         add(f"{child}, cotton, {VARIANTS[name[len(child) + 1:]]}", [name])
     for name in FOLDS:
-        add(name.replace("-", " ") + ", cotton, no boards", [name])
+        add(title(name), [name])
     return table(["case", "edges", "vertices", "donnings that count", "minutes"], rows) + [
         "Left out, or of note: " + ("; ".join(left) if left else "none") + ".", ""]
 
@@ -186,8 +191,8 @@ def ranking_block(results):
                 span(all_places[s]["rank_interval"], 0), f"{least[s]} of {count}",
                 percent(all_places[s]["first"]), pm(absolute[s]),
                 str(order_of(absolute).index(s) + 1)])
-        lines += [f"**{title(name)}**, {count} donnings; and {len(sets) - 1} times "
-                  "with the boards beside their places", ""]
+        lines += [f"**{title(name)}**, {count} donnings; places beside: {len(sets) - 1}, "
+                  f"{sum(len(p['scapula']) for p in sets[1:])} donnings", ""]
         lines += table(["rank", "place", "calibrated error [°]", "90 % of its mean", "means, boards moved",
                         "90 % of the rank", "with places", "least in", "first, with places",
                         "angular deviation upright [°]", "its rank"], rows)
@@ -240,6 +245,19 @@ def moved_block(results):
     return table(["case", "boards", "donnings", *(f"{NAMES[s]} [°]" for s in SITES)], rows)
 
 
+def across_block(results):
+    """Calibrated error across the blades, mean of left and right, by the distance from the spine."""
+    rows = []
+    for name in main_cases(results):
+        line = results[name].get("profiles", {}).get("across")
+        if line:
+            at = {round(x): mean for (x, _), mean in zip(line["at_mm"], line["error_rms"]["mean"])}
+            pairs = [(at.get(x), at.get(-x)) for x in ACROSS]
+            rows.append([title(name), *("–" if None in pair else f"{statistics.fmean(pair):.1f}"
+                                        for pair in pairs)])
+    return table(["from the spine [mm]", *map(str, ACROSS)], rows)
+
+
 def variants_block(results):
     rows = []
     for child in CHILDREN:
@@ -248,7 +266,7 @@ def variants_block(results):
             if name not in results or not counted(results[name]):
                 continue
             case = results[name]
-            rows.append([child, words, str(len(counted(case))),
+            rows.append([child, f"{words}, {case['case']['edge_mm']} mm edges", str(len(counted(case))),
                          *(order_text(samples(case, SITES, v), NAMES) for v in (CALIBRATED, ABSOLUTE))])
     return table(["child", "variant", "donnings", "calibrated error [°], ≈ tied",
                   "angular deviation upright [°]"], rows)
@@ -257,8 +275,7 @@ def variants_block(results):
 def wrinkles_block(results):
     titles = {**{name: title(name) for name in MAIN},
               **{f"{c}-bare": f"{c}, cotton, no boards" for c in CHILDREN},
-              "tight-hip-upright": "tight hip, cotton, no boards",
-              "heavy-bent": "heavy, after a bend of 30°", "tight-hip-bent": "tight hip, after a bend of 30°"}
+              **{name: title(name) for name in FOLDS}}
     rows = []
     for name, words in titles.items():
         for region in ("mid_back", "lower_back", "hips"):
@@ -276,9 +293,10 @@ def wrinkles_block(results):
                   "slope of upright folds [° rms]", "of level folds", "upright in", "level in"], rows)
 
 
+ACROSS = range(0, 121, 20)  # [mm]
 BLOCKS = {"run": run_block, "short": short_block, "statements": statements_block, "fit": fit_block,
           "places": places_block, "counts": counts_block, "ranking": ranking_block, "bends": bends_block,
-          "readings": readings_block, "moved": moved_block, "variants": variants_block,
+          "readings": readings_block, "moved": moved_block, "across": across_block, "variants": variants_block,
           "wrinkles": wrinkles_block}
 
 
