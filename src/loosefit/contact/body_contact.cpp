@@ -63,15 +63,15 @@ Vec3 ContactPoint::position(const particles::VectorField& x) const {
   return sum;
 }
 
-LayerResponse compress_layer(double k, double offset, double compression) {
+LayerResponse compress_layer(double k, double offset, double compression, double hardening) {
   LayerResponse r;
   const double d = compression, onset = kContact.layer.onset * offset;
   r.energy = 0.5 * k * d * d;
   r.pressure = k * d;
   r.stiffness = k;
-  if (d <= onset) return r;
+  if (d <= onset || hardening <= 0) return r;
   // u²/w³ with the part w of the remaining layer L that is left: ∞ where nothing is.
-  const double h = kContact.layer.hardening * k / offset;
+  const double h = hardening * kContact.layer.hardening * k / offset;
   const double rest = offset - onset, u = std::min(d, kContact.layer.hardest * offset) - onset;
   const double w = 1 - u / rest;
   const double pressure = h * u * u / (w * w * w);
@@ -135,9 +135,7 @@ void BodyContact::begin_step(const particles::VectorField& x, double dt) {
     const double slope = touch[i].sample.gradient.norm();
     if (!(slope > 0)) continue;
     c.normal = touch[i].sample.gradient / slope;
-    c.normal_force =
-        p.area * slope *
-        compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance).pressure;
+    c.normal_force = p.area * slope * layer(p, touch[i]).pressure;
     contacts.push_back(c);
   }
   if (std::isfinite(dt))
@@ -150,10 +148,8 @@ double BodyContact::value(const particles::VectorField& x) const {
   double energy = 0;
   const auto& touch = touches(x, false);
   for (int n = 0; n < point_count(); ++n)
-    if (const int i = point_index(n); touch[i].active) {
-      const double depth = points_[i].offset - touch[i].sample.distance;
-      energy += points_[i].area * compress_layer(stiffness_, points_[i].offset, depth).energy;
-    }
+    if (const int i = point_index(n); touch[i].active)
+      energy += points_[i].area * layer(points_[i], touch[i]).energy;
   return energy + friction_.value(x);
 }
 
@@ -164,10 +160,9 @@ double BodyContact::value_and_gradient(const particles::VectorField& x,
   for (int n = 0; n < point_count(); ++n)
     if (const int i = point_index(n); touch[i].active) {
       const ContactPoint& p = points_[i];
-      const LayerResponse layer =
-          compress_layer(stiffness_, p.offset, p.offset - touch[i].sample.distance);
-      energy += p.area * layer.energy;
-      const Vec3 force = -p.area * layer.pressure * touch[i].sample.gradient;
+      const LayerResponse response = layer(p, touch[i]);
+      energy += p.area * response.energy;
+      const Vec3 force = -p.area * response.pressure * touch[i].sample.gradient;
       for (int k = 0; k < p.count; ++k) g[p.particle[k]] += p.weight[k] * force;
     }
   return energy + friction_.value_and_gradient(x, g);
@@ -193,9 +188,9 @@ void BodyContact::add_hessian(const particles::VectorField& x, particles::BlockM
     if (!touch[i].active) continue;
     const ContactPoint& p = points_[i];
     const auto& s = touch[i].sample;
-    const LayerResponse layer = compress_layer(stiffness_, p.offset, p.offset - s.distance);
-    Mat3 block = layer.stiffness * p.area * s.gradient * s.gradient.transpose();
-    if (exact) block -= layer.pressure * p.area * s.hessian;
+    const LayerResponse response = layer(p, touch[i]);
+    Mat3 block = response.stiffness * p.area * s.gradient * s.gradient.transpose();
+    if (exact) block -= response.pressure * p.area * s.hessian;
     for (int a = 0; a < p.count; ++a)
       for (int b = 0; b <= a; ++b)
         h.add(p.particle[a], p.particle[b], p.weight[a] * p.weight[b] * block);
@@ -208,9 +203,7 @@ void BodyContact::add_normal_force(const particles::VectorField& x, std::vector<
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (touch[i].active) {
       const ContactPoint& p = points_[i];
-      const double depth = p.offset - touch[i].sample.distance;
-      const double force = p.area * compress_layer(stiffness_, p.offset, depth).pressure *
-                           touch[i].sample.gradient.norm();
+      const double force = p.area * layer(p, touch[i]).pressure * touch[i].sample.gradient.norm();
       for (int k = 0; k < p.count; ++k) f[p.particle[k]] += p.weight[k] * force;
     }
 }

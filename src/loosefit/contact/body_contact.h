@@ -28,7 +28,9 @@ struct LayerResponse {
   double pressure = 0;   ///< [Pa]
   double stiffness = 0;  ///< [Pa/m]
 };
-LayerResponse compress_layer(double stiffness, double offset, double compression);
+/// hardening: share of the part that hardens [–].
+LayerResponse compress_layer(double stiffness, double offset, double compression,
+                             double hardening = 1);
 
 /// Vertices and edge midpoints of a triangle mesh as contact points; areas from the flat triangles,
 /// a quarter to the vertices and three quarters to the midpoints.
@@ -89,6 +91,12 @@ class BodyContact : public particles::Energy,
     for (ContactPoint& p : change_points()) p.offset = offset;
     stiffness_ = stiffness;
   }
+  /// With less than the whole of its hardening the layer gives way where cloth starts from within
+  /// the skin, and Newton's steps stay long. At rest it has all of it.
+  void set_hardening(double share) {
+    if (share != hardening_) forget_touches();
+    hardening_ = share;
+  }
   /// Distance of a point to the skin as the field sees it [m]; reach or more if it is far.
   double field_distance(const ContactPoint& point, const particles::VectorField& x,
                         double reach) const;
@@ -137,9 +145,14 @@ class BodyContact : public particles::Energy,
   }
   Touch ask(std::size_t point, const particles::VectorField& x, bool with_hessian) const;
   const std::vector<Touch>& touches(const particles::VectorField& x, bool with_hessian) const;
+  LayerResponse layer(const ContactPoint& point, const Touch& touch) const {
+    return compress_layer(stiffness_, point.offset, point.offset - touch.sample.distance,
+                          hardening_);
+  }
   std::vector<ContactPoint> points_;
   std::shared_ptr<const DistanceField> field_;
   double stiffness_;
+  double hardening_ = 1;
   Friction friction_;
   bool restricted_ = false;
   particles::IndexSubset active_;     ///< points, while an active set is given

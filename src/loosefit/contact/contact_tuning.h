@@ -76,9 +76,9 @@ struct ImpactTuning {
 
 /// Barrier between features of cloth (SelfContact).
 struct BarrierTuning {
-  /// p₀ [Pa]. At nine tenths of the reach the barrier then bears 32 Pa, the weight of 25 layers of
-  /// shirt cotton (0.13 kg/m²): layers lie less than a tenth of their thickness too close.
-  double pressure = 1000;
+  /// p₀ [Pa]. At half the reach the barrier then bears 5 kPa, as the layer on the skin does
+  /// (ClothModelTuning::layer_pressure), at nine tenths 130 Pa.
+  double pressure = 4000;
   /// Mollifier threshold of edges that are nearly parallel, times both squared rest lengths (Li et
   /// al. 2020, section 4.2).
   double parallel_threshold = 1e-3;

@@ -121,6 +121,10 @@ void ClothModel::soften_body_contact(double thickness) {
   }
 }
 
+void ClothModel::set_hardening(double share) {
+  for (const auto& contact : body_) contact->set_hardening(share);
+}
+
 void ClothModel::set_friction_share(double share) {
   for (const auto& contact : body_) contact->set_friction_share(share);
   self_->set_friction_share(share);

@@ -64,6 +64,8 @@ class ClothModel {
   /// Replaces the layer that touches the body by one of that thickness [m], as much softer as it is
   /// thicker than half the fabric; 0: by the fabric itself.
   void soften_body_contact(double thickness);
+  /// As contact::BodyContact::set_hardening.
+  void set_hardening(double share);
 
   /// Friction holds this share of what it holds at rest [–], on the body and between layers of
   /// cloth. Anchors stay; forget_anchors lets go of all.

@@ -120,7 +120,10 @@ Fields wear_in_fields(WearInTuning& t) {
 }
 
 Fields level_fields(LevelTuning& t) {
-  return Fields("levels").residual("tolerance", t.tolerance).time("first_dt", t.first_dt);
+  return Fields("levels")
+      .residual("tolerance", t.tolerance)
+      .time("first_dt", t.first_dt)
+      .count("iterations", t.iterations);
 }
 
 Fields penetration_fields(PenetrationTuning& t) {
@@ -129,6 +132,8 @@ Fields penetration_fields(PenetrationTuning& t) {
     fields.residual(fmt::format("look_tolerances[{}]", i).c_str(), t.look_tolerances[i]);
   for (std::size_t i = 0; i < t.look_first_dt.size(); ++i)
     fields.time(fmt::format("look_first_dt[{}]", i).c_str(), t.look_first_dt[i]);
+  for (std::size_t i = 0; i < t.look_hardening.size(); ++i)
+    fields.number(fmt::format("look_hardening[{}]", i).c_str(), t.look_hardening[i], 0, 1);
   return fields.residual("tolerance", t.tolerance)
       .time("first_dt", t.first_dt)
       .time("near_rest_dt", t.near_rest_dt)

@@ -14,6 +14,20 @@ void see_skin(ClothState& state, const std::set<int>& cut = {}) {
   refine_contact(*state.model, *state.body, state.x, cut, state.tuning.penetrations);
 }
 
+/// Penetrations are looked for long before the last digits of the balance are sought.
+void look_on_the_way(ClothState& state) {
+  const PenetrationTuning& tuning = state.tuning.penetrations;
+  for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
+    state.model->set_hardening(tuning.look_hardening[i]);
+    state.settle({std::max(tuning.look_tolerances[i], state.options.residual_tolerance),
+                  tuning.look_iterations, tuning.look_first_dt[i]});
+    if (state.is_over()) break;
+    find_penetrations(state);
+    see_skin(state);
+  }
+  state.model->set_hardening(1);
+}
+
 }  // namespace
 
 bool find_penetrations(ClothState& state) {
@@ -34,7 +48,6 @@ void free_cuts(ClothState& state) {
 
 void free_penetrations(ClothState& state) {
   const PenetrationTuning& tuning = state.tuning.penetrations;
-  const double wanted = state.options.residual_tolerance;
   state.times_cut.clear();
   state.lowest.reset(), state.clear.reset(), state.saddle.reset();
   state.attempts[RecoveryKind::free_cuts] = 0;
@@ -42,14 +55,8 @@ void free_penetrations(ClothState& state) {
   state.soften_contact(false);  // nothing is held off yet
   see_skin(state);
   state.loosen_friction();
-  // Penetrations are looked for long before the last digits of the balance are sought.
-  for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
-    state.settle({std::max(tuning.look_tolerances[i], wanted), tuning.look_iterations,
-                  tuning.look_first_dt[i]});
-    if (state.is_over()) return;
-    find_penetrations(state);
-    see_skin(state);
-  }
+  look_on_the_way(state);
+  if (state.is_over()) return;
   state.stick();
   settle_without_penetrations(state, tuning.first_dt);
 }

@@ -61,7 +61,8 @@ void settle_coarse_levels(ClothState& state) {
   const LevelTuning& tuning = state.tuning.levels;
   while (!state.is_finest()) {
     state.loosen_friction();
-    if (!state.must_stop()) state.settle({tuning.tolerance, kNoLimit, tuning.first_dt});
+    state.model->set_hardening(0);
+    if (!state.must_stop()) state.settle({tuning.tolerance, tuning.iterations, tuning.first_dt});
     state.stick();
     state.handed_on.push_back({state.x, state.model->memory()});
     refine(state);
