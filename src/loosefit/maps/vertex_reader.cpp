@@ -1,6 +1,7 @@
 #include "loosefit/maps/vertex_reader.h"
 
 #include "loosefit/base/error.h"
+#include "loosefit/maps/borne_strain.h"
 
 namespace loosefit::maps {
 namespace {
@@ -23,11 +24,7 @@ std::vector<double> VertexReader::values(const MapArray& array) {
 }
 
 std::vector<double> VertexReader::of(ReadGradient read) {
-  if (!gradients_) {
-    gradients_.emplace();
-    for (int t = 0; t < static_cast<int>(input_.garment.triangles.size()); ++t)
-      gradients_->push_back(garment_gradient(input_.garment, t, input_.positions));
-  }
+  if (!gradients_) gradients_ = borne_gradients(input_.garment, input_.positions);
   std::vector<double> per_triangle;
   per_triangle.reserve(gradients_->size());
   for (const geometry::DeformationGradient& f : *gradients_)
