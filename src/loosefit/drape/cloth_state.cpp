@@ -59,6 +59,8 @@ Stop ClothState::how_it_ended() const {
   if (last.residual > options.residual_tolerance) {
     if (budget.time_is_up()) return {StopReason::time_budget};
     if (budget.iterations_left() == 0) return {StopReason::iteration_limit};
+    if (budget.phase_is_over())
+      return {.reason = StopReason::posture_too_long, .iterations = budget.phase_length()};
   }
   return {stop_reason(last.reason)};
 }

@@ -21,7 +21,11 @@ class SettlingBudget {
   /// Iterations that are left of DrapeOptions::max_iterations.
   int iterations_left() const;
   /// Ends a phase of its own after so many more iterations, whatever the drape may take.
-  void limit_phase(int iterations) { phase_end_ = iterations_ + iterations; }
+  void limit_phase(int iterations) {
+    phase_length_ = iterations;
+    phase_end_ = iterations_ + iterations;
+  }
+  int phase_length() const { return phase_length_; }  ///< iterations of that phase
   /// Whether those, with `more` that are not counted yet, are used up.
   bool phase_is_over(int more = 0) const {
     return phase_end_ >= 0 && iterations_ + more > phase_end_;
@@ -34,6 +38,7 @@ class SettlingBudget {
   int iterations_ = 0;
   double spent_ = 0;    ///< of max_iterations
   int phase_end_ = -1;  ///< in iterations_; −1: none
+  int phase_length_ = 0;
 };
 
 }  // namespace loosefit::drape
