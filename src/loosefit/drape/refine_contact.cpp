@@ -93,6 +93,7 @@ std::vector<Nearest> nearest_places(
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j <= n; ++j)
         if (j < n && i + j > 0) try_place({double(i) / n, double(j) / n});
+    if (!(least < at_corners - tuning.worth_a_point)) continue;
     // The nearest place is at a corner or an edge of the skin: close in on it.
     for (double step = 0.5 / n; step > tuning.least_step; step /= 2) {
       const Place middle = best;
