@@ -108,6 +108,10 @@ void print_pieces(const pattern::Pattern& pattern) {
 }
 
 void print_seams(const pattern::Pattern& pattern) {
+  if (pattern.stitches.empty()) {
+    fmt::print("no seams: no edge is sewn to another\n\n");
+    return;
+  }
   fmt::print("{:>2} {:<18} {:<32} {:<32} {:>11} {:>9}\n", "", "seam", "first side", "second side",
              "length [mm]", "diff [mm]");
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
@@ -123,6 +127,15 @@ void print_seams(const pattern::Pattern& pattern) {
                terminal_line(stitch.name), first, second, length_a, length_b - length_a,
                stitch.right_wrong ? "  right to wrong" : "");
   }
+}
+
+/// Nothing without lines.
+void print_lines(const std::string& title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  if (!title.empty()) fmt::print("{}\n", title);
+  for (const std::string& line : lines)
+    fmt::print("{}{}\n", title.empty() ? "" : "  ", terminal_line(line));
+  fmt::print("\n");
 }
 
 /// Body and garment at the levels of fit that a size has both for.
@@ -151,10 +164,12 @@ void run(Wish wish) {
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   fmt::print("{}\n\n", terminal_line(made.pattern.name));
+  print_lines("", made.about);
   print_girths(made.levels);
   print_pieces(made.pattern);
   print_seams(made.pattern);
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
+  print_lines("not used:", made.unused);
   if (wish.out.empty()) return;
   report::write_pattern(wish.out, made.pattern);
   fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
@@ -171,10 +186,14 @@ void add_pattern_command(CLI::App& app) {
           "--pattern", [wish](const std::string& kind) { wish->pattern.kind = kind; },
           join(kinds::drafted_kinds()) + "; default " + usual_kind())
       ->check(CLI::IsMember(kinds::drafted_kinds()));
-  command->add_option("--file", wish->pattern.file,
-                      "GarmentCode specification JSON instead of the draft");
+  command->add_option(
+      "--file", wish->pattern.file,
+      "pattern file instead of the draft: GarmentCode specification JSON, DXF-AAMA or "
+      "ASTM D6673");
   command->add_option("--size", wish->pattern.size,
-                      "garment size, e.g. child-142, women-38, men-M");
+                      "garment size, e.g. child-142, women-38, men-M; with --file one of the file");
+  command->add_option("--units", wish->pattern.units,
+                      "of a DXF file: mm, cm, m or inch; default: as it says, if that can be");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
   command->add_option("--body", wish->pattern.body,
                       "body.json of `loosefit body`, or JSON with measures; default: the body of a "

@@ -78,12 +78,13 @@ TEST_F(PatternCommand, RefusesAMeasureThatWasGivenAndAdaptsOneThatWasNot) {
 }
 
 TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
-  const ProgramRun run = pattern("--file " + file("shirt.dxf", "  0\nSECTION\n  2\nBLOCKS\n"));
+  const ProgramRun run = pattern("--file " + file("shirt.pdf", "%PDF-1.4\n"));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.output.find("shirt.dxf: found a DXF file, expected GarmentCode JSON"),
+  EXPECT_NE(run.output.find("shirt.pdf: found a PDF document, expected GarmentCode JSON"),
             std::string::npos)
       << run.output;
   EXPECT_NE(run.output.find("hint: patterns are read from GarmentCode JSON"), std::string::npos);
+  file("shirt.dxf", "  0\nSECTION\n  2\nBLOCKS\n");
   const ProgramRun scenario =
       pattern("--scenario " + file("case.toml", "[garment]\npattern = \"shirt.dxf\"\n"));
   EXPECT_EQ(scenario.exit_code, 2);

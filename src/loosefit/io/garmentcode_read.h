@@ -1,17 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "loosefit/pattern/pattern.h"
+#include "loosefit/io/pattern_file.h"
 
 namespace loosefit::io {
-
-/// A pattern read from a file and what had to be assumed for it.
-struct PatternFile {
-  pattern::Pattern pattern;
-  std::vector<std::string> warnings;
-};
 
 /// GarmentCode specification JSON (Korosteleva and Sorkine-Hornung 2023; pygarment 2.0.2).
 /// Read in full: straight, quadratic, cubic and circle edges, the old list form and absolute

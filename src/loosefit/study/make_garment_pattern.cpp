@@ -5,8 +5,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/measures_file.h"
+#include "loosefit/io/read_pattern.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/kinds/body_measures.h"
@@ -19,18 +19,26 @@ namespace loosefit::study {
 namespace {
 
 void check_one_source(const GarmentPatternWish& wish) {
-  const int sources = !wish.file.empty() + !wish.size.empty() + !wish.scenario.empty();
+  // With a file, a size is one of those that the file holds.
+  const int sources =
+      !wish.file.empty() + (!wish.size.empty() && wish.file.empty()) + !wish.scenario.empty();
   const bool fixed = !wish.file.empty() || !wish.scenario.empty();
   if (sources > 1 || (fixed && !(wish.fit.empty() && !wish.kind)))
     throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
                        "one of --file, --size, --scenario, or measures with a fit");
+  if (!wish.units.empty() && wish.file.empty())
+    throw InvalidInput({{}, 0, "--units"}, printable(wish.units), "--file beside it");
 }
 
 GarmentPattern of_scenario(const std::string& file) {
   const scenario::Scenario scenario = io::read_scenario(file);
   try {
     CasePattern result = make_pattern(scenario.studied().spec, make_body(scenario.body).body);
-    return {std::move(result.pattern), std::move(result.levels), {}, std::move(result.warnings)};
+    GarmentPattern made;
+    made.pattern = std::move(result.pattern);
+    made.levels = std::move(result.levels);
+    made.warnings = std::move(result.warnings);
+    return made;
   } catch (const InvalidInput& error) {
     throw io::in_scenario(error, scenario);
   }
@@ -66,9 +74,11 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
   // A pattern file tells its kind, which tells the measures that it is compared with.
   std::string kind_name = wish.kind.value_or(kinds::garment_kinds().front().name);
   if (!wish.file.empty()) {
-    io::PatternFile file = io::read_garmentcode(wish.file);
+    io::PatternFile file = io::read_pattern(wish.file, {wish.size, wish.units});
     made.pattern = std::move(file.pattern);
     made.warnings = std::move(file.warnings);
+    made.about = std::move(file.about);
+    made.unused = std::move(file.unused);
     kind_name = made.pattern.kind;
   }
   const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);

@@ -18,8 +18,9 @@ struct GivenValue {
 /// Where one pattern comes from: at most one of file, size, scenario, and measures with a fit.
 /// Messages call these as the options of `loosefit pattern` are called.
 struct GarmentPatternWish {
-  std::string file;                  ///< GarmentCode specification; empty: none
-  std::string size;                  ///< of the kind's table; empty: none
+  std::string file;                  ///< pattern file (io/read_pattern.h); empty: none
+  std::string size;                  ///< of the kind's table, or of the file; empty: none
+  std::string units;                 ///< of a DXF file: mm, cm, m, inch; empty: as it says
   std::string body;                  ///< file with measures of the body; empty: none
   std::string scenario;              ///< file that brings body and garment; empty: none
   std::optional<std::string> kind;   ///< of a draft; none: the usual one
@@ -33,6 +34,8 @@ struct GarmentPattern {
   std::vector<kinds::FitLevel> levels;  ///< of fit, in the order of the kind
   std::string details;                  ///< of the draft; empty without one
   std::vector<std::string> warnings;
+  std::vector<std::string> about;   ///< what a pattern file says of itself
+  std::vector<std::string> unused;  ///< what of a pattern file was not used
 };
 
 /// Drafts a garment, or reads it from a pattern file or as a scenario has it. Without `body` and

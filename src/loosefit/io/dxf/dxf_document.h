@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit::io {
+
+/// One thing that is drawn or written, in the units of the file.
+struct DxfEntity {
+  std::string kind;          ///< "LINE", "POLYLINE", "TEXT", …
+  int layer = -1;            ///< its number; -1 when the layer's name is none
+  int line = 0;              ///< of the file
+  std::vector<Vec2> points;  ///< of lines and curves; the place of points and texts
+  bool closed = false;       ///< the last point joins the first, which is not repeated
+  std::string text;          ///< of texts; name of the block of an INSERT
+};
+
+/// A block: a piece of a pattern in one size.
+struct DxfBlock {
+  std::string name;
+  int line = 0;
+  std::vector<DxfEntity> entities;
+};
+
+/// What a DXF file draws. Blocks are kept by their place in the file, since names repeat.
+struct DxfDocument {
+  std::vector<DxfBlock> blocks;
+  std::vector<DxfEntity> entities;  ///< outside of blocks
+  std::optional<int> insunits;      ///< $INSUNITS of the header: 1 inch, 4 mm, 5 cm, 6 m
+};
+
+/// Reads sections HEADER, BLOCKS and ENTITIES of a DXF text file; all others are passed over.
+/// Points are taken from LINE, POLYLINE, LWPOLYLINE (with bulges), ARC, CIRCLE and SPLINE (sampled
+/// every 2 degrees or 1/64 of a knot span), POINT and TEXT; other kinds have none. Texts that are
+/// not UTF-8 are taken as Latin 1. `file` only appears in messages. \throws InvalidInput naming
+/// line and entity: text that is no DXF, numbers that are none, a
+///         section, block or polyline without an end, a drawing that is scaled or seen from below.
+/// Source: Autodesk, DXF Reference (group codes of the entities).
+DxfDocument parse_dxf(const std::string& text, const std::string& file);
+
+}  // namespace loosefit::io

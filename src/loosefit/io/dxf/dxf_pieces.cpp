@@ -1,0 +1,114 @@
+#include "loosefit/io/dxf/dxf_pieces.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+
+namespace loosefit::io {
+namespace {
+
+std::string trimmed(const std::string& s) {
+  const std::size_t a = s.find_first_not_of(" \t"), b = s.find_last_not_of(" \t");
+  return a == std::string::npos ? std::string() : s.substr(a, b - a + 1);
+}
+
+std::string lower(std::string s) {
+  std::transform(s.begin(), s.end(), s.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return s;
+}
+
+struct KeyValue {
+  std::string key, value;
+};
+
+std::optional<KeyValue> key_value(const DxfEntity& e) {
+  if (e.kind != "TEXT" && e.kind != "MTEXT") return {};
+  const std::size_t colon = e.text.find(':');
+  if (colon == std::string::npos) return {};
+  return KeyValue{lower(trimmed(e.text.substr(0, colon))), trimmed(e.text.substr(colon + 1))};
+}
+
+bool has_outline(const DxfBlock& block) {
+  return std::any_of(block.entities.begin(), block.entities.end(), [](const DxfEntity& e) {
+    return (e.layer == 1 || e.layer == 84) && e.points.size() > 1;
+  });
+}
+
+/// The beginning, not cut within a letter of UTF-8.
+std::string shortened(std::string s) {
+  constexpr std::size_t kMost = 100;
+  if (s.size() <= kMost) return s;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(s[end]) >> 6) == 2) --end;
+  s.resize(end);
+  return s;
+}
+
+void set_once(std::string& to, const std::string& value) {
+  if (to.empty()) to = shortened(value);
+}
+
+}  // namespace
+
+bool is_known_text(const std::string& text) {
+  const std::string key = lower(trimmed(text.substr(0, text.find(':'))));
+  for (const char* known : {"piece name", "size", "quantity", "category", "fabric", "material",
+                            "annotation", "style name", "sample size", "units"})
+    if (key == known) return true;
+  return false;
+}
+
+bool parse_quantity(const std::string& text, PieceCount& count) {
+  count = {};
+  const std::size_t comma = text.find(',');
+  int numbers[2] = {0, 0};
+  for (int i = 0; i < (comma == std::string::npos ? 1 : 2); ++i) {
+    const std::string part = trimmed(i == 0 ? text.substr(0, comma) : text.substr(comma + 1));
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), numbers[i]);
+    if (error != std::errc() || end != part.data() + part.size() || numbers[i] < 0 ||
+        numbers[i] > 1000)
+      return false;
+  }
+  count = {numbers[0], numbers[1]};
+  if (comma == std::string::npos && numbers[0] == 2) count = {1, 1};
+  return true;
+}
+
+DxfStyle find_pieces(const DxfDocument& document) {
+  DxfStyle style;
+  for (const DxfEntity& e : document.entities)
+    if (const auto text = key_value(e)) {
+      if (text->key == "style name") set_once(style.name, text->value);
+      if (text->key == "sample size") set_once(style.sample_size, text->value);
+      if (text->key == "units") set_once(style.units, text->value);
+    }
+  for (const DxfBlock& block : document.blocks) {
+    if (block.name.starts_with("*") || !has_outline(block)) continue;
+    DxfPiece piece;
+    piece.block = &block;
+    for (const DxfEntity& e : block.entities)
+      if (const auto text = key_value(e)) {
+        if (text->key == "piece name") set_once(piece.name, text->value);
+        if (text->key == "size") set_once(piece.size, text->value);
+        if (text->key == "quantity") set_once(piece.quantity, text->value);
+        if (text->key == "category") set_once(piece.category, text->value);
+        if (text->key == "fabric" || text->key == "material") set_once(piece.fabric, text->value);
+        if (text->key == "annotation") set_once(piece.annotation, text->value);
+      }
+    if (piece.name.empty()) {
+      piece.name = shortened(block.name);
+      if (!piece.size.empty() && piece.name.ends_with("_" + piece.size))
+        piece.name.resize(piece.name.size() - piece.size.size() - 1);
+    }
+    if (piece.name.empty()) piece.name = "piece";
+    if (!piece.size.empty() &&
+        std::find(style.sizes.begin(), style.sizes.end(), piece.size) == style.sizes.end())
+      style.sizes.push_back(piece.size);
+    style.pieces.push_back(std::move(piece));
+  }
+  return style;
+}
+
+}  // namespace loosefit::io

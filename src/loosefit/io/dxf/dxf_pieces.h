@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/io/dxf/dxf_document.h"
+
+namespace loosefit::io {
+
+/// How often a piece is cut.
+struct PieceCount {
+  int as_drawn = 1, mirrored = 0;
+};
+
+/// A block that has an outline, with what its texts say.
+struct DxfPiece {
+  std::string name;  ///< "Piece Name"; else of the block, without the size
+  std::string size;  ///< "Size"; may be empty
+  std::string category, fabric, annotation, quantity;  ///< as the file has them
+  const DxfBlock* block = nullptr;
+};
+
+/// A pattern: its pieces in all sizes, and what the texts of the style say.
+struct DxfStyle {
+  std::string name, sample_size, units;
+  std::vector<DxfPiece> pieces;
+  std::vector<std::string> sizes;  ///< in the order of the file; pieces without one are not counted
+};
+
+/// Finds pieces and texts (ASTM D6673, "key: value" in any letter case). Keeps pointers into the
+/// document.
+DxfStyle find_pieces(const DxfDocument& document);
+
+/// "1", "2" (one as drawn, one mirrored), "1,1" (as drawn, mirrored), "0" (optional).
+/// \return false for anything else, and count is one as drawn.
+bool parse_quantity(const std::string& text, PieceCount& count);
+
+/// Whether a text of this key is read by find_pieces.
+bool is_known_text(const std::string& text);
+
+}  // namespace loosefit::io

@@ -1,0 +1,96 @@
+#include "loosefit/io/dxf/dxf_units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+
+namespace loosefit::io {
+namespace {
+
+constexpr double kShortest = 0.25, kLongest = 1.7;  // longest side of a garment's largest piece [m]
+
+struct Unit {
+  const char *name, *title;
+  double metre;
+  bool metric;
+};
+constexpr std::array<Unit, 4> kUnits{{{"mm", "millimetres", 0.001, true},
+                                      {"cm", "centimetres", 0.01, true},
+                                      {"m", "metres", 1, true},
+                                      {"inch", "inches", 0.0254, false}}};
+
+bool plausible(const Unit& unit, double extent) {
+  return unit.metre * extent >= kShortest && unit.metre * extent <= kLongest;
+}
+
+std::string size_in(const Unit& unit, double extent) {
+  return fmt::format("{:.3g} m in {}", unit.metre * extent, unit.title);
+}
+
+std::string sizes_in_all(double extent) {
+  std::vector<std::string> sizes;
+  for (const Unit& unit : kUnits) sizes.push_back(size_in(unit, extent));
+  return join(sizes);
+}
+
+const Unit* claimed_unit(std::string claimed, std::optional<int> insunits) {
+  std::transform(claimed.begin(), claimed.end(), claimed.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (claimed == "METRIC" || claimed == "MM") return &kUnits[0];
+  if (claimed == "ENGLISH" || claimed == "INCH") return &kUnits[3];
+  if (claimed == "CM") return &kUnits[1];
+  if (!claimed.empty() || !insunits) return nullptr;
+  return *insunits == 1   ? &kUnits[3]
+         : *insunits == 4 ? &kUnits[0]
+         : *insunits == 5 ? &kUnits[1]
+         : *insunits == 6 ? &kUnits[2]
+                          : nullptr;
+}
+
+}  // namespace
+
+const char* const kDxfUnitNames = "mm, cm, m or inch";
+
+DxfUnits choose_units(const std::string& asked, const std::string& claimed,
+                      std::optional<int> insunits, double extent, const std::string& file) {
+  if (!asked.empty()) {
+    for (const Unit& unit : kUnits)
+      if (asked == unit.name) return {unit.metre, unit.title, {}};
+    throw InvalidInput({{}, 0, "units"}, '"' + printable(asked) + '"', kDxfUnitNames);
+  }
+  const Unit* said = claimed_unit(claimed, insunits);
+  if (said && plausible(*said, extent)) return {said->metre, said->title, {}};
+  // The same system first: a file in centimetres says METRIC.
+  std::vector<const Unit*> fitting;
+  for (const bool same : {true, false}) {
+    if (!fitting.empty()) break;
+    for (const Unit& unit : kUnits)
+      if ((!same || (said && unit.metric == said->metric)) && plausible(unit, extent))
+        fitting.push_back(&unit);
+  }
+  const std::string words = claimed.empty() ? said ? "the header says " + std::string(said->title)
+                                                   : std::string("the file does not name its units")
+                                            : "the file says Units: " + printable(claimed);
+  if (fitting.size() != 1)
+    throw InvalidInput(
+        {file, 0, "units"},
+        fmt::format("a largest piece of {:.6g} file units, {}", extent, sizes_in_all(extent)),
+        fmt::format("{:g} to {:g} m in one of them", kShortest, kLongest),
+        words + "; name the unit: --units " + kDxfUnitNames);
+  const Unit& unit = *fitting[0];
+  return {unit.metre, unit.title,
+          fmt::format("units: {}{}; taken as {}, in which it is {:.3g} m (--units says otherwise)",
+                      words,
+                      said ? ", in which the largest piece would be " +
+                                 fmt::format("{:.3g} m", said->metre * extent)
+                           : "",
+                      unit.title, unit.metre * extent)};
+}
+
+}  // namespace loosefit::io
