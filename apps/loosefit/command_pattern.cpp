@@ -109,7 +109,7 @@ void print_pieces(const pattern::Pattern& pattern) {
 
 void print_seams(const pattern::Pattern& pattern) {
   if (pattern.stitches.empty()) {
-    fmt::print("no seams: no edge is sewn to another\n\n");
+    fmt::print("no seams: no edge is sewn to another\n");
     return;
   }
   fmt::print("{:>2} {:<18} {:<32} {:<32} {:>11} {:>9}\n", "", "seam", "first side", "second side",
@@ -169,6 +169,7 @@ void run(Wish wish) {
   print_pieces(made.pattern);
   print_seams(made.pattern);
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
+  if (!made.unused.empty()) fmt::print("\n");
   print_lines("not used:", made.unused);
   if (wish.out.empty()) return;
   report::write_pattern(wish.out, made.pattern);
@@ -192,6 +193,9 @@ void add_pattern_command(CLI::App& app) {
       "ASTM D6673");
   command->add_option("--size", wish->pattern.size,
                       "garment size, e.g. child-142, women-38, men-M; with --file one of the file");
+  command->add_option(
+      "--seams", wish->pattern.seams,
+      "seams of a DXF file; default: NAME.seams.toml beside NAME.dxf, if there is one");
   command->add_option("--units", wish->pattern.units,
                       "of a DXF file: mm, cm, m or inch; default: as it says, if that can be");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");

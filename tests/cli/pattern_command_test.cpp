@@ -9,6 +9,7 @@
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
+#include "support/dxf_text.h"
 #include "support/run_program.h"
 
 namespace loosefit {
@@ -89,6 +90,19 @@ TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
       pattern("--scenario " + file("case.toml", "[garment]\npattern = \"shirt.dxf\"\n"));
   EXPECT_EQ(scenario.exit_code, 2);
   EXPECT_NE(scenario.output.find("found a DXF file"), std::string::npos) << scenario.output;
+}
+
+TEST_F(PatternCommand, ShowsADxfFileWithItsSeamsAndWhatWasNotUsed) {
+  const std::string name = file("tee.dxf", gerber_like_dxf());
+  file("tee.seams.toml", "[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e3\"\n");
+  const ProgramRun run = pattern("--file " + name + " --size 42");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  for (const char* words : {"size 42 of 40, 42", "SLEEVE_mirrored", "SLEEVE.e3",
+                            "not used:", "layer 8 (internal lines): 1 LINE", "have no sew line"})
+    EXPECT_NE(run.output.find(words), std::string::npos) << words << "\n" << run.output;
+  const ProgramRun alone = pattern("--units mm");
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_NE(alone.output.find("error: --units: found mm"), std::string::npos) << alone.output;
 }
 
 TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {

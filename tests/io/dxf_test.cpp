@@ -83,6 +83,7 @@ TEST(Dxf, MirroredTwinIsTheOtherHandAndKeepsItsNotch) {
   ASSERT_EQ(file.pattern.panels.size(), 3u);
   const pattern::Panel &sleeve = file.pattern.panels[1], &twin = file.pattern.panels[2];
   EXPECT_EQ(twin.name, "SLEEVE_mirrored");
+  EXPECT_EQ(sleeve.edges.size(), 4u) << "a kink within a line that is one edge is no corner";
   EXPECT_NEAR(area(sleeve), area(twin), 1e-12);
   ASSERT_EQ(file.notches.size(), 2u);
   for (const char* name : {"e1", "e2", "e3", "e4"}) {

@@ -270,9 +270,9 @@ void refuse_other_kinds(const std::string& text, const std::string& file) {
       kind.find("mesh") != std::string::npos
           ? "a mesh has no flat pieces; a scanned body is read by body.file"
       : kind == "a DXF file"
-          ? "`loosefit pattern --file` reads it and writes such a file (-o DIR), to which seams "
-            "and "
-            "the places of its panels are to be added"
+          ? "`loosefit pattern --file` reads it and writes such a file (-o DIR), in which the "
+            "places "
+            "of its panels are to be set"
           : "patterns are read from GarmentCode JSON and DXF-AAMA; `loosefit pattern -o DIR` "
             "writes GarmentCode JSON");
 }

@@ -7,8 +7,11 @@
 namespace loosefit::io {
 
 /// Reads a pattern file of any kind that is known, told by its content: GarmentCode JSON, DXF-AAMA
-/// and ASTM D6673. \throws as read_garmentcode and read_dxf_pattern; InvalidInput for a size or
-/// units that are asked of a file that has one size and says its units.
-PatternFile read_pattern(const std::filesystem::path& path, const DxfWish& wish = {});
+/// and ASTM D6673. Files that cannot say what is sewn take their seams from a side file
+/// (io/seams_file.h): `seams`, else NAME.seams.toml beside them where there is one.
+/// \throws as read_garmentcode, read_dxf_pattern and read_seams; InvalidInput for a size, units or
+/// seams that are asked of a file that has them itself.
+PatternFile read_pattern(const std::filesystem::path& path, const DxfWish& wish = {},
+                         const std::filesystem::path& seams = {});
 
 }  // namespace loosefit::io

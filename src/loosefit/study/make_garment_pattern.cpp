@@ -28,6 +28,8 @@ void check_one_source(const GarmentPatternWish& wish) {
                        "one of --file, --size, --scenario, or measures with a fit");
   if (!wish.units.empty() && wish.file.empty())
     throw InvalidInput({{}, 0, "--units"}, printable(wish.units), "--file beside it");
+  if (!wish.seams.empty() && wish.file.empty())
+    throw InvalidInput({{}, 0, "--seams"}, printable(wish.seams), "--file beside it");
 }
 
 GarmentPattern of_scenario(const std::string& file) {
@@ -74,7 +76,7 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
   // A pattern file tells its kind, which tells the measures that it is compared with.
   std::string kind_name = wish.kind.value_or(kinds::garment_kinds().front().name);
   if (!wish.file.empty()) {
-    io::PatternFile file = io::read_pattern(wish.file, {wish.size, wish.units});
+    io::PatternFile file = io::read_pattern(wish.file, {wish.size, wish.units}, wish.seams);
     made.pattern = std::move(file.pattern);
     made.warnings = std::move(file.warnings);
     made.about = std::move(file.about);

@@ -18,11 +18,12 @@ struct GivenValue {
 /// Where one pattern comes from: at most one of file, size, scenario, and measures with a fit.
 /// Messages call these as the options of `loosefit pattern` are called.
 struct GarmentPatternWish {
-  std::string file;                  ///< pattern file (io/read_pattern.h); empty: none
-  std::string size;                  ///< of the kind's table, or of the file; empty: none
-  std::string units;                 ///< of a DXF file: mm, cm, m, inch; empty: as it says
-  std::string body;                  ///< file with measures of the body; empty: none
-  std::string scenario;              ///< file that brings body and garment; empty: none
+  std::string file;      ///< pattern file (io/read_pattern.h); empty: none
+  std::string size;      ///< of the kind's table, or of the file; empty: none
+  std::string units;     ///< of a DXF file: mm, cm, m, inch; empty: as it says
+  std::string seams;     ///< side file with the seams of `file`; empty: the one beside it
+  std::string body;      ///< file with measures of the body; empty: none
+  std::string scenario;  ///< file that brings body and garment; empty: none
   std::optional<std::string> kind;   ///< of a draft; none: the usual one
   std::vector<GivenValue> measures;  ///< over those of the body
   std::vector<GivenValue> fit;       ///< what is not in it may give way

@@ -22,9 +22,12 @@ bool near_any(const std::vector<Vec2>& points, const Vec2& p) {
                      [&](const Vec2& q) { return (p - q).norm() < kChainGap; });
 }
 
-void mark_kinks(Outline& loop, const std::vector<Vec2>& turn_points) {
+/// \param inner points inside a line that is one edge, which are no corners
+void mark_kinks(Outline& loop, const std::vector<bool>& inner,
+                const std::vector<Vec2>& turn_points) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
+    if (inner[i]) continue;
     // Over a point that is repeated the turn is undefined: look at the next different ones.
     std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
     while (before != i && (loop[before].at - loop[i].at).norm() < kSamePoint)
@@ -50,8 +53,8 @@ double outline_area(const Outline& loop) {
 Chained chain_lines(const std::vector<DrawnLine>& lines, const std::vector<Vec2>& turn_points) {
   Chained result;
   std::vector<bool> used(lines.size(), false);
-  const auto take_loop = [&](Outline loop) {
-    mark_kinks(loop, turn_points);
+  const auto take_loop = [&](Outline loop, const std::vector<bool>& inner) {
+    mark_kinks(loop, inner, turn_points);
     result.loops.push_back(std::move(loop));
   };
   for (std::size_t first = 0; first < lines.size(); ++first) {
@@ -62,14 +65,16 @@ Chained chain_lines(const std::vector<DrawnLine>& lines, const std::vector<Vec2>
     const auto ends_meet = [&] {
       return (chain.front().at - chain.back().at).norm() < kChainGap && chain.size() > 3;
     };
+    std::vector<bool> inner(chain.size(), false);
     if (lines[first].closed) {
-      take_loop(std::move(chain));
+      take_loop(std::move(chain), inner);
       continue;
     }
     bool edge = lines[first].one_edge;
     // A single line that comes back to its start is as one that is marked closed.
     chain.front().corner = edge && !ends_meet();
     if (ends_meet()) edge = false;
+    if (edge) std::fill(inner.begin() + 1, inner.end() - 1, true);
     while (!ends_meet()) {
       // The line that goes on from here; of several the next one in the file.
       std::size_t next = lines.size();
@@ -86,13 +91,16 @@ Chained chain_lines(const std::vector<DrawnLine>& lines, const std::vector<Vec2>
       std::vector<Vec2> points = lines[next].points;
       if (backwards) std::reverse(points.begin(), points.end());
       chain.back().corner = edge || lines[next].one_edge;
-      for (std::size_t i = 1; i < points.size(); ++i) chain.push_back({points[i]});
       edge = lines[next].one_edge;
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        chain.push_back({points[i]});
+        inner.push_back(edge && i + 1 < points.size());
+      }
     }
     if (ends_meet()) {
       chain.front().corner = chain.front().corner || edge;
       chain.pop_back();
-      take_loop(std::move(chain));
+      take_loop(std::move(chain), inner);
       continue;
     }
     ++result.open;

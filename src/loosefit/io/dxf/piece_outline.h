@@ -33,9 +33,10 @@ struct Chained {
 };
 
 /// Joins lines end to end, in their order where that leads on, else by the nearest end within
-/// kChainGap. Corners of a closed line, and inside a line, are kinks: turns above 20 degrees at one
-/// of `turn_points`, above 40 degrees where there are none. (Real corners turn by more than 60,
-/// those of sampled curves that are marked as corners by less than 19 degrees in a garment of CLO.)
+/// kChainGap. Corners of closed lines, and between lines that are not one edge each, are kinks:
+/// turns above 20 degrees at one of `turn_points`, above 40 degrees where there are none. (Real
+/// corners turn by more than 60, those of sampled curves that are marked as corners by less than 19
+/// degrees in a garment of CLO.)
 Chained chain_lines(const std::vector<DrawnLine>& lines, const std::vector<Vec2>& turn_points);
 
 /// Without repeated points and without ways that lead out and straight back, which some programs

@@ -1,0 +1,92 @@
+#include "loosefit/io/seams_file.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/dxf/dxf_read.h"
+#include "loosefit/io/garmentcode_read.h"
+#include "loosefit/io/garmentcode_write.h"
+#include "loosefit/pattern/outline.h"
+#include "support/dxf_text.h"
+#include "support/mutate.h"
+
+namespace loosefit::io {
+namespace {
+
+const char* const kSeams = R"([[seam]]
+first = "SLEEVE.e1"
+second = "SLEEVE.e3"
+name = "underarm"
+[[seam]]
+first = "SLEEVE_mirrored.e1"
+second = "SLEEVE_mirrored.e3"
+reversed = true
+)";
+
+pattern::Pattern tee() { return parse_dxf_pattern(gerber_like_dxf(), "tee.dxf").pattern; }
+
+std::string refusal(const std::string& text) {
+  pattern::Pattern pattern = tee();
+  std::vector<std::string> warnings;
+  try {
+    parse_seams(text, "tee.seams.toml", pattern, warnings);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
+  pattern::Pattern pattern = tee();
+  std::vector<std::string> warnings;
+  parse_seams(kSeams, "tee.seams.toml", pattern, warnings);
+  ASSERT_EQ(pattern.stitches.size(), 2u);
+  EXPECT_EQ(pattern.stitches[0].name, "underarm");
+  const pattern::Panel& sleeve = pattern.panels[pattern.stitches[0].first.panel];
+  EXPECT_EQ(sleeve.name, "SLEEVE");
+  EXPECT_EQ(sleeve.edges[pattern.stitches[0].second.edge].name, "e3");
+  EXPECT_FALSE(pattern.stitches[0].right_wrong);
+  EXPECT_TRUE(pattern.stitches[1].right_wrong);
+  EXPECT_EQ(seams_path("a/tee.dxf"), "a/tee.seams.toml");
+  // Written and read again it is the same garment: the seams as long, the pieces as large.
+  const pattern::Pattern again = parse_garmentcode(garmentcode_text(pattern), "p.json").pattern;
+  ASSERT_EQ(again.panels.size(), pattern.panels.size());
+  ASSERT_EQ(again.stitches.size(), 2u);
+  for (std::size_t p = 0; p < again.panels.size(); ++p)
+    EXPECT_NEAR(pattern::signed_area(pattern::outline_polygon(again.panels[p])),
+                pattern::signed_area(pattern::outline_polygon(pattern.panels[p])), 1e-9);
+}
+
+TEST(SeamsFile, SidesOfDifferentLengthsAreTold) {
+  pattern::Pattern pattern = tee();
+  std::vector<std::string> warnings;
+  parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", pattern, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("208.8 and 549.3 mm"), std::string::npos) << warnings[0];
+}
+
+TEST(SeamsFile, MistakesAreToldWithTheirLine) {
+  const auto told = [](const std::string& text, const std::string& words) {
+    const std::string message = refusal(text);
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  told("[[seam]]\nfirst = \"SLEVE.e1\"\nsecond = \"SLEEVE.e2\"\n",
+       "tee.seams.toml:2: seam[0].first");
+  told("[[seam]]\nfirst = \"SLEEVE.e9\"\nsecond = \"SLEEVE.e2\"\n", "an edge of panel SLEEVE");
+  told("[[seam]]\nfirst = \"SLEEVE.e2\"\nsecond = \"SLEEVE.e2\"\n", "not sewn yet");
+  told("[[seam]]\nfirst = \"SLEEVE.e2\"\n", "second");
+  told("[[seem]]\n", "seem");
+  told("[[seam]]\nfirst = 3\nsecond = \"SLEEVE.e2\"\n", "found 3");
+}
+
+TEST(SeamsFile, DamagedFilesAreRefusedOrRead) {
+  int refused = 0;
+  for (unsigned seed = 0; seed < 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    refused += !refusal(Mutator(seed)(kSeams)).empty();
+  }
+  EXPECT_GT(refused, 500);
+}
+
+}  // namespace
+}  // namespace loosefit::io
