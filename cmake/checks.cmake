@@ -1,9 +1,4 @@
 # Tests that are not C++: the checks of architecture and references and the tests of the tools.
-# Debian's own Python (3.11 has tomllib), not another one that comes first on PATH.
-find_program(LOOSEFIT_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
-if(NOT LOOSEFIT_PYTHON)
-  find_program(LOOSEFIT_PYTHON NAMES python3 REQUIRED)
-endif()
 add_test(NAME layers COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 add_test(NAME check_layers_test
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py)
@@ -16,6 +11,8 @@ add_test(NAME tools_validation_summary
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/validation_summary_test.py)
 add_test(NAME harms2012_study
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/harms2012_test.py)
+add_test(NAME tools_unity_groups
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/unity_groups_test.py)
 
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)
@@ -26,6 +23,7 @@ foreach(name cli fuzz)
   target_link_libraries(test_${name} PRIVATE loosefit_study loosefit_warnings GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
+  loosefit_precompile(test_${name} REUSE_FROM test_base)
   gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900
     ENVIRONMENT OPENBLAS_NUM_THREADS=1)
 endforeach()

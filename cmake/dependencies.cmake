@@ -15,9 +15,20 @@ target_link_libraries(loosefit_cgal INTERFACE gmp mpfr)
 add_library(loosefit_cholmod INTERFACE)
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 target_include_directories(loosefit_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} gomp TBB::tbb)
+target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} gomp TBB::tbb)
+
+# A BLAS of our own inside each binary: one thread, kernels that we choose while running
+# (solver/linear/multifrontal/choose_kernels.h), hidden from whatever else the process has loaded,
+# such as NumPy's or CHOLMOD's. Where there is no such archive, the system's library has to do.
+find_library(OPENBLAS_LIBRARY NAMES libopenblas.a NO_DEFAULT_PATH
+  PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial)
+if(NOT OPENBLAS_LIBRARY)
+  message(STATUS "found no serial OpenBLAS archive (Debian: libopenblas-serial-dev); taking the shared one")
+  find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+endif()
+target_link_libraries(loosefit_cholmod INTERFACE ${OPENBLAS_LIBRARY})
+target_link_options(loosefit_cholmod INTERFACE LINKER:--exclude-libs,libopenblas.a)
 
 set(LOOSEFIT_VTK_IO_MODULES CommonCore CommonDataModel CommonExecutionModel IOXML)
 set(LOOSEFIT_VTK_RENDER_MODULES ${LOOSEFIT_VTK_IO_MODULES} FiltersCore FiltersModeling IOImage

@@ -12,3 +12,5 @@ if(LOOSEFIT_HAS_AVX2 AND NOT LOOSEFIT_PORTABLE)
 endif()
 # The same bits from the same build: no contraction that depends on the optimiser's mood.
 add_compile_options(-ffp-contract=off -fno-math-errno)
+# Functions of a static library are inlined although it could become part of a shared one.
+add_compile_options(-fno-semantic-interposition)

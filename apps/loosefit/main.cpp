@@ -20,7 +20,6 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
-#include "loosefit/solver/pin_blas.h"
 #include "usage_error.h"
 
 namespace loosefit {
@@ -102,6 +101,5 @@ int run_guarded(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace loosefit;
   hold_standard_streams();
-  solver::pin_blas(arguments);
   return with_output_written(run_guarded(count, arguments));
 }

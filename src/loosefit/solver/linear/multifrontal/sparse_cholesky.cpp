@@ -12,6 +12,7 @@
 #include "loosefit/solver/linear/fill_order.h"
 #include "loosefit/solver/linear/linear_tuning.h"
 #include "loosefit/solver/linear/multifrontal/buffer_pool.h"
+#include "loosefit/solver/linear/multifrontal/choose_kernels.h"
 #include "loosefit/solver/linear/multifrontal/dense_kernels.h"
 #include "loosefit/solver/linear/multifrontal/eliminate_front.h"
 #include "loosefit/solver/linear/multifrontal/front_tree.h"
@@ -208,7 +209,9 @@ void SparseCholesky<Real>::Work::eliminate_subtree(int index) {
 }
 
 template <class Real>
-SparseCholesky<Real>::SparseCholesky() : work_(std::make_unique<Work>()) {}
+SparseCholesky<Real>::SparseCholesky() : work_(std::make_unique<Work>()) {
+  dense::choose_kernels();
+}
 template <class Real>
 SparseCholesky<Real>::~SparseCholesky() = default;
 
