@@ -12,11 +12,11 @@ LOOSEFIT := $(BUILD)/bin/loosefit
 # last client leaves: a test that connects at that moment would be thrown out.
 SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 
-.PHONY: help packages configure setup build demo test bench bench-kernels format tidy asan clean
+.PHONY: help packages configure setup build demo paper-claims deb test bench bench-kernels format tidy asan clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | bench | bench-kernels | format | tidy | asan | clean"
+	@echo "also: make setup | build | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
 
 packages:
 	@tools/setup_packages.sh
@@ -39,6 +39,17 @@ demo: setup
 	@echo "demo: draping the reference shirt; writes out/demo"
 	@$(SCREEN) $(LOOSEFIT) run examples/reference-shirt.toml -o out/demo
 	@echo "demo: open out/demo/report.html, or look at out/demo/maps/*.png and out/demo/summary.json"
+
+# Every figure that README.md states, run again beside the claim. CLAIMS passes options:
+# make paper-claims CLAIMS="--clean-build --fetch"
+paper-claims: setup
+	@$(SCREEN) python3 tools/paper_claims.py --binary $(LOOSEFIT) $(CLAIMS)
+
+# build-package/loosefit_VERSION_amd64.deb, for any x86-64 Debian 12.
+deb: packages
+	@cmake --preset package > /dev/null
+	@cmake --build build-package -j $(JOBS)
+	@cd build-package && cpack -G DEB
 
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
@@ -75,4 +86,4 @@ asan: setup
 	@ASAN_OPTIONS=detect_leaks=0 $(SCREEN) ctest --test-dir build-asan --output-on-failure -j $(JOBS)
 
 clean:
-	rm -rf build build-debug build-asan out
+	rm -rf build build-package build-debug build-asan out

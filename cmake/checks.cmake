@@ -13,6 +13,12 @@ add_test(NAME harms2012_study
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/harms2012_test.py)
 add_test(NAME tools_unity_groups
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/unity_groups_test.py)
+add_test(NAME tools_paper_claims
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/paper_claims_test.py)
+add_test(NAME library_outside_the_tree COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR}
+  -DSOURCE=${PROJECT_SOURCE_DIR} -DWORK=${PROJECT_BINARY_DIR}/library_outside_the_tree
+  -DBODY=${PROJECT_SOURCE_DIR}/var/body -DCOMPILER=${CMAKE_CXX_COMPILER}
+  -P ${PROJECT_SOURCE_DIR}/tests/library/install_test.cmake)
 
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)

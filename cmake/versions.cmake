@@ -29,5 +29,12 @@ string(SUBSTRING "${loosefit_cholmod_version}" 1 -1 loosefit_cholmod_version)
 
 set_source_files_properties(src/loosefit/base/version.cpp PROPERTIES COMPILE_DEFINITIONS
   "LOOSEFIT_VERSION=\"${PROJECT_VERSION}\";LOOSEFIT_CGAL_VERSION=\"${loosefit_cgal_version}\";LOOSEFIT_CHOLMOD_VERSION=\"${loosefit_cholmod_version}\";LOOSEFIT_VTK_VERSION=\"${VTK_VERSION}\";LOOSEFIT_TBB_VERSION=\"${TBB_VERSION}\"")
+# Programs of the build folder find the data of the source tree; a package names no folder of the
+# machine that made it.
+if(LOOSEFIT_PACKAGE)
+  set(loosefit_told_source "${CMAKE_INSTALL_PREFIX}/share/loosefit")
+else()
+  set(loosefit_told_source "${PROJECT_SOURCE_DIR}")
+endif()
 set_source_files_properties(src/loosefit/base/paths.cpp PROPERTIES COMPILE_DEFINITIONS
-  "LOOSEFIT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
+  "LOOSEFIT_SOURCE_DIR=\"${loosefit_told_source}\";LOOSEFIT_INSTALL_PREFIX=\"${CMAKE_INSTALL_PREFIX}\"")

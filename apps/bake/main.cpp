@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "error: %s\n", error.what());
     if (!error.hint().empty()) std::fprintf(stderr, "hint: %s\n", error.hint().c_str());
   } catch (const std::exception& error) {  // a key that the JSON files should have
-    std::fprintf(stderr, "error: %s: %s\nhint: run: make setup\n", argv[1], error.what());
+    std::fprintf(stderr, "error: %s: %s\nhint: run: loosefit setup\n", argv[1], error.what());
   }
   return 2;
 }

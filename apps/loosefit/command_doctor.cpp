@@ -41,7 +41,7 @@ std::string find_materials() {
   const auto names = io::material_names();
   if (names.empty())
     throw IoError("no cards in " + (data_directory() / "materials").string(),
-                  "set LOOSEFIT_SHARE to the folder that holds materials/");
+                  looked_in() + "; set LOOSEFIT_DATA to the folder that holds materials/");
   for (const std::string& name : names) io::load_material(name);
   return fmt::format("{} cards in {}", names.size(), (data_directory() / "materials").string());
 }

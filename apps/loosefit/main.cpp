@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 
 #include "command_body.h"
@@ -14,10 +15,12 @@
 #include "command_pattern.h"
 #include "command_rank.h"
 #include "command_run.h"
+#include "command_setup.h"
 #include "command_stages.h"
 #include "command_validate.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "usage_error.h"
@@ -31,6 +34,13 @@ void hold_standard_streams() {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF && open("/dev/null", O_RDONLY) != stream)
       return;  // nothing to be done; the lowest free number is `stream`
+}
+
+/// The data lie beside the program, wherever it was installed.
+void tell_installation() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) use_installation(program.parent_path().parent_path());
 }
 
 int failed(int code, const std::string& message, const std::string& hint = {}) {
@@ -54,6 +64,7 @@ int run_command_line(int count, char** arguments) {
   add_rank_command(app, exit_code);
   add_material_command(app);
   add_validate_command(app, exit_code);
+  add_setup_command(app, exit_code);
   add_doctor_command(app, exit_code);
   app.add_subcommand("version", "version of this program and of its libraries")->callback([] {
     for (const auto& [library, number] : versions()) fmt::print("{:10} {}\n", library, number);
@@ -101,5 +112,6 @@ int run_guarded(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace loosefit;
   hold_standard_streams();
+  tell_installation();
   return with_output_written(run_guarded(count, arguments));
 }

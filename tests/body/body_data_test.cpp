@@ -179,7 +179,7 @@ TEST(BodyData, MissingAndDamagedFilesAreNamed) {
       ADD_FAILURE() << "a damaged file was accepted";
     } catch (const IoError& error) {
       EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
-      EXPECT_NE(error.hint().find("make setup"), std::string::npos);
+      EXPECT_NE(error.hint().find("loosefit setup"), std::string::npos);
     }
   };
   refuse("");

@@ -148,7 +148,7 @@ TEST_F(CommandLine, MissingBodyDataTellsTheWay) {
       loosefit("drape " + file("case.toml", "") + " -o " + (base / "out").string(),
                "LOOSEFIT_DATA=/nowhere/body.lfb");
   EXPECT_EQ(run.exit_code, 2) << run.output;
-  EXPECT_NE(run.output.find("make setup"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("loosefit setup"), std::string::npos) << run.output;
   EXPECT_FALSE(fs::exists(base / "out"));
 }
 

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
 
 namespace loosefit::body {
 namespace {
@@ -67,7 +68,7 @@ class Reader {
     return s;
   }
   [[noreturn]] void damaged() const {
-    throw IoError(path_ + ": found a damaged body file", "delete it and run: make setup");
+    throw IoError(path_ + ": found a damaged body file", "delete it and run: loosefit setup");
   }
 
  private:
@@ -258,18 +259,19 @@ BodyData read_body_data(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw IoError(path + ": found no body data",
-                  "run: make setup (fetches and bakes it once), or set LOOSEFIT_DATA");
+                  "run: loosefit setup (fetches and bakes it once), or set LOOSEFIT_DATA; " +
+                      looked_in());
   }
   const std::string bytes((std::istreambuf_iterator<char>(file)), {});
   constexpr std::size_t kHeader = sizeof kMagic + sizeof(std::uint64_t);
   if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, 6) != 0) {
     throw IoError(path + ": found another kind of file, expected baked body data",
-                  "delete it and run: make setup");
+                  "delete it and run: loosefit setup");
   }
   if (std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) {
     throw IoError(fmt::format("{}: found body data version {}, expected {}", path,
                               bytes.substr(6, 2), std::string(kMagic + 6, 2)),
-                  "run: make setup");
+                  "run: loosefit setup");
   }
   std::uint64_t size = 0;
   std::memcpy(&size, bytes.data() + sizeof kMagic, sizeof size);
@@ -280,7 +282,7 @@ BodyData read_body_data(const std::string& path) {
                  reinterpret_cast<const Bytef*>(bytes.data() + kHeader),
                  bytes.size() - kHeader) != Z_OK ||
       unpacked != size) {
-    throw IoError(path + ": found a damaged body file", "delete it and run: make setup");
+    throw IoError(path + ": found a damaged body file", "delete it and run: loosefit setup");
   }
   return data_of(Reader(std::move(payload), path));
 }

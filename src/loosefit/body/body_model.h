@@ -19,7 +19,7 @@ enum class BodyDetail { subdivided, coarse };
 class BodyModel {
  public:
   explicit BodyModel(BodyData data);
-  /// \throws IoError when the baked file is missing (says: make setup).
+  /// \throws IoError when the baked file is missing (says: loosefit setup).
   static BodyModel load(const std::string& path = default_body_data_path());
 
   /// The body in a posture, every field filled, floor at z = 0. \throws InvalidInput for parameters

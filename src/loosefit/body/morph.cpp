@@ -24,7 +24,7 @@ Morph::Morph(const BodyData& data) : data_(&data) {
       const auto found = std::lower_bound(words_.begin(), words_.end(), word);
       if (found == words_.end() || *found != word) {
         throw IoError("body data: the target " + name + " has the unknown word " + word,
-                      "run: make setup");
+                      "run: loosefit setup");
       }
       target.words.push_back(int(found - words_.begin()));
     }
@@ -35,7 +35,7 @@ Morph::Morph(const BodyData& data) : data_(&data) {
     for (const auto& name : names) {
       const auto entry = data.field_of_name.find(name);
       if (entry == data.field_of_name.end()) {
-        throw IoError("body data: the target " + name + " is missing", "run: make setup");
+        throw IoError("body data: the target " + name + " is missing", "run: loosefit setup");
       }
       if (entry->second >= 0) found.push_back(entry->second);
     }

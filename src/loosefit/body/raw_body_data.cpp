@@ -25,7 +25,7 @@ constexpr int kBodyVertices = 13380;
 constexpr int kLastMarker = 14597;  // corner of the last joint cube that bones use
 constexpr std::size_t kTargets = 1258;
 constexpr std::size_t kBlockBytes = kVertices * 3 * sizeof(std::int16_t);
-constexpr const char* kHint = "run: make setup (fetches the files and verifies them)";
+constexpr const char* kHint = "run: loosefit setup (fetches the files and verifies them)";
 
 std::string slurp(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -191,7 +191,7 @@ scenario::MaterialCard load_material(const std::string& name) {
   const std::vector<std::string> names = material_names();
   if (names.empty())
     throw IoError((data_directory() / "materials").string() + ": found no material cards",
-                  "set LOOSEFIT_SHARE to the folder that holds materials/");
+                  looked_in() + "; set LOOSEFIT_DATA to the folder that holds materials/");
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InvalidInput({"", 0, "material"}, "\"" + printable(name) + "\"",
                        "the name of a material card", did_you_mean(name, names));

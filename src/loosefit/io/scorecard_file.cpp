@@ -139,7 +139,7 @@ placement::Scorecard load_scorecard(const std::string& name_or_path) {
   const std::vector<std::string> names = scorecard_names();
   if (names.empty())
     throw IoError((data_directory() / "scorecards").string() + ": found no scorecards",
-                  "set LOOSEFIT_SHARE to the folder that holds scorecards/");
+                  looked_in() + "; set LOOSEFIT_DATA to the folder that holds scorecards/");
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
     throw InvalidInput({"", 0, "modality"}, "\"" + printable(name_or_path) + "\"",
                        "the name of a scorecard, or the path of a .toml file",
