@@ -3,7 +3,7 @@
 
 usage: check_layers.py [ROOT]        exit 0 good, 1 a rule is broken, 2 the rules cannot be read
 
-Checks, over src/loosefit and apps:
+Checks, over src/loosefit and those who use all of it, apps and python:
   * a module includes only modules named in its `uses`;
   * layers.toml and the loosefit_module lines of CMakeLists.txt state the same arrows;
   * the arrows have no cycle and every folder of src/loosefit is a module;
@@ -80,11 +80,11 @@ def find_cycle(uses):
             return
 
 
-def check_file(path, source, uses, external):
-    """Problems of one file; `source` is src/loosefit, None for files of apps. A header beside the
-    modules (loosefit.h) may include any of them."""
-    below = path.relative_to(source) if source else None
-    module = below.parts[0] if below and len(below.parts) > 1 else None
+def check_file(path, source, root, uses, external):
+    """Problems of one file; `source` is src/loosefit, None for files of apps and python. A header
+    beside the modules (loosefit.h) may include any of them."""
+    below = path.relative_to(source or root)
+    module = below.parts[0] if source and len(below.parts) > 1 else None
     for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:
@@ -100,7 +100,7 @@ def check_file(path, source, uses, external):
         for rule in external:
             if not any(header.startswith(prefix) for prefix in rule["prefixes"]):
                 continue
-            if below is None or not any(fnmatch.fnmatch(str(below), p) for p in rule["places"]):
+            if not any(fnmatch.fnmatch(str(below), p) for p in rule["places"]):
                 where = ", ".join(rule["places"])
                 yield f"{path}:{number}: {header}: {rule['name']} belongs into {where}"
 
@@ -203,10 +203,10 @@ def main(argv):
             problems.append(f"src/loosefit/{folder} is not a module of layers.toml")
     problems += check_file_pairs(source, exceptions)
     count = 0
-    for tree, base in ((source, source), (root / "apps", None)):
+    for tree, base in ((source, source), (root / "apps", None), (root / "python", None)):
         for path in sorted(p for p in tree.rglob("*") if p.suffix in (".h", ".cpp")):
             count += 1
-            problems += check_file(path, base, uses, external)
+            problems += check_file(path, base, root, uses, external)
             lines = len(path.read_text(errors="replace").splitlines())
             if lines > TOO_LONG:
                 problems.append(f"{path}: {lines} lines, at most {TOO_LONG}")

@@ -8,6 +8,7 @@ packages=(
   libeigen3-dev libsuitesparse-dev libopenblas-dev libopenblas-serial-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
+  pybind11-dev python3-dev python3-numpy python3-matplotlib
   xvfb xauth
 )
 command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data

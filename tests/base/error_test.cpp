@@ -9,6 +9,8 @@ TEST(InvalidInput, NamesPlaceFoundAndExpected) {
   const InvalidInput e({"a.toml", 7, "body.height"}, "17", "metres in 0.4 … 2.5", "metres?");
   EXPECT_STREQ(e.what(), "a.toml:7: body.height: found 17, expected metres in 0.4 … 2.5");
   EXPECT_EQ(e.hint(), "metres?");
+  EXPECT_EQ(e.found(), "17");
+  EXPECT_EQ(e.expected(), "metres in 0.4 … 2.5");
 }
 
 TEST(InvalidInput, IsToldAgainFromAnotherPlace) {
@@ -17,7 +19,10 @@ TEST(InvalidInput, IsToldAgainFromAnotherPlace) {
   EXPECT_STREQ(moved.what(),
                "a.toml:4: body.measurements.chest: found 9 m, expected 0.35 to 1.8 m");
   EXPECT_EQ(moved.hint(), "metres");
+  EXPECT_EQ(moved.found(), "9 m");
+  EXPECT_EQ(moved.expected(), "0.35 to 1.8 m");
   EXPECT_STREQ(InvalidInput("no arms").at({"a.toml", 0, ""}).what(), "a.toml: no arms");
+  EXPECT_EQ(InvalidInput("no arms").found(), "");
 }
 
 TEST(InputPlace, LeavesOutWhatIsUnknown) {

@@ -64,6 +64,13 @@ class CheckLayers(unittest.TestCase):
                            {"src/loosefit/maps/m.h": "#include <vtkPolyData.h>\n"})
         self.assert_caught("VTK belongs into", {"apps/x/main.cpp": "#include <vtkPolyData.h>\n"})
 
+    def test_place_of_a_client(self):
+        binding = {"python/src/module.cpp": "#include <vtkPolyData.h>\n"}
+        self.assert_caught("VTK belongs into", binding)
+        allowed = LAYERS.replace('places = ["render/*"]', 'places = ["render/*", "python/src/*"]')
+        self.assertNotEqual(allowed, LAYERS)
+        self.assertEqual(self.run_on(binding, layers=allowed)[0], 0)
+
     def test_cmake_differs(self):
         self.assert_caught("maps: layers.toml and CMakeLists.txt differ in render", {},
                            cmake=CMAKE.replace("maps USES base)", "maps USES base render)"))

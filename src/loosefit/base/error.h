@@ -32,12 +32,17 @@ class InvalidInput : public Error {
                std::string hint = {});
 
   const InputPlace& place() const { return place_; }
+  /// What stands there and what should: the two halves of the complaint, for programs. Empty when
+  /// it is told as one sentence.
+  const std::string& found() const { return found_; }
+  const std::string& expected() const { return expected_; }
   /// The same complaint with another place: of a caller who knows file and line of the value.
   InvalidInput at(const InputPlace& place) const;
 
  private:
   InputPlace place_;
   std::string complaint_;  ///< the message without its place
+  std::string found_, expected_;
 };
 
 /// Geometry that cannot be processed (open mesh, seam that cannot close): exit code 2.

@@ -41,6 +41,8 @@ class SoftBody {
     return model_.build(parameters_, posture);
   }
 
+  const body::BodyParameters& parameters() const { return parameters_; }
+
   /// The same person, not asked anything yet.
   SoftBody without_cache() const { return {model_, parameters_}; }
 

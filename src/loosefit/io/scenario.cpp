@@ -36,12 +36,11 @@ void note_lines(const ConfigNode& node, const std::string& key, std::map<std::st
 
 }  // namespace
 
-scenario::Scenario parse_scenario(const std::string& text, const std::string& file) {
-  const ConfigNode node = parse_toml(text, file);
-  ConfigReader root(node, file);
+scenario::Scenario scenario_of(const ConfigNode& table, const std::string& file) {
+  ConfigReader root(table, file);
   scenario::Scenario scenario;
   scenario.file = file;
-  note_lines(node, "", scenario.lines);
+  note_lines(table, "", scenario.lines);
   scenario.postures = read_postures_section(root.table("postures"), root.table("body"));
   scenario.body = read_body_section(root.table("body"), scenario.postures);
   scenario.studied().spec = read_garment_section(root.table("garment"));
@@ -52,10 +51,10 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
   if (under.size() > kMostUnder)
     throw root.error("under", std::to_string(under.size()) + " garments",
                      "at most " + std::to_string(kMostUnder), {});
-  for (const ConfigReader& table : root.tables("attachment"))
-    scenario.attachments.push_back(read_attachment_section(table));
-  for (const ConfigReader& table : root.tables("site"))
-    scenario.sites.push_back(read_site_section(table));
+  for (const ConfigReader& attachment : root.tables("attachment"))
+    scenario.attachments.push_back(read_attachment_section(attachment));
+  for (const ConfigReader& site : root.tables("site"))
+    scenario.sites.push_back(read_site_section(site));
   scenario.simulation = read_simulation_section(root.table("simulation"));
   scenario.output = read_output_section(root.table("output"));
   scenario.ranking = read_ranking_section(root.table("ranking"));
@@ -70,6 +69,10 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
         throw root.error("site", "the name \"" + site.name + "\" of an attachment",
                          "another name for a site with a board", {});
   return scenario;
+}
+
+scenario::Scenario parse_scenario(const std::string& text, const std::string& file) {
+  return scenario_of(parse_toml(text, file), file);
 }
 
 scenario::Scenario read_scenario(const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "loosefit/io/config_node.h"
 #include "loosefit/scenario/scenario.h"
 
 namespace loosefit::io {
@@ -14,5 +15,8 @@ scenario::Scenario read_scenario(const std::string& path);
 
 /// As read_scenario; `file` is for messages and for resolving relative paths.
 scenario::Scenario parse_scenario(const std::string& text, const std::string& file);
+
+/// As parse_scenario, of a table that was parsed, or made by a program (then all lines are 0).
+scenario::Scenario scenario_of(const ConfigNode& table, const std::string& file);
 
 }  // namespace loosefit::io

@@ -60,7 +60,7 @@ CaseBody body_from_file(const scenario::ScenarioBody& wished) {
 
 }  // namespace
 
-CaseBody make_body(const scenario::ScenarioBody& wished) {
+CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress) {
   if (!wished.file.empty()) return body_from_file(wished);
   const body::BodyModel& model = shared_model();
   const body::BodyFit fit = body::fit_body(model, spec_of(wished));
@@ -69,7 +69,8 @@ CaseBody make_body(const scenario::ScenarioBody& wished) {
   ask_of(result, std::make_shared<flesh::SoftBody>(model, fit.parameters),
          wished.dress_posture == body::default_dress_posture(wished.posture) &&
              wished.dress_posture.arm_abduction < body::kArmsWide.arm_abduction);
-  result.body = result.path(1);
+  if (progress) progress->check_cancelled();
+  result.body = result.person->in(body::blend(result.from, result.to, 1), progress);  // path(1)
   result.asked = fit.table;
   result.warnings = fit.warnings;
   return result;

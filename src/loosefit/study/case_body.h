@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/progress.h"
 #include "loosefit/body/body_fit.h"
 #include "loosefit/body/body_model.h"
 #include "loosefit/body/posed_body.h"
@@ -32,9 +33,10 @@ struct CaseBody {
 };
 
 /// The parametric person, or the scan when the scenario names a file (which keeps its posture).
-/// The baked body data are loaded once per process.
-/// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data.
-CaseBody make_body(const scenario::ScenarioBody& wished);
+/// The baked body data are loaded once per process. `progress` is asked whether to go on, and hears
+/// of the way of flesh to the posture.
+/// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data; Cancelled.
+CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress = nullptr);
 
 /// The same wearer for somebody who asks at the same time as others: what it answers depends on
 /// nothing that they ask.

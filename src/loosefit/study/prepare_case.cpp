@@ -10,7 +10,7 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.scenario = scenario;
 
   progress.stage("body");
-  result.body = make_body(scenario.body);
+  result.body = make_body(scenario.body, &progress);
 
   progress.stage("pattern");
   std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);

@@ -1,0 +1,45 @@
+"""Small cases that several tests share."""
+import os
+import pathlib
+import subprocess
+
+SOURCE = pathlib.Path(os.environ["LOOSEFIT_SOURCE_DIR"])
+BINARY = os.environ["LOOSEFIT_BINARY"]
+
+
+def tank_top(**simulation):
+    """A tank top of 50 mm edges on a woman with her arms apart: two seconds of one core."""
+    return {
+        "body": {"posture": "a-pose"},
+        "garment": {"pattern": "tank-top"},
+        "simulation": {"edge_length": 0.05, **simulation},
+        "donning": {"movements": []},
+        "ranking": {"modality": "ecg", "partial": True},
+    }
+
+
+TANK_TOP_TOML = """
+[body]
+posture = "a-pose"
+[garment]
+pattern = "tank-top"
+[simulation]
+edge_length = 0.05
+[donning]
+movements = []
+[ranking]
+modality = "ecg"
+partial = true
+"""
+
+
+def unsettled(iterations=1):
+    """The same, given up at once: half a second."""
+    return tank_top(max_iterations=iterations)
+
+
+def command_line(*arguments, expected=0):
+    """Standard output of the program."""
+    done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == expected, done.stderr
+    return done.stdout
