@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "loosefit/body/posed_body.h"
@@ -8,11 +9,16 @@
 
 namespace loosefit::dress {
 
+/// First positions of a garment that is placed by its pattern [m]; \throws as dress_as_placed.
+using PlaceOn = std::function<std::vector<Vec3>(
+    const garment::Garment&, const pattern::Pattern&, const body::PosedBody&)>;
+
 /// One garment of those that are worn over each other.
 struct LayerToDress {
   const garment::Garment* garment = nullptr;
   const pattern::Pattern* pattern = nullptr;  ///< the placement; not needed with `lay`
   LayRound lay = {};                          ///< round the body; empty: as the pattern is placed
+  PlaceOn place = {};                         ///< as placed; empty: dress_as_placed
 };
 
 /// First positions of garments worn over each other, the innermost first: vertices of all in turn.

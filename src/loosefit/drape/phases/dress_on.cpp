@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "loosefit/drape/phases/sew_on.h"
 #include "loosefit/dress/dress_layers.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/kinds/registry.h"
@@ -31,7 +32,7 @@ void lay_round_body(ClothState& state) {
   std::vector<dress::LayerToDress> to_dress;
   for (int l = 0; l < state.layer_count(); ++l) {
     const pattern::Pattern& pattern = state.layers[l].garment->pattern;
-    to_dress.push_back({&state.garment(l), &pattern, kinds::garment_kind(pattern.kind).lay});
+    to_dress.push_back({&state.garment(l), &pattern, kinds::garment_kind(pattern.kind).lay, sew_on});
   }
   try {
     state.x = dress::dress_layers(to_dress, body);
