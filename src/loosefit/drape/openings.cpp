@@ -106,6 +106,16 @@ class Uses {
     return 0.5 * (all_[p.left].placed.z() + all_[p.right].placed.z());
   }
 
+  /// +1 or −1 where all of the rim lies on one side of the middle, 0 where it does not.
+  int side_of(const Opening& opening) const {
+    double low = box_.max().x() - middle_, high = box_.min().x() - middle_;
+    for (int v : opening.loop) {
+      low = std::min(low, placed_[v].x() - middle_);
+      high = std::max(high, placed_[v].x() - middle_);
+    }
+    return low > 0 ? 1 : high < 0 ? -1 : 0;
+  }
+
   bool runs_from_top_to_bottom(const Opening& opening) const {
     double low = box_.max().z(), high = box_.min().z();
     for (int v : opening.loop) {
@@ -118,9 +128,10 @@ class Uses {
   void sort_out() {
     std::vector<int> left, right;
     for (int i : of_) {
-      if (beside(i) > kBeside * width_)
+      // A leg's opening lies near the middle of a wide garment, but all of it on one side.
+      if (beside(i) > kBeside * width_ || side_of(all_[i]) > 0)
         left.push_back(i);
-      else if (beside(i) < -kBeside * width_)
+      else if (beside(i) < -kBeside * width_ || side_of(all_[i]) < 0)
         right.push_back(i);
       else if (of_.size() > 2 && runs_from_top_to_bottom(all_[i]))
         open_front_ = true;
