@@ -7,6 +7,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/rest_levels.h"
@@ -82,6 +83,8 @@ class Arranger {
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
         if (roles_[k] == PanelRole::trunk) clear_trunk(static_cast<int>(k));
+    } else {
+      for (std::size_t k = 0; k < outside_.size(); ++k) clear_along_normal(static_cast<int>(k));
     }
     return {std::move(x_), std::move(outside_)};
   }
@@ -233,11 +236,10 @@ class Arranger {
     if (end.empty()) return;
     // The line of the sleeve where it is placed: square to the edge at its end, from that edge's
     // middle back.
-    Vec3 axis = sleeve_axis(end, hole);
+    const Vec3 axis = sleeve_axis(end, hole);
     const Vec3 from = mean(end, placed_);
-    double top = 0, begin = 0;  // along the axis, seen from the end
+    double begin = 0;  // of the sleeve along the axis, seen from its end
     for (int v : hole) begin += (placed_[v] - from).dot(axis) / static_cast<double>(hole.size());
-    (void)top;
     const auto& joints = body_->joints;
     std::vector<Vec3> line = {joints.at("shoulder" + side), joints.at("elbow" + side),
                               joints.at("wrist" + side)};

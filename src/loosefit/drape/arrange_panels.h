@@ -25,7 +25,7 @@ struct ArrangedPanels {
 ///   next to that of the trunk;
 /// * then every panel moves along its outside normal until it is clear of the body.
 ///
-/// A body without joints: as placed. \throws GeometryError when the pattern lacks a panel.
+/// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws GeometryError when the pattern lacks a panel.
 ArrangedPanels arrange_panels(const garment::Garment& sewn, const garment::OpenSeams& open,
                               const pattern::Pattern& pattern, const body::PosedBody& body);
 

@@ -23,7 +23,6 @@ constexpr double kShear = 10;       ///< [N/m per rad]
 constexpr double kBending = 2e-5;   ///< [N m]
 constexpr double kThread = 5000;    ///< stiffness of threads per length of seam [N/m²]
 constexpr double kReach = 0.005;    ///< gap from which they pull with all their force [m]
-constexpr double kOutwards = 3;     ///< pull at panels along their outsides [Pa]
 constexpr double kPad = 0.008;      ///< distance at which the skin begins to press [m]
 constexpr double kSkin = 5e5;       ///< how hard [Pa/m]
 constexpr double kField = 0.010;    ///< spacing of the field of distances [m]
@@ -108,7 +107,7 @@ void smooth_cuts(const garment::Garment& sewn, const geometry::ClosestPointTree&
 
 ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& open,
                         std::vector<Vec3> x, const std::vector<Vec3>& outside,
-                        const body::PosedBody& body) {
+                        const body::PosedBody& body, double pull) {
   const garment::Garment& g = open.garment;
   const fabric::Material material = soft(sewn.mass / sewn.area);
   fabric::MembraneEnergy membrane(g.triangles, g.triangle_uv,
@@ -116,13 +115,13 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   fabric::BendingEnergy bending(g.triangles, g.triangle_uv,
                                 std::vector<double>(g.triangles.size(), 0.0), material);
   std::vector<double> area;
-  particles::VectorField pull(x.size(), Vec3::Zero());
+  particles::VectorField forces(x.size(), Vec3::Zero());
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     area.push_back(geometry::flat_area(g.triangle_uv[t]));
-    for (int v : g.triangles[t]) pull[v] += kOutwards * area[t] / 3 * outside[g.triangle_panel[t]];
+    for (int v : g.triangles[t]) forces[v] += pull * area[t] / 3 * outside[g.triangle_panel[t]];
   }
   particles::DeadLoad outwards;
-  outwards.set_forces(pull);
+  outwards.set_forces(forces);
   contact::BodyContact contact(
       contact::contact_points(g.triangles, area, g.vertex_count, kPad), kSkin, 0, 1e-4);
   const auto around = with_field(body, bounds(x), kField);

@@ -20,9 +20,10 @@ struct ClosedSeams {
 /// are soft as rubber meanwhile; threads pull partners together (SeamPull), the skin keeps the cloth
 /// out, and every panel is drawn along `outside`, its own outside normal, so that the tubes that it
 /// is sewn into stand open. Panels pass through each other on the way, which ends with all of them
-/// drawn apart; what cuts even then is smoothed. \pre one normal per panel of open.garment
+/// drawn apart; what cuts even then is smoothed. pull: along `outside` [Pa]. \pre one normal per
+/// panel of open.garment
 ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& open,
                         std::vector<Vec3> x, const std::vector<Vec3>& outside,
-                        const body::PosedBody& body);
+                        const body::PosedBody& body, double pull);
 
 }  // namespace loosefit::drape
