@@ -5,7 +5,8 @@ usage: corpus.py [--patterns DIR_OR_FILE ...] [--bodies DIR_OR_FILE ...] [--json
                  [--edge METRES] [--budget SECONDS] [--only WORD ...] [-j N] [--out DIR] [--list] [--write-patterns DIR]
 
 Garments: those of corpus/garments.py, written anew in GarmentCode's grammar, and the JSON files given. People: those of
-corpus/people.py, and the meshes given. Each pair is one run at the given edge length without movements of the wearer. With --json the
+corpus/people.py, for whom garments are cut to their girths and height but placed as for somebody of 1.72 m, and the meshes given, who
+get what an average adult wears. Each pair is one run at the given edge length without movements of the wearer. With --json the
 record is written after every run, and pairs that it holds already are not run again unless --only names them.
 """
 import argparse
@@ -113,28 +114,27 @@ def main():
     parser.add_argument("-j", type=int, default=1)
     options = parser.parse_args()
 
-    own = {} if options.no_own else garments.build()
     if options.write_patterns:
         target = pathlib.Path(options.write_patterns)
         target.mkdir(parents=True, exist_ok=True)
-        for name, (_, text) in own.items():
+        for name, (_, text) in garments.build().items():
             (target / f"{name}_specification.json").write_text(text)
         return 0
     folder = pathlib.Path(options.out or tempfile.mkdtemp(prefix="corpus-"))
     folder.mkdir(parents=True, exist_ok=True)
-    patterns = {}
-    for name, (kind, text) in own.items():
-        file = folder / f"{name}_specification.json"
-        file.write_text(text)
-        patterns[name] = (kind, file)
-    for file in files(options.patterns, {".json"}):
-        patterns[file.stem.replace("_specification", "")] = ("file", file.resolve())
-    bodies = {} if options.no_people else dict(people.PEOPLE)
+    bodies = {} if options.no_people else {name: (p["body"], p["make"]) for name, p in people.PEOPLE.items()}
     for file in files(options.bodies, {".obj", ".ply", ".stl"}):
-        bodies[file.stem] = f'file = "{file.resolve()}"'
+        bodies[file.stem] = (f'file = "{file.resolve()}"', None)
     record = pathlib.Path(options.json) if options.json else None
     rows = json.loads(record.read_text())["runs"] if record and record.exists() else {}
-    wanted = [(f"{g}@{b}", kind, file, body) for b, body in bodies.items() for g, (kind, file) in patterns.items()]
+    wanted = []
+    for b, (body, make) in bodies.items():
+        for name, (kind, text) in ({} if options.no_own else garments.build(make)).items():
+            file = folder / f"{name}-{b}_specification.json"
+            file.write_text(text)
+            wanted.append((f"{name}@{b}", kind, file, body))
+        for file in files(options.patterns, {".json"}):
+            wanted.append((f"{file.stem.replace('_specification', '')}@{b}", "file", file.resolve(), body))
     if options.only:
         wanted = [w for w in wanted if any(word in w[0] for word in options.only)]
     else:

@@ -9,13 +9,19 @@ from pieces import Pattern, Piece, bezier_length
 
 MAKE = {"bust": 100.5, "waist": 87.5, "hip": 104.0, "neck_w": 14.5, "shoulder_w": 37.0, "hps": 147.0, "waist_y": 104.5,
         "hip_y": 84.6, "crotch_y": 77.0, "arm": 55.0, "arm_deg": 48.0, "biceps": 32.0, "wrist": 16.0, "thigh": 60.0, "floor": 3.0}
+MAKE_HEIGHT = 172.0
+LENGTHS = ("hps", "waist_y", "hip_y", "crotch_y", "arm", "floor")
 
 
-def scaled(size):
-    """The body for a size: 0 is MAKE, a step is 4 cm of girth and 2 cm of height."""
-    body = {k: v * (1 + (0.04 if k in ("bust", "waist", "hip", "biceps", "thigh", "shoulder_w") else 0.012) * size)
-            for k, v in MAKE.items()}
-    body["arm_deg"] = MAKE["arm_deg"]
+def cut_for(make):
+    """MAKE for somebody with these girths and this height [cm]; widths and lengths of limbs go with them."""
+    if not make:
+        return dict(MAKE)
+    tall = make["height"] / MAKE_HEIGHT
+    body = {k: v * (tall if k in LENGTHS else 1) for k, v in MAKE.items()}
+    body |= {k: make[k] for k in ("bust", "waist", "hip")}
+    for k, girth in (("shoulder_w", "bust"), ("biceps", "bust"), ("neck_w", "bust"), ("wrist", "bust"), ("thigh", "hip")):
+        body[k] = MAKE[k] * (make[girth] / MAKE[girth] + tall) / 2
     return body
 
 
@@ -303,16 +309,21 @@ def strapless(p, body, length=30, gather=1.0, labels=True):
     return low
 
 
-def build():
-    """name → (class, specification text), in a fixed order."""
+def build(make_for=None):
+    """name → (class, specification text), in a fixed order. make_for: girths and height [cm] that they are cut to; placed they are as
+    for somebody of MAKE_HEIGHT."""
     made = {}
+    b = cut_for(make_for)
+    lift = 0.85 * (MAKE_HEIGHT - make_for["height"]) if make_for else 0
 
     def make(name, kind, build_it):
         p = Pattern()
         build_it(p)
+        for piece in p.pieces.values():
+            x, y, z = piece.translation
+            piece.translation = (x, y + lift, z)
         made[name] = (kind, p.text())
 
-    b = MAKE
     tops = {
         "tee_short": dict(sleeve="short"), "tee_cap": dict(sleeve="cap", ease=1.06), "tee_wide": dict(sleeve="short", ease=1.25, wide=1.3),
         "top_three": dict(sleeve="three", neck="boat"), "top_long": dict(sleeve="long"), "top_long_snug": dict(sleeve="long", ease=1.0, wide=1.0),

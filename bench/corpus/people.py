@@ -1,10 +1,17 @@
-"""People of the corpus: the [body] section of their scenarios."""
+"""People of the corpus: the [body] section of their scenarios, and what garments made for them are cut to (centimetres)."""
+
+
+def person(sex, age, height, chest, waist, hip):
+    return {"body": f'sex = "{sex}"\nage = {age}\nheight = {height}\n'
+                    f"measurements = {{ chest = {chest}, waist = {waist}, hip = {hip} }}",
+            "make": {"bust": 100 * chest, "waist": 100 * waist, "hip": 100 * hip, "height": 100 * height}}
+
 
 PEOPLE = {
-    "woman": 'sex = "female"\nage = 30\nheight = 1.68\nmeasurements = { chest = 0.96, waist = 0.80, hip = 1.02 }',
-    "man": 'sex = "male"\nage = 35\nheight = 1.78\nmeasurements = { chest = 1.00, waist = 0.88, hip = 1.02 }',
-    "slim": 'sex = "female"\nage = 25\nheight = 1.74\nmeasurements = { chest = 0.82, waist = 0.64, hip = 0.90 }',
-    "heavy": 'sex = "male"\nage = 50\nheight = 1.76\nmeasurements = { chest = 1.16, waist = 1.10, hip = 1.14 }',
-    "girl": 'sex = "female"\nage = 11\nheight = 1.45\nmeasurements = { chest = 0.72, waist = 0.62, hip = 0.76 }',
-    "old": 'sex = "female"\nage = 70\nheight = 1.60\nmeasurements = { chest = 1.04, waist = 0.94, hip = 1.08 }',
+    "woman": person("female", 30, 1.68, 0.96, 0.80, 1.02),
+    "man": person("male", 35, 1.78, 1.00, 0.88, 1.02),
+    "slim": person("female", 25, 1.74, 0.82, 0.64, 0.90),
+    "heavy": person("male", 50, 1.76, 1.16, 1.10, 1.14),
+    "girl": person("female", 11, 1.45, 0.72, 0.62, 0.76),
+    "old": person("female", 70, 1.60, 1.04, 0.94, 1.08),
 }

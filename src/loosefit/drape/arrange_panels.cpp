@@ -24,6 +24,8 @@ constexpr double kStep = 0.01;       ///< by which such a panel is moved outward
 constexpr int kSteps = 30;           ///< at most
 constexpr double kSideways = 0.5;    ///< |n_y| below which a panel lies beside the body
 constexpr double kOffMiddle = 0.03;  ///< centre of a panel that lies to one side [m]
+constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
+constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 
 /// A line through joints, continued straight at both ends, by the way along it from the first.
@@ -76,9 +78,14 @@ class Arranger {
     if (!limb_lines(body_.body())[kHead].empty()) {
       openings_ = garment_openings(sewn_, pattern_);
       roles_ = panel_roles(open_, pattern_, openings_, placed_);
+      find_sides();
       const Vec3 shift = trunk_shift();
       for (int v = 0; v < g_.vertex_count; ++v)
         if (role(v) == PanelRole::trunk) x_[v] += shift;
+      if (const auto crotch = placed_crotch()) {
+        along_leg(*crotch + shift.z(), 1, "_L");
+        along_leg(*crotch + shift.z(), -1, "_R");
+      }
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
@@ -171,10 +178,30 @@ class Arranger {
   }
 
   std::optional<double> rise_to_crotch() const {
-    if (loop_of(kinds::OpeningUse::left_leg).empty()) return {};
     const auto found = body_->landmarks.find("crotch");
-    if (found == body_->landmarks.end()) return {};
-    // The lowest place at which the left side is sewn to the right one.
+    const std::optional<double> crotch = placed_crotch();
+    if (!crotch || found == body_->landmarks.end()) return {};
+    return found->second.z() - kCrotchRoom - *crotch;
+  }
+
+  /// The lowest place at which the left side of a garment with legs is sewn to the right one [m].
+  std::optional<double> placed_crotch() const {
+    if (loop_of(kinds::OpeningUse::left_leg).empty()) return {};
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const std::vector<int>& of : open_.partners) {
+      bool left = false, right = false;
+      for (int v : of) {
+        left = left || side_[g_.vertex_panel[v]] > 0;
+        right = right || side_[g_.vertex_panel[v]] < 0;
+      }
+      if (left && right) lowest = std::min(lowest, mean(of, placed_).z());
+    }
+    if (!std::isfinite(lowest)) return {};
+    return lowest;
+  }
+
+  /// Of every panel: +1 on the left of the garment, −1 on the right, 0 across the middle.
+  void find_sides() {
     std::vector<double> centre(outside_.size(), 0), count(outside_.size(), 0);
     geometry::Box3 box;
     for (int v = 0; v < g_.vertex_count; ++v) {
@@ -182,17 +209,10 @@ class Arranger {
       box.extend(placed_[v]);
     }
     const double middle = 0.5 * (box.min().x() + box.max().x());
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const std::vector<int>& of : open_.partners) {
-      bool left = false, right = false;
-      for (int v : of) {
-        const double side = centre[g_.vertex_panel[v]] / count[g_.vertex_panel[v]] - middle;
-        left = left || side > kOffMiddle, right = right || side < -kOffMiddle;
-      }
-      if (left && right) lowest = std::min(lowest, mean(of, placed_).z());
+    for (std::size_t k = 0; k < outside_.size(); ++k) {
+      const double off = centre[k] / count[k] - middle;
+      side_.push_back(off > kOffMiddle ? 1 : off < -kOffMiddle ? -1 : 0);
     }
-    if (!std::isfinite(lowest)) return {};
-    return found->second.z() - kCrotchRoom - lowest;
   }
 
   std::optional<double> rise_of_tube() const {
@@ -218,6 +238,42 @@ class Arranger {
     // Wider than the hips: it will slide; it is put on at the waist all the same.
     const double level = levels.waist - (share < 1 ? share : 0) * (levels.waist - levels.hip);
     return level - top->placed.z();
+  }
+
+  // --- legs
+
+  /// Below the crotch the panels of a leg are sheared until its end is round the leg of the body,
+  /// and squeezed until it is above the foot: a hem that begins before the toes would be sewn round
+  /// the length of the foot. It comes down over it by itself.
+  void along_leg(double crotch, int side, const std::string& name) {
+    const std::set<int> loop =
+        loop_of(side > 0 ? kinds::OpeningUse::left_leg : kinds::OpeningUse::right_leg);
+    std::vector<int> hem;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (loop.count(open_.sewn[v])) hem.push_back(v);
+    if (hem.empty()) return;
+    const Vec3 end = mean(hem, x_);
+    double lowest = end.z();
+    for (int v : hem) lowest = std::min(lowest, x_[v].z());
+    if (!(lowest < crotch - kShortest)) return;
+    const auto& joints = body_->joints;
+    const Vec3 &hip = joints.at("hip" + name), &knee = joints.at("knee" + name),
+               &ankle = joints.at("ankle" + name);
+    const double least = ankle.z() + kAboveAnkle;
+    const double share = lowest < least ? (crotch - least) / (crotch - lowest) : 1;
+    // The leg of the body where the hem will be.
+    const double z = crotch - share * (crotch - end.z());
+    const auto at = [z](const Vec3& a, const Vec3& b) {
+      return a.x() + (a.z() - z) / (a.z() - b.z()) * (b.x() - a.x());
+    };
+    const double aside = (z > knee.z() ? at(hip, knee) : at(knee, ankle)) - end.x();
+    for (int v = 0; v < g_.vertex_count; ++v) {
+      if (side_[g_.vertex_panel[v]] != side || role(v) != PanelRole::trunk) continue;
+      const double down = crotch - x_[v].z();
+      if (down <= 0) continue;
+      x_[v].x() += aside * down / (crotch - end.z());
+      x_[v].z() = crotch - share * down;
+    }
   }
 
   // --- arms
@@ -341,6 +397,7 @@ class Arranger {
   const body::PosedBody& body_;
   std::vector<Opening> openings_;
   std::vector<PanelRole> roles_;
+  std::vector<int> side_;
   std::vector<Vec3> placed_, x_, outside_;
 };
 

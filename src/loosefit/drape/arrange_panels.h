@@ -23,6 +23,7 @@ struct ArrangedPanels {
 /// * a height that agrees within 3 cm, or a waist between waist and hips, is left as placed;
 /// * panels of an arm (panel_roles) go with the arm, bent as it is: along its line, their armhole
 ///   next to that of the trunk;
+/// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
 /// * then every panel moves along its outside normal until it is clear of the body.
 ///
 /// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws GeometryError when the pattern lacks a panel.
