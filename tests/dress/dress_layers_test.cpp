@@ -48,7 +48,7 @@ TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
   const garment::Garment outer =
       garment::assemble(shirt_for(body, c.outer_fit), c.edge, fabric::Material{});
   const std::vector<Vec3> all = dress_layers(
-      {{&inner, nullptr, kinds::lay_shirt}, {&outer, nullptr, kinds::lay_shirt}}, body);
+      {{&inner, kinds::lay_shirt}, {&outer, kinds::lay_shirt}}, body);
   const std::vector<Vec3> x(all.begin(), all.begin() + inner.vertex_count);
   const std::vector<Vec3> y(all.begin() + inner.vertex_count, all.end());
   ASSERT_EQ(static_cast<int>(y.size()), outer.vertex_count);
@@ -78,19 +78,23 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DressLayers, OneLayerIsDressedAsIfAlone) {
   const body::Body body = support::standing(support::adult_parameters(), 25);
   const garment::Garment shirt = garment::assemble(shirt_for(body, 0.1), 0.03, fabric::Material{});
-  EXPECT_EQ(dress_layers({{&shirt, nullptr, kinds::lay_shirt}}, body),
+  EXPECT_EQ(dress_layers({{&shirt, kinds::lay_shirt}}, body),
             support::dress_shirt(shirt, body));
 }
 
 TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
   const body::Body body = support::standing(support::adult_parameters(), 25);
   const garment::Garment shirt = garment::assemble(shirt_for(body, 0.1), 0.03, fabric::Material{});
-  pattern::Pattern pattern;  // lies level at the waist
+  pattern::Pattern pattern;
   pattern.panels = {testing_support::rectangle_panel("plate", 0.4, 0.4)};
-  pattern.panels[0].translation = Vec3(-0.2, -0.2, 1.0);
   const garment::Garment square = garment::assemble(pattern, 0.05, fabric::Material{});
+  const auto place = [&](const body::PosedBody&) {  // level at the waist
+    std::vector<Vec3> x;
+    for (const Vec2& uv : square.vertex_uv) x.emplace_back(uv[0] - 0.2, uv[1] - 0.2, 1.0);
+    return x;
+  };
   try {
-    dress_layers({{&shirt, nullptr, kinds::lay_shirt}, {&square, &pattern}}, body);
+    dress_layers({{&shirt, kinds::lay_shirt}, {&square, {}, place}}, body);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("under them"), std::string::npos) << error.what();

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
 constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
+constexpr double kOffCentre = 0.25;  ///< of an opening's own width, likewise
 constexpr double kAlike = 0.25;   ///< relative difference of girth between two of a pair
 constexpr double kOpenFront = 0.6;  ///< of the garment's height, over which an open front runs
 
@@ -106,6 +107,18 @@ class Uses {
     return 0.5 * (all_[p.left].placed.z() + all_[p.right].placed.z());
   }
 
+  /// +1 or −1 where the rim lies beside the middle, left or right.
+  int side_of(int i) const {
+    double low = box_.max().x(), high = box_.min().x();
+    for (int v : all_[i].loop) {
+      low = std::min(low, placed_[v].x());
+      high = std::max(high, placed_[v].x());
+    }
+    // A leg's opening lies near the middle of a wide garment, but far from it for its own width.
+    const double limit = std::min(kBeside * width_, kOffCentre * (high - low));
+    return beside(i) > limit ? 1 : beside(i) < -limit ? -1 : 0;
+  }
+
   bool runs_from_top_to_bottom(const Opening& opening) const {
     double low = box_.max().z(), high = box_.min().z();
     for (int v : opening.loop) {
@@ -118,10 +131,8 @@ class Uses {
   void sort_out() {
     std::vector<int> left, right;
     for (int i : of_) {
-      if (beside(i) > kBeside * width_)
-        left.push_back(i);
-      else if (beside(i) < -kBeside * width_)
-        right.push_back(i);
+      if (const int side = side_of(i); side != 0)
+        (side > 0 ? left : right).push_back(i);
       else if (of_.size() > 2 && runs_from_top_to_bottom(all_[i]))
         open_front_ = true;
       else

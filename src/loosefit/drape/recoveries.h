@@ -9,8 +9,8 @@ namespace loosefit::drape {
 /// order.
 ///
 /// Not in the table, since they stay within one module and never leave a trace in the drape:
-/// * a start that cuts itself: other clearances, panels that are pushed outwards
-/// (dress/dress_layers.h, dress/dress_as_placed.h);
+/// * a start that cuts itself: other clearances, panels that are drawn outwards
+/// more (dress/dress_layers.h, drape/phases/sew_on.h);
 /// * a Newton matrix that is not definite, a step that does not descend, no descent at all: choice
 ///   of the matrix, line search and hinge tangent (solver/);
 /// * friction that alternates: under-relaxation (contact/friction.h);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "loosefit/drape/hood_seam.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/rest_levels.h"
@@ -55,7 +56,8 @@ class Verdict {
     if (!over_others && !touches()) say("the garment touches the body nowhere");
     if (lines_[kHead].empty()) return reasons_;
     placed_ = placed_by_pattern(garment_, pattern_);
-    std::vector<Opening> openings = garment_openings(garment_, pattern_);
+    openings_ = garment_openings(garment_, pattern_);
+    std::vector<Opening>& openings = openings_;
     tell_tubes(openings, placed_, limb_lines(levels_.joints()), kForTheWaist * chest_girth_);
     std::map<int, std::vector<const Opening*>> of_piece;
     for (const Opening& opening : openings) {
@@ -134,6 +136,11 @@ class Verdict {
 
   void check_neck(const Opening& o) {
     if (goes_round(o, kRoundNeck)) return;
+    // The head is in a hood, not through its opening: the hood's seam goes round the neck.
+    if (const auto seam = hood_seam(garment_, openings_, o);
+        round_ == kRoundNothing && !seam.empty() &&
+        limbs_through_openings(seam, x_, lines_) == kRoundNeck)
+      return;
     const LimbNumbers left = {1, 1, 0, 0, 0}, right = {1, 0, 1, 0, 0};
     if (round_ == kRoundTrunk)
       say("the neck opening lies below both shoulders");
@@ -323,6 +330,7 @@ class Verdict {
   const std::vector<Vec3>& x_;
   const body::PosedBody& body_;
   std::vector<Vec3> placed_;  ///< by the pattern
+  std::vector<Opening> openings_;
   LimbLines lines_;
   RestLevels levels_;
   double way_;  ///< from waist down to crotch [m]

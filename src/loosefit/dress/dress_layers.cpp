@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "loosefit/base/error.h"
-#include "loosefit/dress/dress_as_placed.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -61,7 +60,7 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
                              const body::PosedBody& body) {
   const garment::Garment& garment = *layer.garment;
-  std::vector<Vec3> x = dress_as_placed(garment, *layer.pattern, body);
+  std::vector<Vec3> x = layer.place(body);
   const auto cuts =
       geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
   if (!cuts.empty())

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "loosefit/drape/phases/sew_on.h"
 #include "loosefit/dress/dress_layers.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/kinds/registry.h"
@@ -30,8 +31,12 @@ void lay_round_body(ClothState& state) {
   const body::PosedBody body = state.path(0);
   std::vector<dress::LayerToDress> to_dress;
   for (int l = 0; l < state.layer_count(); ++l) {
+    const garment::Garment& garment = state.garment(l);
     const pattern::Pattern& pattern = state.layers[l].garment->pattern;
-    to_dress.push_back({&state.garment(l), &pattern, kinds::garment_kind(pattern.kind).lay});
+    const auto sew = [&garment, &pattern](const body::PosedBody& wearer) {
+      return sew_on(garment, pattern, wearer);
+    };
+    to_dress.push_back({&garment, kinds::garment_kind(pattern.kind).lay, sew});
   }
   try {
     state.x = dress::dress_layers(to_dress, body);

@@ -1,0 +1,150 @@
+#include "loosefit/drape/phases/close_seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "loosefit/contact/body_contact.h"
+#include "loosefit/drape/contact_body.h"
+#include "loosefit/drape/seam_pull.h"
+#include "loosefit/fabric/bending_energy.h"
+#include "loosefit/fabric/membrane_energy.h"
+#include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/particles/dead_load.h"
+#include "loosefit/solver/quasi_static.h"
+
+namespace loosefit::drape {
+namespace {
+
+// Cloth that is being sewn: as soft as rubber foil, so that seams close where it is too narrow.
+constexpr double kMembrane = 20;    ///< [N/m]
+constexpr double kShear = 10;       ///< [N/m per rad]
+constexpr double kBending = 2e-5;   ///< [N m]
+constexpr double kThread = 5000;    ///< stiffness of threads per length of seam [N/m²]
+constexpr double kReach = 0.005;    ///< gap from which they pull with all their force [m]
+constexpr double kPad = 0.008;      ///< distance at which the skin begins to press [m]
+constexpr double kSkin = 5e5;       ///< how hard [Pa/m]
+constexpr double kField = 0.010;    ///< spacing of the field of distances [m]
+constexpr double kClosed = 0.002;   ///< gap at which a seam counts as closed [m]
+constexpr double kTolerance = 20;   ///< residual ‖F‖/‖W‖ [–]
+constexpr int kIterations = 250;
+constexpr double kFirstDt = 0.01;   ///< [s]
+constexpr double kLargestMove = 0.02;  ///< of a particle in one iteration [m]
+constexpr int kSmoothings = 40;     ///< of what cuts
+constexpr int kRings = 2;           ///< of triangles round it
+
+fabric::Material soft(double areal_density) {
+  fabric::Material m;
+  m.areal_density = areal_density;
+  m.stiffness_warp = m.stiffness_weft = kMembrane;
+  m.poisson = 0;
+  m.stiffness_shear = kShear;
+  m.bending_warp = m.bending_weft = kBending;
+  return m;
+}
+
+double mean_edge(const garment::Garment& g) {
+  double sum = 0;
+  for (const auto& uv : g.triangle_uv)
+    for (int k = 0; k < 3; ++k) sum += (uv[k] - uv[(k + 1) % 3]).norm();
+  return sum / (3.0 * static_cast<double>(g.triangle_uv.size()));
+}
+
+std::vector<Vec3> welded(const garment::Garment& sewn, const garment::OpenSeams& open,
+                         const std::vector<Vec3>& x) {
+  std::vector<Vec3> sum(sewn.vertex_count, Vec3::Zero());
+  std::vector<int> count(sewn.vertex_count, 0);
+  for (std::size_t v = 0; v < x.size(); ++v) sum[open.sewn[v]] += x[v], ++count[open.sewn[v]];
+  for (int v = 0; v < sewn.vertex_count; ++v) sum[v] /= std::max(1, count[v]);
+  return sum;
+}
+
+/// Moves the vertices near triangles that cut each other to the middle of their neighbours until
+/// none does, and out of the skin. Smooth cloth cuts nothing.
+void smooth_cuts(const garment::Garment& sewn, const geometry::ClosestPointTree& skin,
+                 ClosedSeams& closed) {
+  std::vector<std::set<int>> around(sewn.vertex_count);
+  for (const Triangle& t : sewn.triangles)
+    for (int k = 0; k < 3; ++k) {
+      around[t[k]].insert(t[(k + 1) % 3]);
+      around[t[k]].insert(t[(k + 2) % 3]);
+    }
+  std::vector<int> heat(sewn.vertex_count, 0);  // rings in which it is smoothed
+  for (int round = 0; round <= kSmoothings; ++round) {
+    const auto cuts = geometry::self_intersections(closed.x, sewn.triangles);
+    closed.cuts = static_cast<int>(cuts.size());
+    if (round == 0) closed.first_cuts = closed.cuts;
+    closed.first_cut = cuts.empty() ? std::pair(-1, -1) : cuts.front();
+    if (cuts.empty() || round == kSmoothings) return;
+    std::set<int> moving;
+    for (const auto& [a, b] : cuts)
+      for (const int t : {a, b}) moving.insert(sewn.triangles[t].begin(), sewn.triangles[t].end());
+    for (int ring = 0; ring < kRings + round / 8; ++ring) {
+      std::set<int> wider = moving;
+      for (int v : moving) wider.insert(around[v].begin(), around[v].end());
+      moving = std::move(wider);
+    }
+    for (int pass = 0; pass < 3; ++pass) {
+      std::vector<Vec3> next = closed.x;
+      for (int v : moving) {
+        Vec3 mean = Vec3::Zero();
+        for (int w : around[v]) mean += closed.x[w] / static_cast<double>(around[v].size());
+        next[v] = 0.5 * (closed.x[v] + mean);
+        geometry::ClosestPoint near;
+        const double d = skin.signed_distance(next[v], &near, 0.5);
+        if (d < kPad / 2) {
+          const Vec3 away = (next[v] - near.point) * (d < 0 ? -1 : 1);
+          if (away.norm() > 1e-9) next[v] = near.point + kPad / 2 * away.normalized();
+        }
+      }
+      closed.x = std::move(next);
+    }
+  }
+}
+
+}  // namespace
+
+ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& open,
+                        std::vector<Vec3> x, const std::vector<Vec3>& outside,
+                        const body::PosedBody& body, double pull) {
+  const garment::Garment& g = open.garment;
+  const fabric::Material material = soft(sewn.mass / sewn.area);
+  fabric::MembraneEnergy membrane(g.triangles, g.triangle_uv,
+                                  std::vector<double>(g.triangles.size(), 1.0), material);
+  fabric::BendingEnergy bending(g.triangles, g.triangle_uv,
+                                std::vector<double>(g.triangles.size(), 0.0), material);
+  std::vector<double> area;
+  particles::VectorField forces(x.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    area.push_back(geometry::flat_area(g.triangle_uv[t]));
+    for (int v : g.triangles[t]) forces[v] += pull * area[t] / 3 * outside[g.triangle_panel[t]];
+  }
+  particles::DeadLoad outwards;
+  outwards.set_forces(forces);
+  contact::BodyContact contact(
+      contact::contact_points(g.triangles, area, g.vertex_count, kPad), kSkin, 0, 1e-4);
+  const auto around = with_field(body, bounds(x), kField);
+  contact.set_field(around->field);
+  const double thread = kThread * mean_edge(g);
+  SeamPull seams(open.partners, thread, kReach);
+  solver::ParticleSystem system;
+  system.mass = g.vertex_mass;
+  system.energies = {&membrane, &bending, &outwards, &seams, &contact};
+
+  solver::SettleOptions options;
+  options.tolerance = kTolerance;
+  options.max_iterations = kIterations;
+  options.max_move = kLargestMove;
+  options.first_dt = kFirstDt;
+  options.tangent = particles::BendingTangent::hinge;
+  const auto outcome = solver::make_quasi_static(system)->settle(x, options);
+  ClosedSeams closed;
+  closed.iterations = outcome.work.iterations;
+  closed.gap = widest_gap(open.partners, x);
+  closed.x = welded(sewn, open, x);
+  smooth_cuts(sewn, body.tree(), closed);
+  return closed;
+}
+
+}  // namespace loosefit::drape

@@ -1,0 +1,37 @@
+#include "loosefit/drape/phases/sew_on.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/drape/arrange_panels.h"
+#include "loosefit/drape/phases/close_seams.h"
+#include "loosefit/dress/no_room.h"
+
+namespace loosefit::drape {
+namespace {
+
+/// Pulls along the outsides of panels that are tried in turn [Pa]: the first leaves narrow seams
+/// nearest to where they belong, stronger ones part more.
+constexpr double kPulls[] = {3, 10, 30};
+
+}  // namespace
+
+std::vector<Vec3> sew_on(const garment::Garment& garment, const pattern::Pattern& pattern,
+                         const body::PosedBody& body) {
+  const garment::OpenSeams open = garment::open_seams(garment);
+  const ArrangedPanels panels = arrange_panels(garment, open, pattern, body);
+  ClosedSeams closed;
+  for (const double pull : kPulls) {
+    closed = close_seams(garment, open, panels.x, panels.outside, body, pull);
+    if (closed.cuts == 0) return std::move(closed.x);
+  }
+  const auto name = [&](int triangle) {
+    return garment.panel_names[garment.triangle_panel[triangle]];
+  };
+  throw dress::NoRoom(fmt::format(
+      "pattern: sewn round this body, panels {} and {} pass through each other ({} pairs of "
+      "triangles); panels that are placed so that sewn edges face each other (translation, "
+      "rotation), each with its outside away from the body, do not",
+      name(closed.first_cut.first), name(closed.first_cut.second), closed.cuts));
+}
+
+}  // namespace loosefit::drape

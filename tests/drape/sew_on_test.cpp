@@ -1,0 +1,128 @@
+#include "loosefit/drape/phases/sew_on.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "loosefit/drape/arrange_panels.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/drape/panel_roles.h"
+#include "loosefit/drape/phases/close_seams.h"
+#include "loosefit/drape/worn.h"
+#include "loosefit/garment/assemble.h"
+#include "loosefit/geometry/exact_intersection.h"
+#include "support/placed_top.h"
+#include "support/shirt_on_body.h"
+
+namespace loosefit::drape {
+namespace {
+
+using testing_support::PlacedTop;
+
+const body::PosedBody& woman() {
+  static const body::PosedBody body = support::standing(support::adult_parameters(), 40);
+  return body;
+}
+
+/// For a person of 1.9 m in a T-pose whose middle is beside the origin.
+pattern::Pattern for_somebody_else() {
+  PlacedTop top;
+  top.arm_angle = 0;
+  return top.pattern(Vec3(0.06, 0, 1.0));
+}
+
+double height_of_top(const garment::OpenSeams& open, const std::vector<Vec3>& x, int panel) {
+  double top = 0;
+  for (int v = 0; v < open.garment.vertex_count; ++v)
+    if (open.garment.vertex_panel[v] == panel) top = std::max(top, x[v].z());
+  return top;
+}
+
+TEST(PanelRoles, SleevesAreToldByTheSeamsWhateverTheyAreCalled) {
+  pattern::Pattern pattern = for_somebody_else();
+  for (std::size_t k = 0; k < pattern.panels.size(); ++k)
+    pattern.panels[k].name = "piece_" + std::to_string(k);
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  std::vector<Vec3> placed;
+  for (int v = 0; v < open.garment.vertex_count; ++v) {
+    const pattern::Panel& panel = pattern.panels[open.garment.vertex_panel[v]];
+    const Vec2& uv = open.garment.vertex_uv[v];
+    placed.push_back(panel.rotation * Vec3(uv[0], uv[1], 0) + panel.translation);
+  }
+  using Role = PanelRole;
+  EXPECT_EQ(panel_roles(open, pattern, garment_openings(sewn, pattern), placed),
+            (std::vector<Role>{Role::trunk, Role::trunk, Role::left_arm, Role::left_arm,
+                               Role::right_arm, Role::right_arm}));
+}
+
+TEST(ArrangePanels, APatternForSomebodyElseComesToTheShouldersAndArmsOfThisBody) {
+  const pattern::Pattern pattern = for_somebody_else();
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+  const double hps = woman()->landmarks.at("hps_L").z();
+  EXPECT_NEAR(height_of_top(open, panels.x, 0), hps, 0.03);
+  EXPECT_NEAR(height_of_top(open, panels.x, 1), hps, 0.03);
+  Vec3 wrist = Vec3::Zero();  // middle of the left cuff
+  int count = 0;
+  for (int v = 0; v < open.garment.vertex_count; ++v) {
+    EXPECT_GT(woman().tree().signed_distance(panels.x[v]), 0);
+    const bool left = open.garment.vertex_panel[v] == 2 || open.garment.vertex_panel[v] == 3;
+    if (left && std::abs(std::abs(open.garment.vertex_uv[v][0]) - 0.5) < 1e-9)
+      wrist += panels.x[v], ++count;
+  }
+  wrist /= count;
+  // Between elbow and fingertips, within a hand's breadth of the line of the arm.
+  const Vec3 &elbow = woman()->joints.at("elbow_L"), &at = woman()->joints.at("wrist_L");
+  const Vec3 along = (at - elbow).normalized();
+  EXPECT_GT((wrist - elbow).dot(along), 0.1);
+  const Vec3 off = (wrist - elbow) - (wrist - elbow).dot(along) * along;
+  EXPECT_LT(std::hypot(off.x(), off.z()), 0.05);
+}
+
+TEST(ArrangePanels, APlacementThatFitsIsKept) {
+  const double hps = woman()->landmarks.at("hps_L").z();
+  const pattern::Pattern pattern = PlacedTop{}.pattern(Vec3(0, 0, hps - 0.62));
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+  for (int v = 0; v < open.garment.vertex_count; ++v)
+    if (open.garment.vertex_panel[v] == 0) {
+      const Vec2& uv = open.garment.vertex_uv[v];
+      EXPECT_NEAR(panels.x[v].x(), uv[0], 1e-12);
+      EXPECT_NEAR(panels.x[v].z(), uv[1] + hps - 0.62, 1e-12);
+    }
+}
+
+TEST(CloseSeams, SewnItCutsNothingOfItselfAndFewSeamsAreOpen) {
+  const pattern::Pattern pattern = for_somebody_else();
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+  const ClosedSeams closed = close_seams(sewn, open, panels.x, panels.outside, woman(), 3);
+  EXPECT_EQ(closed.cuts, 0);
+  EXPECT_TRUE(geometry::self_intersections(closed.x, sewn.triangles).empty());
+  EXPECT_LT(closed.gap, 0.03);
+  int inside = 0;
+  for (const Vec3& p : closed.x) inside += woman().tree().signed_distance(p) < -0.003;
+  EXPECT_LT(inside, sewn.vertex_count / 100);
+}
+
+TEST(SewOn, ASleevedTopOfAFileForSomebodyElseIsWornAndSettled) {
+  const pattern::Pattern pattern = for_somebody_else();
+  fabric::Material material;
+  material.bending_warp = material.bending_weft = 5e-6;
+  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
+  Progress silent;
+  DrapeOptions options;
+  options.time_budget = 200;
+  const Drape d = drape_garment(
+      garment, material, [&](double) { return woman(); }, options, silent);
+  EXPECT_TRUE(d.certificate.settled());
+  const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
+  EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+}
+
+}  // namespace
+}  // namespace loosefit::drape
