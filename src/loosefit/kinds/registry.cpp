@@ -5,12 +5,13 @@
 #include "loosefit/kinds/pattern_file.h"
 #include "loosefit/kinds/shirt/shirt.h"
 #include "loosefit/kinds/tank_top/tank_top.h"
+#include "loosefit/kinds/trousers/trousers.h"
 
 namespace loosefit::kinds {
 
 const std::vector<GarmentKind>& garment_kinds() {
-  static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(), tank_top(),
-                                                  pattern_file()};
+  static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(),  tank_top(),
+                                                  trousers(),          leggings(), pattern_file()};
   return kKinds;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kNeckShare =
     0.4;  // of the way from the neck joint to the head joint: below the jaw
 constexpr double kInsideCloth = 0.03;  // the form ends this far above the hem [m]
+constexpr double kAboveCloth = 0.02;   // … and this far above what is worn round the hips [m]
+constexpr double kLeastLength = 0.1;   // of a garment, from its top to a hem [m]
 constexpr double kThighStub = 0.10;    // of a thigh that is lifted [m]
 constexpr double kHanging = 0.8;       // cosine between a thigh that hangs and the vertical
 
@@ -40,16 +42,22 @@ bool on_trunk(const body::Body& body, const Vec3& p) {
   return segment == body::Segment::torso || below_waist(segment);
 }
 
+/// Height along the trunk axis up to which there is cloth.
+double cloth_top(const std::vector<Vec3>& positions, const Vec3& axis) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const Vec3& p : positions) top = std::max(top, p.dot(axis));
+  return top;
+}
+
 /// Height along the trunk axis at which the form ends: a little above the mean of the hem, or at
-/// its lowest point.
+/// its lowest point. `below`: where edges are no waist or neck.
 double hem_height(const body::Body& body, const garment::Garment& garment,
                   const std::vector<Vec3>& positions, const Vec3& axis, const Vec3& hips,
-                  const Vec3& neck, bool at_lowest) {
-  const double middle = 0.5 * (hips + neck).dot(axis);
+                  double below, bool at_lowest) {
   double sum = 0, lowest = std::numeric_limits<double>::infinity();
   int count = 0;
   for (const auto& edge : garment_lines(garment).boundary)
-    if (const Vec3& p = positions[edge[0]]; p.dot(axis) < middle && on_trunk(body, p)) {
+    if (const Vec3& p = positions[edge[0]]; p.dot(axis) < below && on_trunk(body, p)) {
       sum += p.dot(axis);
       lowest = std::min(lowest, p.dot(axis));
       ++count;
@@ -140,7 +148,8 @@ class Form {
 }  // namespace
 
 geometry::TriangleMesh mannequin(const body::Body& body, const garment::Garment& garment,
-                                 const std::vector<Vec3>& positions) {
+                                 const std::vector<Vec3>& positions,
+                                 const std::vector<Vec3>& under) {
   const std::vector<Vec3>& points = body.surface.vertices;
   const auto neck = joint(body, "neck"), head = joint(body, "head");
   const auto hip_left = joint(body, "hip_L"), hip_right = joint(body, "hip_R");
@@ -162,12 +171,23 @@ geometry::TriangleMesh mannequin(const body::Body& body, const garment::Garment&
         },
         thigh.along);
   // Those stubs end where the cloth does, for a cut inside it would leave half of them.
-  const double hem = hem_height(body, garment, positions, axis, hips, nape, !lifted.empty());
+  const double middle = 0.5 * (hips + nape).dot(axis);
+  const double waist = std::max(cloth_top(positions, axis), cloth_top(under, axis));
+  const double hem =
+      hem_height(body, garment, positions, axis, hips,
+                 std::min(middle, cloth_top(positions, axis) - kLeastLength), !lifted.empty());
   form.cut([&](int v, const Vec3& p) {
     const body::Segment segment = body.segment[v];
     return segment == body::Segment::torso || below_waist(segment) ? p.dot(axis) - hem : 1.0;
   });
-  if (neck && head && *neck != *head) {
+  if (waist < middle) {
+    // A form for trousers and skirts: nothing but hips and legs.
+    form.cut(
+        [&](int v, const Vec3& p) {
+          return on_arm(body.segment[v]) ? -1.0 : waist + kAboveCloth - p.dot(axis);
+        },
+        axis);
+  } else if (neck && head && *neck != *head) {
     const NeckCut end = neck_cut(body, *neck, *head, axis);
     form.cut([&](int v, const Vec3& p) { return on_arm(body.segment[v]) ? 1.0 : end.below(p); },
              end.normal);

@@ -47,7 +47,7 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const bod
   // One scene for all pictures: what changes is view, opacity and colours.
   const GarmentLines lines = garment_lines(garment);
   const int foot = options.height / 7;
-  const geometry::TriangleMesh form = mannequin(body, garment, positions);
+  const geometry::TriangleMesh form = mannequin(body, garment, positions, options.under.vertices);
   const bool layered = !options.under.triangles.empty();
   Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams,
                layered ? &options.under : nullptr},
