@@ -25,6 +25,7 @@ constexpr int kSteps = 30;           ///< at most
 constexpr double kSideways = 0.5;    ///< |n_y| below which a panel lies beside the body
 constexpr double kOffMiddle = 0.03;  ///< centre of a panel that lies to one side [m]
 constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
+constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 
@@ -222,16 +223,18 @@ class Arranger {
     if (!top || openings_.size() < 2) return {};
     const RestLevels levels(body_);
     const double crotch_way = levels.waist - levels.crotch;
-    if (top->at_chest) {
-      if (top->placed.z() > levels.waist && top->placed.z() < levels.chest + 0.5 * crotch_way)
-        return 0;
-      return levels.chest + 0.2 * crotch_way - top->placed.z();
-    }
-    if (top->placed.z() < levels.waist + kAgrees && top->placed.z() > levels.hip) return 0;
     const auto girth = [&](const char* name, double otherwise) {
       const auto at = body_->measured.find(name);
       return at == body_->measured.end() ? otherwise : at->second;
     };
+    const bool above_waist = top->placed.z() > levels.waist + kAgrees;
+    const bool wide = top->girth > kForTheChest * girth("chest", 0.55 * levels.height);
+    if (top->at_chest || (!top->at_waist && above_waist && wide)) {
+      if (top->placed.z() > levels.waist && top->placed.z() < levels.chest + 0.5 * crotch_way)
+        return 0;
+      return levels.chest + 0.2 * crotch_way - top->placed.z();
+    }
+    if (!above_waist && top->placed.z() > levels.hip) return 0;
     const double waist = girth("waist", 0), hip = girth("hip", 0);
     const double share =
         hip > waist ? std::clamp((top->girth - waist) / (hip - waist), 0.0, 1.0) : 0.0;
