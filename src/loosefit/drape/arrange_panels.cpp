@@ -16,14 +16,15 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kAgrees = 0.03;     ///< a placement so near is kept [m]
-constexpr double kClear = 0.02;      ///< of a panel from the body [m]
-constexpr double kBeyond = 0.03;     ///< of a sleeve from its armhole, along the arm [m]
-constexpr double kFromAxis = 0.04;   ///< of a panel of a sleeve from the line of the arm, at least [m]
-constexpr double kStep = 0.01;       ///< by which such a panel is moved outwards [m]
-constexpr int kSteps = 30;           ///< at most
-constexpr double kSideways = 0.5;    ///< |n_y| below which a panel lies beside the body
-constexpr double kOffMiddle = 0.03;  ///< centre of a panel that lies to one side [m]
+constexpr double kAgrees = 0.03;  ///< a placement so near is kept [m]
+constexpr double kClear = 0.02;   ///< of a panel from the body [m]
+constexpr double kBeyond = 0.03;  ///< of a sleeve from its armhole, along the arm [m]
+constexpr double kFromAxis =
+    0.04;                       ///< of a panel of a sleeve from the line of the arm, at least [m]
+constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
+constexpr int kSteps = 30;      ///< at most
+constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies beside the body
+constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
 constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
 constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
@@ -159,8 +160,7 @@ class Arranger {
     if (with_armhole.empty()) return {};
     int top = -1;
     for (int v = 0; v < g_.vertex_count; ++v)
-      if (with_armhole.count(g_.vertex_panel[v]) &&
-          (top < 0 || placed_[v].z() > placed_[top].z()))
+      if (with_armhole.count(g_.vertex_panel[v]) && (top < 0 || placed_[v].z() > placed_[top].z()))
         top = v;
     // The shoulder line of the body there.
     const auto& marks = body_->landmarks;

@@ -7,8 +7,8 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kNarrow = 0.008;                  ///< width of a cleft [m]
-constexpr double kBelow = 0.15, kAbove = 0.05;     ///< of the crotch, where it is looked for [m]
+constexpr double kNarrow = 0.008;               ///< width of a cleft [m]
+constexpr double kBelow = 0.15, kAbove = 0.05;  ///< of the crotch, where it is looked for [m]
 constexpr double kAside = 0.06, kBeforeBehind = 0.15;
 /// It reaches into the flesh [m], so that nothing between its surface and the skin counts as free.
 constexpr double kInside = 0.02;
