@@ -47,8 +47,8 @@ TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
       garment::assemble(shirt_for(body, c.inner_fit, c.inner_sleeve), c.edge, fabric::Material{});
   const garment::Garment outer =
       garment::assemble(shirt_for(body, c.outer_fit), c.edge, fabric::Material{});
-  const std::vector<Vec3> all = dress_layers(
-      {{&inner, kinds::lay_shirt}, {&outer, kinds::lay_shirt}}, body);
+  const std::vector<Vec3> all =
+      dress_layers({{&inner, kinds::lay_shirt}, {&outer, kinds::lay_shirt}}, body);
   const std::vector<Vec3> x(all.begin(), all.begin() + inner.vertex_count);
   const std::vector<Vec3> y(all.begin() + inner.vertex_count, all.end());
   ASSERT_EQ(static_cast<int>(y.size()), outer.vertex_count);
@@ -78,8 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DressLayers, OneLayerIsDressedAsIfAlone) {
   const body::Body body = support::standing(support::adult_parameters(), 25);
   const garment::Garment shirt = garment::assemble(shirt_for(body, 0.1), 0.03, fabric::Material{});
-  EXPECT_EQ(dress_layers({{&shirt, kinds::lay_shirt}}, body),
-            support::dress_shirt(shirt, body));
+  EXPECT_EQ(dress_layers({{&shirt, kinds::lay_shirt}}, body), support::dress_shirt(shirt, body));
 }
 
 TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {

@@ -12,10 +12,10 @@ struct PlacedTop {
 
   pattern::Pattern pattern(const Vec3& shift = Vec3::Zero()) const {
     const double w = half_width, under = length - 0.24, neck = 0.085, tip = 0.19, slope = 0.045;
-    const std::vector<Vec2> trunk = {{-w, 0},           {w, 0},
-                                     {w, under},        {tip, length - slope},
-                                     {neck, length},    {0, length - 0.08},
-                                     {-neck, length},   {-tip, length - slope},
+    const std::vector<Vec2> trunk = {{-w, 0},         {w, 0},
+                                     {w, under},      {tip, length - slope},
+                                     {neck, length},  {0, length - 0.08},
+                                     {-neck, length}, {-tip, length - slope},
                                      {-w, under}};
     const double armhole = (trunk[3] - trunk[2]).norm(), wide = 0.17;
     const double cap = std::sqrt(armhole * armhole - wide * wide);

@@ -16,15 +16,17 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kAgrees = 0.03;     ///< a placement so near is kept [m]
-constexpr double kClear = 0.02;      ///< of a panel from the body [m]
-constexpr double kBeyond = 0.03;     ///< of a sleeve from its armhole, along the arm [m]
-constexpr double kFromAxis = 0.04;   ///< of a panel of a sleeve from the line of the arm, at least [m]
-constexpr double kStep = 0.01;       ///< by which such a panel is moved outwards [m]
-constexpr int kSteps = 30;           ///< at most
-constexpr double kSideways = 0.5;    ///< |n_y| below which a panel lies beside the body
-constexpr double kOffMiddle = 0.03;  ///< centre of a panel that lies to one side [m]
+constexpr double kAgrees = 0.03;  ///< a placement so near is kept [m]
+constexpr double kClear = 0.02;   ///< of a panel from the body [m]
+constexpr double kBeyond = 0.03;  ///< of a sleeve from its armhole, along the arm [m]
+constexpr double kFromAxis =
+    0.04;                       ///< of a panel of a sleeve from the line of the arm, at least [m]
+constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
+constexpr int kSteps = 30;      ///< at most
+constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies beside the body
+constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
 constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
+constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 
@@ -158,8 +160,7 @@ class Arranger {
     if (with_armhole.empty()) return {};
     int top = -1;
     for (int v = 0; v < g_.vertex_count; ++v)
-      if (with_armhole.count(g_.vertex_panel[v]) &&
-          (top < 0 || placed_[v].z() > placed_[top].z()))
+      if (with_armhole.count(g_.vertex_panel[v]) && (top < 0 || placed_[v].z() > placed_[top].z()))
         top = v;
     // The shoulder line of the body there.
     const auto& marks = body_->landmarks;
@@ -222,16 +223,18 @@ class Arranger {
     if (!top || openings_.size() < 2) return {};
     const RestLevels levels(body_);
     const double crotch_way = levels.waist - levels.crotch;
-    if (top->at_chest) {
-      if (top->placed.z() > levels.waist && top->placed.z() < levels.chest + 0.5 * crotch_way)
-        return 0;
-      return levels.chest + 0.2 * crotch_way - top->placed.z();
-    }
-    if (top->placed.z() < levels.waist + kAgrees && top->placed.z() > levels.hip) return 0;
     const auto girth = [&](const char* name, double otherwise) {
       const auto at = body_->measured.find(name);
       return at == body_->measured.end() ? otherwise : at->second;
     };
+    const bool above_waist = top->placed.z() > levels.waist + kAgrees;
+    const bool wide = top->girth > kForTheChest * girth("chest", 0.55 * levels.height);
+    if (top->at_chest || (!top->at_waist && above_waist && wide)) {
+      if (top->placed.z() > levels.waist && top->placed.z() < levels.chest + 0.5 * crotch_way)
+        return 0;
+      return levels.chest + 0.2 * crotch_way - top->placed.z();
+    }
+    if (!above_waist && top->placed.z() > levels.hip) return 0;
     const double waist = girth("waist", 0), hip = girth("hip", 0);
     const double share =
         hip > waist ? std::clamp((top->girth - waist) / (hip - waist), 0.0, 1.0) : 0.0;

@@ -17,7 +17,8 @@ struct ArrangedPanels {
 /// made for. The placement says how panels lie to each other: before, behind and beside. Levels of
 /// the body say where the whole goes:
 ///
-/// * shoulders: the highest point of the panels with armholes comes to the line from neck to shoulder;
+/// * shoulders: the highest point of the panels with armholes comes to the line from neck to
+/// shoulder;
 /// * else the crotch, where there are legs; else the upper opening of a tube, to the waist, to the
 ///   level where it is as wide as the body, or to the chest if it was made for that;
 /// * a height that agrees within 3 cm, or a waist between waist and hips, is left as placed;
@@ -26,7 +27,8 @@ struct ArrangedPanels {
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
 /// * then every panel moves along its outside normal until it is clear of the body.
 ///
-/// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws GeometryError when the pattern lacks a panel.
+/// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws
+/// GeometryError when the pattern lacks a panel.
 ArrangedPanels arrange_panels(const garment::Garment& sewn, const garment::OpenSeams& open,
                               const pattern::Pattern& pattern, const body::PosedBody& body);
 

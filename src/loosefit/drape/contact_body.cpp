@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/drape/cleft_cover.h"
 #include "loosefit/geometry/convex_hull.h"
 
 namespace loosefit::drape {
@@ -36,11 +37,14 @@ geometry::Box3 bounds(const std::vector<Vec3>& x) {
 std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geometry::Box3& cloth,
                                               double spacing, const CarryTuning& tuning) {
   const Vec3 margin = Vec3::Constant(tuning.field_margin);
+  std::vector<geometry::TriangleMesh> covers = hand_hulls(body);
+  if (geometry::TriangleMesh cleft = cleft_cover(body); !cleft.triangles.empty())
+    covers.push_back(std::move(cleft));
   auto field = std::make_shared<const contact::DistanceField>(
       body.tree(),
       geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),
                      cloth.max() + margin),
-      spacing, hand_hulls(body));
+      spacing, covers);
   return std::make_shared<const ContactBody>(ContactBody{std::move(body), std::move(field)});
 }
 

@@ -20,8 +20,8 @@ namespace {
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
 constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
 constexpr double kOffCentre = 0.25;  ///< of an opening's own width, likewise
-constexpr double kAlike = 0.25;   ///< relative difference of girth between two of a pair
-constexpr double kOpenFront = 0.6;  ///< of the garment's height, over which an open front runs
+constexpr double kAlike = 0.25;      ///< relative difference of girth between two of a pair
+constexpr double kOpenFront = 0.6;   ///< of the garment's height, over which an open front runs
 
 struct Pair {
   int left, right;

@@ -52,9 +52,9 @@ std::vector<PanelRole> panel_roles(const garment::OpenSeams& open, const pattern
   for (const pattern::Panel& panel : pattern.panels) labelled = labelled || panel.label == "arm";
   for (std::size_t k = 0; k < panels; ++k) {
     const pattern::Panel& panel = pattern.panels[pattern.find_panel(g.panel_names[k])];
-    arm[k] = !panel.label.empty() ? panel.label == "arm"
-                                  : names_a_sleeve(panel.name) ||
-                                        (!labelled && arm_opening[k] && !other_opening[k]);
+    arm[k] = !panel.label.empty()
+                 ? panel.label == "arm"
+                 : names_a_sleeve(panel.name) || (!labelled && arm_opening[k] && !other_opening[k]);
   }
   // What is sewn to arms and trunk without an opening of its own is an arm's if it lies farther out
   // than half of the way; what is sewn to arms only is one in any case.
@@ -71,8 +71,7 @@ std::vector<PanelRole> panel_roles(const garment::OpenSeams& open, const pattern
   }
   std::vector<PanelRole> roles(panels, PanelRole::trunk);
   for (std::size_t k = 0; k < panels; ++k)
-    if (arm[k])
-      roles[k] = x[k] / count[k] > middle ? PanelRole::left_arm : PanelRole::right_arm;
+    if (arm[k]) roles[k] = x[k] / count[k] > middle ? PanelRole::left_arm : PanelRole::right_arm;
   return roles;
 }
 

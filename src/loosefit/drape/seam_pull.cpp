@@ -41,9 +41,8 @@ void SeamPull::add_hessian(const particles::VectorField& x, particles::BlockMatr
   for (const Thread& t : threads_) {
     const Vec3 d = x[t.a] - x[t.b];
     const double root = std::sqrt(1 + d.squaredNorm() / (reach_ * reach_));
-    const Mat3 block =
-        t.stiffness / root *
-        (Mat3::Identity() - d * d.transpose() / (reach_ * reach_ * root * root));
+    const Mat3 block = t.stiffness / root *
+                       (Mat3::Identity() - d * d.transpose() / (reach_ * reach_ * root * root));
     h.add(t.a, t.a, block);
     h.add(t.b, t.b, block);
     h.add(t.a, t.b, -block);

@@ -11,7 +11,8 @@ namespace loosefit::drape {
 /// Why a garment at x [m] is not worn by `body`: sentences that a tailor understands ("the
 /// waistband has slid to the knees", "the left sleeve is empty"); none where it is. Asked are
 ///
-/// * limbs through openings: neck (or the seam of a hood), cuffs, waist and hem (drape/openings.h) go round what they were
+/// * limbs through openings: neck (or the seam of a hood), cuffs, waist and hem (drape/openings.h)
+/// go round what they were
 ///   made for; a cuff beyond the hand counts when its sleeve has the arm in it;
 /// * levels: a waist has not slid down from where it was made for by more than half the way from
 ///   waist to crotch (12 cm on a man of 1.75 m: from the waist to the upper hips, beyond which no

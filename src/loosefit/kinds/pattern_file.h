@@ -3,8 +3,9 @@
 
 namespace loosefit::kinds {
 
-/// A garment that is only known from a pattern file: it is put on where its panels are placed, and
-/// what goes through its openings is told by how they lie to each other.
+/// A garment that is only known from a pattern file: its panels are sewn round the
+/// body from where it places them, and what goes through its openings is told by how they lie to
+/// each other.
 GarmentKind pattern_file();
 
 }  // namespace loosefit::kinds

@@ -18,21 +18,21 @@ namespace loosefit::drape {
 namespace {
 
 // Cloth that is being sewn: as soft as rubber foil, so that seams close where it is too narrow.
-constexpr double kMembrane = 20;    ///< [N/m]
-constexpr double kShear = 10;       ///< [N/m per rad]
-constexpr double kBending = 2e-5;   ///< [N m]
-constexpr double kThread = 5000;    ///< stiffness of threads per length of seam [N/m²]
-constexpr double kReach = 0.005;    ///< gap from which they pull with all their force [m]
-constexpr double kPad = 0.008;      ///< distance at which the skin begins to press [m]
-constexpr double kSkin = 5e5;       ///< how hard [Pa/m]
-constexpr double kField = 0.010;    ///< spacing of the field of distances [m]
-constexpr double kClosed = 0.002;   ///< gap at which a seam counts as closed [m]
-constexpr double kTolerance = 20;   ///< residual ‖F‖/‖W‖ [–]
+constexpr double kMembrane = 20;   ///< [N/m]
+constexpr double kShear = 10;      ///< [N/m per rad]
+constexpr double kBending = 2e-5;  ///< [N m]
+constexpr double kThread = 5000;   ///< stiffness of threads per length of seam [N/m²]
+constexpr double kReach = 0.005;   ///< gap from which they pull with all their force [m]
+constexpr double kPad = 0.008;     ///< distance at which the skin begins to press [m]
+constexpr double kSkin = 5e5;      ///< how hard [Pa/m]
+constexpr double kField = 0.010;   ///< spacing of the field of distances [m]
+constexpr double kClosed = 0.002;  ///< gap at which a seam counts as closed [m]
+constexpr double kTolerance = 20;  ///< residual ‖F‖/‖W‖ [–]
 constexpr int kIterations = 250;
-constexpr double kFirstDt = 0.01;   ///< [s]
+constexpr double kFirstDt = 0.01;      ///< [s]
 constexpr double kLargestMove = 0.02;  ///< of a particle in one iteration [m]
-constexpr int kSmoothings = 40;     ///< of what cuts
-constexpr int kRings = 2;           ///< of triangles round it
+constexpr int kSmoothings = 40;        ///< of what cuts
+constexpr int kRings = 2;              ///< of triangles round it
 
 fabric::Material soft(double areal_density) {
   fabric::Material m;
@@ -122,8 +122,8 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   }
   particles::DeadLoad outwards;
   outwards.set_forces(forces);
-  contact::BodyContact contact(
-      contact::contact_points(g.triangles, area, g.vertex_count, kPad), kSkin, 0, 1e-4);
+  contact::BodyContact contact(contact::contact_points(g.triangles, area, g.vertex_count, kPad),
+                               kSkin, 0, 1e-4);
   const auto around = with_field(body, bounds(x), kField);
   contact.set_field(around->field);
   const double thread = kThread * mean_edge(g);
