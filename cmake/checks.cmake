@@ -17,6 +17,9 @@ add_test(NAME tools_validation_summary
 add_test(NAME harms2012_study
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/harms2012_test.py)
 
+add_test(NAME scenario_schema
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/scenario_schema_test.py $<TARGET_FILE:loosefit>)
+
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)

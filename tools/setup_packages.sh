@@ -8,7 +8,8 @@ packages=(
   libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
-  xvfb xauth
+  xvfb
+  python3-jsonschema
 )
 command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data
 
