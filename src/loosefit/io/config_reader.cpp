@@ -232,7 +232,8 @@ std::vector<std::string> ConfigReader::choices(const std::string& key,
   if (!node) return fallback;
   if (node->kind != Kind::array) throw error(key, "an array of texts from " + join(known));
   if (node->items.size() < at_least)
-    throw error(key, fmt::format("an array of at least {} from {}", at_least, join(known)));
+    throw error(key, fmt::format("an array of at least {} from {}",
+                                 at_least == 1 ? "one" : std::to_string(at_least), join(known)));
   std::vector<std::string> values;
   for (const ConfigNode& item : node->items) {
     if (item.kind != Kind::text || std::find(known.begin(), known.end(), item.text) == known.end())
