@@ -8,9 +8,6 @@ PRESET ?= ci
 BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
-# Pictures need an X display; without one a virtual screen serves. It must not reset itself when its
-# last client leaves: a test that connects at that moment would be thrown out.
-SCREEN := $(if $(DISPLAY),,xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 
 .PHONY: help packages configure setup build demo paper-claims deb test bench bench-kernels format tidy asan clean
 
@@ -37,7 +34,7 @@ setup: build
 
 demo: setup
 	@echo "demo: draping the reference shirt; writes out/demo"
-	@$(SCREEN) $(LOOSEFIT) run examples/reference-shirt.toml -o out/demo
+	@$(LOOSEFIT) run examples/reference-shirt.toml -o out/demo
 	@echo "demo: open out/demo/report.html, or look at out/demo/maps/*.png and out/demo/summary.json"
 
 # Every figure that README.md states, run again beside the claim. CLAIMS passes options:
@@ -53,7 +50,7 @@ deb: packages
 
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
-	@$(SCREEN) ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
 
 # Whole runs; BENCH picks cases and passes options: make bench BENCH="quick --record quiet-machine"
 bench: setup
@@ -83,7 +80,7 @@ tidy: configure
 asan: setup
 	@cmake --preset asan
 	@cmake --build build-asan -j $(JOBS)
-	@ASAN_OPTIONS=detect_leaks=0 $(SCREEN) ctest --test-dir build-asan --output-on-failure -j $(JOBS)
+	@ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build-asan --output-on-failure -j $(JOBS)
 
 clean:
 	rm -rf build build-package build-debug build-asan out

@@ -20,6 +20,9 @@ add_test(NAME library_outside_the_tree COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJEC
   -DBODY=${PROJECT_SOURCE_DIR}/var/body -DCOMPILER=${CMAKE_CXX_COMPILER}
   -P ${PROJECT_SOURCE_DIR}/tests/library/install_test.cmake)
 
+add_test(NAME scenario_schema
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/scenario_schema_test.py $<TARGET_FILE:loosefit>)
+
 # Tests that run the program: its command line, and damaged input.
 foreach(name cli fuzz)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)

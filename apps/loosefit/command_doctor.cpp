@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "exit_code.h"
@@ -14,20 +14,29 @@
 #include "loosefit/base/version.h"
 #include "loosefit/body/body_data.h"
 #include "loosefit/io/material_file.h"
-#include "loosefit/render/display.h"
+#include "loosefit/render/screen.h"
+#include "loosefit/report/fact_documents.h"
+#include "print_document.h"
 
 namespace loosefit {
 namespace {
 
-/// Runs one check; prints its finding, or the error and the way out.
-bool report(const std::string& what, const std::function<std::string()>& check) {
+/// Runs one check: its finding, or the error and the way out.
+report::Finding examine_one(const std::string& what, const std::function<std::string()>& check) {
   try {
-    fmt::print("ok       {:12} {}\n", what, terminal_line(check()));
-    return true;
+    return {what, true, check(), {}};
   } catch (const Error& e) {
-    fmt::print("missing  {:12} {}\n", what, terminal_line(e.what()));
-    if (!e.hint().empty()) fmt::print("         {:12} {}\n", "", terminal_line(e.hint()));
-    return false;
+    return {what, false, e.what(), e.hint()};
+  }
+}
+
+void print_words(const std::vector<report::Finding>& findings) {
+  for (const auto& [library, number] : versions())
+    fmt::print("version  {:12} {}\n", library, number);
+  fmt::print("version  {:12} {}\n", "cores", std::thread::hardware_concurrency());
+  for (const report::Finding& f : findings) {
+    fmt::print("{:8} {:12} {}\n", f.ok ? "ok" : "missing", f.what, terminal_line(f.found));
+    if (!f.hint.empty()) fmt::print("         {:12} {}\n", "", terminal_line(f.hint));
   }
 }
 
@@ -46,28 +55,29 @@ std::string find_materials() {
   return fmt::format("{} cards in {}", names.size(), (data_directory() / "materials").string());
 }
 
-std::string find_display() {
-  render::check_display();
-  return std::getenv("DISPLAY");
-}
+std::string find_screen() { return render::Screen().str(); }
 
-int examine() {
-  for (const auto& [library, number] : versions())
-    fmt::print("version  {:12} {}\n", library, number);
-  fmt::print("version  {:12} {}\n", "cores", std::thread::hardware_concurrency());
-  const bool body = report("body data", find_body_data);
-  const bool materials = report("materials", find_materials);
-  const bool display = report("display", find_display);
-  if (!display)
-    fmt::print("         {:12} everything but pictures works without: --no-pictures\n", "");
-  return body && materials ? kGood : kBadInput;
+int examine(bool json) {
+  std::vector<report::Finding> findings = {examine_one("body data", find_body_data),
+                                           examine_one("materials", find_materials),
+                                           examine_one("screen", find_screen)};
+  if (!findings[2].ok) findings[2].hint += "; everything but pictures works without";
+  const bool can_run = findings[0].ok && findings[1].ok;
+  if (json)
+    print_document(report::doctor_document(findings, can_run));
+  else
+    print_words(findings);
+  return can_run ? kGood : kBadInput;
 }
 
 }  // namespace
 
 void add_doctor_command(CLI::App& app, int& exit_code) {
-  app.add_subcommand("doctor", "what is installed, what is missing, how to get it")
-      ->callback([&exit_code] { exit_code = examine(); });
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command =
+      app.add_subcommand("doctor", "what is installed, what is missing, how to get it");
+  add_json_flag(*command, *json);
+  command->callback([json, &exit_code] { exit_code = examine(*json); });
 }
 
 }  // namespace loosefit

@@ -12,6 +12,8 @@
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/material_origin.h"
+#include "loosefit/report/fact_documents.h"
+#include "print_document.h"
 
 namespace loosefit {
 namespace {
@@ -81,9 +83,10 @@ void show_curves(const fabric::Material& m) {
   show_curve("shear", m.curve_shear, "shear");
 }
 
-void show_material(const std::string& name) {
+void show_material(const std::string& name, bool json) {
   const bool file = std::filesystem::path(name).extension() == ".toml";
   const scenario::MaterialCard card = file ? io::read_material_file(name) : io::load_material(name);
+  if (json) return print_document(report::material_document(card));
   fmt::print("# {}\n# source: {}\n# status: {}\n", terminal_line(card.title),
              terminal_line(card.material.source), terminal_line(card.status));
   show_bending(card.material);
@@ -102,12 +105,17 @@ void add_material_command(CLI::App& app) {
   CLI::App* material =
       app.add_subcommand("material", "list the fabrics, or show one with its source");
   material->require_subcommand(1);
-  material->add_subcommand("list", "table of all material cards")->callback(list_materials);
+  auto json = std::make_shared<bool>(false);
+  CLI::App* list = material->add_subcommand("list", "table of all material cards");
+  add_json_flag(*list, *json);
+  list->callback(
+      [json] { *json ? print_document(report::materials_document()) : list_materials(); });
   auto name = std::make_shared<std::string>();
   CLI::App* show = material->add_subcommand(
       "show", "constants, measured figures, curves and source of one card");
   show->add_option("NAME", *name, "name of a card, or path of a .toml card")->required();
-  show->callback([name] { show_material(*name); });
+  add_json_flag(*show, *json);
+  show->callback([name, json] { show_material(*name, *json); });
 }
 
 }  // namespace loosefit

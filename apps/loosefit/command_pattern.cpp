@@ -12,8 +12,10 @@
 #include "loosefit/base/types.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/report/fact_documents.h"
 #include "loosefit/report/write_pattern.h"
 #include "loosefit/study/make_garment_pattern.h"
+#include "print_document.h"
 
 namespace loosefit {
 namespace {
@@ -65,7 +67,7 @@ std::vector<NumberOption> fit_options() {
 struct Wish {
   study::GarmentPatternWish pattern;
   std::string out;
-  bool list_sizes = false;
+  bool list_sizes = false, json = false;
   std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
 };
 
@@ -155,14 +157,8 @@ void print_sizes(const kinds::GarmentKind& kind) {
   }
 }
 
-void run(Wish wish) {
-  if (wish.list_sizes)
-    return print_sizes(kinds::garment_kind(wish.pattern.kind.value_or(usual_kind())));
-  wish.pattern.measures = given(measure_options(), wish.measures);
-  wish.pattern.fit = given(fit_options(), wish.fit);
-  const study::GarmentPattern made = study::make_garment_pattern(wish.pattern);
-  for (const std::string& warning : made.warnings)
-    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+/// All that is told of a pattern, in tables.
+void print_words(const study::GarmentPattern& made) {
   fmt::print("{}\n\n", terminal_line(made.pattern.name));
   print_lines("", made.about);
   print_girths(made.levels);
@@ -171,9 +167,26 @@ void run(Wish wish) {
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
   if (!made.unused.empty()) fmt::print("\n");
   print_lines("not used:", made.unused);
-  if (wish.out.empty()) return;
-  report::write_pattern(wish.out, made.pattern);
-  fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
+}
+
+void run(Wish wish) {
+  if (wish.list_sizes) {
+    const kinds::GarmentKind& kind = kinds::garment_kind(wish.pattern.kind.value_or(usual_kind()));
+    return wish.json ? print_document(report::sizes_document(kind)) : print_sizes(kind);
+  }
+  wish.pattern.measures = given(measure_options(), wish.measures);
+  wish.pattern.fit = given(fit_options(), wish.fit);
+  const study::GarmentPattern made = study::make_garment_pattern(wish.pattern);
+  for (const std::string& warning : made.warnings)
+    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+  if (!wish.json) print_words(made);
+  if (!wish.out.empty()) report::write_pattern(wish.out, made.pattern);
+  if (wish.json)
+    print_document(report::pattern_document(
+        made, wish.out.empty() ? report::WrittenFiles{}
+                               : report::WrittenFiles{wish.out, {"pattern.json", "pattern.svg"}}));
+  else if (!wish.out.empty())
+    fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
 }
 
 }  // namespace
@@ -209,6 +222,7 @@ void add_pattern_command(CLI::App& app) {
     command->add_option("--" + option.name, wish->fit[option.name],
                         option.help + "; as [garment.fit] of a scenario");
   command->add_option("-o,--output", wish->out, "folder for pattern.json and pattern.svg");
+  add_json_flag(*command, wish->json);
   command->callback([wish] { run(*wish); });
 }
 

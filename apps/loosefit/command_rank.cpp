@@ -11,6 +11,8 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/report/rank_runs.h"
 #include "loosefit/report/ranking_output.h"
+#include "loosefit/report/result_documents.h"
+#include "print_document.h"
 #include "set_aside_note.h"
 #include "terminal_progress.h"
 
@@ -20,7 +22,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> inputs;
   std::string modality, output;
-  bool sites = false, partial = false, allow_unsettled = false, quiet = false;
+  bool sites = false, partial = false, allow_unsettled = false, quiet = false, json = false;
   int best = 0;
   double spacing_mm = 50, seam_mm = 10, edge_mm = 10;
   std::vector<std::string> keep_out, regions;
@@ -55,10 +57,12 @@ int rank(const Arguments& arguments) {
   const report::RankedRuns ranked =
       report::rank_runs(asked, shown, [&](const placement::RankingTable& table) {
         shown.clear();
-        if (!arguments.quiet) fmt::print("{}", report::ranking_text(table));
+        if (!arguments.quiet && !arguments.json) fmt::print("{}", report::ranking_text(table));
       });
   note_what_was_set_aside(ranked.folder, ranked.set_aside);
-  if (!arguments.quiet) {
+  if (arguments.json) {
+    print_document(report::rank_document(ranked));
+  } else if (!arguments.quiet) {
     if (ranked.folder.empty())
       fmt::print("no files written: give a folder with -o\n");
     else
@@ -112,6 +116,7 @@ void add_rank_command(CLI::App& app, int& exit_code) {
   command->add_flag("--allow-unsettled", arguments->allow_unsettled,
                     "rank even by a drape that did not settle or is not worn");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no table");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = rank(*arguments); });
 }
 

@@ -10,8 +10,10 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/report/ranking_output.h"
+#include "loosefit/report/result_documents.h"
 #include "loosefit/report/result_text.h"
 #include "loosefit/report/run_into_folder.h"
+#include "print_document.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -19,7 +21,7 @@ namespace {
 
 struct Arguments {
   std::string scenario, output;
-  bool quiet = false, pictures = true;
+  bool quiet = false, json = false, pictures = true;
   study::RunOptions options;
 };
 
@@ -30,7 +32,9 @@ int run(const Arguments& arguments) {
   const report::FolderOutput made = report::run_into_folder(
       scenario, arguments.output, arguments.options, arguments.pictures, shown);
   shown.clear();
-  if (!arguments.quiet) {
+  if (arguments.json) {
+    print_document(report::run_document(made, arguments.output));
+  } else if (!arguments.quiet) {
     fmt::print("{}written: {}\n", report::result_text(made.result),
                terminal_line(arguments.output));
     if (made.ranking) fmt::print("\n{}", report::ranking_text(*made.ranking));
@@ -49,6 +53,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
                    "unchanged files of Loosefit are replaced")
       ->required();
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
   return command;
 }
@@ -61,7 +66,7 @@ void add_run_commands(CLI::App& app, int& exit_code) {
                                   whole, exit_code);
   command->add_flag("--allow-unsettled", whole->options.allow_unsettled,
                     "make maps even of a drape that did not settle or is not worn");
-  command->add_flag("!--no-pictures", whole->pictures, "write no PNG files (needs no display)");
+  command->add_flag("!--no-pictures", whole->pictures, "write no PNG files");
 
   auto drape = std::make_shared<Arguments>();
   drape->options.only_drape = true;

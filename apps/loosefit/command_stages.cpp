@@ -9,8 +9,10 @@
 #include "exit_code.h"
 #include "loosefit/base/text.h"
 #include "loosefit/maps/compute_maps.h"
+#include "loosefit/report/result_documents.h"
 #include "loosefit/report/result_text.h"
 #include "loosefit/report/run_into_folder.h"
+#include "print_document.h"
 #include "set_aside_note.h"
 #include "terminal_progress.h"
 
@@ -20,7 +22,7 @@ namespace {
 struct Arguments {
   std::string folder;
   report::RedoOptions options;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 int redo(const Arguments& arguments) {
@@ -29,7 +31,9 @@ int redo(const Arguments& arguments) {
   const report::FolderOutput made =
       report::redo_in_folder(arguments.folder, arguments.options, shown);
   shown.clear();
-  if (!arguments.quiet)
+  if (arguments.json)
+    print_document(report::run_document(made, arguments.folder));
+  else if (!arguments.quiet)
     fmt::print("{}written: {}\n", report::result_text(made.result),
                terminal_line(arguments.folder));
   note_what_was_set_aside(arguments.folder, made.set_aside);
@@ -50,6 +54,7 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
   command->add_flag("--allow-unsettled", arguments->options.allow_unsettled,
                     "make maps even of a drape that did not settle or is not worn");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = redo(*arguments); });
 }
 

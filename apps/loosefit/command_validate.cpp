@@ -13,8 +13,10 @@
 #include "exit_code.h"
 #include "loosefit/base/text.h"
 #include "loosefit/validate/run_validation.h"
+#include "loosefit/validate/validation_json.h"
 #include "loosefit/validate/validation_table.h"
 #include "loosefit/validate/write_validation.h"
+#include "print_document.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -23,7 +25,7 @@ namespace {
 struct Arguments {
   std::string output;
   std::vector<std::string> only;
-  bool quick = false, list = false;
+  bool quick = false, list = false, json = false;
 };
 
 void print_list(const std::vector<validate::Benchmark>& all) {
@@ -37,7 +39,7 @@ int run_validate(const Arguments& arguments) {
       arguments.quick ? validate::Effort::quick : validate::Effort::full;
   const auto chosen = validate::select_benchmarks(validate::benchmarks(), arguments.only, effort);
   if (arguments.list) {
-    print_list(chosen);
+    arguments.json ? print_document(validate::benchmarks_json(chosen)) : print_list(chosen);
     return kGood;
   }
   TerminalProgress shown(false);
@@ -50,11 +52,16 @@ int run_validate(const Arguments& arguments) {
   const validate::Validation validation = validate::run_validation(
       chosen, effort, shown, workers, [&](const validate::BenchmarkOutcome& outcome) {
         shown.clear();
+        if (arguments.json) return;
         fmt::print("{}\n", validate::outcome_table(outcome));
         std::fflush(stdout);
       });
   if (output) output->write(validation, shown);
   shown.clear();
+  if (arguments.json) {
+    print_document(validate::validation_json(validation));
+    return validation.as_stated() ? kGood : kGateMissed;
+  }
   if (output)
     fmt::print("wrote validation.html and validation.json into {}\n",
                terminal_line(arguments.output));
@@ -74,6 +81,7 @@ void add_validate_command(CLI::App& app, int& exit_code) {
   command->add_flag("--quick", arguments->quick, "the subset that fits into a minute");
   command->add_option("--only", arguments->only, "ids of benchmarks: B1,C2")->delimiter(',');
   command->add_flag("--list", arguments->list, "say what there is; run nothing");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = run_validate(*arguments); });
 }
 

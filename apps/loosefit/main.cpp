@@ -15,6 +15,7 @@
 #include "command_pattern.h"
 #include "command_rank.h"
 #include "command_run.h"
+#include "command_schema.h"
 #include "command_setup.h"
 #include "command_stages.h"
 #include "command_validate.h"
@@ -23,6 +24,9 @@
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/report/error_document.h"
+#include "loosefit/report/fact_documents.h"
+#include "print_document.h"
 #include "usage_error.h"
 
 namespace loosefit {
@@ -50,7 +54,13 @@ int failed(int code, const std::string& message, const std::string& hint = {}) {
   return code;
 }
 
-int run_command_line(int count, char** arguments) {
+/// The same for people, and for programs that asked for it.
+int failed(int code, const std::exception& error, const std::string& hint, bool json) {
+  if (json) print_document(report::error_document(error, code));
+  return failed(code, error.what(), hint);
+}
+
+int run_command_line(int count, char** arguments, bool asked_for_json) {
   int exit_code = kGood;
   CLI::App app{
       "Loosefit drapes a garment on a body and maps how well sensors in it would measure."};
@@ -66,7 +76,12 @@ int run_command_line(int count, char** arguments) {
   add_validate_command(app, exit_code);
   add_setup_command(app, exit_code);
   add_doctor_command(app, exit_code);
-  app.add_subcommand("version", "version of this program and of its libraries")->callback([] {
+  add_schema_command(app, exit_code);
+  bool json = false;
+  CLI::App* shown = app.add_subcommand("version", "version of this program and of its libraries");
+  add_json_flag(*shown, json);
+  shown->callback([&json] {
+    if (json) return print_document(report::versions_document());
     for (const auto& [library, number] : versions()) fmt::print("{:10} {}\n", library, number);
   });
   try {
@@ -74,6 +89,8 @@ int run_command_line(int count, char** arguments) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     const UsageError error = explain_usage(app, {arguments + 1, arguments + count}, e);
+    if (asked_for_json)
+      print_document(report::error_document(error.message, error.hint, kBadInput));
     return failed(kBadInput, error.message, error.hint);
   }
   return exit_code;
@@ -89,20 +106,23 @@ int with_output_written(int exit_code) {
 }
 
 int run_guarded(int count, char** arguments) {
+  const bool json = asks_for_json(count, arguments);
   try {
-    return run_command_line(count, arguments);
+    return run_command_line(count, arguments, json);
   } catch (const Cancelled&) {
-    return failed(kInterrupted, "interrupted; nothing was written");
+    return failed(kInterrupted, Error("interrupted; nothing was written"), {}, json);
   } catch (const SolverFailure& e) {
-    return failed(kNotSettled, e.what(), e.hint());
+    return failed(kNotSettled, e, e.hint(), json);
   } catch (const Error& e) {
-    return failed(kBadInput, e.what(), e.hint());
+    return failed(kBadInput, e, e.hint(), json);
   } catch (const std::bad_alloc&) {
-    return failed(kBadInput, "not enough memory", "a larger simulation.edge_length needs less");
+    const Error error("not enough memory", "a larger simulation.edge_length needs less");
+    return failed(kBadInput, error, error.hint(), json);
   } catch (const std::exception& e) {
     if (std::ferror(stdout)) return kBadInput;  // fmt throws then; with_output_written tells
-    return failed(kNotSettled, std::string("unexpected: ") + e.what(),
-                  "this is a fault of Loosefit; please report it with the scenario");
+    const Error error(std::string("unexpected: ") + e.what(),
+                      "this is a fault of Loosefit; please report it with the scenario");
+    return failed(kNotSettled, error, error.hint(), json);
   }
 }
 

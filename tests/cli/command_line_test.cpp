@@ -120,15 +120,6 @@ TEST_F(CommandLine, BodyAndPatternLeaveTheOutputOfARunAlone) {
   EXPECT_FALSE(fs::exists(base / "run/pattern.json"));
 }
 
-TEST_F(CommandLine, PicturesWithoutADisplayAreRefusedBeforeAnyWork) {
-  const ProgramRun run =
-      loosefit("run " + file("case.toml", "") + " -o " + (base / "out").string(), "-u DISPLAY");
-  expect_refused(run, "display");
-  EXPECT_NE(run.output.find("xvfb-run"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("--no-pictures"), std::string::npos) << run.output;
-  EXPECT_FALSE(fs::exists(base / "out"));
-}
-
 TEST_F(CommandLine, ForeignFolderStaysUntouched) {
   fs::create_directories(base / "thesis");
   file("thesis/chapter.tex", "dear");

@@ -8,11 +8,10 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
-#include "loosefit/render/display.h"
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
+#include "loosefit/render/screen.h"
 #include "support/tube_garment.h"
-#include "support/virtual_display.h"
 
 namespace loosefit::render {
 namespace {
@@ -21,8 +20,8 @@ constexpr double kTube = 0.17;
 
 class Pictures : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { display_ = new testing::VirtualDisplay; }
-  static void TearDownTestSuite() { delete display_; }
+  static void SetUpTestSuite() { screen_ = new Screen; }
+  static void TearDownTestSuite() { delete screen_; }
   void SetUp() override {
     dir_ = std::filesystem::path(::testing::TempDir()) /
            ("pictures_" +
@@ -45,7 +44,7 @@ class Pictures : public ::testing::Test {
     std::ifstream f(p, std::ios::binary);
     return {std::istreambuf_iterator<char>(f), {}};
   }
-  static testing::VirtualDisplay* display_;
+  static Screen* screen_;
   body::Body body_ = testing::cylinder_body(0.15, 1.7, 64, 40);
   garment::Garment garment_;
   std::vector<Vec3> positions_;
@@ -53,7 +52,7 @@ class Pictures : public ::testing::Test {
   PictureOptions options_;
   std::filesystem::path dir_;
 };
-testing::VirtualDisplay* Pictures::display_ = nullptr;
+Screen* Pictures::screen_ = nullptr;
 
 TEST_F(Pictures, AreNamedByMapAndView) {
   options_.views = {View::front, View::back, View::left, View::right};
@@ -61,8 +60,8 @@ TEST_F(Pictures, AreNamedByMapAndView) {
   hidden.map = "hidden";
   hidden.pictured = false;
   double last = 0;
-  const auto pictures = render_pictures(dir_, body_, garment_, positions_, {map_, hidden}, options_,
-                                        [&](double share) { last = share; });
+  const auto pictures = render_pictures(*screen_, dir_, body_, garment_, positions_, {map_, hidden},
+                                        options_, [&](double share) { last = share; });
   ASSERT_EQ(pictures.size(), 8u);
   EXPECT_EQ(last, 1);
   for (const char* file : {"drape-front.png", "distance-left.png", "distance-right.png"})
@@ -70,16 +69,16 @@ TEST_F(Pictures, AreNamedByMapAndView) {
 }
 
 TEST_F(Pictures, EqualInputGivesEqualBytes) {
-  render_pictures(dir_, body_, garment_, positions_, {map_}, options_);
+  render_pictures(*screen_, dir_, body_, garment_, positions_, {map_}, options_);
   const std::string first = bytes(dir_ / "distance-front.png");
-  render_pictures(dir_, body_, garment_, positions_, {map_}, options_);
+  render_pictures(*screen_, dir_, body_, garment_, positions_, {map_}, options_);
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(first, bytes(dir_ / "distance-front.png"));
 }
 
 TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
   const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
-  Scene scene({form, positions_, garment_.triangles, {}, {}}, 300, 280, 1, false);
+  Scene scene(*screen_, {form, positions_, garment_.triangles, {}, {}}, 300, 280, 1, false);
   const auto near = [](const Rgb& seen, const Rgb& wanted) {
     int worst = 0;
     for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(int{seen[k]} - int{wanted[k]}));
@@ -99,7 +98,7 @@ TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
 }
 
 TEST_F(Pictures, ClothThatFacesTheLightIsBrightAndClothThatTurnsAwayIsShaded) {
-  Scene scene({body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, true);
+  Scene scene(*screen_, {body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, true);
   scene.look(View::front);
   const Image cloth = scene.colours(&map_), light = scene.light();
   const int row = 140;
@@ -112,25 +111,11 @@ TEST_F(Pictures, ClothThatFacesTheLightIsBrightAndClothThatTurnsAwayIsShaded) {
 
 TEST_F(Pictures, WrongSizesAndPlacesAreErrors) {
   map_.values.pop_back();
-  EXPECT_THROW(render_pictures(dir_, body_, garment_, positions_, {map_}, options_), InvalidInput);
-  EXPECT_THROW(render_pictures(dir_ / "none", body_, garment_, positions_, {}, options_), IoError);
+  EXPECT_THROW(render_pictures(*screen_, dir_, body_, garment_, positions_, {map_}, options_),
+               InvalidInput);
+  EXPECT_THROW(render_pictures(*screen_, dir_ / "none", body_, garment_, positions_, {}, options_),
+               IoError);
   EXPECT_THROW(view_from_name("top"), InvalidInput);
-}
-
-TEST_F(Pictures, MissingDisplayIsAClearError) {
-  const std::string display = std::getenv("DISPLAY");
-  for (const char* bad : {"", "nonsense", ":54321"}) {
-    setenv("DISPLAY", bad, 1);
-    try {
-      check_display();
-      ADD_FAILURE() << bad;
-    } catch (const Error& e) {
-      EXPECT_NE(std::string(e.what()).find("display"), std::string::npos);
-      EXPECT_NE(e.hint().find("xvfb-run"), std::string::npos);
-    }
-  }
-  setenv("DISPLAY", display.c_str(), 1);
-  EXPECT_NO_THROW(check_display());
 }
 
 }  // namespace

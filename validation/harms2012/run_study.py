@@ -15,10 +15,8 @@ python3-matplotlib.
 import argparse
 import concurrent.futures
 import json
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import threading
@@ -37,15 +35,6 @@ from records import json_lines  # noqa: E402
 BACK = ["scapula_L", "scapula_R", "upper_back", "mid_back", "lower_back", "hips"]
 STEP = 0.005  # along the lines of the picture [m]
 says = threading.Lock()
-
-
-def with_display(command):
-    """Pictures need a display; a virtual one does."""
-    if os.environ.get("DISPLAY"):
-        return command
-    if not shutil.which("xvfb-run"):
-        raise SystemExit("error: no display and no xvfb-run (package xvfb)")
-    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", *command]
 
 
 def run(command):
@@ -82,7 +71,7 @@ def draw(binary, target):
     """Its pictures, unless they are newer than its drapes; apart, since drapes take much longer."""
     picture = target / "maps" / "angular-deviation-back.png"
     if not picture.exists() or picture.stat().st_mtime < (target / "drape.vtp").stat().st_mtime:
-        run(with_display([binary, "render", str(target), "-q"]))
+        run([binary, "render", str(target), "-q"])
 
 
 def places_of(targets):

@@ -4,9 +4,11 @@
 
 namespace loosefit::io {
 
-std::string existing_file(ConfigReader& table, const std::string& key) {
+std::string existing_file(ConfigReader& table, const std::string& key, const std::string& about,
+                          const std::string& pattern) {
   namespace fs = std::filesystem;
-  const fs::path named = table.text(key, "");
+  const fs::path named = table.path(key, pattern, about);
+  if (table.recording()) return named.string();
   std::error_code error;
   const fs::path full = fs::weakly_canonical(
       named.is_absolute() ? named : fs::path(table.file()).parent_path() / named, error);

@@ -5,8 +5,9 @@
 
 namespace loosefit::io {
 
-/// Absolute form of a file named in a configuration, relative to the folder of that.
-/// \throws InvalidInput if it does not exist or is not a file.
-std::string existing_file(ConfigReader& table, const std::string& key);
+/// Absolute form of a file named in a configuration, relative to the folder of that; `about` and
+/// `pattern` as of ConfigReader::path. \throws InvalidInput if it does not exist or is not a file.
+std::string existing_file(ConfigReader& table, const std::string& key,
+                          const std::string& about = {}, const std::string& pattern = {});
 
 }  // namespace loosefit::io

@@ -55,9 +55,10 @@ std::vector<fabric::CurvePoint> read_curve(ConfigReader table, const Form (&form
   for (const Form& known : forms)
     for (const char* key : {known.strain_key, known.force_key}) table.has(key);
   table.finish();
-  const std::vector<double> strain =
-      table.numbers(form.strain_key, {0, form.max_strain, form.what});
-  const std::vector<double> force = table.numbers(form.force_key, {0, form.max_force, "N/m"});
+  const std::vector<double> strain = table.numbers(form.strain_key, {0, form.max_strain, form.what},
+                                                   "strains of the points, rising");
+  const std::vector<double> force =
+      table.numbers(form.force_key, {0, form.max_force, "N/m"}, "force at each of them, rising");
   if (strain.size() != force.size())
     throw table.error(form.force_key, fmt::format("{} numbers", force.size()),
                       fmt::format("{}, one for every {}", strain.size(), form.strain_key), {});
@@ -84,10 +85,12 @@ std::string column(const std::vector<fabric::CurvePoint>& points,
 
 std::vector<const char*> read_material_curves(ConfigReader& table, fabric::Material& material) {
   std::vector<const char*> read;
-  if (!table.has("curve")) return read;
-  ConfigReader curves = table.table("curve");
+  const auto given = table.optional_table("curve", "measured curves in place of stiffnesses");
+  if (!given) return read;
+  ConfigReader curves = *given;
   for (const Direction& d : kDirections) {
-    if (!curves.has(d.name)) continue;
+    const auto curve = curves.optional_table(d.name, "points of the curve of one direction");
+    if (!curve) continue;
     const std::string clash = table.has(d.stiffness_key)    ? d.stiffness_key
                               : table.has("youngs_modulus") ? "youngs_modulus"
                                                             : "";
@@ -95,8 +98,7 @@ std::vector<const char*> read_material_curves(ConfigReader& table, fabric::Mater
       throw table.error(clash, "either " + clash + " or curve." + d.name,
                         "the stiffness is the initial slope of the measured curve");
     const bool shear = d.curve == &fabric::Material::curve_shear;
-    std::vector<fabric::CurvePoint> points =
-        read_curve(curves.table(d.name), shear ? kShear : kTension);
+    std::vector<fabric::CurvePoint> points = read_curve(*curve, shear ? kShear : kTension);
     const double slope = fabric::MonotoneCubic(points).initial_slope();
     if (!(slope >= (shear ? 0.1 : 1) && slope <= 1e6))
       throw curves.error(d.name, fmt::format("an initial slope of {:g} N/m", slope),

@@ -16,12 +16,16 @@ namespace {
 
 void refuse_bending_in_other_units(ConfigReader& table) {
   for (const char* key : {"bending_warp", "bending_weft"}) {
-    const auto any = table.optional_number(key, {});
-    if (any && *any > 1e-3)
+    const ConfigNode* node = table.node(key);
+    const bool is_number =
+        node && (node->kind == ConfigNode::Kind::integer || node->kind == ConfigNode::Kind::number);
+    if (!is_number) continue;
+    const double any = node->number;
+    if (any > 1e-3)
       throw table.error(key, "N m from 1e-08 to 0.001",
                         fmt::format("bending rigidity of a sheet is in N m: {:g} µN m is {:g}, "
                                     "{:g} gf cm²/cm is {:g}",
-                                    *any, *any * 1e-6, *any, *any * 9.80665e-5));
+                                    any, any * 1e-6, any, any * 9.80665e-5));
   }
 }
 
@@ -41,14 +45,19 @@ void drop_replaced_curves(const std::set<std::string>& set, scenario::MaterialCa
 
 void read_isotropic_pair(ConfigReader& table, scenario::MaterialCard& card,
                          std::set<std::string>& set) {
-  const auto modulus = table.optional_number("youngs_modulus", {1e3, 1e12, "Pa"});
-  const auto h = table.optional_number("elastic_thickness", {1e-6, 0.01, "metres"});
+  const auto modulus = table.optional_number("youngs_modulus", {1e3, 1e12, "Pa"},
+                                             "isotropic preset, with elastic_thickness");
+  const auto h = table.optional_number("elastic_thickness", {1e-6, 0.01, "metres"},
+                                       "isotropic preset, with youngs_modulus");
+  const bool no_thickness = table.lacks("youngs_modulus", "elastic_thickness");
+  const bool no_modulus = table.lacks("elastic_thickness", "youngs_modulus");
+  for (const char* key : {"stiffness_warp", "stiffness_weft"}) table.clash("youngs_modulus", key);
   if (!modulus && !h) return;
   const std::string why =
       "youngs_modulus and elastic_thickness only have a meaning together: the "
       "sheet stiffness is E h";
-  if (!h) throw table.error("elastic_thickness", "metres from 1e-06 to 0.01", why);
-  if (!modulus) throw table.error("youngs_modulus", "Pa from 1000 to 1e+12", why);
+  if (no_thickness) throw table.error("elastic_thickness", "metres from 1e-06 to 0.01", why);
+  if (no_modulus) throw table.error("youngs_modulus", "Pa from 1000 to 1e+12", why);
   for (const char* key : {"stiffness_warp", "stiffness_weft"})
     if (set.count(key)) throw table.error(key, "either youngs_modulus or " + std::string(key), why);
   fabric::Material& m = card.material;
@@ -155,24 +164,96 @@ void refuse_gaps(const ConfigReader& table, const scenario::MaterialCard& card) 
 // The one table from which reading, writing and documentation follow.
 const std::vector<MaterialConstant>& material_constants() {
   static const std::vector<MaterialConstant> kTable = {
-      {"areal_density", &fabric::Material::areal_density, {0.01, 5, "kg/m²"}},
-      {"thickness", &fabric::Material::thickness, {5e-5, 0.005, "metres"}},
-      {"stiffness_warp", &fabric::Material::stiffness_warp, {1, 1e6, "N/m"}},
-      {"stiffness_weft", &fabric::Material::stiffness_weft, {1, 1e6, "N/m"}},
-      {"poisson", &fabric::Material::poisson, {-0.9, 0.9, "a number"}},
-      {"stiffness_shear", &fabric::Material::stiffness_shear, {0.1, 1e6, "N/m per rad"}},
-      {"compression_factor", &fabric::Material::compression_factor, {1e-3, 1, "a fraction"}, false},
-      {"bending_warp", &fabric::Material::bending_warp, {1e-8, 1e-3, "N m"}},
-      {"bending_weft", &fabric::Material::bending_weft, {1e-8, 1e-3, "N m"}},
-      {"bending_poisson", &fabric::Material::bending_poisson, {-0.9, 0.9, "a number"}, false},
-      {"bending_hysteresis_warp", &fabric::Material::bending_hysteresis_warp, {0, 0.1, "N"}, false},
-      {"bending_hysteresis_weft", &fabric::Material::bending_hysteresis_weft, {0, 0.1, "N"}, false},
-      {"friction_body", &fabric::Material::friction_body, {0, 3, "a coefficient"}},
-      {"friction_self", &fabric::Material::friction_self, {0, 3, "a coefficient"}},
-      {"damping", &fabric::Material::damping, {0, 10, "seconds"}},
-      {"valid_strain_warp", &fabric::Material::valid_strain_warp, {1e-4, 10, "a number"}, false},
-      {"valid_strain_weft", &fabric::Material::valid_strain_weft, {1e-4, 10, "a number"}, false},
-      {"valid_shear", &fabric::Material::valid_shear, {1e-4, 1.5, "rad"}, false},
+      {"areal_density",
+       &fabric::Material::areal_density,
+       {0.01, 5, "kg/m²"},
+       true,
+       "mass per area"},
+      {"thickness",
+       &fabric::Material::thickness,
+       {5e-5, 0.005, "metres"},
+       true,
+       "half of it is the contact offset"},
+      {"stiffness_warp",
+       &fabric::Material::stiffness_warp,
+       {1, 1e6, "N/m"},
+       true,
+       "membrane stiffness along the grain"},
+      {"stiffness_weft",
+       &fabric::Material::stiffness_weft,
+       {1, 1e6, "N/m"},
+       true,
+       "membrane stiffness across the grain"},
+      {"poisson",
+       &fabric::Material::poisson,
+       {-0.9, 0.9, "a number"},
+       true,
+       "Poisson's ratio of the membrane"},
+      {"stiffness_shear",
+       &fabric::Material::stiffness_shear,
+       {0.1, 1e6, "N/m per rad"},
+       true,
+       "shear stiffness"},
+      {"compression_factor",
+       &fabric::Material::compression_factor,
+       {1e-3, 1, "a fraction"},
+       false,
+       "stiffness ratio in compression"},
+      {"bending_warp",
+       &fabric::Material::bending_warp,
+       {1e-8, 1e-3, "N m"},
+       true,
+       "sheet rigidity along the grain"},
+      {"bending_weft",
+       &fabric::Material::bending_weft,
+       {1e-8, 1e-3, "N m"},
+       true,
+       "sheet rigidity across the grain"},
+      {"bending_poisson",
+       &fabric::Material::bending_poisson,
+       {-0.9, 0.9, "a number"},
+       false,
+       "Poisson's ratio of bending"},
+      {"bending_hysteresis_warp",
+       &fabric::Material::bending_hysteresis_warp,
+       {0, 0.1, "N"},
+       false,
+       "HB: half of the loop width 2HB along the grain"},
+      {"bending_hysteresis_weft",
+       &fabric::Material::bending_hysteresis_weft,
+       {0, 0.1, "N"},
+       false,
+       "HB: half of the loop width 2HB across the grain"},
+      {"friction_body",
+       &fabric::Material::friction_body,
+       {0, 3, "a coefficient"},
+       true,
+       "Coulomb coefficient on skin"},
+      {"friction_self",
+       &fabric::Material::friction_self,
+       {0, 3, "a coefficient"},
+       true,
+       "Coulomb coefficient on itself"},
+      {"damping",
+       &fabric::Material::damping,
+       {0, 10, "seconds"},
+       true,
+       "of the two integrators with a time axis"},
+      {"valid_strain_warp",
+       &fabric::Material::valid_strain_warp,
+       {1e-4, 10, "a number"},
+       false,
+       "largest elongation along the grain for which the constants hold"},
+      {"valid_strain_weft",
+       &fabric::Material::valid_strain_weft,
+       {1e-4, 10, "a number"},
+       false,
+       "largest elongation across the grain for which the constants hold"},
+      {"valid_shear",
+       &fabric::Material::valid_shear,
+       {1e-4, 1.5, "rad"},
+       false,
+       "largest trellis shear angle for which the constants hold"},
   };
   return kTable;
 }
@@ -225,7 +306,7 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
   std::set<std::string> set;
   for (const auto& entry : converted) set.insert(entry.first);
   for (const MaterialConstant& c : material_constants()) {
-    const auto value = table.optional_number(c.key, c.range);
+    const auto value = table.optional_number(c.key, c.range, c.about);
     if (!value) continue;
     m.*c.value = *value;
     set.insert(c.key);

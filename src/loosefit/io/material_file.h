@@ -14,7 +14,8 @@ struct MaterialConstant {
   const char* key;
   double fabric::Material::*value;
   NumberRange range;
-  bool required = true;  ///< of a card
+  bool required;      ///< of a card
+  const char* about;  ///< in a few words
 };
 /// In the order of the cards.
 const std::vector<MaterialConstant>& material_constants();

@@ -48,6 +48,10 @@ const RecordedFigure kRecorded[] = {{"LT", true},    {"WT", true},   {"RT", true
                                     {"2HG5", false}, {"MIU", false}, {"MMD", false}, {"SMD", false},
                                     {"LC", false},   {"WC", false},  {"RC", false}};
 
+bool is_number(const ConfigNode& node) {
+  return node.kind == ConfigNode::Kind::integer || node.kind == ConfigNode::Kind::number;
+}
+
 bool has_curve(ConfigReader& table, const std::string& si_key) {
   if (si_key.rfind("stiffness_", 0) != 0) return false;
   const ConfigNode* curve = table.node("curve");
@@ -112,11 +116,12 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
                                                      fabric::Material& material,
                                                      std::vector<scenario::KesFigure>& figures) {
   std::map<std::string, std::string> set;
-  if (!table.has("kes")) return set;
-  ConfigReader kes = table.table("kes");
+  const auto given = table.optional_table("kes", "figures in the units of the KES instruments");
+  if (!given) return set;
+  ConfigReader kes = *given;
   check_shapes(kes, *table.node("kes"));
   const NumberRange positive{1e-9, 1e6, "a figure above 0"};
-  const double load = kes.number("EMT_load", kOuterWearLoad, positive);
+  const double load = kes.number("EMT_load", kOuterWearLoad, positive, "load of EMT, gf/cm");
   // Records a figure for the card; a key that the card had already is replaced.
   const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),
@@ -130,7 +135,8 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
   // Reads a figure and records it; empty when the key is absent.
   const auto record = [&](const std::string& key, const std::string& quantity) {
     const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
-    const auto figure = kes.optional_number(key, range);
+    const fabric::KesUnit& unit = fabric::kes_unit(quantity);
+    const auto figure = kes.optional_number(key, range, unit.meaning + ", " + unit.unit);
     if (figure) put(key, quantity, *figure);
     return figure;
   };
@@ -140,6 +146,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
     const std::string quantity = c.quantity, direction = c.direction;
     // One key for both directions, or one for each, never both.
     std::string key = quantity;
+    if (kes.recording() && !direction.empty()) record(quantity + "_" + direction, quantity);
     if (!direction.empty() && kes.has(quantity + "_" + direction)) {
       key += "_" + direction;
       if (kes.has(quantity))
@@ -157,12 +164,13 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
                       fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
                       "figures of [kes] are in the units of the KES instruments");
     // The card may state the SI value too; then both must agree.
-    if (const auto given = table.optional_number(c.si_key, {})) {
-      if (!fabric::same_within_rounding(*figure, si, *given))
-        throw table.error(c.si_key, fmt::format("{}", *given),
+    if (const ConfigNode* node = table.node(c.si_key); node && is_number(*node)) {
+      const double stated = node->number;
+      if (!fabric::same_within_rounding(*figure, si, stated))
+        throw table.error(c.si_key, fmt::format("{}", stated),
                           fmt::format("{:.6g}, which is kes.{} = {}", si, key, measured),
                           "leave out one of the two, or correct it");
-      if (*given != si) set.erase(c.si_key);
+      if (stated != si) set.erase(c.si_key);
       continue;
     }
     material.*c.value = si;

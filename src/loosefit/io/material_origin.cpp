@@ -70,12 +70,6 @@ void name_after_constants(scenario::MaterialCard& card) {
   if (!own.title.empty()) m.name = own.title;
 }
 
-std::string unit_of(const NumberRange& range) {
-  if (range.what.rfind("a ", 0) == 0) return "-";
-  if (range.what == "metres") return "m";
-  return range.what == "seconds" ? "s" : range.what;
-}
-
 }  // namespace
 
 void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
@@ -88,11 +82,13 @@ void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
     if (std::none_of(own.kes.begin(), own.kes.end(),
                      [&](const scenario::KesFigure& o) { return o.key == f.key; }))
       card.kes.push_back(f);
-  own.title = table.text("title", "");
-  own.source = table.text("source", "");
+  own.title = table.text("title", "", "what to call cloth of own constants");
+  own.source = table.text("source", "", "where own constants come from");
   // A resolved scenario writes out what it took from the card as well; those of earlier versions
   // did so without `given`, and knew neither title nor source.
-  const std::vector<std::string> given = table.choices("given", {}, material_keys());
+  const std::vector<std::string> given =
+      table.choices("given", {}, material_keys(),
+                    "of a resolved scenario: the constants that the scenario itself gave");
   const bool has_all = std::ranges::all_of(material_constants(), [&](const MaterialConstant& c) {
     return set.count(c.key) || std::string(c.key).starts_with("valid_");  // later than the others
   });
@@ -128,7 +124,8 @@ std::vector<ConstantInUse> constants_in_use(const scenario::MaterialCard& card) 
         card.stated.count(c.key)
             ? (card.own.keys.empty() ? "card " : "inherited from card ") + card_name(card)
             : "default";
-    ConstantInUse use{c.key, card.material.*c.value, unit_of(c.range),
+    const std::string unit = unit_of(c.range);
+    ConstantInUse use{c.key, card.material.*c.value, unit.empty() ? "-" : unit,
                       card.own.keys.count(c.key) ? "scenario" : of_card};
     if (const auto how = card.how.find(c.key); how != card.how.end() && !how->second.empty())
       use.from += ": " + how->second;

@@ -6,6 +6,8 @@
 
 namespace loosefit::io {
 
+class ConfigReader;
+
 /// The default scenario: the reference shirt on the default woman.
 scenario::Scenario default_scenario();
 
@@ -18,5 +20,8 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
 
 /// As parse_scenario, of a table that was parsed, or made by a program (then all lines are 0).
 scenario::Scenario scenario_of(const ConfigNode& table, const std::string& file);
+
+/// The reading itself, of the whole table; file and lines of the scenario stay empty.
+scenario::Scenario read_scenario_root(ConfigReader& root);
 
 }  // namespace loosefit::io

@@ -11,32 +11,40 @@ namespace {
 const NumberRange kPatternPlace{-5, 5, "metres"};
 
 std::string required_text(ConfigReader& table, const std::string& key, const std::string& what) {
-  if (!table.has(key)) throw table.error(key, what);
-  return table.text(key, "");
+  table.require(key, what);
+  return table.text(key, "", what);
 }
 
 garment::Board read_board(ConfigReader& table) {
   garment::Board board;
-  board.centre = table.point("at", kPatternPlace);
+  board.centre = table.point("at", kPatternPlace, "centre in pattern coordinates: u weft, v warp");
   const bool disc = table.has("radius");
   if (table.has("size") == disc)
     throw table.error(disc ? "radius" : "size", "either size = [width, height] or radius");
-  if (!disc) board.size = table.point("size", {0.001, 0.5, "metres"});
-  board.radius = table.number("radius", 0, {0.001, 0.25, "metres"});
-  board.angle = radians(table.number("angle_deg", 0, {-360, 360, "degrees"}));
-  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"});
-  board.bending = table.number("bending", board.bending, {0, 10, "N m"});
+  if (disc) {
+    table.require("radius", "a radius");
+    board.radius = *table.optional_number("radius", {0.001, 0.25, "metres"}, "of a disc");
+  } else {
+    board.size = table.point("size", {0.001, 0.5, "metres"}, "[width, height] of a rectangle");
+  }
+  board.angle = radians(
+      table.number("angle_deg", 0, {-360, 360, "degrees"}, "turn of the board in the pattern"));
+  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"}, "mass of the board");
+  board.bending = table.number("bending", board.bending, {0, 10, "N m"},
+                               "sheet rigidity added within the footprint");
   board.membrane_factor =
-      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"});
+      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"},
+                   "in-plane stiffness multiplier within the footprint");
   return board;
 }
 
 garment::Cable read_cable(ConfigReader& table) {
   garment::Cable cable;
-  cable.path = table.points("path", kPatternPlace, 2);
-  cable.width = table.number("width", cable.width, {0.0005, 0.1, "metres"});
-  cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"});
-  cable.bending = table.number("bending", 0, {0, 0.01, "N m²"});
+  cable.path = table.points("path", kPatternPlace, 2, "course in pattern coordinates");
+  cable.width = table.number("width", cable.width, {0.0005, 0.1, "metres"},
+                             "breadth of cloth over which the cable is spread");
+  cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"}, "mass per length");
+  cable.bending = table.number("bending", 0, {0, 0.01, "N m²"}, "rod rigidity, spread over width");
   return cable;
 }
 
@@ -77,8 +85,10 @@ garment::Attachment read_attachment_section(ConfigReader table) {
   garment::Attachment a;
   a.name = required_text(table, "name", "a name");
   a.panel = required_text(table, "panel", "the name of a panel of the pattern");
-  required_text(table, "kind", "\"board\" or \"cable\"");
-  if (table.choice("kind", "", {"board", "cable"}) == "board")
+  table.require("kind", "\"board\" or \"cable\"");
+  const std::string chosen = table.choice("kind", "", {"board", "cable"}, "what is sewn on");
+  table.only_for("kind", {chosen});
+  if (chosen == "board")
     a.part = read_board(table);
   else
     a.part = read_cable(table);

@@ -1,5 +1,7 @@
 #include "loosefit/io/scenario_body.h"
 
+#include <cmath>
+
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
@@ -16,39 +18,53 @@ body::Posture read_posture(ConfigReader& body, const std::string& key,
   const ConfigNode* node = body.node(key);
   if (!node) return fallback;
   if (node->kind == ConfigNode::Kind::text)
-    return body::named_posture(body.choice(key, "standing", body::posture_names()));
+    return body::named_posture(body.choice(key, "", body::posture_names()));
   if (node->kind != ConfigNode::Kind::table)
     throw body.error(key, "a posture in quotes or a table of angles");
   ConfigReader table = body.table(key);
   body::Posture posture = body::kStanding;
-  if (const auto aside = table.optional_number("arm_abduction_deg", {5, 90, "degrees"}))
+  if (const auto aside =
+          table.optional_number("arm_abduction_deg", {5, 90, "degrees"}, "upper arms aside",
+                                std::round(degrees(posture.arm_abduction))))
     posture.arm_abduction = radians(*aside);
-  posture.forward_bend = radians(table.number("forward_bend_deg", 0, {-20, 90, "degrees"}));
-  posture.sitting = table.number("sitting", 0, kFraction);
-  posture.arm_flexion = radians(table.number("arm_flexion_deg", 0, {-40, 180, "degrees"}));
-  posture.elbow_extension = table.number("elbow_extension", posture.elbow_extension, kFraction);
-  posture.slouch = table.number("slouch", 0, kFraction);
-  posture.relaxed_arms = table.number("relaxed_arms", posture.relaxed_arms, kFraction);
+  posture.forward_bend =
+      radians(table.number("forward_bend_deg", 0, {-20, 90, "degrees"}, "lean of the back"));
+  posture.sitting = table.number("sitting", 0, kFraction, "0 standing, 1 sitting");
+  posture.arm_flexion =
+      radians(table.number("arm_flexion_deg", 0, {-40, 180, "degrees"},
+                           "the arms, so far aside, raised forward against the trunk"));
+  posture.elbow_extension = table.number("elbow_extension", posture.elbow_extension, kFraction,
+                                         "share of the body's bent elbow that is straightened");
+  posture.slouch = table.number("slouch", 0, kFraction, "0 upright, 1 slumped");
+  posture.relaxed_arms =
+      table.number("relaxed_arms", posture.relaxed_arms, kFraction,
+                   "0: arms turned as the body model has them, at the angle asked for; 1: relaxed, "
+                   "and no closer than they have room");
   table.finish();
   return posture;
 }
 
 double read_sex(ConfigReader& body) {
+  body.declare("sex", "0 female, 1 male; 0.4 for children before puberty", "female");
   const ConfigNode* node = body.node("sex");
   const bool is_text = node && node->kind == ConfigNode::Kind::text;
   if (is_text) return body.choice("sex", "", {"female", "male"}) == "male" ? 1 : 0;
-  return body.number("sex", 0, {0, 1, "\"female\", \"male\" or a number"});
+  return body.optional_number("sex", {0, 1, "\"female\", \"male\" or a number"}).value_or(0);
 }
 
 scenario::ScenarioBody read_body_file(ConfigReader& table) {
   scenario::ScenarioBody body;
-  body.file = existing_file(table, "file");
-  body.units = table.choice("units", "", {"m", "cm", "mm", "in"});
-  body.up = table.choice("up", "", {"z", "y"});
+  body.file = existing_file(table, "file", "scanned surface of one person: OBJ, PLY or STL");
+  table.require("file", "a file");
+  body.units = table.choice("units", "", {"m", "cm", "mm", "in"},
+                            "of the file; inferred, with a warning, where absent");
+  body.up = table.choice("up", "", {"z", "y"},
+                         "axis of the file; inferred, with a warning, where absent");
   for (const std::string& key : table.keys())
     if (key != "file" && key != "units" && key != "up")
       throw table.error(key, "only file, units and up for a body file",
                         "a scan brings its own size and posture");
+  table.finish();
   return body;
 }
 
@@ -61,25 +77,33 @@ scenario::ScenarioBody read_body_section(ConfigReader table,
     if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
   scenario::ScenarioBody body;
   body.sex = read_sex(table);
-  body.age = table.number("age", body.age, {3, 90, "years"});
-  body.height = table.number("height", body.height, {0.7, 2.3, "metres"});
-  ConfigReader wishes = table.table("measurements");
+  body.age = table.number("age", body.age, {3, 90, "years"}, "age of the person");
+  body.height = table.number("height", body.height, {0.7, 2.3, "metres"}, "stature");
+  ConfigReader wishes =
+      table.table("measurements", "wished tape measures; the body is fitted to any subset");
   if (wishes.has("height")) throw wishes.error("height", "height as a key of [body] itself");
   for (const std::string& name : body::measure_names())
-    if (const auto wish = wishes.optional_number(name, {0.08, 2.0, "metres"}))
+    if (name == "height")
+      continue;
+    else if (const auto wish =
+                 wishes.optional_number(name, {0.08, 2.0, "metres"}, "tape measure: " + name))
       body.measurements[name] = *wish;
   wishes.finish();
-  body.muscle = table.number("muscle", body.muscle, kFraction);
-  body.proportions = table.number("proportions", body.proportions, kFraction);
-  body.cup = table.number("cup", body.cup, kFraction);
-  body.firmness = table.number("firmness", body.firmness, kFraction);
+  body.muscle = table.number("muscle", body.muscle, kFraction, "shape that no tape measure fixes");
+  body.proportions =
+      table.number("proportions", body.proportions, kFraction, "shape that no tape measure fixes");
+  body.cup = table.number("cup", body.cup, kFraction, "shape that no tape measure fixes");
+  body.firmness =
+      table.number("firmness", body.firmness, kFraction, "shape that no tape measure fixes");
   const body::Posture listed =
       postures.empty() ? body.posture : body::named_posture(postures.front());
+  table.declare("posture", "in which the maps are made: a name or a table of angles", "standing");
   body.posture = read_posture(table, "posture", listed);
   if (!postures.empty() && !(body.posture == listed))
     throw table.error("posture", "another posture than that of [postures]",
                       "\"" + postures.front() + "\", the reference of [postures]",
                       "leave it out: the reference posture is that of the maps");
+  table.declare("dress_posture", "in which the garment is put on: a name or a table of angles");
   body.dress_posture =
       read_posture(table, "dress_posture", body::default_dress_posture(body.posture));
   table.finish();

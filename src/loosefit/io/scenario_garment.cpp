@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "loosefit/base/text.h"
@@ -13,11 +14,15 @@
 namespace loosefit::io {
 namespace {
 
-std::map<std::string, double> read_fit(ConfigReader table, const kinds::GarmentKind& kind) {
+std::map<std::string, double> read_fit(ConfigReader table, const kinds::GarmentKind& kind,
+                                       bool sized) {
   std::map<std::string, double> fit;
   for (const kinds::KindKey& key : kind.keys) {
     const NumberRange range{key.low, key.high, key.unit};
-    if (const auto value = table.optional_number(key.name, range))
+    std::optional<double> value;
+    if (!sized || key.with_size)
+      value = table.optional_number(key.name, range, key.meaning, key.usual);
+    if (value)
       fit[key.name] = *value;
     else if (key.usual)
       fit[key.name] = *key.usual;
@@ -25,6 +30,10 @@ std::map<std::string, double> read_fit(ConfigReader table, const kinds::GarmentK
   table.finish();
   return fit;
 }
+
+const char* const kPatternAbout =
+    "kind of the garment, or a GarmentCode or DXF pattern file, taken at the size it has";
+const char* const kPathPattern = "/|.\\.";  // as names_a_file
 
 bool names_a_file(const std::string& pattern) {
   return pattern.find('/') != std::string::npos ||
@@ -38,8 +47,9 @@ std::vector<std::string> read_adapt(ConfigReader& table, const kinds::GarmentKin
   std::vector<std::string> names;
   for (const kinds::KindKey& key : kind.keys) names.push_back(key.name);
   std::set<std::string> yielding;
+  const std::vector<std::string> wished = table.choices(
+      "adapt", {}, names, "keys of fit that may give way where the body cannot be drafted for");
   if (table.has("adapt")) {
-    const std::vector<std::string> wished = table.choices("adapt", {}, names);
     yielding.insert(wished.begin(), wished.end());
   } else {
     for (const std::string& name : names)
@@ -56,26 +66,34 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
   if (table.has("file"))
     throw table.error("file", "an unknown key", "a key of garment",
                       "a pattern file is named by pattern = \"PATH\"");
-  garment.kind = table.text("pattern", kinds::garment_kinds().front().name);
+  garment.kind = table.peek_text("pattern", kinds::garment_kinds().front().name);
   if (names_a_file(garment.kind)) {
-    garment.file = existing_file(table, "pattern");
+    garment.file = existing_file(table, "pattern", kPatternAbout, kPathPattern);
+    table.require("pattern", "a pattern file");
     garment.kind = kinds::pattern_file().name;
     for (const char* key : {"fit", "size", "adapt"})
       if (table.has(key))
         throw table.error(key, std::string("no ") + key + " beside a pattern file",
                           "a pattern file is taken at the size it has");
   } else {
-    const kinds::GarmentKind& kind =
-        kinds::garment_kind(table.choice("pattern", garment.kind, kinds::drafted_kinds()));
+    const kinds::GarmentKind& kind = kinds::garment_kind(
+        table.choice("pattern", garment.kind, kinds::drafted_kinds(), kPatternAbout));
     garment.kind = kind.name;
-    garment.size = table.choice("size", "", kinds::size_names(kind.sizes));
+    table.only_for("pattern", {kind.name});
+    const bool sized = table.has("size");
+    if (sized) {
+      garment.size = table.choice("size", "", kinds::size_names(kind.sizes),
+                                  "a fixed garment, whatever the body");
+      table.require("size", "a size");
+    }
     const std::vector<std::string> given = table.table("fit").keys();
     for (const kinds::KindKey& key : kind.keys)
       if (!garment.size.empty() && !key.with_size &&
           std::find(given.begin(), given.end(), key.name) != given.end())
         throw table.error("fit", "either fit." + key.name + " or size",
                           "a size fixes the garment; a fit follows the body");
-    garment.fit = read_fit(table.table("fit"), kind);
+    garment.fit =
+        read_fit(table.table("fit", "body-garment mobility per level, and cut"), kind, sized);
     garment.adapt = read_adapt(table, kind, {given.begin(), given.end()});
   }
   return garment;

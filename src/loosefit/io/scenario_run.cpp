@@ -12,14 +12,21 @@
 // [material], [simulation], [output] and [ranking]: how it is computed and shown.
 namespace loosefit::io {
 
+namespace {
+const char* const kTomlFile = "[^/]\\.toml$";  // a path with that extension
+}  // namespace
+
 scenario::MaterialCard read_material_section(ConfigReader table) {
   const std::vector<std::string> names = material_names();
-  const std::string name = table.text("name", "paper-cotton");
+  const std::string usual = "paper-cotton", about = "material card, or the path of a .toml card";
+  const std::string name = table.peek_text("name", usual);
   scenario::MaterialCard card;
+  table.declare("name", about, usual);
   if (std::filesystem::path(name).extension() == ".toml") {
-    card = read_material_file(existing_file(table, "name"));
+    const std::string file = existing_file(table, "name", about, kTomlFile);
+    card = table.recording() ? load_material(usual) : read_material_file(file);
   } else {
-    table.choice("name", name, names);
+    table.choice("name", usual, names, about);
     card = load_material(name);
   }
   read_own_constants(table, card);
@@ -29,48 +36,63 @@ scenario::MaterialCard read_material_section(ConfigReader table) {
 
 scenario::ScenarioSimulation read_simulation_section(ConfigReader table) {
   scenario::ScenarioSimulation s;
-  s.edge_length = table.number("edge_length", s.edge_length, {0.003, 0.05, "metres"});
+  s.edge_length = table.number("edge_length", s.edge_length, {0.003, 0.05, "metres"},
+                               "wished edge of the triangles");
   s.integrator = table.choice("integrator", s.integrator,
-                              {"semi-implicit-euler", "implicit-euler", "quasi-static"});
-  s.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, 1LL << 53));
-  s.repeats = static_cast<int>(table.integer("repeats", s.repeats, 1, 100));
+                              {"semi-implicit-euler", "implicit-euler", "quasi-static"},
+                              "how the garment comes to rest");
+  s.seed =
+      static_cast<std::uint64_t>(table.integer("seed", 1, 0, 1LL << 53, "of all that is random"));
+  s.repeats =
+      static_cast<int>(table.integer("repeats", s.repeats, 1, 100, "drapes from perturbed starts"));
   s.start_perturbation =
-      table.number("start_perturbation", s.repeats > 1 ? 0.001 : 0, {0, 0.005, "metres"});
+      table.number("start_perturbation", s.repeats > 1 ? 0.001 : 0, {0, 0.005, "metres"},
+                   "rms shift of the dressed start; 0.001 with repeats");
   s.residual_tolerance =
-      table.number("residual_tolerance", s.residual_tolerance, {1e-8, 1e-3, "a fraction"});
-  s.gravity = table.number("gravity", s.gravity, {0.1, 100, "m/s²"});
-  s.time_budget = table.number("time_budget", s.time_budget, {0.1, 1e6, "seconds"});
-  s.max_iterations =
-      static_cast<int>(table.integer("max_iterations", s.max_iterations, 1, 1000000));
-  s.threads = static_cast<int>(table.integer("threads", s.threads, 0, 256));
+      table.number("residual_tolerance", s.residual_tolerance, {1e-8, 1e-3, "a fraction"},
+                   "net force over weight below which the garment has settled");
+  s.gravity = table.number("gravity", s.gravity, {0.1, 100, "m/s²"}, "acceleration of gravity");
+  s.time_budget = table.number("time_budget", s.time_budget, {0.1, 1e6, "seconds"},
+                               "wall time that a drape may take");
+  s.max_iterations = static_cast<int>(table.integer("max_iterations", s.max_iterations, 1, 1000000,
+                                                    "Newton steps that a drape may take"));
+  s.threads = static_cast<int>(
+      table.integer("threads", s.threads, 0, 256, "0: all cores; results do not depend on it"));
   table.finish();
   return s;
 }
 
 scenario::ScenarioOutput read_output_section(ConfigReader table) {
   scenario::ScenarioOutput o;
-  o.maps = table.choices("maps", o.maps, maps::map_names());
-  o.views = table.choices("views", o.views, {"front", "back", "left", "right"});
-  o.undecorated = table.boolean("undecorated", o.undecorated);
-  o.preset_sites = table.boolean("preset_sites", o.preset_sites);
-  o.width = static_cast<int>(table.integer("width", o.width, 200, 4000));
-  o.height = static_cast<int>(table.integer("height", o.height, 200, 4000));
+  o.maps = table.choices("maps", o.maps, maps::map_names(), "maps to make");
+  o.views =
+      table.choices("views", o.views, {"front", "back", "left", "right"}, "sides of the pictures");
+  o.undecorated = table.boolean("undecorated", o.undecorated, "also pictures of the plain drape");
+  o.preset_sites =
+      table.boolean("preset_sites", o.preset_sites, "also shoulder blades, spine, chest, …");
+  o.width = static_cast<int>(table.integer("width", o.width, 200, 4000, "of a picture, in pixels"));
+  o.height =
+      static_cast<int>(table.integer("height", o.height, 200, 4000, "of a picture, in pixels"));
   table.finish();
   return o;
 }
 
 scenario::ScenarioRanking read_ranking_section(ConfigReader table) {
   scenario::ScenarioRanking r;
-  r.modality = table.text("modality", r.modality);
+  const std::string about = "scorecard by which sites are ranked, or the path of a .toml file";
+  r.modality = table.peek_text("modality", r.modality);
+  table.declare("modality", about);
   if (std::filesystem::path(r.modality).extension() == ".toml")
-    r.modality = existing_file(table, "modality");
-  else if (!r.modality.empty())
-    table.choice("modality", r.modality, scorecard_names());
-  if (!r.modality.empty()) load_scorecard(r.modality);  // what is wrong with it is said now
-  r.best = static_cast<int>(table.integer("best", r.best, 0, 1000));
-  r.partial = table.boolean("partial", r.partial);
+    r.modality = existing_file(table, "modality", about, kTomlFile);
+  else
+    table.choice("modality", "", scorecard_names(), about);
+  if (!r.modality.empty() && !table.recording())
+    load_scorecard(r.modality);  // what is wrong with it is said now
+  r.best =
+      static_cast<int>(table.integer("best", r.best, 0, 1000, "places to search beside the sites"));
+  r.partial = table.boolean("partial", r.partial, "judge by the criteria that the drapes can tell");
   for (const char* key : {"best", "partial"})
-    if (r.modality.empty() && table.has(key))
+    if (table.lacks(key, "modality"))
       throw table.error(key, std::string(key) + " only beside modality",
                         "for example modality = \"imu-inclination\"");
   table.finish();

@@ -10,8 +10,10 @@ namespace loosefit::io {
 scenario::ScenarioGarment read_under_section(ConfigReader table) {
   scenario::ScenarioGarment under;
   under.spec = read_garment_keys(table);
-  under.material = read_material_section(table.table("material"));
-  under.friction = table.optional_number("friction", {0, 3, "a coefficient"});
+  under.material = read_material_section(table.table("material", "its cloth"));
+  under.friction = table.optional_number("friction", {0, 3, "a coefficient"},
+                                         "against every garment over it; absent: mean of the "
+                                         "friction_self of the two");
   table.finish();
   return under;
 }

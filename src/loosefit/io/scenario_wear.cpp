@@ -13,21 +13,20 @@ namespace loosefit::io {
 
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body) {
   table.only({"list", "reference"});
-  std::vector<std::string> list = table.choices("list", {}, body::posture_names());
-  if (list.empty()) {
-    for (const char* key : {"list", "reference"})
-      if (table.has(key))
-        throw table.error(key,
-                          "an array of at least one posture from " + join(body::posture_names()));
-    table.finish();
-    return list;
-  }
+  std::vector<std::string> list =
+      table.choices("list", {}, body::posture_names(), "postures that the garment follows", 1);
+  if (table.lacks("reference", "list"))
+    throw table.error("reference",
+                      "an array of at least one posture from " + join(body::posture_names()));
+  const std::string reference = table.choice(
+      "reference", list.empty() ? "" : list.front(), list.empty() ? body::posture_names() : list,
+      "posture of the maps, in which sensors are calibrated; the first where absent");
+  table.finish();
+  if (list.empty()) return list;
   if (body.has("file"))
     throw table.error("list", "postures of a scanned body", "a parametric person",
                       "a scan keeps the posture it was taken in");
-  const std::string reference = table.choice("reference", list.front(), list);
   std::rotate(list.begin(), std::find(list.begin(), list.end(), reference), list.end());
-  table.finish();
   return list;
 }
 
@@ -41,15 +40,22 @@ scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
     repeated = repeated || table.has(key);
   const bool movements_alone = table.has("movements") && !repeated;
   d.repeats =
-      static_cast<int>(table.integer("repeats", given && !movements_alone ? kUsual : 1, 1, 100));
+      static_cast<int>(table.integer("repeats", given && !movements_alone ? kUsual : 1, 1, 100,
+                                     "times the garment is put on; 1 beside movements alone"));
   d.movements = table.choices("movements", d.movements,
-                              {scenario::kMovementNames.begin(), scenario::kMovementNames.end()});
-  d.movement_spread = table.number("movement_spread", d.movement_spread, {0, 0.5, "a fraction"});
-  d.shift = table.number("shift", d.shift, {0, 0.05, "metres"});
-  d.twist = radians(table.number("twist_deg", 10, {0, 30, "degrees"}));
-  d.friction_spread = table.number("friction_spread", d.friction_spread, {0, 0.5, "a fraction"});
+                              {scenario::kMovementNames.begin(), scenario::kMovementNames.end()},
+                              "what the wearer does once the garment is on, in this order");
+  d.movement_spread = table.number("movement_spread", d.movement_spread, {0, 0.5, "a fraction"},
+                                   "standard deviation of the logarithm of their sizes");
+  d.shift = table.number("shift", d.shift, {0, 0.05, "metres"},
+                         "of the garment along each axis, to either side");
+  d.twist = radians(table.number("twist_deg", 10, {0, 30, "degrees"},
+                                 "of the garment on the trunk, to either side"));
+  d.friction_spread = table.number("friction_spread", d.friction_spread, {0, 0.5, "a fraction"},
+                                   "standard deviation of the logarithm of friction");
   d.seed = static_cast<std::uint64_t>(
-      table.integer("seed", static_cast<long long>(simulation.seed), 0, 1LL << 53));
+      table.integer("seed", static_cast<long long>(simulation.seed), 0, 1LL << 53,
+                    "of all that is random here; that of [simulation] where absent"));
   if (d.repeats > 1 && simulation.repeats > 1)
     throw table.error("repeats", fmt::format("{} beside simulation.repeats", d.repeats),
                       "repeats in one of the two",

@@ -37,8 +37,8 @@ void check_sizes(const garment::Garment& garment, const std::vector<Vec3>& posit
 }
 }  // namespace
 
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const body::Body& body,
-                                     const garment::Garment& garment,
+std::vector<Picture> render_pictures(const Screen& screen, const std::filesystem::path& dir,
+                                     const body::Body& body, const garment::Garment& garment,
                                      const std::vector<Vec3>& positions,
                                      const std::vector<maps::PerformanceMap>& maps,
                                      const PictureOptions& options,
@@ -49,7 +49,8 @@ std::vector<Picture> render_pictures(const std::filesystem::path& dir, const bod
   const int foot = options.height / 7;
   const geometry::TriangleMesh form = mannequin(body, garment, positions, options.under.vertices);
   const bool layered = !options.under.triangles.empty();
-  Scene scene({form, positions, garment.triangles, lines.boundary, lines.seams,
+  Scene scene(screen,
+              {form, positions, garment.triangles, lines.boundary, lines.seams,
                layered ? &options.under : nullptr},
               options.width, options.height - foot, options.supersampling,
               options.ambient_occlusion);

@@ -7,6 +7,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/performance_map.h"
+#include "loosefit/render/screen.h"
 #include "loosefit/render/view.h"
 
 namespace loosefit::render {
@@ -32,9 +33,9 @@ struct Picture {
 /// is a neutral grey dress form (render/mannequin.h); colours are fixed by each map's range; NaN is
 /// grey. Cloth worn under the garment is drawn too, and with `undecorated` also through the
 /// garment: layers-<view>.png. `after_each` is called with the share done and may throw to stop.
-/// \throws Error when there is no X display (check_display), IoError when a file cannot be written.
-std::vector<Picture> render_pictures(const std::filesystem::path& dir, const body::Body& body,
-                                     const garment::Garment& garment,
+/// \throws IoError when a file cannot be written.
+std::vector<Picture> render_pictures(const Screen& screen, const std::filesystem::path& dir,
+                                     const body::Body& body, const garment::Garment& garment,
                                      const std::vector<Vec3>& positions,
                                      const std::vector<maps::PerformanceMap>& maps,
                                      const PictureOptions& options = {},

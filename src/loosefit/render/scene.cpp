@@ -1,7 +1,6 @@
 #include "loosefit/render/scene.h"
 
 #include <vtkActor.h>
-#include <vtkAutoInit.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -20,13 +19,8 @@
 
 #include <Eigen/Geometry>
 
-#include "loosefit/base/error.h"
 #include "loosefit/render/colour_table.h"
-#include "loosefit/render/display.h"
 #include "loosefit/render/lit.h"
-
-VTK_MODULE_INIT(vtkRenderingOpenGL2)
-VTK_MODULE_INIT(vtkInteractionStyle)
 
 namespace loosefit::render {
 namespace {
@@ -76,13 +70,6 @@ Vec3 towards_camera(View view) {
   }
   return {0, -1, 0};
 }
-
-/// One window for the life of the process: an X server without clients resets itself and may refuse
-/// the next one, and a second OpenGL context costs half a second.
-vtkRenderWindow* shared_window() {
-  static vtkRenderWindow* window = vtkRenderWindow::New();
-  return window;
-}
 }  // namespace
 
 struct Scene::Window {
@@ -97,7 +84,7 @@ struct Scene::Window {
       actor->SetMapper(mapper);
     }
   };
-  vtkRenderWindow* window = shared_window();
+  vtkRenderWindow* window = nullptr;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> key, fill_light;
   Part body, under, garment, lines, seams;
@@ -142,18 +129,14 @@ struct Scene::Window {
   }
 };
 
-Scene::Scene(const SceneContent& content, int width, int height, int supersampling,
-             bool ambient_occlusion) {
-  // VTK aborts without a display and cannot draw with another window class.
-  check_display();
-  window_ = std::make_unique<Window>();
+Scene::Scene(const Screen& screen, const SceneContent& content, int width, int height,
+             int supersampling, bool ambient_occlusion)
+    : window_(std::make_unique<Window>()) {
   Window& w = *window_;
+  w.window = screen.window();
   w.width = width * supersampling;
   w.height = height * supersampling;
   w.ambient_occlusion = ambient_occlusion;
-  if (!w.window->IsA("vtkOpenGLRenderWindow"))
-    throw Error("pictures need VTK's OpenGL window, found " +
-                std::string(w.window->GetClassName()));
   // Off-screen, on white, lit by our own two lights only.
   w.window->SetOffScreenRendering(1);
   w.window->SetMultiSamples(0);

@@ -6,6 +6,7 @@
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/render/image.h"
+#include "loosefit/render/screen.h"
 #include "loosefit/render/view.h"
 
 namespace loosefit::render {
@@ -20,13 +21,13 @@ struct SceneContent {
   const geometry::TriangleMesh* under = nullptr;  ///< cloth between body and garment
 };
 
-/// One VTK window that draws a garment on its mannequin. Light and colour are drawn apart, because
+/// Draws a garment on its mannequin. Light and colour are drawn apart, because
 /// shading that is mixed with colours falsifies a map, and because the costly shading then serves
 /// every map of a view. Parallel projection, the garment fills the frame.
 class Scene {
  public:
-  /// \throws Error without a display.
-  Scene(const SceneContent& content, int width, int height, int supersampling,
+  /// One scene at a time on a screen, which outlives it.
+  Scene(const Screen& screen, const SceneContent& content, int width, int height, int supersampling,
         bool ambient_occlusion);
   ~Scene();
   void look(View view);

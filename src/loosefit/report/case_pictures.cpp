@@ -23,25 +23,28 @@ render::PictureOptions picture_options(const scenario::ScenarioOutput& asked) {
 }
 
 /// Plain pictures of the other postures; further donnings look much alike.
-void draw_states(const Path& folder, const study::CaseResult& result,
+void draw_states(const render::Screen& screen, const Path& folder, const study::CaseResult& result,
                  render::PictureOptions options, Progress& progress) {
   if (!options.undecorated) return;
   for (const study::CaseState& state : result.wear.states) {
     if (!state.id.in_first_donning() || !state.draped()) continue;
     progress.check_cancelled();
     options.under = study::surface_under_studied(result, &state);
-    render::render_pictures(folder / study::state_folder(state), result.body_in(state.id.posture),
-                            result.studied().mesh(), state.drape().positions, {}, options);
+    render::render_pictures(screen, folder / study::state_folder(state),
+                            result.body_in(state.id.posture), result.studied().mesh(),
+                            state.drape().positions, {}, options);
   }
 }
 
-void draw_worn_under(const Path& folder, const study::CaseResult& result,
-                     const render::PictureOptions& options, Progress& progress) {
+void draw_worn_under(const render::Screen& screen, const Path& folder,
+                     const study::CaseResult& result, const render::PictureOptions& options,
+                     Progress& progress) {
   for (int g = 0; g < static_cast<int>(result.worn_under().size()); ++g) {
     progress.check_cancelled();
     const study::CaseGarment& garment = result.garments[g];
-    render::render_pictures(folder / study::under_folder(g), result.body.body, garment.mesh(),
-                            garment.drape.positions, study::plain_maps(garment.maps.maps), options);
+    render::render_pictures(screen, folder / study::under_folder(g), result.body.body,
+                            garment.mesh(), garment.drape.positions,
+                            study::plain_maps(garment.maps.maps), options);
   }
 }
 
@@ -62,12 +65,13 @@ void plan(const scenario::ScenarioOutput& output, const Path& folder, bool with_
 std::vector<render::Picture> draw_case(const Path& folder, const study::CaseResult& result,
                                        Progress& progress) {
   render::PictureOptions options = picture_options(result.scenario.output);
+  const render::Screen screen;  // before anything is written
   std::filesystem::create_directories(folder / kMapFolder);
-  draw_states(folder, result, options, progress);
-  draw_worn_under(folder, result, options, progress);
+  draw_states(screen, folder, result, options, progress);
+  draw_worn_under(screen, folder, result, options, progress);
   options.under = study::surface_under_studied(result);
   const study::CaseGarment& studied = result.studied();
-  return render::render_pictures(folder / kMapFolder, result.body.body, studied.mesh(),
+  return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),
                                  studied.drape.positions, study::plain_maps(studied.maps.maps),
                                  options, [&progress](double share) {
                                    progress.check_cancelled();

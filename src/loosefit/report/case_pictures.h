@@ -11,7 +11,7 @@ namespace loosefit::report {
 /// Draws a case into its folder, as [output] of its scenario asks: every map of the studied garment
 /// into maps/, those of the garments under it into their folders, plain pictures of the postures of
 /// the first donning into theirs. Returns those of the studied garment in the reference state.
-/// \throws as render_pictures, Cancelled.
+/// \throws NoScreen before anything is written; as render_pictures; Cancelled.
 std::vector<render::Picture> draw_case(const std::filesystem::path& folder,
                                        const study::CaseResult& result, Progress& progress);
 

@@ -3,7 +3,6 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/run_log.h"
-#include "loosefit/render/display.h"
 #include "loosefit/report/write_output.h"
 #include "loosefit/study/load_case.h"
 
@@ -31,8 +30,6 @@ FolderOutput run_into_folder(const scenario::Scenario& scenario,
                           .sites = !options.only_drape,
                           .pictures = pictures && !options.only_drape,
                           .report = !options.only_drape};
-  // What can fail early does so before the simulation.
-  if (parts.pictures) render::check_display();
   io::RunFolder files = io::RunFolder::create(folder);
   files.announce(planned_files(scenario, parts));
   io::RunLog log(files.path() / "log.jsonl", progress);
@@ -50,7 +47,6 @@ FolderOutput run_into_folder(const scenario::Scenario& scenario,
 FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptions& options,
                             Progress& progress) {
   const OutputParts parts{.pictures = options.pictures, .report = options.report};
-  if (parts.pictures) render::check_display();
   io::RunFolder files = io::RunFolder::update(folder);
   files.leave_if_edited("scenario.toml");
 

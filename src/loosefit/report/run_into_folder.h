@@ -21,8 +21,8 @@ struct FolderOutput {
 };
 
 /// `loosefit run` and `loosefit drape`: runs the scenario, ranks as it asks, and writes all files
-/// with a log into a new folder or in place of an earlier output (RunFolder::create). Pictures need
-/// a display, which is asked for first. A drape alone gets neither pictures nor report.
+/// with a log into a new folder or in place of an earlier output (RunFolder::create). A drape alone
+/// gets neither pictures nor report.
 /// \throws as run_case, rank_as_asked, write_output, RunFolder.
 FolderOutput run_into_folder(const scenario::Scenario& scenario,
                              const std::filesystem::path& folder, const study::RunOptions& options,

@@ -84,7 +84,13 @@ study::CaseResult write_output(const Path& folder, study::CaseResult result,
   }
   study::write_case_files(folder, result);
   std::vector<render::Picture> pictures;
-  if (parts.pictures) pictures = draw_case(folder, result, clock);
+  if (parts.pictures) {
+    try {
+      pictures = draw_case(folder, result, clock);
+    } catch (const render::NoScreen& none) {  // all else can be had without
+      result.warnings.push_back(std::string(none.what()) + "; " + none.hint());
+    }
+  }
   if (parts.report) write_report(folder, result, pictures, ranking ? &ranking->table : nullptr);
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});

@@ -34,7 +34,8 @@ std::optional<TimedRanking> rank_as_asked(const study::CaseResult& result, Progr
 
 /// Writes the files of a case into `folder`, which exists: data, ranking when there is one,
 /// pictures and report if `parts` asks for them, summary.json last. Returns the case with what that
-/// took (stage "report", peak memory). \throws IoError, Cancelled; Error without a display.
+/// took (stage "report", peak memory). Without a screen there are no pictures, and a warning.
+/// \throws IoError, Cancelled.
 study::CaseResult write_output(const std::filesystem::path& folder, study::CaseResult result,
                                const OutputParts& parts, const std::optional<TimedRanking>& ranking,
                                Progress& progress);

@@ -102,4 +102,12 @@ std::string validation_json(const Validation& validation) {
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string benchmarks_json(const std::vector<Benchmark>& list) {
+  Json entries = Json::array();
+  for (const Benchmark& b : list)
+    entries.push_back(
+        {{"id", b.id}, {"title", b.title}, {"reference", b.reference}, {"in_quick", b.in_quick}});
+  return Json{{"benchmarks", entries}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace loosefit::validate
