@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "loosefit/solver/one_blas_thread.h"
-
 namespace loosefit::python {
 namespace {
 
@@ -90,7 +88,6 @@ class Worker {
     const SignalsElsewhere quiet;
     thread_ = std::thread([this, &work] {
       try {
-        const solver::OneBlasThread blas;
         work(mailbox_);
       } catch (...) {
         failure_ = std::current_exception();
