@@ -21,13 +21,13 @@ target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} gomp TBB::tb
 # A BLAS of our own inside each binary: one thread, kernels that we choose while running
 # (solver/linear/multifrontal/choose_kernels.h), hidden from whatever else the process has loaded,
 # such as NumPy's or CHOLMOD's. Where there is no such archive, the system's library has to do.
-find_library(OPENBLAS_LIBRARY NAMES libopenblas.a NO_DEFAULT_PATH
+find_library(LOOSEFIT_OPENBLAS NAMES libopenblas.a NO_DEFAULT_PATH
   PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial)
-if(NOT OPENBLAS_LIBRARY)
+if(NOT LOOSEFIT_OPENBLAS)
   message(STATUS "found no serial OpenBLAS archive (Debian: libopenblas-serial-dev); taking the shared one")
-  find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+  find_library(LOOSEFIT_OPENBLAS openblas REQUIRED)
 endif()
-target_link_libraries(loosefit_cholmod INTERFACE ${OPENBLAS_LIBRARY})
+target_link_libraries(loosefit_cholmod INTERFACE ${LOOSEFIT_OPENBLAS})
 target_link_options(loosefit_cholmod INTERFACE LINKER:--exclude-libs,libopenblas.a)
 
 set(LOOSEFIT_VTK_IO_MODULES CommonCore CommonDataModel CommonExecutionModel IOXML)
