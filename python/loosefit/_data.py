@@ -23,8 +23,8 @@ def body_data(data_dir: Optional[PathLike]) -> Iterator[None]:
     """
     global _in_use
     with _lock:
-        before = _in_use
-        wanted = os.environ.get("LOOSEFIT_DATA", "")
+        before, told = _in_use, os.environ.get("LOOSEFIT_DATA")
+        wanted = told or ""
         if data_dir is not None:
             wanted = os.path.abspath(data_dir)
             if before is not None and wanted != before:
@@ -41,4 +41,8 @@ def body_data(data_dir: Optional[PathLike]) -> Iterator[None]:
         with _lock:
             if before is None:  # perhaps they are not there: the next call may say where
                 _in_use = None
+                if data_dir is not None:
+                    os.environ.pop("LOOSEFIT_DATA")
+                    if told is not None:
+                        os.environ["LOOSEFIT_DATA"] = told
         raise
