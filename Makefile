@@ -15,11 +15,18 @@ help:
 	@sed -n '2,4s/^# *//p' Makefile
 	@echo "also: make setup | build | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
 
+# What only the tests and the Python module need is left out of a first build of the program alone.
+# `PACKAGES` and `PARTS` of a target hold for what it depends on, too.
+PACKAGES = program
+PARTS = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF)
+test bench-kernels asan tidy: PACKAGES =
+test bench-kernels asan tidy: PARTS = -DLOOSEFIT_TESTS=ON -DLOOSEFIT_PYTHON_MODULE=ON
+
 packages:
-	@tools/setup_packages.sh
+	@tools/setup_packages.sh $(PACKAGES)
 
 configure: packages
-	@cmake --preset $(PRESET) > $(BUILD)-configure.log 2>&1 || { cat $(BUILD)-configure.log; exit 1; }
+	@cmake --preset $(PRESET) $(PARTS) > $(BUILD)-configure.log 2>&1 || { cat $(BUILD)-configure.log; exit 1; }
 	@rm -f $(BUILD)-configure.log
 
 # The program and the tool that bakes the body data.
@@ -40,7 +47,7 @@ demo: setup
 # Every figure that README.md states, run again beside the claim. CLAIMS passes options:
 # make paper-claims CLAIMS="--clean-build --fetch"
 paper-claims: setup
-	@$(SCREEN) python3 tools/paper_claims.py --binary $(LOOSEFIT) $(CLAIMS)
+	@python3 tools/paper_claims.py --binary $(LOOSEFIT) $(CLAIMS)
 
 # build-package/loosefit_VERSION_amd64.deb, for any x86-64 Debian 12.
 deb: packages

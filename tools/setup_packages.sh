@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # Install the Debian packages Loosefit is built with; does nothing when all are there.
-# usage: setup_packages.sh        as root, or as a user who may use sudo
+# usage: setup_packages.sh [program]   as root, or as a user who may use sudo
+#   program: without what only the tests, the benchmarks and the Python module need
 set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache make python3 ca-certificates coreutils file dpkg-dev
   libeigen3-dev libsuitesparse-dev libopenblas-dev libopenblas-serial-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
+  xvfb
+)
+[ "${1:-}" = program ] || packages+=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
-  xvfb
   python3-jsonschema
 )
 command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data

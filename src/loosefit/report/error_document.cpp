@@ -26,17 +26,6 @@ std::string document(const InputPlace& place, const std::string& found, const st
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The two halves of "PLACE: found FOUND, expected EXPECTED", the one form of InvalidInput; empty
-/// for a complaint in a sentence of its own.
-std::pair<std::string, std::string> halves(const InvalidInput& error) {
-  const std::string start = error.place().str() + ": found ", middle = ", expected ";
-  const std::string message = error.what();
-  const std::size_t split = message.rfind(middle);
-  if (!message.starts_with(start) || split == std::string::npos || split < start.size()) return {};
-  return {message.substr(start.size(), split - start.size()),
-          message.substr(split + middle.size())};
-}
-
 }  // namespace
 
 std::string error_document(const std::exception& error, int exit_code) {
@@ -44,8 +33,7 @@ std::string error_document(const std::exception& error, int exit_code) {
   const std::string hint = known ? known->hint() : "";
   const auto* input = dynamic_cast<const InvalidInput*>(&error);
   if (!input) return document({}, "", "", error.what(), hint, exit_code);
-  const auto [found, expected] = halves(*input);
-  return document(input->place(), found, expected, error.what(), hint, exit_code);
+  return document(input->place(), input->found(), input->expected(), error.what(), hint, exit_code);
 }
 
 std::string error_document(const std::string& message, const std::string& hint, int exit_code) {
