@@ -18,14 +18,17 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 target_include_directories(loosefit_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} gomp TBB::tbb)
 
-# A BLAS of our own inside each binary: one thread, kernels that we choose while running
-# (solver/linear/multifrontal/choose_kernels.h), hidden from whatever else the process has loaded,
-# such as NumPy's or CHOLMOD's. Where there is no such archive, the system's library has to do.
-find_library(LOOSEFIT_OPENBLAS NAMES libopenblas.a NO_DEFAULT_PATH
-  PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial)
-if(NOT LOOSEFIT_OPENBLAS)
-  message(STATUS "found no serial OpenBLAS archive (Debian: libopenblas-serial-dev); taking the shared one")
-  find_library(LOOSEFIT_OPENBLAS openblas REQUIRED)
+# Kernels are chosen while running (solver/linear/multifrontal/choose_kernels.h). LOOSEFIT_OWN_BLAS
+# puts a serial BLAS into each binary, hidden from whatever else the process has loaded; its drapes
+# differ in the last bits from those with the system's library (docs/decisions/0014).
+option(LOOSEFIT_OWN_BLAS "Link a serial OpenBLAS into each binary" OFF)
+if(LOOSEFIT_OWN_BLAS)
+  find_library(LOOSEFIT_SERIAL_BLAS NAMES libopenblas.a NO_DEFAULT_PATH REQUIRED
+    PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial)
+  set(LOOSEFIT_OPENBLAS ${LOOSEFIT_SERIAL_BLAS})
+else()
+  find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+  set(LOOSEFIT_OPENBLAS ${OPENBLAS_LIBRARY})
 endif()
 target_link_libraries(loosefit_cholmod INTERFACE ${LOOSEFIT_OPENBLAS})
 target_link_options(loosefit_cholmod INTERFACE LINKER:--exclude-libs,libopenblas.a)

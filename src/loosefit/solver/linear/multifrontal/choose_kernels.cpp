@@ -39,7 +39,7 @@ void choose_kernels() {
     const char* kernels = fastest_kernels();
     const bool named_by_user = std::getenv(kVariable) != nullptr;
     if (!kernels || named_by_user || !gotoblas_dynamic_quit || !gotoblas_dynamic_init) return;
-    // OpenBLAS has no other way to be told. Nobody else computes with this copy (cmake/dependencies.cmake).
+    // OpenBLAS has no other way to be told.
     if (setenv(kVariable, kernels, 0) != 0) return;  // out of memory: its own choice serves, too
     gotoblas_dynamic_quit();
     gotoblas_dynamic_init();
