@@ -27,6 +27,7 @@ constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies besid
 constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
 constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
 constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
+constexpr double kFromHands = 0.04;    ///< of a skirt that is sewn, from the hands [m]
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 
@@ -88,6 +89,7 @@ class Arranger {
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
       }
+      between_the_hands();
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
@@ -276,6 +278,32 @@ class Arranger {
       if (down <= 0) continue;
       x_[v].x() += aside * down / (crotch - end.z());
       x_[v].z() = crotch - share * down;
+    }
+  }
+
+  // --- skirts
+
+  /// Panels that are wider than the way between the hands are squeezed sideways from the waist down
+  /// to the wrists and below, so that they are sewn between the hands and not round them. They
+  /// spread by themselves.
+  void between_the_hands() {
+    const auto& joints = body_->joints;
+    const RestLevels levels(body_);
+    const double wrist = 0.5 * (joints.at("wrist_L").z() + joints.at("wrist_R").z());
+    const double middle = joints.at("neck").x();
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i)
+      if (is_arm_segment(i) && body_->surface.vertices[i].z() < levels.waist)
+        room = std::min(room, std::abs(body_->surface.vertices[i].x() - middle) - kFromHands);
+    double widest = 0;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (role(v) == PanelRole::trunk && x_[v].z() < levels.waist)
+        widest = std::max(widest, std::abs(x_[v].x() - middle));
+    if (!(room > 0 && widest > room) || !(levels.waist > wrist)) return;
+    for (int v = 0; v < g_.vertex_count; ++v) {
+      if (role(v) != PanelRole::trunk) continue;
+      const double down = std::clamp((levels.waist - x_[v].z()) / (levels.waist - wrist), 0.0, 1.0);
+      x_[v].x() = middle + (1 - (1 - room / widest) * down) * (x_[v].x() - middle);
     }
   }
 

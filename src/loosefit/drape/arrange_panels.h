@@ -25,6 +25,7 @@ struct ArrangedPanels {
 /// * panels of an arm (panel_roles) go with the arm, bent as it is: along its line, their armhole
 ///   next to that of the trunk;
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
+/// * what is wider than the way between the hands is squeezed to lie between them;
 /// * then every panel moves along its outside normal until it is clear of the body.
 ///
 /// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws
