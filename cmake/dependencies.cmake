@@ -18,14 +18,14 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 target_include_directories(loosefit_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(loosefit_cholmod INTERFACE ${CHOLMOD_LIBRARY} gomp TBB::tbb)
 
-# Kernels are chosen while running (solver/linear/multifrontal/choose_kernels.h). LOOSEFIT_OWN_BLAS
-# puts a serial BLAS into each binary, hidden from whatever else the process has loaded; its drapes
-# differ in the last bits from those with the system's library (docs/decisions/0014).
-option(LOOSEFIT_OWN_BLAS "Link a serial OpenBLAS into each binary" OFF)
-if(LOOSEFIT_OWN_BLAS)
-  find_library(LOOSEFIT_SERIAL_BLAS NAMES libopenblas.a NO_DEFAULT_PATH REQUIRED
-    PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial)
-  set(LOOSEFIT_OPENBLAS ${LOOSEFIT_SERIAL_BLAS})
+# A copy of OpenBLAS in each binary, hidden from whatever else the process has loaded (a NumPy, say),
+# so that its one thread and its kernels, which are chosen while running, are nobody else's
+# (solver/linear/multifrontal/choose_kernels.h, docs/decisions/0014).
+option(LOOSEFIT_OWN_BLAS "Link OpenBLAS into each binary" ON)
+find_library(LOOSEFIT_BLAS_ARCHIVE NAMES libopenblas.a
+  PATH_SUFFIXES openblas-pthread)
+if(LOOSEFIT_OWN_BLAS AND LOOSEFIT_BLAS_ARCHIVE)
+  set(LOOSEFIT_OPENBLAS ${LOOSEFIT_BLAS_ARCHIVE})
 else()
   find_library(OPENBLAS_LIBRARY openblas REQUIRED)
   set(LOOSEFIT_OPENBLAS ${OPENBLAS_LIBRARY})
