@@ -96,7 +96,7 @@ struct GarmentKind {
                                         const NamedValues& fit)>
       stations;
 
-  /// How it is laid round the body; empty: where its pattern places the panels.
+  /// How it is laid round the body; empty: sewn there from where its pattern places the panels.
   dress::LayRound lay;
   /// What goes through its openings; empty: told by how the pattern places them
   /// (drape/openings.h).
