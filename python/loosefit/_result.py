@@ -416,7 +416,8 @@ class Result:
         """Writes what `loosefit run` writes, but for log.jsonl, all of it or nothing.
 
         folder: a new or empty one, or an earlier output, of which only unchanged files of Loosefit
-        are replaced. pictures: also draw the maps, which needs an X display. Raises InputError when
-        something foreign is in the way, IoError, Error without a display, Cancelled.
+        are replaced. pictures: also draw the maps, on a screen of its own where there is
+        none; without one there are no pictures, and a warning. Raises InputError when something
+        foreign is in the way, IoError, Cancelled.
         """
         self._core.write(os.fspath(folder), pictures, progress, cancel)

@@ -22,7 +22,7 @@ def run(scenario: ScenarioLike, *, out: Optional[PathLike] = None, pictures: boo
     scenario: a dict with the keys of a scenario file (docs/scenario.md), a TOML text, or a path. A
         str is a path when it ends in .toml and has no line break.
     out: folder to write, as `loosefit run -o`; None: nothing is written.
-    pictures: draw the maps into `out`; needs an X display.
+    pictures: draw the maps into `out`, on a screen of its own where there is none.
     allow_unsettled: make maps even of a drape that did not settle or is not worn.
     progress: called as progress(stage, fraction in 0..1) from this thread, about twenty times a
         second; `print` will do. Returning False asks the run to stop.

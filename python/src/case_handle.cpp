@@ -15,7 +15,6 @@
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/maps/catalogue.h"
-#include "loosefit/render/display.h"
 #include "loosefit/report/run_into_folder.h"
 #include "loosefit/report/write_output.h"
 #include "loosefit/study/load_case.h"
@@ -97,7 +96,6 @@ void write(Self self, const fs::path& folder, bool pictures, const py::object& p
            const CancelToken* cancel) {
   beside_python(progress, cancel, [&](Progress& told) {
     const report::OutputParts parts{.pictures = pictures};
-    if (parts.pictures) render::check_display();
     io::RunFolder files = io::RunFolder::create(folder);
     files.announce(report::planned_files(self.result->scenario, parts));
     std::optional<report::TimedRanking> ranking;
