@@ -61,10 +61,10 @@ def projected(points, back):
     return np.column_stack([side * points[:, 0], points[:, 2]]), side * points[:, 1]
 
 
-def shaded_skin(body, back):
+def shaded_skin(body, triangles, back):
     """Grey of each triangle of the mannequin: lighter where it faces the viewer."""
     towards = -body.normals[:, 1] * (-1 if back else 1)
-    facing = np.clip(towards[body.triangles].mean(axis=1), 0, 1)
+    facing = np.clip(towards[triangles].mean(axis=1), 0, 1)
     return np.outer(0.62 + 0.38 * facing, MANNEQUIN)
 
 
@@ -104,28 +104,39 @@ def nearest_depth(surfaces, cell=0.004):
     return lambda flat: seen[cells(flat)]
 
 
+def form_triangles(result):
+    """Those of the body that serve as a form for the shirt: up to the neck, and within the hem."""
+    middle = result.body.vertices[result.body.triangles].mean(axis=1)
+    cloth = result.vertices
+    low, high = cloth[:, 2].min(), cloth[:, 2].max()
+    hips = np.abs(cloth[cloth[:, 2] < low + 0.02, 0]).max()
+    legs = (middle[:, 2] < low + 0.02) & (np.abs(middle[:, 0]) < hips)
+    return result.body.triangles[(middle[:, 2] < high + 0.02) & ~legs]
+
+
 def draw(axes, result, quantity, back, colours):
-    """The mannequin in grey and the garment in the colours of one map."""
+    """The form in grey and the garment in the colours of one map."""
     skin, skin_depth = projected(result.body.vertices, back)
+    form = form_triangles(result)
     cloth, cloth_depth = projected(result.vertices, back)
     values = quantity.values[result.triangles].mean(axis=1)  # NaN: not defined, stays grey
-    polygons = [skin[result.body.triangles], cloth[result.triangles]]
-    depths = [skin_depth[result.body.triangles].mean(axis=1) + 0.012,
+    polygons = [skin[form], cloth[result.triangles]]
+    depths = [skin_depth[form].mean(axis=1) + 0.012,
               cloth_depth[result.triangles].mean(axis=1)]
-    faces = [np.column_stack([shaded_skin(result.body, back), np.ones(len(polygons[0]))]),
+    faces = [np.column_stack([shaded_skin(result.body, form, back), np.ones(len(polygons[0]))]),
              colours.to_rgba(values)]
     order = np.argsort(-np.concatenate(depths), kind="stable")
     faces = np.concatenate(faces)[order]
     axes.add_collection(PolyCollection(np.concatenate(polygons)[order], facecolors=faces,
                                        edgecolors=faces, linewidths=0.3, rasterized=True))
     lines = lines_of(result.garment, cloth)
-    seen = nearest_depth([(skin, skin_depth + 0.012, result.body.triangles),
+    seen = nearest_depth([(skin, skin_depth + 0.012, form),
                           (cloth, cloth_depth, result.triangles)])
     ends = cloth[lines]
     visible = cloth_depth[lines].mean(axis=1) < seen(ends.mean(axis=1)) + 0.030
     axes.add_collection(LineCollection(ends[visible], colors="0.15", linewidths=0.5, alpha=0.6))
     low, high = result.vertices[:, 2].min(), result.vertices[:, 2].max()
-    axes.set(xlim=(-0.50, 0.50), ylim=(low - 0.11, high + 0.26), aspect="equal")
+    axes.set(xlim=(-0.50, 0.50), ylim=(low - 0.11, high + 0.06), aspect="equal")
     axes.set_axis_off()
 
 

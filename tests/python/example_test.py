@@ -25,11 +25,11 @@ class Notebook(unittest.TestCase):
             self.assertIn("deg off the body", done.stdout)
             pixels = matplotlib.image.imread(picture)[..., :3]
         self.assertGreater(min(pixels.shape[:2]), 800)
-        # Six shirts in colours: saturated pixels in each of the two rows and three columns.
+        # Six shirts in colours, in two rows and three columns; those of small strains are pale.
         saturation = pixels.max(axis=2) - pixels.min(axis=2)
         for row in np.array_split(saturation[:int(0.88 * len(saturation))], 2, axis=0):
             for cell in np.array_split(row, 3, axis=1):
-                self.assertGreater((cell > 0.25).mean(), 0.03)
+                self.assertGreater((cell > 0.05).mean(), 0.03)
 
 
 if __name__ == "__main__":

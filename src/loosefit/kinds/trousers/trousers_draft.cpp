@@ -101,8 +101,10 @@ Leg draft_leg(const NamedValues& m, const NamedValues& fit, bool front, const Ea
   const double waist = share * (1 + fit.at("waist")) * m.at("waist") / 2;
   const double intake = half - waist;
   const double centre = std::clamp((front ? kFrontCentre : kBackCentre) * intake, 0.0, kMostCentre);
-  const Vec2 waist_out(x_out - (intake - centre), y_edge + easing.side_rise),
-      waist_in(x_centre + centre, y_edge + (front ? 0 : kBackRise)), tip(x_tip, y_crotch);
+  const Vec2 waist_in(x_centre + centre, y_edge + (front ? 0 : kBackRise));
+  const double rise = y_edge + easing.side_rise - waist_in.y();
+  const Vec2 waist_out = waist_in + Vec2(std::sqrt(waist * waist - rise * rise), rise),
+             tip(x_tip, y_crotch);
 
   // Down the leg.
   std::vector<Vec2> out = {waist_out, {x_out, y_hip}}, in = {tip};
@@ -138,12 +140,16 @@ Leg draft_leg(const NamedValues& m, const NamedValues& fit, bool front, const Ea
   leg.hem.line_to(out.back());
   leg.waist.start = waist_out;
   leg.waist.line_to(waist_in);
-  // Straight down from the waist, then round to the end of the crotch curve, level there.
-  const Vec2 join(x_centre, y_crotch + std::min(0.5 * (y_edge - y_crotch), front ? 0.06 : 0.09));
+  // Straight down from the waist through the width at the hip, then round to the end of the crotch
+  // curve, level there.
+  const double y_join = y_crotch + std::min({0.5 * (y_edge - y_crotch), front ? 0.06 : 0.09,
+                                             y_hip - y_crotch - kBelowTip});
+  const double slant = (waist_in.x() - x_centre) / (waist_in.y() - y_hip);
+  const Vec2 join(x_centre - slant * (y_hip - y_join), y_join);
   const Vec2 down = (join - waist_in).normalized();
   leg.centre.start = waist_in;
   leg.centre.line_to(join).cubic_to(join + 0.62 * (join.y() - tip.y()) * down,
-                                    tip + Vec2(0.62 * reach, 0), tip);
+                                    tip + Vec2(0.62 * (join.x() - tip.x()), 0), tip);
   return leg;
 }
 
