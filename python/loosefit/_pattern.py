@@ -66,7 +66,7 @@ class Pattern:
 
     @property
     def kind(self) -> str:
-        """Kind of garment: "long-sleeve-shirt", "t-shirt", "tank-top", "pattern-file"."""
+        """Kind of garment: "long-sleeve-shirt", "t-shirt", "trousers", …; "pattern-file" if none."""
         return self._core.kind()
 
     @cached_property

@@ -67,11 +67,7 @@ LegFrame leg_frame(const LegOutline& leg, const TrousersHeights& z, double clear
   LegFrame frame;
   // Outwards from the waist to where trunk and legs are widest, then straight down.
   double widest = 0, hips = z.crotch;
-  for (double y = z.hem; y < z.waist; y += kSlice)
-    if (leg.outer(y) > widest) {
-      widest = leg.outer(y);
-      if (y > z.crotch) hips = y;
-    }
+  for (double y = z.hem; y < z.waist; y += kSlice) widest = std::max(widest, leg.outer(y));
   for (double y = z.crotch; y < z.waist; y += kSlice)
     if (leg.outer(y) > leg.outer(hips)) hips = y;
   const double beside = widest + clearance;

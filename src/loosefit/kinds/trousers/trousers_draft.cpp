@@ -222,7 +222,8 @@ pattern::Panel band(const NamedValues& m, const NamedValues& fit, bool front) {
   return panel;
 }
 
-void place(pattern::Pattern& trousers) {
+/// `waist_edge`: height at which the waistband begins [m].
+void place(pattern::Pattern& trousers, double waist_edge) {
   for (pattern::Panel& panel : trousers.panels) {
     const bool back = panel.part.find("back") != std::string::npos;
     // Columns: panel x, panel y and outside normal in our frame; the wearer faces −y.
@@ -237,8 +238,7 @@ void place(pattern::Pattern& trousers) {
         const Vec2 &a = panel.vertices[edge.start], &b = panel.vertices[edge.end];
         x = a.y() > b.y() ? a.x() : b.x();
       }
-    if (panel.part.starts_with("waistband"))
-      z = trousers.panels[0].vertices[trousers.panels[0].edges[2].start].y();
+    if (panel.part.starts_with("waistband")) z = waist_edge;
     panel.translation = Vec3(back ? x : -x, back ? 0.22 : -0.25, z);
   }
 }
@@ -329,7 +329,7 @@ pattern::Pattern draft_trousers(const char* kind, const NamedValues& m, const Na
   }
   for (int p = 0; p < static_cast<int>(trousers.panels.size()); ++p)
     trousers.panel_order.push_back(p);
-  place(trousers);
+  place(trousers, waist_edge_height(m, fit));
   return trousers;
 }
 
