@@ -49,10 +49,11 @@ bool may_be_better(ClothState& state) {
   return !state.best_was_taken && (!c.settled() || c.residual > solver::kRestTolerance);
 }
 
-/// The soft layer frees cloth from the skin, not from other cloth; a posture has no other way.
+/// The soft layer frees cloth from the skin, not from other cloth, but a triangle that the skin has
+/// folded back comes free with its neighbours; a posture has no other way.
 bool may_settle_off_the_skin(ClothState& state) {
   const Certificate& c = state.certificate;
-  return !c.settled() && c.intersections_self == 0 && state.is_single() && !state.worn &&
+  return !c.settled() && c.intersections_self == c.folded_edges && state.is_single() && !state.worn &&
          !state.is_over() && state.options.integrator == IntegratorKind::quasi_static;
 }
 
@@ -125,7 +126,7 @@ const Recoveries& recoveries() {
        "residual",
        once, may_be_better, take_best_state},
       {Kind::lift_off, Point::certified, "not at rest; trying once more from farther off the skin",
-       "the first drape of a garment is not settled, and does not cut itself",
+       "the first drape of a garment is not settled, and does not pass through itself",
        "off the skin, with contacts and friction forgotten, it takes another way to rest", once,
        may_settle_off_the_skin, lift_off_and_resettle}};
   return kTable;
