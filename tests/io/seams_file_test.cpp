@@ -23,13 +23,16 @@ second = "SLEEVE_mirrored.e3"
 reversed = true
 )";
 
-pattern::Pattern tee() { return parse_dxf_pattern(gerber_like_dxf(), "tee.dxf").pattern; }
+PatternFile tee() {
+  PatternFile file = parse_dxf_pattern(gerber_like_dxf(), "tee.dxf");
+  file.warnings.clear();
+  return file;
+}
 
 std::string refusal(const std::string& text) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
+  PatternFile file = tee();
   try {
-    parse_seams(text, "tee.seams.toml", pattern, warnings);
+    parse_seams(text, "tee.seams.toml", file);
   } catch (const InvalidInput& error) {
     return error.what();
   }
@@ -37,9 +40,9 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
-  parse_seams(kSeams, "tee.seams.toml", pattern, warnings);
+  PatternFile file = tee();
+  parse_seams(kSeams, "tee.seams.toml", file);
+  const pattern::Pattern& pattern = file.pattern;
   ASSERT_EQ(pattern.stitches.size(), 2u);
   EXPECT_EQ(pattern.stitches[0].name, "underarm");
   const pattern::Panel& sleeve = pattern.panels[pattern.stitches[0].first.panel];
@@ -58,11 +61,10 @@ TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
 }
 
 TEST(SeamsFile, SidesOfDifferentLengthsAreTold) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
-  parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", pattern, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("208.8 and 549.3 mm"), std::string::npos) << warnings[0];
+  PatternFile file = tee();
+  parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", file);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("208.8 and 549.3 mm"), std::string::npos) << file.warnings[0];
 }
 
 TEST(SeamsFile, MistakesAreToldWithTheirLine) {

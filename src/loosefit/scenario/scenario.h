@@ -35,7 +35,11 @@ struct ScenarioBody {
 struct GarmentSpec {
   std::string kind = "long-sleeve-shirt";  ///< GarmentKind::name (kinds/registry.h)
   std::string file;                        ///< pattern file instead of a draft; absolute
-  std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
+  /// Fixed garment size instead of a fit to this body, empty = fit; of a pattern file one of those
+  /// that it holds, empty = as it says.
+  std::string size;
+  std::string units;  ///< of a pattern file: mm, cm, m or inch; empty = as it says
+  std::string seams;  ///< side file with the seams of a pattern file, absolute; empty = beside it
   /// By KindKey::name; a missing one has the usual value of the kind.
   std::map<std::string, double> fit;
   /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
