@@ -169,6 +169,13 @@ class Sorter {
     return pattern::words_of(own_name(document_.groups[g].label, document_.groups[g].id));
   }
 
+  bool encloses_a_piece(const SvgShape& shape) const {
+    return std::any_of(shape.runs.begin(), shape.runs.end(), [&](const SvgRun& run) {
+      const SampledRun line = sampled_in_metres(run, unit_);
+      return line.closed && std::abs(pattern::signed_area(line.points)) >= kSmallestPiece;
+    });
+  }
+
   void gather() {
     for (const SvgShape& shape : document_.shapes) {
       const pattern::PieceWords own = words(shape), group = group_words(shape);
@@ -176,7 +183,9 @@ class Sorter {
         ++sheets_;
         continue;
       }
-      if (own.grain || own.fold || own.notch || group.grain || group.fold || group.notch) {
+      const bool mark = own.grain || own.fold || own.notch;
+      // A group may be called after its piece, whatever else its name says.
+      if (mark || ((group.grain || group.fold || group.notch) && !encloses_a_piece(shape))) {
         marks_.push_back(&shape);
         continue;
       }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPieces = 200;
+constexpr double kLargestUnit = 0.0254;  // that a drawing may be in [m]
 constexpr double kShortest = 0.25, kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
 
 std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
@@ -48,7 +49,11 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   const SvgDocument document = parse_svg(text, file);
   const double named = document.unit_mm.value_or(document.points ? 25.4 / 72 : document.pixel_mm);
   std::vector<std::string> left;
-  std::vector<SvgPiece> pieces = pieces_in(document, named / 1000, file, left);
+  // What is too small for a piece is told by the unit, which the largest piece may have to tell.
+  double measured_in = wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, {}, 1, file).metre;
+  std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, left);
+  if (pieces.empty() && !document.unit_mm && wish.units.empty())
+    pieces = pieces_in(document, measured_in = kLargestUnit, file, left);
   if (pieces.empty())
     throw InvalidInput({file, 0, "pieces"},
                        fmt::format("{} shapes, none of them a closed line of more than 4 cm2",
@@ -61,7 +66,7 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   PatternFile result;
   result.placed = false;
   // The page, or the usual pixel, says how large things are, unless somebody knows better.
-  const double extent = longest_side(pieces);
+  const double extent = longest_side(pieces) / measured_in * named / 1000;
   double unit = named / 1000;
   std::string units = fmt::format("a unit of {:.4g} mm", named);
   if (!wish.units.empty() || !plausible(extent)) {
