@@ -146,9 +146,10 @@ TEST(InkscapeSvg, UnitsComeFromThePage) {
   EXPECT_NEAR(height("viewBox=\"0 0 80 90\"", {"", "cm"}), 0.60, 1e-9);
   EXPECT_NEAR(height("", {"", "inch"}), 60 * 0.0254, 1e-9);
   EXPECT_NEAR(height("width=\"800\" height=\"900\" viewBox=\"0 0 80 90\"", {"", "cm"}), 0.6, 1e-9);
-  // Nobody says: 60 px of 1/96 inch are no garment, and neither are 60 mm; cm are.
-  const PatternFile file = read(svg("", piece));
-  EXPECT_NEAR(area(file.pattern.panels[0]), 0.24, 1e-9);
+  // Nobody says: 90 px of 1/96 inch are no garment, nor are 90 mm or 90 inches; 90 cm are.
+  const PatternFile file = read(svg("", "<path id=\"a\" d=\"M0 0h40v90h-40z\"/>"));
+  EXPECT_NEAR(area(file.pattern.panels[0]), 0.36, 1e-9);
+  EXPECT_THROW(read(svg("", piece)), InvalidInput) << "60 cm or 60 inches";
   EXPECT_TRUE(tells(file.warnings, "taken as centimetres"));
   // Pixels that make a garment are taken, and told.
   const PatternFile pixels = read(svg("", "<path id=\"a\" d=\"M0 0h1500v2400h-1500z\"/>"));

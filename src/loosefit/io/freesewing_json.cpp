@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostParts = 200, kMostOps = 5000;
-constexpr double kMm = 1e-3, kTolerance = 0.01;  // [m], [mm]
+constexpr double kMm = 1e-3, kTolerance = 0.02;  // [m], [mm]
 
 class Reader {
  public:
@@ -186,6 +186,8 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
                                                         std::min(error.byte, text.size())),
                                      '\n');
     throw InvalidInput({file, static_cast<int>(line), {}}, "text that is no JSON", "JSON");
+  } catch (const Json::exception&) {
+    throw InvalidInput({file, 0, {}}, "a number that is too large for any", "usual numbers");
   }
   Reader reader(file);
   std::vector<FreesewingPart> parts;

@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;  // panels stay in the order of the file
 
 constexpr std::size_t kLargestFile = 32u << 20;  // bytes
-constexpr std::size_t kMostPanels = 500, kMostEdges = 500, kMostEdgesInAll = 5000;
+constexpr std::size_t kMostPanels = 500, kMostEdges = 5000, kMostEdgesInAll = 50'000;
 constexpr double kLargestNumber = 1e7;
 
 /// A JSON value with its path, so that every complaint can say where it stands.

@@ -18,7 +18,7 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kTolerance = 1e-5;        // of chords [m]
+constexpr double kTolerance = 2e-5;        // of chords [m]
 constexpr double kSmallestPiece = 4e-4;    // [m²]
 constexpr double kShareOfPiece = 0.5;      // a sew line encloses at least so much of its piece
 constexpr double kNearOutline = 0.03;      // of notches and fold lines that have no group [m]
