@@ -13,7 +13,7 @@ packages=(
 [ "${1:-}" = program ] || packages+=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
-  python3-jsonschema
+  python3-jsonschema python3-ezdxf
 )
 command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data
 

@@ -133,7 +133,10 @@ PatternFile read_valentina(const fs::path& path, const PatternWish& wish) {
                        "open it there; the measurement file that it names must lie beside it");
   }
   std::sort(made.begin(), made.end());
-  PatternFile result = read_dxf_pattern(made.front(), wish);
+  // It writes millimetres, which its file does not say.
+  PatternWish millimetres = wish;
+  if (millimetres.units.empty()) millimetres.units = "mm";
+  PatternFile result = read_dxf_pattern(made.front(), millimetres);
   result.about.front() = "Valentina or Seamly2D, exported by Valentina as " + result.about.front();
   result.pattern.name = path.stem().string();
   return result;
