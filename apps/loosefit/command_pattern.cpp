@@ -174,17 +174,19 @@ void print_words(const study::GarmentPattern& made) {
 /// Two files beside the pattern, and in words what is in them.
 void propose_seams(const Wish& wish) {
   if (wish.pattern.file.empty() || wish.json || !wish.out.empty() || !wish.pattern.seams.empty())
-    throw InvalidInput({{}, 0, "--propose-seams"}, "without --file, or beside --json, -o or --seams",
+    throw InvalidInput({{}, 0, "--propose-seams"},
+                       "without --file, or beside --json, -o or --seams",
                        "--file FILE beside it, --size and --units if need be");
-  const report::WrittenProposals written = report::write_seam_proposals(
-      wish.pattern.file, {wish.pattern.size, wish.pattern.units});
+  const report::WrittenProposals written =
+      report::write_seam_proposals(wish.pattern.file, {wish.pattern.size, wish.pattern.units});
   const pattern::SeamProposals& found = written.proposals;
   if (!found.known.kind.empty()) fmt::print("a {}\n", found.known.kind);
   int number = 0;
   for (const pattern::SeamProposal& p : found.seams)
     fmt::print("{:>3} {:<14} {:>8.1f} and {:>8.1f} mm  {}\n", ++number, terminal_line(p.seam.name),
                1000 * p.first, 1000 * p.second, terminal_line(p.why));
-  for (const std::string& doubt : found.known.doubts) fmt::print("doubt: {}\n", terminal_line(doubt));
+  for (const std::string& doubt : found.known.doubts)
+    fmt::print("doubt: {}\n", terminal_line(doubt));
   for (const std::string& name : found.unsewn)
     fmt::print("sewn to nothing: {}\n", terminal_line(name));
   fmt::print("\nwrote {} and {}\nlook at them, correct the seams, then set confirmed = true\n",
@@ -203,12 +205,12 @@ void run(Wish wish) {
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   if (!wish.json) print_words(made);
-  if (!wish.out.empty())
-    report::write_pattern(wish.out, made.pattern, made.notches, made.marks);
+  if (!wish.out.empty()) report::write_pattern(wish.out, made.pattern, made.notches, made.marks);
   if (wish.json)
     print_document(report::pattern_document(
         made, wish.out.empty() ? report::WrittenFiles{}
-                               : report::WrittenFiles{wish.out, {"pattern.json", "pattern.svg", "pattern.dxf"}}));
+                               : report::WrittenFiles{
+                                     wish.out, {"pattern.json", "pattern.svg", "pattern.dxf"}}));
   else if (!wish.out.empty())
     fmt::print("\nwrote {}/pattern.json, pattern.svg, pattern.dxf\n", terminal_line(wish.out));
 }
@@ -233,8 +235,9 @@ void add_pattern_command(CLI::App& app) {
   command->add_option(
       "--seams", wish->pattern.seams,
       "seams of a file that has none; default: NAME.seams.toml beside it, if there is one");
-  command->add_option("--units", wish->pattern.units,
-                      "of a DXF or SVG file: mm, cm, m or inch; default: as it says, if that can be");
+  command->add_option(
+      "--units", wish->pattern.units,
+      "of a DXF or SVG file: mm, cm, m or inch; default: as it says, if that can be");
   command->add_flag("--propose-seams", wish->propose,
                     "write NAME.seams.toml beside the file, to confirm, and NAME.seams.svg");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
@@ -247,7 +250,8 @@ void add_pattern_command(CLI::App& app) {
   for (const NumberOption& option : fit_options())
     command->add_option("--" + option.name, wish->fit[option.name],
                         option.help + "; as [garment.fit] of a scenario");
-  command->add_option("-o,--output", wish->out, "folder for pattern.json, pattern.svg and pattern.dxf");
+  command->add_option("-o,--output", wish->out,
+                      "folder for pattern.json, pattern.svg and pattern.dxf");
   add_json_flag(*command, wish->json);
   command->callback([wish] { run(*wish); });
 }

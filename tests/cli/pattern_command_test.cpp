@@ -122,8 +122,8 @@ TEST_F(PatternCommand, SewsAKnownGarmentUnaskedAndWritesItInEveryFormat) {
     EXPECT_NE(again.output.find("armhole_L_1"), std::string::npos) << again.output;
   }
   // A scenario that names the file makes the same pattern.
-  const ProgramRun scenario = pattern(
-      "--scenario " + file("case.toml", "[garment]\npattern = \"tee.svg\"\n"));
+  const ProgramRun scenario =
+      pattern("--scenario " + file("case.toml", "[garment]\npattern = \"tee.svg\"\n"));
   EXPECT_EQ(scenario.exit_code, 0) << scenario.output;
   EXPECT_NE(scenario.output.find("armhole_L_1"), std::string::npos) << scenario.output;
 }
@@ -154,9 +154,8 @@ TEST_F(PatternCommand, ProposesSeamsOnceAndNeverOverwritesThem) {
     }
     io::write_text_file(other.string(), "x");
   }
-  const ProgramRun sewn =
-      pattern("--propose-seams --file " +
-              file("p.json", io::garmentcode_text(kinds::draft_shirt({}))));
+  const ProgramRun sewn = pattern("--propose-seams --file " +
+                                  file("p.json", io::garmentcode_text(kinds::draft_shirt({}))));
   EXPECT_EQ(sewn.exit_code, 2);
   EXPECT_NE(sewn.output.find("a file with seams"), std::string::npos) << sewn.output;
   EXPECT_EQ(pattern("--propose-seams").exit_code, 2);
@@ -166,8 +165,7 @@ TEST_F(PatternCommand, AScenarioChoosesSizeUnitsAndSeamsOfAFile) {
   file("tee.dxf", gerber_like_dxf());
   file("own.toml", "[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e3\"\nname = \"mine\"\n");
   const auto told = [&](const std::string& keys) {
-    return pattern("--scenario " +
-                   file("case.toml", "[garment]\npattern = \"tee.dxf\"\n" + keys));
+    return pattern("--scenario " + file("case.toml", "[garment]\npattern = \"tee.dxf\"\n" + keys));
   };
   // Half of it is not sewn to the rest, which only the reader of both can tell.
   const ProgramRun run = told("size = \"42\"\nunits = \"mm\"\nseams = \"own.toml\"\n");

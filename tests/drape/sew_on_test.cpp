@@ -151,9 +151,9 @@ TEST(ArrangePanels, ASleeveInOnePieceIsRolledRoundTheArm) {
   for (int i = 0; i < 8; ++i) {
     const Vec3 across = axis.cross(Vec3::UnitY()).normalized();
     const Vec3 n = Eigen::AngleAxisd(i * kPi / 4, axis) * across;
-    EXPECT_TRUE(std::any_of(cuff.begin(), cuff.end(),
-                            [&](const Vec3& p) { return (p - on_arm).dot(n) > 0.03; }))
-        << i;
+    EXPECT_TRUE(std::any_of(cuff.begin(), cuff.end(), [&](const Vec3& p) {
+      return (p - on_arm).dot(n) > 0.03;
+    })) << i;
   }
   const ClosedSeams closed = close_seams(sewn, open, panels.x, panels.outside, woman(), 3);
   EXPECT_EQ(closed.cuts, 0);
@@ -164,12 +164,12 @@ TEST(SewOn, AGarmentWithoutAnyPlacementIsWornAndSettled) {
   for (const bool trousers : {false, true}) {
     SCOPED_TRACE(trousers);
     const auto& m = woman()->measured;
-    const pattern::Pattern pattern = from_nothing(
-        trousers ? testing_support::unsewn_trousers(1.02 * m.at("waist"), 1.06 * m.at("hip"),
-                                                    m.at("waist_level") - m.at("crotch_height") +
-                                                        0.02,
-                                                    m.at("waist_level") - 0.12)
-                 : testing_support::unsewn_tshirt(0.56 * m.at("chest")));
+    const pattern::Pattern pattern =
+        from_nothing(trousers ? testing_support::unsewn_trousers(
+                                    1.02 * m.at("waist"), 1.06 * m.at("hip"),
+                                    m.at("waist_level") - m.at("crotch_height") + 0.02,
+                                    m.at("waist_level") - 0.12)
+                              : testing_support::unsewn_tshirt(0.56 * m.at("chest")));
     fabric::Material material;
     material.bending_warp = material.bending_weft = 5e-6;
     const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);

@@ -16,8 +16,8 @@
 #include "support/drawn_tshirt.h"
 #include "support/mutate.h"
 
-// Damaged SVG, FreeSewing JSON and side files: never a crash, never a hang; an error that says where,
-// or sound panels that can be sewn and placed or are told not to be.
+// Damaged SVG, FreeSewing JSON and side files: never a crash, never a hang; an error that says
+// where, or sound panels that can be sewn and placed or are told not to be.
 namespace loosefit::io {
 namespace {
 
@@ -53,7 +53,8 @@ void fuzz(const std::string& valid, const std::string& name, const Read& read, u
     try {
       PatternFile file = read(Mutator(seed)(valid));
       // What is lost is told. A piece whose name no longer says sleeve has no mirrored twin.
-      EXPECT_TRUE(file.pattern.panels.size() >= 3 || !file.warnings.empty() || !file.unused.empty());
+      EXPECT_TRUE(file.pattern.panels.size() >= 3 || !file.warnings.empty() ||
+                  !file.unused.empty());
       go_on(std::move(file));
     } catch (const InvalidInput& error) {
       ++refused;
@@ -70,8 +71,9 @@ void fuzz(const std::string& valid, const std::string& name, const Read& read, u
 }
 
 TEST(DrawingFuzz, FreesewingSvg) {
-  fuzz(testing_support::freesewing_tshirt(true), "fuzz.svg",
-       [](const std::string& text) { return parse_svg_pattern(text, "fuzz.svg"); }, 600);
+  fuzz(
+      testing_support::freesewing_tshirt(true), "fuzz.svg",
+      [](const std::string& text) { return parse_svg_pattern(text, "fuzz.svg"); }, 600);
 }
 
 TEST(DrawingFuzz, OtherSvg) {
@@ -80,32 +82,39 @@ TEST(DrawingFuzz, OtherSvg) {
       "viewBox=\"0 0 900 700\">\n";
   for (const auto& [name, d] : {std::pair{"front", testing_support::kFrontHalf},
                                 std::pair{"back", testing_support::kBackHalf}})
-    text += std::string("<g id=\"") + name + "\" transform=\"translate(5 5) rotate(2)\">\n<path d=\"" +
-            d + "\"/>\n<path id=\"fold\" d=\"M0 100V590\"/>\n<path id=\"notch\" d=\"M183 120h5\"/>\n</g>\n";
+    text +=
+        std::string("<g id=\"") + name + "\" transform=\"translate(5 5) rotate(2)\">\n<path d=\"" +
+        d +
+        "\"/>\n<path id=\"fold\" d=\"M0 100V590\"/>\n<path id=\"notch\" d=\"M183 120h5\"/>\n</g>\n";
   text += std::string("<path id=\"sleeve\" transform=\"matrix(1 0 0 1 500 200)\" d=\"") +
-          testing_support::kSleeve + "\"/>\n<path id=\"sleeve_2\" transform=\"translate(700 400) scale(-1 1)\"\n d=\"" +
-          testing_support::kSleeve + "\"/>\n<rect x=\"1\" y=\"2\" width=\"20\" height=\"30\" rx=\"2\"/>\n</svg>\n";
-  fuzz(text, "fuzz.svg", [](const std::string& t) { return parse_svg_pattern(t, "fuzz.svg"); }, 600);
+          testing_support::kSleeve +
+          "\"/>\n<path id=\"sleeve_2\" transform=\"translate(700 400) scale(-1 1)\"\n d=\"" +
+          testing_support::kSleeve +
+          "\"/>\n<rect x=\"1\" y=\"2\" width=\"20\" height=\"30\" rx=\"2\"/>\n</svg>\n";
+  fuzz(
+      text, "fuzz.svg", [](const std::string& t) { return parse_svg_pattern(t, "fuzz.svg"); }, 600);
 }
 
 TEST(DrawingFuzz, FreesewingJson) {
-  fuzz(testing_support::freesewing_json(), "fuzz.json",
-       [](const std::string& text) { return parse_freesewing_json(text, "fuzz.json"); }, 600);
+  fuzz(
+      testing_support::freesewing_json(), "fuzz.json",
+      [](const std::string& text) { return parse_freesewing_json(text, "fuzz.json"); }, 600);
 }
 
 TEST(DrawingFuzz, RunsOfASideFile) {
   const PatternFile shirt = parse_svg_pattern(testing_support::freesewing_tshirt(true), "t.svg");
-  const std::string valid = seams_text(
-      shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches).seams);
-  fuzz(valid, "fuzz.toml",
-       [&](const std::string& text) {
-         PatternFile file = shirt;
-         parse_seams(text, "fuzz.toml", file);
-         pattern::check_pattern(file.pattern);
-         file.pattern.stitches.clear();
-         return file;
-       },
-       600);
+  const std::string valid =
+      seams_text(shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches).seams);
+  fuzz(
+      valid, "fuzz.toml",
+      [&](const std::string& text) {
+        PatternFile file = shirt;
+        parse_seams(text, "fuzz.toml", file);
+        pattern::check_pattern(file.pattern);
+        file.pattern.stitches.clear();
+        return file;
+      },
+      600);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ void expect_same(const pattern::Pattern& was, const PatternFile& file) {
     const pattern::Panel& again = file.pattern.panels[p];
     ASSERT_EQ(again.edges.size(), panel.edges.size());
     Vec2 low = Vec2::Constant(1e9), high = -low;
-    for (const Vec2& q : pattern::outline_polygon(panel)) low = low.cwiseMin(q), high = high.cwiseMax(q);
+    for (const Vec2& q : pattern::outline_polygon(panel))
+      low = low.cwiseMin(q), high = high.cwiseMax(q);
     const Vec2 origin((low.x() + high.x()) / 2, low.y());
     for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
       const pattern::EdgePath a(panel, e), b(again, e);
@@ -43,12 +44,14 @@ TEST(DxfWrite, WhatIsReadBackIsTheSameWithinAHundredthOfAMillimetre) {
   const pattern::Pattern shirt = kinds::draft_shirt({});
   const PatternFile file = parse_dxf_pattern(dxf_text(shirt), "p.dxf");
   expect_same(shirt, file);
-  EXPECT_EQ(file.about.back(), std::to_string(shirt.panels.size()) + " pieces along their sew line");
+  EXPECT_EQ(file.about.back(),
+            std::to_string(shirt.panels.size()) + " pieces along their sew line");
   EXPECT_TRUE(file.warnings.empty()) << file.warnings[0];
   EXPECT_TRUE(file.unused.empty()) << file.unused[0];
   // Curves of every kind.
   const pattern::Pattern curves =
-      read_garmentcode(std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/curves.json").pattern;
+      read_garmentcode(std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/curves.json")
+          .pattern;
   expect_same(curves, parse_dxf_pattern(dxf_text(curves), "c.dxf", {"", "mm"}));
 }
 

@@ -79,7 +79,8 @@ TEST(FreesewingSvg, SaysTheSameAsItsJson) {
 }
 
 /// A piece in Inkscape's manner: within a layer, moved, turned by 90 degrees and scaled.
-const char* const kInkscape = R"svg(<g inkscape:groupmode="layer" inkscape:label="Schnitt" id="layer1"
+const char* const kInkscape =
+    R"svg(<g inkscape:groupmode="layer" inkscape:label="Schnitt" id="layer1"
  transform="translate(20,30)">
 <g id="g12" inkscape:label="Vorderteil" transform="rotate(90) scale(2)">
 <path id="path3" d="m 0,0 h 100 v 150 h -100 z"/>

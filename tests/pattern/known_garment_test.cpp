@@ -20,7 +20,6 @@ namespace {
 
 using namespace testing_support;
 
-
 /// Ends of all seams lie together when the sewn panels are flat fronts and backs above each other.
 double worst_difference(const Pattern& pattern) {
   double worst = 0;
@@ -49,7 +48,8 @@ TEST(KnownGarment, ATShirtIsSewnInOneWay) {
   // One vertex per corner: of the sewn garment four loops are left open (neck, hem, two cuffs).
   std::set<std::pair<int, int>> sewn;
   for (const Stitch& s : shirt.stitches)
-    for (const auto& side : {s.first, s.second}) EXPECT_TRUE(sewn.insert({side.panel, side.edge}).second);
+    for (const auto& side : {s.first, s.second})
+      EXPECT_TRUE(sewn.insert({side.panel, side.edge}).second);
   std::size_t edges = 0;
   for (const Panel& panel : shirt.panels) edges += panel.edges.size();
   EXPECT_EQ(edges - sewn.size(), 6u);  // front neck and hem, back neck and hem, two cuffs
@@ -233,7 +233,8 @@ TEST(PlacePieces, FrontsLieBeforeBacksBehindAndSleevesBeside) {
   for (std::size_t p = 0; p < 4; ++p) {
     double low = 1e9, high = -1e9;
     for (const Vec2& q : outline_polygon(trousers.panels[p])) {
-      const Vec3 x = trousers.panels[p].rotation * Vec3(q.x(), q.y(), 0) + trousers.panels[p].translation;
+      const Vec3 x =
+          trousers.panels[p].rotation * Vec3(q.x(), q.y(), 0) + trousers.panels[p].translation;
       low = std::min(low, x.x()), high = std::max(high, x.x());
     }
     EXPECT_GT(known.pieces[p].side > 0 ? low : -high, 0.02);

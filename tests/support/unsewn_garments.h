@@ -88,9 +88,9 @@ inline pattern::Pattern unsewn_tshirt(double chest = 0.50, double length = 0.60)
     const double h = 0.5 * (low + high);
     (cap(h).length() < hole ? low : high) = h;
   }
-  const std::vector<pattern::CurveChain> sleeve = {
-      straight({-0.9 * b, -down}, {0.9 * b, -down}), straight({0.9 * b, -down}, {b, 0}), cap(high),
-      straight({-b, 0}, {-0.9 * b, -down})};
+  const std::vector<pattern::CurveChain> sleeve = {straight({-0.9 * b, -down}, {0.9 * b, -down}),
+                                                   straight({0.9 * b, -down}, {b, 0}), cap(high),
+                                                   straight({-b, 0}, {-0.9 * b, -down})};
   pattern::Pattern pattern;
   pattern.name = "tee";
   pattern.panels = {numbered_panel("front", front), numbered_panel("back", back),
@@ -124,10 +124,10 @@ inline pattern::Pattern unsewn_trousers(double waist = 0.84, double hip = 1.00, 
 
 inline pattern::Pattern unsewn_skirt(double waist = 0.74, double hem = 1.2, double length = 0.55) {
   const auto panel = [&](const std::string& name) {
-    return numbered_panel(name, {straight({-hem / 4, 0}, {hem / 4, 0}),
-                                 straight({hem / 4, 0}, {waist / 4, length}),
-                                 straight({waist / 4, length}, {-waist / 4, length}),
-                                 straight({-waist / 4, length}, {-hem / 4, 0})});
+    return numbered_panel(
+        name, {straight({-hem / 4, 0}, {hem / 4, 0}), straight({hem / 4, 0}, {waist / 4, length}),
+               straight({waist / 4, length}, {-waist / 4, length}),
+               straight({-waist / 4, length}, {-hem / 4, 0})});
   };
   pattern::Pattern pattern;
   pattern.name = "skirt";

@@ -12,6 +12,7 @@
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/geometry/rotation_between.h"
 
 namespace loosefit::drape {
 namespace {
@@ -348,7 +349,7 @@ class Arranger {
       const Vec3& n = outside_[g_.vertex_panel[v]];
       const double depth = across.dot(n);
       if (depth < kFromAxis) across += (kFromAxis - depth) * n;
-      x_[v] = at.point + Eigen::Quaterniond::FromTwoVectors(axis, at.tangent) * across;
+      x_[v] = at.point + geometry::rotation_between(axis, at.tangent) * across;
     }
     const Vec3 mid = body_arm.at(start + (0 - begin) / 2).tangent;
     for (int k : panels) {
@@ -358,13 +359,13 @@ class Arranger {
         outside_[k].setZero();
         continue;
       }
-      outside_[k] = Eigen::Quaterniond::FromTwoVectors(axis, mid) * outside_[k];
+      outside_[k] = geometry::rotation_between(axis, mid) * outside_[k];
       clear_along_normal(k);
     }
   }
 
-  /// Where a sleeve in one piece is sewn to itself: at s along its axis, from `low` to `high` across
-  /// it [m].
+  /// Where a sleeve in one piece is sewn to itself: at s along its axis, from `low` to `high`
+  /// across it [m].
   struct Girth {
     double s, low, high;
   };
@@ -388,7 +389,8 @@ class Arranger {
       }
       if (own > 1 && high - low > kShortest) girths.push_back({s / own, low, high});
     }
-    std::sort(girths.begin(), girths.end(), [](const Girth& a, const Girth& b) { return a.s < b.s; });
+    std::sort(girths.begin(), girths.end(),
+              [](const Girth& a, const Girth& b) { return a.s < b.s; });
     return girths.size() < 2 ? std::vector<Girth>() : girths;
   }
 
@@ -423,7 +425,7 @@ class Arranger {
         const double radius = std::max(half / kPi, kFromAxis) + wider;
         const Polyline::Place at = arm.at(offset + s + out);
         const Vec3 round = radius * (std::cos(angle) * n + std::sin(angle) * across);
-        x_[v] = at.point + Eigen::Quaterniond::FromTwoVectors(axis, at.tangent) * round;
+        x_[v] = at.point + geometry::rotation_between(axis, at.tangent) * round;
       }
       if (std::all_of(of.begin(), of.end(), [&](int v) {
             return body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;

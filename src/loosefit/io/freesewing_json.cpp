@@ -54,8 +54,7 @@ class Reader {
         for (Vec2& p : *points) p = Vec2(kMm * p.x(), -kMm * p.y());
       if (fold || grain) {
         const Axis axis(line.points.front(), line.points.back());
-        if ((axis.second - axis.first).norm() > kSamePoint)
-          (fold ? part.fold : part.grain) = axis;
+        if ((axis.second - axis.first).norm() > kSamePoint) (fold ? part.fold : part.grain) = axis;
         marked_ = true;
         continue;
       }
@@ -130,7 +129,8 @@ class Reader {
     const auto ops = path.find("ops");
     if (ops == path.end() || !ops->is_array()) fail(at + ".ops", "no list", "a list of operations");
     if (ops->size() > kMostOps)
-      fail(at + ".ops", fmt::format("{} operations", ops->size()), fmt::format("at most {}", kMostOps));
+      fail(at + ".ops", fmt::format("{} operations", ops->size()),
+           fmt::format("at most {}", kMostOps));
     SvgRun run;
     bool begun = false;
     for (std::size_t i = 0; i < ops->size(); ++i) {
@@ -172,8 +172,7 @@ class Reader {
 
 PatternFile parse_freesewing_json(const std::string& text, const std::string& file,
                                   const PatternWish& wish) {
-  for (const auto& [key, value] :
-       {std::pair{"size", wish.size}, std::pair{"units", wish.units}})
+  for (const auto& [key, value] : {std::pair{"size", wish.size}, std::pair{"units", wish.units}})
     if (!value.empty())
       throw InvalidInput({file, 0, key}, '"' + printable(value) + '"',
                          "none: FreeSewing drafts one size, in millimetres");
@@ -181,10 +180,11 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
   try {
     root = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    const auto line = 1 + std::count(text.begin(),
-                                     text.begin() + static_cast<std::ptrdiff_t>(
-                                                        std::min(error.byte, text.size())),
-                                     '\n');
+    const auto line =
+        1 +
+        std::count(text.begin(),
+                   text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
+                   '\n');
     throw InvalidInput({file, static_cast<int>(line), {}}, "text that is no JSON", "JSON");
   } catch (const Json::exception&) {
     throw InvalidInput({file, 0, {}}, "a number that is too large for any", "usual numbers");

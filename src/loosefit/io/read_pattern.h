@@ -7,9 +7,9 @@ namespace loosefit::io {
 
 /// Reads a pattern file of any kind that is known, told by its content: GarmentCode JSON, DXF-AAMA
 /// and ASTM D6673, SVG of FreeSewing, Inkscape and others, FreeSewing JSON, and .val of Valentina,
-/// which is asked to export it (io/valentina.h). Files that do not say what is sewn take their seams
-/// from a side file (io/seams_file.h): `seams`, else NAME.seams.toml beside them where there is
-/// one. Without one a garment of known topology is sewn as that, where there is one way only
+/// which is asked to export it (io/valentina.h). Files that do not say what is sewn take their
+/// seams from a side file (io/seams_file.h): `seams`, else NAME.seams.toml beside them where there
+/// is one. Without one a garment of known topology is sewn as that, where there is one way only
 /// (pattern/known_garment.h); nothing else is sewn by guess. Sewn pieces without a placement are
 /// placed by what they are (pattern/place_pieces.h); where that cannot be told, `not_placed` says
 /// why.

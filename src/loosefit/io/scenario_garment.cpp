@@ -73,7 +73,8 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
     garment.file = existing_file(table, "pattern", kPatternAbout, kPathPattern);
     table.require("pattern", "a pattern file");
     garment.kind = kinds::pattern_file().name;
-    garment.size = table.text("size", "", "of a file that holds several; its sample size otherwise");
+    garment.size =
+        table.text("size", "", "of a file that holds several; its sample size otherwise");
     garment.units = table.choice("units", "", {"mm", "cm", "m", "inch"},
                                  "of a file that does not name them, or wrongly");
     if (table.has("seams"))
@@ -119,9 +120,9 @@ std::string garment_toml(const scenario::GarmentSpec& garment, const std::string
   std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
   if (section == "garment") text = "[garment]\n" + text;
   if (!named) {
-    for (const auto& [key, value] : {std::pair{"size", garment.size},
-                                     std::pair{"units", garment.units},
-                                     std::pair{"seams", garment.seams}})
+    for (const auto& [key, value] :
+         {std::pair{"size", garment.size}, std::pair{"units", garment.units},
+          std::pair{"seams", garment.seams}})
       if (!value.empty()) text += std::string(key) + " = " + toml_quoted(value) + "\n";
     return text;
   }

@@ -96,8 +96,8 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
     sewing.first = read_run(seam, "first", pattern, sewn);
     sewing.second = read_run(seam, "second", pattern, sewn);
     sewing.reversed = seam.boolean("reversed", false);
-    sewing.name = seam.text(
-        "name", fmt::format("seam_{}", pattern.stitches.size() + seams.size() + 1));
+    sewing.name =
+        seam.text("name", fmt::format("seam_{}", pattern.stitches.size() + seams.size() + 1));
     if (!names.insert(sewing.name).second)
       throw seam.error("name", "a name that no other seam has");
     seam.finish();
@@ -125,7 +125,8 @@ void read_seams(const std::filesystem::path& path, PatternFile& into) {
 std::string seams_text(const pattern::Pattern& pattern,
                        const std::vector<pattern::SeamProposal>& seams) {
   std::string text =
-      "# Proposed seams. Numbers are those of the picture beside this file. Look at each, change or\n"
+      "# Proposed seams. Numbers are those of the picture beside this file. Look at each, change "
+      "or\n"
       "# delete what is wrong, then say so:\n"
       "confirmed = false\n";
   int number = 0;

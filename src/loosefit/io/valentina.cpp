@@ -65,9 +65,9 @@ bool installed() {
 /// Runs Valentina without a window, what it says into `log`. Its settings and lock files stay in
 /// `home`. \return its exit code; −1 when it took too long or was killed
 int run(const std::vector<std::string>& arguments, const fs::path& home, const fs::path& log) {
-  std::vector<std::string> environment = {
-      "QT_QPA_PLATFORM=offscreen", "HOME=" + home.string(), "XDG_CONFIG_HOME=" + home.string(),
-      "XDG_RUNTIME_DIR=" + home.string(), "LC_ALL=C.UTF-8"};
+  std::vector<std::string> environment = {"QT_QPA_PLATFORM=offscreen", "HOME=" + home.string(),
+                                          "XDG_CONFIG_HOME=" + home.string(),
+                                          "XDG_RUNTIME_DIR=" + home.string(), "LC_ALL=C.UTF-8"};
   if (const char* path = std::getenv("PATH")) environment.push_back(std::string("PATH=") + path);
   std::vector<char*> argv, envp;
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -111,10 +111,11 @@ std::string complaint(const fs::path& log) {
 
 PatternFile read_valentina(const fs::path& path, const PatternWish& wish) {
   if (!installed())
-    throw InvalidInput({path.string(), 0, {}}, kValentinaKind,
-                       "the program Valentina, which alone evaluates its formulas",
-                       "install the Debian package `valentina`, or export the pieces as DXF-AAMA or "
-                       "SVG there (File > Export layout or details)");
+    throw InvalidInput(
+        {path.string(), 0, {}}, kValentinaKind,
+        "the program Valentina, which alone evaluates its formulas",
+        "install the Debian package `valentina`, or export the pieces as DXF-AAMA or "
+        "SVG there (File > Export layout or details)");
   const Folder folder;
   const fs::path log = folder.path() / "log.txt";
   const int code = run({kProgram, "-b", "pieces", "-d", folder.path().string(), "-f", "16",

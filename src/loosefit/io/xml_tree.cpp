@@ -16,10 +16,10 @@ constexpr std::size_t kDeepest = 200, kMostElements = 500'000;
 
 struct Builder {
   XML_Parser parser = nullptr;
-  XmlElement root;                   ///< whose first child is the document's
-  std::vector<XmlElement*> open;     ///< from the root on
+  XmlElement root;                ///< whose first child is the document's
+  std::vector<XmlElement*> open;  ///< from the root on
   std::size_t elements = 0;
-  std::string fault;                 ///< that ended the reading
+  std::string fault;  ///< that ended the reading
 
   void stop(const std::string& why) {
     if (fault.empty()) fault = why;

@@ -14,11 +14,11 @@
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kSameLength = 0.02;    // of lengths that are sewn or mirrored
-constexpr double kDeeper = 0.01;        // by which a front's neck is lower [m]
-constexpr double kCapBulge = 0.08;      // of a sleeve's cap, at least
-constexpr double kAsymmetric = 0.02;    // of the two halves of a cap that differ
-constexpr double kConcave = -0.01;      // bulge of what is cut out
+constexpr double kSameLength = 0.02;  // of lengths that are sewn or mirrored
+constexpr double kDeeper = 0.01;      // by which a front's neck is lower [m]
+constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
+constexpr double kAsymmetric = 0.02;  // of the two halves of a cap that differ
+constexpr double kConcave = -0.01;    // bulge of what is cut out
 
 double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
 
@@ -39,8 +39,8 @@ std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
   for (std::size_t i = 0; i < 4; ++i) {
     double worst = 0;
     for (std::size_t k = 1; k <= 3; ++k)
-      worst = std::max(worst, difference(sections[(i + k) % 8].length,
-                                         sections[(i + 8 - k) % 8].length));
+      worst = std::max(worst,
+                       difference(sections[(i + k) % 8].length, sections[(i + 8 - k) % 8].length));
     if (worst >= best) continue;
     best = worst;
     const bool hem_first = sections[i].chord() > sections[i + 4].chord();
@@ -152,7 +152,8 @@ class Knower {
         garment_.pieces[p] = *piece;
         return trunks_.push_back(p);
       }
-    if (auto piece = as_sleeve(sections); piece && (w.sleeve || (!w.front && !w.back && !w.skirt))) {
+    if (auto piece = as_sleeve(sections);
+        piece && (w.sleeve || (!w.front && !w.back && !w.skirt))) {
       garment_.pieces[p] = *piece;
       return sleeves_.push_back(p);
     }

@@ -23,10 +23,10 @@ struct KnownPiece {
 
 /// A garment of known topology.
 struct KnownGarment {
-  std::string kind;                ///< "t-shirt", "tank top", "trousers", "skirt"; empty: none
-  std::vector<KnownPiece> pieces;  ///< per panel; unknown ones are no part of it
-  std::vector<ChainSeam> seams;    ///< of the topology
-  std::vector<std::string> doubts; ///< why nobody should sew it unasked; empty: the only way
+  std::string kind;                 ///< "t-shirt", "tank top", "trousers", "skirt"; empty: none
+  std::vector<KnownPiece> pieces;   ///< per panel; unknown ones are no part of it
+  std::vector<ChainSeam> seams;     ///< of the topology
+  std::vector<std::string> doubts;  ///< why nobody should sew it unasked; empty: the only way
 
   bool certain() const { return !kind.empty() && doubts.empty(); }
 };

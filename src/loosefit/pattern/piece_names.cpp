@@ -15,10 +15,16 @@ std::vector<std::string> split(const std::string& name) {
     const unsigned char c = name[i];
     if (c == 0xc3 && i + 1 < name.size()) {  // Latin 1 in UTF-8
       const unsigned char d = static_cast<unsigned char>(name[++i]) | 0x20;
-      words.back() += d == 0xa4 ? "ae" : d == 0xb6 ? "oe" : d == 0xbc ? "ue" : d == 0xbf ? "ss"
-                      : d >= 0xa0 && d <= 0xa6 ? "a" : d >= 0xa8 && d <= 0xab ? "e"
-                      : d >= 0xac && d <= 0xaf ? "i" : d == 0xb1 ? "n"
-                      : d >= 0xb2 && d <= 0xb5 ? "o" : "u";
+      words.back() += d == 0xa4                ? "ae"
+                      : d == 0xb6              ? "oe"
+                      : d == 0xbc              ? "ue"
+                      : d == 0xbf              ? "ss"
+                      : d >= 0xa0 && d <= 0xa6 ? "a"
+                      : d >= 0xa8 && d <= 0xab ? "e"
+                      : d >= 0xac && d <= 0xaf ? "i"
+                      : d == 0xb1              ? "n"
+                      : d >= 0xb2 && d <= 0xb5 ? "o"
+                                               : "u";
       small = true;
     } else if (std::isalpha(c)) {
       if (std::isupper(c) && small && !words.back().empty()) words.emplace_back();
@@ -42,36 +48,63 @@ struct Known {
 const std::vector<Known>& known() {
   using W = PieceWords;
   static const std::vector<Known> list = {
-      {&W::front, {"front", "vorder", "vorne", "devant", "delant", "davant", "voor", "frente"},
-       {"fr", "vt", "cf", "frt", "fnt"}, {"front"}},
-      {&W::back, {"back", "rueck", "ruck", "hinter", "dos", "espald", "dietro", "achter", "costas"},
-       {"bk", "rt", "ht", "cb", "bck"}, {"back"}},
+      {&W::front,
+       {"front", "vorder", "vorne", "devant", "delant", "davant", "voor", "frente"},
+       {"fr", "vt", "cf", "frt", "fnt"},
+       {"front"}},
+      {&W::back,
+       {"back", "rueck", "ruck", "hinter", "dos", "espald", "dietro", "achter", "costas"},
+       {"bk", "rt", "ht", "cb", "bck"},
+       {"back"}},
       {&W::left, {"left", "link", "gauche", "izq", "sinistr"}, {"l", "lt", "lh"}, {}},
       {&W::right, {"right", "recht", "droit", "derech", "destr"}, {"r", "rh"}, {}},
-      {&W::sleeve, {"sleeve", "aermel", "armel", "manche", "manga", "manic", "mouw"},
-       {"sl", "slv"}, {"sleeve", "aermel"}},
-      {&W::leg, {"leg", "hose", "bein", "jambe", "pantal", "trouser", "pant", "broek", "pierna",
-                 "legging", "jean"}, {}, {"hose", "pants", "trouser"}},
+      {&W::sleeve,
+       {"sleeve", "aermel", "armel", "manche", "manga", "manic", "mouw"},
+       {"sl", "slv"},
+       {"sleeve", "aermel"}},
+      {&W::leg,
+       {"leg", "hose", "bein", "jambe", "pantal", "trouser", "pant", "broek", "pierna", "legging",
+        "jean"},
+       {},
+       {"hose", "pants", "trouser"}},
       {&W::skirt, {"skirt", "rock", "jupe", "falda", "gonna", "saia"}, {}, {"skirt", "rock"}},
       {&W::yoke, {"yoke", "passe", "sattel", "empiecement", "canesu"}, {"yk"}, {"yoke"}},
-      {&W::pocket, {"pocket", "tasche", "poche", "bolsillo", "facing", "lining", "beleg", "futter",
-                    "interfac", "einlage"}, {"pk", "pkt"}, {"pocket", "tasche"}},
+      {&W::pocket,
+       {"pocket", "tasche", "poche", "bolsillo", "facing", "lining", "beleg", "futter", "interfac",
+        "einlage"},
+       {"pk", "pkt"},
+       {"pocket", "tasche"}},
       {&W::hood, {"hood", "kapuze", "capuche", "capucha"}, {"ho"}, {"hood", "kapuze"}},
-      {&W::neck, {"neck", "collar", "kragen", "hals", "col", "cuello"}, {"co", "nr", "nb"},
+      {&W::neck,
+       {"neck", "collar", "kragen", "hals", "col", "cuello"},
+       {"co", "nr", "nb"},
        {"neck", "collar", "kragen", "hals"}},
-      {&W::cuff, {"cuff", "manschette", "poignet", "puno", "polsino"}, {"cu"},
+      {&W::cuff,
+       {"cuff", "manschette", "poignet", "puno", "polsino"},
+       {"cu"},
        {"cuff", "manschette"}},
-      {&W::waist, {"waistband", "bund", "ceinture", "cintura", "hemband", "hemrib", "pretina"},
-       {"wb", "hb"}, {"waistband", "hosenbund", "saumbund"}},
-      {&W::grain, {"grain", "fadenlauf", "warp", "droitfil", "hilo"}, {"fl", "gl"},
+      {&W::waist,
+       {"waistband", "bund", "ceinture", "cintura", "hemband", "hemrib", "pretina"},
+       {"wb", "hb"},
+       {"waistband", "hosenbund", "saumbund"}},
+      {&W::grain,
+       {"grain", "fadenlauf", "warp", "droitfil", "hilo"},
+       {"fl", "gl"},
        {"grain", "fadenlauf"}},
-      {&W::fold, {"fold", "bruch", "stoffbruch", "mirrorline", "cutonfold", "onfold", "pliure",
-                  "doblez"}, {"mirror"}, {"onfold", "bruch"}},
+      {&W::fold,
+       {"fold", "bruch", "stoffbruch", "mirrorline", "cutonfold", "onfold", "pliure", "doblez"},
+       {"mirror"},
+       {"onfold", "bruch"}},
       {&W::notch, {"notch", "knips", "cran", "piquete", "passzeichen"}, {}, {"notch"}},
-      {&W::seam, {"sew", "seam", "naht", "stitch", "couture", "costura"}, {},
+      {&W::seam,
+       {"sew", "seam", "naht", "stitch", "couture", "costura"},
+       {},
        {"naht", "seamline", "sewline", "stitchline"}},
-      {&W::sheet, {"control", "scale", "legend", "title", "frame", "page", "logo", "massstab",
-                   "rahmen", "kontroll", "calibration", "background"}, {}, {"testsquare"}},
+      {&W::sheet,
+       {"control", "scale", "legend", "title", "frame", "page", "logo", "massstab", "rahmen",
+        "kontroll", "calibration", "background"},
+       {},
+       {"testsquare"}},
   };
   return list;
 }

@@ -15,10 +15,10 @@
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kBefore = 0.20;     ///< of fronts and backs from the middle [m]
-constexpr double kFromMiddle = 0.03; ///< of pieces of one leg [m]
-constexpr double kArmDown = 0.7;     ///< of arms below the horizontal [rad]
-constexpr double kFromHole = 0.03;   ///< of a sleeve from its armhole [m]
+constexpr double kBefore = 0.20;      ///< of fronts and backs from the middle [m]
+constexpr double kFromMiddle = 0.03;  ///< of pieces of one leg [m]
+constexpr double kArmDown = 0.7;      ///< of arms below the horizontal [rad]
+constexpr double kFromHole = 0.03;    ///< of a sleeve from its armhole [m]
 
 /// The way a piece faces.
 enum class Facing { unknown, front, back, left_arm, right_arm };
@@ -74,8 +74,7 @@ class Placer {
     for (std::size_t p = 0; p < n_; ++p)
       if (!placed_[p]) lost.push_back(printable(pattern_.panels[p].name));
     if (!lost.empty())
-      throw GeometryError({{}, 0, "pieces"},
-                          "pieces that are sewn to no other one: " + join(lost),
+      throw GeometryError({{}, 0, "pieces"}, "pieces that are sewn to no other one: " + join(lost),
                           "seams that join all pieces",
                           "write the missing seams into the side file (--propose-seams helps), or "
                           "take these pieces out of the pattern");
@@ -118,9 +117,8 @@ class Placer {
         }
       }
     }
-    if (std::none_of(facing_.begin(), facing_.end(), [](Facing f) {
-          return f == Facing::front || f == Facing::back;
-        }))
+    if (std::none_of(facing_.begin(), facing_.end(),
+                     [](Facing f) { return f == Facing::front || f == Facing::back; }))
       throw GeometryError({{}, 0, "pieces"}, "no piece that is told to be a front or a back",
                           "names such as front and back",
                           "name the pieces, or give the file a placement (GarmentCode JSON)");
@@ -144,8 +142,10 @@ class Placer {
       }
     }
     if (!guessed.empty())
-      notes_.push_back("placed beside what they are sewn to, for their names do not say where they "
-                       "go: " + join(guessed));
+      notes_.push_back(
+          "placed beside what they are sewn to, for their names do not say where they "
+          "go: " +
+          join(guessed));
   }
 
   const Stitch::Side* other_side(const Stitch& stitch, int panel) const {

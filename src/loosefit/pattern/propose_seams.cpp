@@ -14,7 +14,7 @@
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kOpen = 0.12;          // cost of leaving a side open
+constexpr double kOpen = 0.12;  // cost of leaving a side open
 constexpr double kNever = 1e3;
 constexpr double kMostGathered = 0.15;  // of lengths that are paired by themselves
 constexpr std::size_t kMostSections = 300;
@@ -85,11 +85,9 @@ class Pairing {
       proposal.cost = c;
       proposal.why = fmt::format("lengths differ by {:.1f} %{}",
                                  100 * difference(a.section.length, b.section.length),
-                                 a.notches.empty() || b.notches.empty()
-                                     ? ""
-                                     : a.notches.size() == b.notches.size()
-                                           ? ", notches agree"
-                                           : ", notches do not agree");
+                                 a.notches.empty() || b.notches.empty() ? ""
+                                 : a.notches.size() == b.notches.size() ? ", notches agree"
+                                                                        : ", notches do not agree");
       found.push_back(std::move(proposal));
     }
     return found;
@@ -110,10 +108,9 @@ class Pairing {
           for (std::size_t e = 0; e < a.size() && same; ++e)
             same = std::abs(a[e] - b[(shift + a.size() - e) % a.size()]) < kSameOutline;
           const bool like_it = p == q;
-          if (same && (like_it || pattern_.panels[q].name.find(pattern_.panels[p].name) !=
-                                      std::string::npos ||
-                       pattern_.panels[p].name.find(pattern_.panels[q].name) !=
-                           std::string::npos))
+          if (same && (like_it ||
+                       pattern_.panels[q].name.find(pattern_.panels[p].name) != std::string::npos ||
+                       pattern_.panels[p].name.find(pattern_.panels[q].name) != std::string::npos))
             twin_[p] = static_cast<int>(q);
         }
       }

@@ -16,9 +16,9 @@ struct SeamProposal {
 
 /// What a pattern without seams may be sewn like.
 struct SeamProposals {
-  KnownGarment known;                ///< may be none
-  std::vector<SeamProposal> seams;   ///< those of the known garment first
-  std::vector<std::string> unsewn;   ///< panels that no proposal joins to another
+  KnownGarment known;               ///< may be none
+  std::vector<SeamProposal> seams;  ///< those of the known garment first
+  std::vector<std::string> unsewn;  ///< panels that no proposal joins to another
 };
 
 /// Proposes seams. Where the garment is known by its topology, that. Else sections of outlines are

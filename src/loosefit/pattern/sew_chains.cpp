@@ -146,10 +146,10 @@ void sew_chains(Pattern& pattern, std::vector<ChainSeam> seams, std::vector<Notc
       cutter.cut(seam.second, a);
     }
     if (seam.first.size() != seam.second.size())
-      throw GeometryError({{}, 0, seam.name},
-                          fmt::format("runs that part into {} and {} edges", seam.first.size(),
-                                      seam.second.size()),
-                          "joints that face each other");
+      throw GeometryError(
+          {{}, 0, seam.name},
+          fmt::format("runs that part into {} and {} edges", seam.first.size(), seam.second.size()),
+          "joints that face each other");
     const std::size_t n = seam.first.size();
     for (std::size_t i = 0; i < n; ++i) {
       Stitch stitch;

@@ -12,7 +12,8 @@ namespace loosefit::pattern {
 struct ChainSeam {
   std::string name;
   std::vector<Stitch::Side> first, second;
-  bool reversed = false;  ///< start meets start; otherwise the end of one meets the start of the other
+  bool reversed =
+      false;  ///< start meets start; otherwise the end of one meets the start of the other
 };
 
 /// Length of a run [m].

@@ -20,8 +20,8 @@ std::string seam_sheet_svg(const pattern::Pattern& pattern,
                            const pattern::SeamProposals& proposals);
 
 /// Writes NAME.seams.toml and NAME.seams.svg beside a pattern file that has no seams: both or none.
-/// \throws InvalidInput when one of them is there already, which is never overwritten, when the file
-/// has its seams itself, or when nothing can be proposed; IoError; as the readers.
+/// \throws InvalidInput when one of them is there already, which is never overwritten, when the
+/// file has its seams itself, or when nothing can be proposed; IoError; as the readers.
 WrittenProposals write_seam_proposals(const std::filesystem::path& pattern_file,
                                       const io::PatternWish& wish);
 

@@ -87,7 +87,8 @@ struct ScenarioRanking {
 };
 
 /// Names of movements, in the order in which they are offered (study/wearer_movements.h).
-inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull", "fidget"};
+inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull",
+                                                              "fidget"};
 
 /// [donning]: how the wearer settles the garment once it is on, and putting it on again and again,
 /// never quite alike.

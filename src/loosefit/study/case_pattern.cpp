@@ -78,8 +78,7 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   CasePattern result;
   kinds::NamedValues fit;
   if (!wished.file.empty()) {
-    io::PatternFile file =
-        io::read_pattern(wished.file, {wished.size, wished.units}, wished.seams);
+    io::PatternFile file = io::read_pattern(wished.file, {wished.size, wished.units}, wished.seams);
     if (!file.placed)
       throw GeometryError({wished.file, 0, "pieces"}, file.not_placed,
                           "pieces that are sewn together and can be placed round a body",

@@ -15,7 +15,8 @@ std::vector<Vec2> rectangle(const Vec2& at, const Vec2& across, const Vec2& alon
 std::vector<Vec2> disc(const Vec2& at, double radius) {
   std::vector<Vec2> points;
   for (int i = 0; i < kDisc; ++i)
-    points.push_back(at + radius * Vec2(std::cos(2 * kPi * i / kDisc), std::sin(2 * kPi * i / kDisc)));
+    points.push_back(at +
+                     radius * Vec2(std::cos(2 * kPi * i / kDisc), std::sin(2 * kPi * i / kDisc)));
   return points;
 }
 
@@ -29,8 +30,8 @@ io::PatternMark sensor_mark(const std::string& name, const std::string& panel, c
     case Kind::disc:
       return {name, panel, disc(at, shape.radius), true};
     case Kind::rectangle:
-      return {name, panel,
-              rectangle(at, shape.size.x() / 2 * across, shape.size.y() / 2 * along), true};
+      return {name, panel, rectangle(at, shape.size.x() / 2 * across, shape.size.y() / 2 * along),
+              true};
     case Kind::line:
       return {name, panel, {at - shape.length / 2 * along, at + shape.length / 2 * along}, false};
     case Kind::girth:
@@ -49,9 +50,9 @@ std::vector<io::PatternMark> scenario_marks(const scenario::Scenario& scenario) 
     const auto& board = std::get<garment::Board>(a.part);
     const Vec2 u(std::cos(board.angle), std::sin(board.angle)), v(-u.y(), u.x());
     marks.push_back({a.name, a.panel,
-                     board.radius > 0 ? disc(board.centre, board.radius)
-                                      : rectangle(board.centre, board.size.x() / 2 * u,
-                                                  board.size.y() / 2 * v),
+                     board.radius > 0
+                         ? disc(board.centre, board.radius)
+                         : rectangle(board.centre, board.size.x() / 2 * u, board.size.y() / 2 * v),
                      true});
   }
   for (const placement::SiteSpec& site : scenario.sites)

@@ -16,17 +16,19 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kMillimetre = 1000;   // per metre
-constexpr double kChordError = 5e-6;   // [m]
-constexpr double kBetween = 0.05;      // pieces side by side [m]
-constexpr double kTextHeight = 5;      // [mm]
-constexpr double kNotchDepth = 6;      // [mm]
-constexpr int kMostChords = 1000;      // of a curve
+constexpr double kMillimetre = 1000;  // per metre
+constexpr double kChordError = 5e-6;  // [m]
+constexpr double kBetween = 0.05;     // pieces side by side [m]
+constexpr double kTextHeight = 5;     // [mm]
+constexpr double kNotchDepth = 6;     // [mm]
+constexpr int kMostChords = 1000;     // of a curve
 
 /// Group codes and values on lines of their own.
 class Writer {
  public:
-  void group(int code, const std::string& value) { text_ += fmt::format("{:>3}\n{}\n", code, value); }
+  void group(int code, const std::string& value) {
+    text_ += fmt::format("{:>3}\n{}\n", code, value);
+  }
   void number(int code, double value) {
     group(code, fmt::format("{:.4f}", value == 0 ? 0.0 : value));
   }
@@ -91,8 +93,8 @@ std::vector<Vec2> chords(const pattern::Panel& panel, const pattern::PanelEdge& 
                      m = pattern::curve_point(curve, a, b, (i + 0.5) / parts);
           const Vec2 along = (q - p).normalized();
           const Vec2 off = m - p;
-          worst = std::max(worst, along.allFinite() ? (off - off.dot(along) * along).norm()
-                                                    : off.norm());
+          worst = std::max(worst,
+                           along.allFinite() ? (off - off.dot(along) * along).norm() : off.norm());
         }
         return worst;
       };
@@ -157,8 +159,8 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
   pattern::check_pattern(pattern);
   for (const PatternMark& mark : marks)
     if (pattern.find_panel(mark.panel) < 0 || mark.line.empty())
-      throw InvalidInput({{}, 0, "mark " + printable(mark.name)},
-                         "panel " + printable(mark.panel), "a panel of the pattern and a place");
+      throw InvalidInput({{}, 0, "mark " + printable(mark.name)}, "panel " + printable(mark.panel),
+                         "a panel of the pattern and a place");
   std::vector<int> order = pattern.panel_order;
   if (order.size() != pattern.panels.size()) {
     order.resize(pattern.panels.size());

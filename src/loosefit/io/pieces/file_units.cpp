@@ -58,7 +58,7 @@ const Unit* claimed_unit(std::string claimed, std::optional<int> insunits) {
 const char* const kUnitNames = "mm, cm, m or inch";
 
 FileUnits choose_units(const std::string& asked, const std::string& claimed,
-                      std::optional<int> insunits, double extent, const std::string& file) {
+                       std::optional<int> insunits, double extent, const std::string& file) {
   if (!asked.empty()) {
     for (const Unit& unit : kUnits)
       if (asked == unit.name) return {unit.metre, unit.title, {}};

@@ -23,6 +23,6 @@ extern const char* const kUnitNames;
 /// `claimed` \param extent  longest side of the largest piece [file units] \throws InvalidInput
 /// where no unit or several would do, with the sizes they would give.
 FileUnits choose_units(const std::string& asked, const std::string& claimed,
-                      std::optional<int> insunits, double extent, const std::string& file);
+                       std::optional<int> insunits, double extent, const std::string& file);
 
 }  // namespace loosefit::io

@@ -16,8 +16,7 @@ bool begins_at(const std::vector<Vec2>& points, const Axis& middle) {
   const Vec2 along = (middle.second - middle.first).normalized();
   double low = 1e9, high = -1e9, on = 0, first = 1e9, last = -1e9;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 a = points[i] - middle.first,
-               b = points[(i + 1) % points.size()] - middle.first;
+    const Vec2 a = points[i] - middle.first, b = points[(i + 1) % points.size()] - middle.first;
     const double da = geometry::cross(along, a), db = geometry::cross(along, b);
     low = std::min(low, da), high = std::max(high, da);
     first = std::min(first, a.dot(along)), last = std::max(last, a.dot(along));

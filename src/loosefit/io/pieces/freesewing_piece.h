@@ -9,12 +9,12 @@ namespace loosefit::io {
 
 /// A part of a FreeSewing design as SVG or JSON has it [m], y up.
 struct FreesewingPart {
-  std::string name;           ///< "teagan.front"
-  DrawnLine seam;             ///< path of class "fabric", which is the sew line
-  std::vector<Vec2> nodes;    ///< ends of its curves
+  std::string name;         ///< "teagan.front"
+  DrawnLine seam;           ///< path of class "fabric", which is the sew line
+  std::vector<Vec2> nodes;  ///< ends of its curves
   std::optional<Axis> fold, grain;
   std::vector<Vec2> notches;
-  Axis middle;                ///< the line x = 0 of the part, on which half pieces are drawn
+  Axis middle;  ///< the line x = 0 of the part, on which half pieces are drawn
 };
 
 /// FreeSewing draws front and back as halves from the line x = 0 of the part on, as "cut on fold"

@@ -50,17 +50,17 @@ void PieceCollector::finish(const std::string& file, const std::string& sew_line
         result_.warnings.empty() ? "no piece that is cut at all" : result_.warnings.back(),
         "at least one sound piece");
   if (unfolded_ > 0)
-    result_.about.push_back(
-        fmt::format("{} half pieces unfolded at their mirror line", unfolded_));
+    result_.about.push_back(fmt::format("{} half pieces unfolded at their mirror line", unfolded_));
   if (twins_ > 0)
     result_.about.push_back(
         fmt::format("{} pieces cut twice: once as drawn, once mirrored", twins_));
   if (on_sew_line_ > 0)
     result_.about.push_back(fmt::format("{} pieces along their sew line", on_sew_line_));
   if (on_cut_line_ > 0)
-    warn(fmt::format("{} pieces have no {}: taken as they are cut; where that includes seam "
-                     "allowances, the garment is that much too wide",
-                     on_cut_line_, sew_line));
+    warn(
+        fmt::format("{} pieces have no {}: taken as they are cut; where that includes seam "
+                    "allowances, the garment is that much too wide",
+                    on_cut_line_, sew_line));
 }
 
 void PieceCollector::lay_beside(PiecePanel piece) {

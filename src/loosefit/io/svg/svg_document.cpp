@@ -71,8 +71,8 @@ class Reader {
 
   SvgDocument read(const XmlElement& root, const std::string& text) {
     if (root.name != "svg")
-      throw InvalidInput({file_, root.line, {}}, "an XML file whose root is " + printable(root.name),
-                         "an SVG drawing");
+      throw InvalidInput({file_, root.line, {}},
+                         "an XML file whose root is " + printable(root.name), "an SVG drawing");
     document_.freesewing = root.attributes.count("freesewing") > 0;
     document_.points = text.substr(0, 2000).find("Adobe Illustrator") != std::string::npos;
     page(root);
@@ -144,8 +144,7 @@ class Reader {
     if (const std::string& t = e.attribute("transform"); !t.empty())
       place = outside * parse_svg_transform(t, file_, e.line);
     if (e.name == "g" || e.name == "a" || e.name == "svg" || e.name == "switch") {
-      if (e.name == "svg")
-        place = place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
+      if (e.name == "svg") place = place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
       std::vector<int> inner = groups;
       inner.push_back(static_cast<int>(document_.groups.size()));
       document_.groups.push_back({e.attribute("id"), e.attribute("inkscape:label"),
@@ -180,8 +179,7 @@ class Reader {
   void use(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups, int uses) {
     std::string href = e.attribute("href");
     if (href.empty()) href = e.attribute("xlink:href");
-    const SvgAffine at =
-        place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
+    const SvgAffine at = place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
     if (document_.freesewing && href.find("notch") != std::string::npos) {
       SvgShape shape;  // a mark, whatever it looks like
       shape.kind = "notch";
@@ -203,9 +201,7 @@ class Reader {
 
   /// \return false for what is no shape
   bool draw(const XmlElement& e, SvgShape& shape) {
-    const auto vec = [&](const char* x, const char* y) {
-      return Vec2(length(e, x), length(e, y));
-    };
+    const auto vec = [&](const char* x, const char* y) { return Vec2(length(e, x), length(e, y)); };
     if (e.name == "path") {
       shape.runs = parse_svg_path(e.attribute("d"), file_, e.line);
     } else if (e.name == "line") {
@@ -217,15 +213,15 @@ class Reader {
       const Vec2 size = vec("width", "height");
       if (!(size.minCoeff() > 0)) return false;
       const double rx = length(e, "rx", -1), ry = length(e, "ry", -1);
-      shape.runs = {svg_rectangle(vec("x", "y"), size,
-                                  {std::max(0.0, rx < 0 ? ry : rx), std::max(0.0, ry < 0 ? rx : ry)})};
+      shape.runs = {svg_rectangle(
+          vec("x", "y"), size, {std::max(0.0, rx < 0 ? ry : rx), std::max(0.0, ry < 0 ? rx : ry)})};
     } else if (e.name == "circle" || e.name == "ellipse") {
-      const Vec2 radii =
-          e.name == "circle" ? Vec2::Constant(length(e, "r")) : vec("rx", "ry");
+      const Vec2 radii = e.name == "circle" ? Vec2::Constant(length(e, "r")) : vec("rx", "ry");
       if (!(radii.minCoeff() > 0)) return false;
       shape.runs = {svg_ellipse(vec("cx", "cy"), radii)};
     } else if (e.name == "polyline" || e.name == "polygon") {
-      const std::vector<double> n = parse_svg_numbers(e.attribute("points"), file_, e.line, "points");
+      const std::vector<double> n =
+          parse_svg_numbers(e.attribute("points"), file_, e.line, "points");
       if (n.size() % 2 != 0)
         throw InvalidInput({file_, e.line, "points"}, fmt::format("{} numbers", n.size()), "pairs");
       if (n.size() < 4) return false;

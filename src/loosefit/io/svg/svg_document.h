@@ -9,11 +9,11 @@ namespace loosefit::io {
 
 /// A thing that is drawn, in the units of the drawing with all transforms applied, y down.
 struct SvgShape {
-  std::string kind;     ///< element: "path", "rect", …
-  std::string id;       ///< may be empty
-  std::string label;    ///< inkscape:label; may be empty
-  std::string classes;  ///< as the file has them
-  std::string marker;   ///< marker-start, else marker-end
+  std::string kind;         ///< element: "path", "rect", …
+  std::string id;           ///< may be empty
+  std::string label;        ///< inkscape:label; may be empty
+  std::string classes;      ///< as the file has them
+  std::string marker;       ///< marker-start, else marker-end
   std::vector<int> groups;  ///< indices into SvgDocument::groups round it, the outermost first
   int line = 0;             ///< of the file
   std::vector<SvgRun> runs;
@@ -21,8 +21,8 @@ struct SvgShape {
 
 struct SvgGroup {
   std::string id, label;
-  bool layer = false;         ///< a layer of Inkscape
-  SvgAffine place;            ///< of what is in it
+  bool layer = false;  ///< a layer of Inkscape
+  SvgAffine place;     ///< of what is in it
 };
 
 /// What an SVG file draws.

@@ -71,8 +71,8 @@ class Scanner {
     return text_.substr(begin, at_ - begin);
   }
   [[noreturn]] void fail(const std::string& expected) const {
-    const std::string here = at_ < text_.size() ? '"' + printable(text_.substr(at_, 20)) + '"'
-                                                : std::string("the end");
+    const std::string here =
+        at_ < text_.size() ? '"' + printable(text_.substr(at_, 20)) + '"' : std::string("the end");
     throw InvalidInput({file_, line_, key_}, fmt::format("{} at character {}", here, at_ + 1),
                        expected);
   }
@@ -142,7 +142,8 @@ class PathReader {
       if (!scan_.at_number()) {
         command = scan_.peek();
         if (!std::isalpha(static_cast<unsigned char>(command))) scan_.fail("a command");
-        if (runs_.empty() && command != 'M' && command != 'm') scan_.fail("M, with which paths begin");
+        if (runs_.empty() && command != 'M' && command != 'm')
+          scan_.fail("M, with which paths begin");
         scan_.take();
       } else if (command == 0 || command == 'Z' || command == 'z') {
         scan_.fail("a command");
@@ -277,9 +278,10 @@ SvgAffine parse_svg_transform(const std::string& text, const std::string& file, 
     } else if (kind == "skewY" && c == 1) {
       one.linear()(1, 0) = std::tan(radians(n[0]));
     } else {
-      scan.fail(fmt::format("matrix, translate, scale, rotate, skewX or skewY, not {} with {} "
-                            "numbers before it",
-                            printable(kind, 20), c));
+      scan.fail(
+          fmt::format("matrix, translate, scale, rotate, skewX or skewY, not {} with {} "
+                      "numbers before it",
+                      printable(kind, 20), c));
     }
     all = all * one;
     if (!all.matrix().allFinite() || all.matrix().cwiseAbs().maxCoeff() > kLargest)
@@ -324,8 +326,7 @@ SvgRun svg_rectangle(const Vec2& corner, const Vec2& size, Vec2 radii) {
 
 SvgRun transformed(SvgRun run, const SvgAffine& by) {
   run.start = by * run.start;
-  for (SvgRun::Segment& s : run.segments)
-    s = {by * s.first, by * s.second, by * s.to, s.curve};
+  for (SvgRun::Segment& s : run.segments) s = {by * s.first, by * s.second, by * s.to, s.curve};
   return run;
 }
 

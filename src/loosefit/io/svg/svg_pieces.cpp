@@ -206,8 +206,7 @@ class Sorter {
   }
 
   bool is_rectangle(const Run& run) const {
-    return run.shape->kind == "rect" ||
-           (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
+    return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
   }
 
   /// Rectangles that cover the page, or several other closed lines.
@@ -227,7 +226,8 @@ class Sorter {
       }
       int others = 0;
       for (std::size_t j = 0; j < closed_.size() && others < 2; ++j)
-        others += j != i && closed_[j].area >= kSmallestPiece && closed_[j].area < closed_[i].area &&
+        others += j != i && closed_[j].area >= kSmallestPiece &&
+                  closed_[j].area < closed_[i].area &&
                   words(*closed_[j].shape).seam == words(*closed_[i].shape).seam &&
                   lies_inside(closed_[j].line.points, closed_[i].line.points);
       frame[i] = others >= 2;

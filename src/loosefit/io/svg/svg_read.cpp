@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPieces = 200;
 constexpr double kLargestUnit = 0.0254;  // that a drawing may be in [m]
-constexpr double kShortest = 0.25, kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
+constexpr double kShortest = 0.25,
+                 kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
 
 std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
                                 std::vector<std::string>& unused) {
@@ -50,7 +51,8 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   const double named = document.unit_mm.value_or(document.points ? 25.4 / 72 : document.pixel_mm);
   std::vector<std::string> left;
   // What is too small for a piece is told by the unit, which the largest piece may have to tell.
-  double measured_in = wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, {}, 1, file).metre;
+  double measured_in =
+      wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, {}, 1, file).metre;
   std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, left);
   if (pieces.empty() && !document.unit_mm && wish.units.empty())
     pieces = pieces_in(document, measured_in = kLargestUnit, file, left);
@@ -70,8 +72,7 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   double unit = named / 1000;
   std::string units = fmt::format("a unit of {:.4g} mm", named);
   if (!wish.units.empty() || !plausible(extent)) {
-    const FileUnits chosen =
-        choose_units(wish.units, {}, {}, extent / (named / 1000), file);
+    const FileUnits chosen = choose_units(wish.units, {}, {}, extent / (named / 1000), file);
     if (!chosen.warning.empty()) result.warnings.push_back(chosen.warning);
     unit = chosen.metre;
     units = chosen.name;
