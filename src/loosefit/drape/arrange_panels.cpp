@@ -10,7 +10,9 @@
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/panel_roles.h"
+#include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
+#include "loosefit/drape/rolled_sleeve.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/rotation_between.h"
 
@@ -31,34 +33,7 @@ constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a t
 constexpr double kFromHands = 0.04;    ///< of a skirt that is sewn, from the hands [m]
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
-constexpr double kSeamSlit = 0.15;     ///< of a rolled sleeve before it is sewn, half [rad]
 constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
-
-/// A line through joints, continued straight at both ends, by the way along it from the first.
-class Polyline {
- public:
-  explicit Polyline(std::vector<Vec3> points) : points_(std::move(points)) {}
-  struct Place {
-    Vec3 point, tangent;
-  };
-  Place at(double s) const {
-    std::size_t i = 0;
-    double length = (points_[1] - points_[0]).norm();
-    while (i + 2 < points_.size() && s > length) {
-      s -= length, ++i;
-      length = (points_[i + 1] - points_[i]).norm();
-    }
-    const Vec3 tangent = (points_[i + 1] - points_[i]) / length;
-    return {points_[i] + s * tangent, tangent};
-  }
-  /// Way along the first piece, however far, that is next to p.
-  double project_on_first(const Vec3& p) const {
-    return (p - points_[0]).dot((points_[1] - points_[0]).normalized());
-  }
-
- private:
-  std::vector<Vec3> points_;
-};
 
 class Arranger {
  public:
@@ -353,9 +328,9 @@ class Arranger {
     }
     const Vec3 mid = body_arm.at(start + (0 - begin) / 2).tangent;
     for (int k : panels) {
-      const std::vector<Girth> girths = girths_of_sleeve(k, from, axis);
-      if (!girths.empty()) {
-        roll_round_arm(k, from, axis, girths, body_arm, start - begin);
+      const RolledSleeve rolled(open_, placed_, k, from, axis, outside_[k]);
+      if (rolled.goes_round()) {
+        roll_round_arm(k, rolled, body_arm, start - begin);
         outside_[k].setZero();
         continue;
       }
@@ -364,73 +339,16 @@ class Arranger {
     }
   }
 
-  /// Where a sleeve in one piece is sewn to itself: at s along its axis, from `low` to `high`
-  /// across it [m].
-  struct Girth {
-    double s, low, high;
-  };
-
-  Vec3 across_sleeve(int panel, const Vec3& axis) const {
-    return outside_[panel].cross(axis).normalized();
-  }
-
-  /// Sorted by s; empty for a panel that goes round only a part of the arm.
-  std::vector<Girth> girths_of_sleeve(int panel, const Vec3& from, const Vec3& axis) const {
-    std::vector<Girth> girths;
-    const Vec3 across = across_sleeve(panel, axis);
-    for (const std::vector<int>& of : open_.partners) {
-      double low = std::numeric_limits<double>::infinity(), high = -low, s = 0;
-      int own = 0;
-      for (int v : of) {
-        if (g_.vertex_panel[v] != panel) continue;
-        const Vec3 off = placed_[v] - from;
-        low = std::min(low, off.dot(across)), high = std::max(high, off.dot(across));
-        s += off.dot(axis), ++own;
-      }
-      if (own > 1 && high - low > kShortest) girths.push_back({s / own, low, high});
-    }
-    std::sort(girths.begin(), girths.end(),
-              [](const Girth& a, const Girth& b) { return a.s < b.s; });
-    return girths.size() < 2 ? std::vector<Girth>() : girths;
-  }
-
-  static Girth girth_at(const std::vector<Girth>& girths, double s) {
-    if (s <= girths.front().s) return girths.front();
-    if (s >= girths.back().s) return girths.back();
-    std::size_t i = 1;
-    while (girths[i].s < s) ++i;
-    const Girth &a = girths[i - 1], &b = girths[i];
-    const double t = b.s > a.s ? (s - a.s) / (b.s - a.s) : 1;
-    return {s, a.low + t * (b.low - a.low), a.high + t * (b.high - a.high)};
-  }
-
-  /// A sleeve in one piece is rolled round the arm, its own seam below: as wide as it is cut, wider
-  /// where the arm needs it, and as far out along the arm as it takes to be clear of the body.
-  void roll_round_arm(int panel, const Vec3& from, const Vec3& axis,
-                      const std::vector<Girth>& girths, const Polyline& arm, double offset) {
-    std::vector<int> of;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel) of.push_back(v);
-    const Vec3 n = outside_[panel], across = across_sleeve(panel, axis);
+  /// A sleeve in one piece goes round the arm: wider, then farther out along it, until it is clear
+  /// of the body.
+  void roll_round_arm(int panel, const RolledSleeve& sleeve, const Polyline& arm, double offset) {
     for (int step = 0; step < kSteps; ++step) {
-      // Wider first, then farther out and wider again.
-      const double wider = kStep * (step % 5), out = kBeyond * (step / 5);
-      for (int v : of) {
-        const Vec3 off = placed_[v] - from;
-        const double s = off.dot(axis);
-        const Girth girth = girth_at(girths, s);
-        const double half = 0.5 * (girth.high - girth.low);
-        const double angle =
-            (off.dot(across) - 0.5 * (girth.low + girth.high)) / half * (kPi - kSeamSlit);
-        const double radius = std::max(half / kPi, kFromAxis) + wider;
-        const Polyline::Place at = arm.at(offset + s + out);
-        const Vec3 round = radius * (std::cos(angle) * n + std::sin(angle) * across);
-        x_[v] = at.point + geometry::rotation_between(axis, at.tangent) * round;
-      }
-      if (std::all_of(of.begin(), of.end(), [&](int v) {
-            return body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;
-          }))
-        return;
+      sleeve.place(arm, offset + kBeyond * (step / 5), kStep * (step % 5), x_);
+      bool clear = true;
+      for (int v = 0; v < g_.vertex_count && clear; ++v)
+        clear = g_.vertex_panel[v] != panel ||
+                body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;
+      if (clear) return;
     }
   }
 
