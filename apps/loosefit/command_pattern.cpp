@@ -180,7 +180,7 @@ void propose_seams(const Wish& wish) {
   const report::WrittenProposals written =
       report::write_seam_proposals(wish.pattern.file, {wish.pattern.size, wish.pattern.units});
   const pattern::SeamProposals& found = written.proposals;
-  if (!found.known.kind.empty()) fmt::print("a {}\n", found.known.kind);
+  if (!found.known.kind.empty()) fmt::print("known by its pieces: {}\n", found.known.kind);
   int number = 0;
   for (const pattern::SeamProposal& p : found.seams)
     fmt::print("{:>3} {:<14} {:>8.1f} and {:>8.1f} mm  {}\n", ++number, terminal_line(p.seam.name),

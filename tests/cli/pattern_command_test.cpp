@@ -112,7 +112,7 @@ TEST_F(PatternCommand, SewsAKnownGarmentUnaskedAndWritesItInEveryFormat) {
   const fs::path out = base / "out";
   const ProgramRun run = pattern("--file " + name + " -o " + out.string());
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_NE(run.output.find("sewn as a t-shirt: 8 seams"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("sewn by what its pieces are, t-shirt: 8 seams"), std::string::npos) << run.output;
   EXPECT_EQ(run.output.find("cannot be worn"), std::string::npos) << run.output;
   for (const char* written : {"pattern.json", "pattern.svg", "pattern.dxf"}) {
     SCOPED_TRACE(written);

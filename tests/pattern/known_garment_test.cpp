@@ -95,6 +95,21 @@ TEST(KnownGarment, TrousersSkirtsAndTankTopsAreTold) {
   EXPECT_TRUE(know_garment(unsewn_skirt()).certain());
 }
 
+TEST(KnownGarment, ARaglanShirtIsSewnByTheLengthsOfItsRaglans) {
+  Pattern shirt = unsewn_raglan();
+  const KnownGarment known = know_garment(shirt);
+  EXPECT_EQ(known.kind, "raglan shirt");
+  ASSERT_TRUE(known.certain()) << known.doubts[0];
+  EXPECT_EQ(known.pieces[2].side, -1) << "its longer raglan, the back's, lies at x < 0";
+  EXPECT_EQ(known.pieces[3].side, 1);
+  std::vector<Notch> notches;
+  sew_chains(shirt, known.seams, notches);
+  EXPECT_EQ(shirt.stitches.size(), 8u);
+  EXPECT_LT(worst_difference(shirt), 0.02);
+  EXPECT_TRUE(place_pieces(shirt).empty());
+  EXPECT_GT(shirt.panels[2].rotation.col(1).x(), 0.5);
+}
+
 TEST(KnownGarment, DoubtsKeepItFromBeingSewnUnasked) {
   Pattern more = unsewn_tshirt();
   more.panels.push_back(more.panels[2]);

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "loosefit/pattern/curve_chain.h"
 #include "loosefit/pattern/drafting.h"
@@ -119,6 +120,36 @@ inline pattern::Pattern unsewn_trousers(double waist = 0.84, double hip = 1.00, 
   pattern.name = "trousers";
   pattern.panels = {numbered_panel("front", front), mirrored_panel("front_mirrored", front),
                     numbered_panel("back", back), mirrored_panel("back_mirrored", back)};
+  return pattern;
+}
+
+/// Front, back, right sleeve, left sleeve; the raglan of the back is longer.
+inline pattern::Pattern unsewn_raglan() {
+  const double w = 0.26, under = 0.38, n = 0.07;
+  const auto trunk = [&](double top, double neck) {
+    pattern::CurveChain hollow =
+        curved({n, top}, {0.9 * n, top - 0.7 * neck}, {0.5 * n, top - neck}, {0, top - neck});
+    const pattern::CurveChain half = hollow.mirrored().reversed();
+    hollow.cubic_to(half.curves[0].control[0], half.curves[0].control[1], half.end());
+    return std::vector<pattern::CurveChain>{
+        straight({-w, 0}, {w, 0}),        straight({w, 0}, {w, under}),
+        straight({w, under}, {n, top}),   hollow,
+        straight({-n, top}, {-w, under}), straight({-w, under}, {-w, 0})};
+  };
+  const auto front = trunk(0.58, 0.08), back = trunk(0.595, 0.02);
+  const double f = front[2].length(), b = back[2].length();
+  // The neck of the sleeve is where both raglans reach, 4 cm apart.
+  const double x = 0.17, at = 0.02;
+  const Vec2 front_top(at, std::sqrt(f * f - (x - at) * (x - at))),
+      back_top(-at, std::sqrt(b * b - (x - at) * (x - at)));
+  const std::vector<pattern::CurveChain> sleeve = {
+      straight({-0.12, -0.3}, {0.12, -0.3}), straight({0.12, -0.3}, {x, 0}),
+      straight({x, 0}, front_top),           straight(front_top, back_top),
+      straight(back_top, {-x, 0}),           straight({-x, 0}, {-0.12, -0.3})};
+  pattern::Pattern pattern;
+  pattern.name = "raglan";
+  pattern.panels = {numbered_panel("front", front), numbered_panel("back", back),
+                    numbered_panel("sleeve", sleeve), mirrored_panel("sleeve_mirrored", sleeve)};
   return pattern;
 }
 

@@ -45,16 +45,16 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
   if (known.certain()) {
     const std::size_t count = known.seams.size();
     pattern::sew_chains(file.pattern, known.seams, file.notches);
-    file.about.push_back(
-        fmt::format("sewn as a {}: {} seams whose lengths agree, and no other way to sew it",
-                    known.kind, count));
+    file.about.push_back(fmt::format(
+        "sewn by what its pieces are, {}: {} seams whose lengths agree, and no other way to sew it",
+        known.kind, count));
     return;
   }
   file.not_placed = "it has no seams: no side file, and ";
   file.not_placed +=
       known.kind.empty()
           ? std::string("its pieces are not those of a garment that is known")
-          : "as a " + known.kind + " it leaves doubts (" + join(known.doubts, "; ") + ")";
+          : "as " + known.kind + " it leaves doubts (" + join(known.doubts, "; ") + ")";
 }
 
 void place(PatternFile& file) {

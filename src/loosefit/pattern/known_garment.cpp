@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "loosefit/base/text.h"
@@ -31,28 +32,46 @@ std::vector<Section> from(const std::vector<Section>& sections, std::size_t firs
 
 Vec2 middle(const Section& s) { return (s.from + s.to) / 2; }
 
-/// Eight sections that mirror each other about the first: hem, side, armhole, shoulder, neck, …
+/// Eight sections that mirror each other about the first (hem, side, armhole, shoulder, neck, …) or
+/// six (hem, side, raglan, neck, …).
 std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
-  if (sections.size() != 8) return {};
+  const std::size_t n = sections.size(), across = n / 2;
+  if (n != 6 && n != 8) return {};
   double best = kSameLength;
   std::optional<KnownPiece> found;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < across; ++i) {
     double worst = 0;
-    for (std::size_t k = 1; k <= 3; ++k)
+    for (std::size_t k = 1; k < across; ++k)
       worst = std::max(worst,
-                       difference(sections[(i + k) % 8].length, sections[(i + 8 - k) % 8].length));
+                       difference(sections[(i + k) % n].length, sections[(i + n - k) % n].length));
     if (worst >= best) continue;
     best = worst;
-    const bool hem_first = sections[i].chord() > sections[i + 4].chord();
+    const bool hem_first = sections[i].chord() > sections[i + across].chord();
     KnownPiece piece;
-    piece.sections = from(sections, hem_first ? i : i + 4);
+    piece.sections = from(sections, hem_first ? i : i + across);
     const auto& s = piece.sections;
     // A neckline and armholes are cut out, a hem is not.
-    if (s[4].bulge > -kConcave || s[2].bulge > kCapBulge || s[6].bulge > kCapBulge) continue;
-    piece.upright = middle(s[4]).y() > middle(s[0]).y();
+    if (s[across].bulge > -kConcave || s[2].bulge > kCapBulge || s[n - 2].bulge > kCapBulge)
+      continue;
+    piece.upright = middle(s[across]).y() > middle(s[0]).y();
     found = piece;
   }
   return found;
+}
+
+/// Six sections: cuff, underarm, raglan, neck, raglan, underarm; the neck is the shortest.
+std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections) {
+  if (sections.size() != 6) return {};
+  std::size_t neck = 0;
+  for (std::size_t i = 1; i < 6; ++i)
+    if (sections[i].length < sections[neck].length) neck = i;
+  KnownPiece piece;
+  piece.role = PieceRole::sleeve;
+  piece.sections = from(sections, (neck + 3) % 6);
+  const auto& s = piece.sections;
+  if (difference(s[1].length, s[5].length) > kSameLength) return {};
+  piece.upright = middle(s[3]).y() > middle(s[0]).y();
+  return piece;
 }
 
 /// Four sections: cuff, underarm, cap, underarm.
@@ -147,10 +166,15 @@ class Knower {
     const PieceWords w = words(p);
     if (w.pocket || w.hood || w.yoke || w.cuff || w.waist) return;
     const std::vector<Section> sections = outline_sections(panel(p));
-    if (!w.sleeve && !w.leg)
+    if (!w.sleeve && !w.leg && (sections.size() == 8 || w.front || w.back))
       if (auto piece = as_trunk(sections)) {
         garment_.pieces[p] = *piece;
         return trunks_.push_back(p);
+      }
+    if (w.sleeve)
+      if (auto piece = as_raglan_sleeve(sections)) {
+        garment_.pieces[p] = *piece;
+        return sleeves_.push_back(p);
       }
     if (auto piece = as_sleeve(sections);
         piece && (w.sleeve || (!w.front && !w.back && !w.skirt))) {
@@ -171,7 +195,8 @@ class Knower {
 
   /// Height of the top of a trunk's neck above its lowest point.
   double neck_depth(int p) const {
-    const Section& neck = garment_.pieces[p].sections[4];
+    const std::vector<Section>& sections = garment_.pieces[p].sections;
+    const Section& neck = sections[sections.size() / 2];
     double deepest = 0;
     const Vec2 along = (neck.to - neck.from).normalized();
     for (const Vec2& q : section_points(panel(p), neck))
@@ -207,16 +232,23 @@ class Knower {
   void shirt() {
     front_first(trunks_, neck_depth(trunks_[0]) - neck_depth(trunks_[1]));
     const int front = trunks_[0], back = trunks_[1];
+    const int last = static_cast<int>(garment_.pieces[front].sections.size()) - 1;
+    const bool raglan = last == 5;
+    if (garment_.pieces[back].sections.size() != garment_.pieces[front].sections.size()) return;
+    for (const int p : sleeves_)
+      if ((garment_.pieces[p].sections.size() == 6) != raglan) return;
+    if (raglan && sleeves_.empty()) return;
     garment_.pieces[front].role = PieceRole::front;
     garment_.pieces[back].role = PieceRole::back;
-    garment_.kind = sleeves_.empty() ? "tank top" : "t-shirt";
+    garment_.kind = sleeves_.empty() ? "tank top" : raglan ? "raglan shirt" : "t-shirt";
     // Seen from outside the wearer's left is at the right of the front, at the left of the back.
-    add("side_L", sides(front, 1), sides(back, 7));
-    add("side_R", sides(front, 7), sides(back, 1));
+    add("side_L", sides(front, 1), sides(back, last));
+    add("side_R", sides(front, last), sides(back, 1));
+    if (raglan) return raglan_sleeves(front, back);
     add("shoulder_L", sides(front, 3), sides(back, 5));
     add("shoulder_R", sides(front, 5), sides(back, 3));
     if (sleeves_.empty()) return;
-    tell_sleeves();
+    tell_sleeves([this](int p) { return scoop(p); });
     for (const int p : sleeves_) {
       const bool left = garment_.pieces[p].side > 0;
       const std::string name = left ? "_L" : "_R";
@@ -230,6 +262,25 @@ class Knower {
       }
       add("armhole" + name, sides(p, 2), hole);
       add("underarm" + name, sides(p, 1), sides(p, 3));
+    }
+  }
+
+  /// A sleeve's raglan next to its cuff in the outline is the front's on a right sleeve.
+  void raglan_sleeves(int front, int back) {
+    const double of_front = garment_.pieces[front].sections[2].length,
+                 of_back = garment_.pieces[back].sections[2].length;
+    tell_sleeves([&](int p) {
+      const auto& s = garment_.pieces[p].sections;
+      const double right = std::abs(s[2].length - of_front) + std::abs(s[4].length - of_back),
+                   left = std::abs(s[4].length - of_front) + std::abs(s[2].length - of_back);
+      return (left - right) / std::max(1e-9, of_front + of_back);
+    });
+    for (const int p : sleeves_) {
+      const bool left = garment_.pieces[p].side > 0;
+      const std::string name = left ? "_L" : "_R";
+      add("raglan_front" + name, sides(p, left ? 4 : 2), sides(front, left ? 2 : 4));
+      add("raglan_back" + name, sides(p, left ? 2 : 4), sides(back, left ? 4 : 2));
+      add("underarm" + name, sides(p, 1), sides(p, 5));
     }
   }
 
@@ -258,13 +309,14 @@ class Knower {
     return fill(top, points.size() - 1) - fill(0, top);
   }
 
-  void tell_sleeves() {
-    // The way of a right sleeve's cap begins at the front of the arm.
+  /// \param front_first_of positive where the outline goes from the cuff to the front of the arm
+  /// first, as that of a right sleeve does
+  void tell_sleeves(const std::function<double(int)>& front_first_of) {
     int side[2] = {0, 0};
     for (int i = 0; i < 2; ++i) {
       const int p = sleeves_[i];
       const PieceWords w = words(p);
-      const double front_begins = scoop(p);
+      const double front_begins = front_first_of(p);
       const int shape = front_begins > kAsymmetric ? -1 : front_begins < -kAsymmetric ? 1 : 0;
       const int name = w.left ? 1 : w.right ? -1 : 0;
       if (name != 0 && shape != 0 && name != shape)

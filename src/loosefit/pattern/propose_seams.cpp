@@ -168,7 +168,7 @@ SeamProposals propose_seams(const Pattern& pattern, const std::vector<Notch>& no
       proposal.first = chain_length(pattern, seam.first);
       proposal.second = chain_length(pattern, seam.second);
       proposal.cost = difference(proposal.first, proposal.second);
-      proposal.why = "a " + result.known.kind + " is sewn so";
+      proposal.why = "so it is sewn in any " + result.known.kind;
       result.seams.push_back(std::move(proposal));
     }
   }

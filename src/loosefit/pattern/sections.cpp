@@ -10,7 +10,7 @@
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kCorner = 35;      // [degrees]
+constexpr double kCorner = 30;      // [degrees]
 constexpr double kTangent = 0.008;  // over which the direction at a corner is taken [m]
 
 /// How far the outline turns to the left where the edge begins, −180 to 180 degrees.

@@ -17,7 +17,7 @@ struct Section {
   std::vector<Stitch::Side> sides(const Panel& panel, int panel_index) const;
 };
 
-/// Sections of an outline in order. Corners that stick out by more than 35 degrees part them;
+/// Sections of an outline in order. Corners that stick out by more than 30 degrees part them;
 /// others (the tip of a V-neck, points where a curve was cut) lie within. An outline with fewer
 /// than two such corners has one section per edge.
 std::vector<Section> outline_sections(const Panel& panel);

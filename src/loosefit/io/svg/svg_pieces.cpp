@@ -18,11 +18,13 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kTolerance = 2e-5;        // of chords [m]
-constexpr double kSmallestPiece = 4e-4;    // [m²]
-constexpr double kShareOfPiece = 0.5;      // a sew line encloses at least so much of its piece
-constexpr double kNearOutline = 0.03;      // of notches and fold lines that have no group [m]
-constexpr double kWholePage = 0.95;        // of its width and height
+constexpr double kTolerance = 2e-5;       // of chords [m]
+constexpr double kSmallestPiece = 4e-4;   // [m²]
+constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of its piece
+constexpr double kNearOutline = 0.03;     // of notches and fold lines that have no group [m]
+constexpr double kWholePage = 0.95;       // of its width and height
+constexpr double kBeforeAllOthers = 1e6;  // [m²]
+constexpr const char* kOtherLines[] = {"sa", "help", "hidden", "dashed", "lashed", "dotted"};
 constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostOpen = 2000;    // open lines of one group
 
@@ -361,6 +363,7 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
                                         std::vector<std::string>& unused) {
   std::map<int, FreesewingPart> parts;
   std::map<int, int> line_of;
+  std::map<int, double> largest_of;
   std::map<std::string, int> left;
   bool marked = false;
   for (const SvgShape& shape : document.shapes)
@@ -395,18 +398,23 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
       if ((axis.second - axis.first).norm() > kSamePoint) (fold ? part.fold : part.grain) = axis;
       continue;
     }
-    if (!has_class(shape, "fabric") || has_class(shape, "sa") || has_class(shape, "help") ||
-        has_class(shape, "hidden") || has_class(shape, "dashed")) {
+    // Some designs leave the class of a part's outline away.
+    const bool plain = shape.classes.empty(), fabric = has_class(shape, "fabric");
+    const bool other = std::any_of(std::begin(kOtherLines), std::end(kOtherLines),
+                                   [&](const char* c) { return has_class(shape, c); });
+    if ((!fabric && !plain) || other) {
       ++left[has_class(shape, "sa") ? "seam allowances" : "other lines"];
       continue;
     }
-    // Of several the one that encloses most.
+    // Of several the one that encloses most; one of fabric before all others.
+    double& largest = largest_of[g];
     for (const SvgRun& run : shape.runs) {
       SampledRun line = sampled_in_metres(run, unit);
-      if (line.points.size() < 3 ||
-          std::abs(pattern::signed_area(line.points)) <=
-              (part.seam.points.size() < 3 ? 0 : std::abs(pattern::signed_area(part.seam.points))))
-        continue;
+      if (line.points.size() < 3) continue;
+      const double area =
+          std::abs(pattern::signed_area(line.points)) + (fabric ? kBeforeAllOthers : 0);
+      if (area <= largest) continue;
+      largest = area;
       part.seam.points = std::move(line.points);
       part.nodes = std::move(line.nodes);
     }
@@ -415,7 +423,8 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
   std::vector<SvgPiece> pieces;
   for (auto& [group, part] : parts) {
     if (part.seam.points.empty()) {
-      unused.push_back("part " + printable(part.name) + ": it has no path of class \"fabric\"");
+      unused.push_back("part " + printable(part.name) +
+                       ": it has no closed path of class \"fabric\"");
       continue;
     }
     SvgPiece piece;
