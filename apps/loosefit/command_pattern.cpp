@@ -188,7 +188,8 @@ void propose_seams(const Wish& wish) {
   for (const std::string& doubt : found.known.doubts)
     fmt::print("doubt: {}\n", terminal_line(doubt));
   for (const std::string& name : found.unsewn)
-    fmt::print("sewn to nothing: {}\n", terminal_line(name));
+    fmt::print("{}: {}\n", found.known.kind.empty() ? "sewn to nothing" : "left out",
+               terminal_line(name));
   fmt::print("\nwrote {} and {}\nlook at them, correct the seams, then set confirmed = true\n",
              terminal_line(written.seams.string()), terminal_line(written.picture.string()));
 }

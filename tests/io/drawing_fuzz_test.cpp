@@ -30,7 +30,7 @@ void go_on(PatternFile file) {
   std::vector<pattern::ChainSeam> seams;
   for (const pattern::SeamProposal& p : found.seams) seams.push_back(p.seam);
   PatternFile again = file;
-  parse_seams(seams_text(file.pattern, found.seams), "s.toml", again);
+  parse_seams(seams_text(file.pattern, found), "s.toml", again);
   EXPECT_EQ(again.pattern.stitches.empty(), seams.empty());
   pattern::check_pattern(again.pattern);
   try {
@@ -104,7 +104,7 @@ TEST(DrawingFuzz, FreesewingJson) {
 TEST(DrawingFuzz, RunsOfASideFile) {
   const PatternFile shirt = parse_svg_pattern(testing_support::freesewing_tshirt(true), "t.svg");
   const std::string valid =
-      seams_text(shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches).seams);
+      seams_text(shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches));
   fuzz(
       valid, "fuzz.toml",
       [&](const std::string& text) {

@@ -60,6 +60,26 @@ TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
                 pattern::signed_area(pattern::outline_polygon(pattern.panels[p])), 1e-9);
 }
 
+TEST(SeamsFile, PiecesThatAreLeftOutAreNotTaken) {
+  PatternFile file = tee();
+  const std::size_t notches = file.notches.size();
+  parse_seams("leave_out = [\"FRONT\"]\n" + std::string(kSeams), "tee.seams.toml", file);
+  ASSERT_EQ(file.pattern.panels.size(), 2u);
+  EXPECT_EQ(file.pattern.find_panel("FRONT"), -1);
+  EXPECT_EQ(file.pattern.panel_order, (std::vector<int>{0, 1}));
+  EXPECT_EQ(file.notches.size(), notches) << "those of the sleeves";
+  for (const pattern::Notch& notch : file.notches) EXPECT_LT(notch.panel, 2);
+  EXPECT_EQ(file.pattern.stitches.size(), 2u);
+  EXPECT_NE(file.unused.back().find("FRONT: left out"), std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRNT\"]\n").find("leave_out"), std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRONT\", \"SLEEVE\", \"SLEEVE_mirrored\"]\n").find("not all"),
+            std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRONT\"]\n[[seam]]\nfirst = \"FRONT.e1\"\nsecond = "
+                    "\"SLEEVE.e1\"\n")
+                .find("a panel of the pattern"),
+            std::string::npos);
+}
+
 TEST(SeamsFile, SidesOfDifferentLengthsAreTold) {
   PatternFile file = tee();
   parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", file);

@@ -39,7 +39,7 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
     const std::filesystem::path& from = seams.empty() ? beside : seams;
     read_seams(from, file);
     file.about.push_back("seams from " + from.string());
-    return;
+    if (!file.pattern.stitches.empty()) return;
   }
   const pattern::KnownGarment known = pattern::know_garment(file.pattern);
   if (known.certain()) {
@@ -50,7 +50,7 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
         known.kind, count));
     return;
   }
-  file.not_placed = "it has no seams: no side file, and ";
+  file.not_placed = "it has no seams: none in a side file, and ";
   file.not_placed +=
       known.kind.empty()
           ? std::string("its pieces are not those of a garment that is known")

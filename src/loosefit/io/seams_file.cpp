@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -62,6 +63,31 @@ std::vector<pattern::Stitch::Side> read_run(ConfigReader& seam, const std::strin
   return run;
 }
 
+/// Takes these pieces away from a pattern without seams.
+void leave_out(PatternFile& file, const std::vector<std::string>& names,
+               const ConfigReader& reader) {
+  if (names.empty()) return;
+  pattern::Pattern& pattern = file.pattern;
+  if (names.size() >= pattern.panels.size())
+    throw reader.error("leave_out", "some of the pieces, not all");
+  if (!pattern.stitches.empty()) throw reader.error("leave_out", "a pattern without seams");
+  std::vector<int> now(pattern.panels.size(), -1);
+  std::vector<pattern::Panel> kept;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (std::find(names.begin(), names.end(), pattern.panels[p].name) != names.end()) {
+      file.unused.push_back("piece " + printable(pattern.panels[p].name) + ": left out as asked");
+      continue;
+    }
+    now[p] = static_cast<int>(kept.size());
+    kept.push_back(std::move(pattern.panels[p]));
+  }
+  pattern.panels = std::move(kept);
+  for (int& p : pattern.panel_order) p = now[p];
+  std::erase(pattern.panel_order, -1);
+  for (pattern::Notch& notch : file.notches) notch.panel = now[notch.panel];
+  std::erase_if(file.notches, [](const pattern::Notch& notch) { return notch.panel < 0; });
+}
+
 std::string run_text(const pattern::Pattern& pattern,
                      const std::vector<pattern::Stitch::Side>& run) {
   std::vector<std::string> texts;
@@ -82,9 +108,12 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam", "confirmed"});
+  reader.only({"seam", "confirmed", "leave_out"});
   pattern::Pattern& pattern = into.pattern;
   const bool confirmed = reader.boolean("confirmed", true);
+  std::vector<std::string> all;
+  for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
+  leave_out(into, reader.choices("leave_out", {}, all), reader);
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
     for (const auto& side : {stitch.first, stitch.second}) sewn.insert({side.panel, side.edge});
@@ -122,15 +151,19 @@ void read_seams(const std::filesystem::path& path, PatternFile& into) {
   parse_seams(read_text_file(path.string(), kLargestFile), path.string(), into);
 }
 
-std::string seams_text(const pattern::Pattern& pattern,
-                       const std::vector<pattern::SeamProposal>& seams) {
+std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals) {
   std::string text =
       "# Proposed seams. Numbers are those of the picture beside this file. Look at each, change "
       "or\n"
       "# delete what is wrong, then say so:\n"
       "confirmed = false\n";
+  if (!proposals.known.kind.empty() && !proposals.unsewn.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& name : proposals.unsewn) names.push_back(toml_quoted(name));
+    text += "leave_out = [" + join(names) + "]  # pieces that are not taken\n";
+  }
   int number = 0;
-  for (const pattern::SeamProposal& proposal : seams) {
+  for (const pattern::SeamProposal& proposal : proposals.seams) {
     text += fmt::format("\n# {}: {:.1f} and {:.1f} mm; {}\n[[seam]]\nname = {}\n", ++number,
                         1000 * proposal.first, 1000 * proposal.second, proposal.why,
                         toml_quoted(proposal.seam.name));

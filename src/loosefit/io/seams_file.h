@@ -13,6 +13,7 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 
 /// Adds the seams of a side file to a pattern that has none (docs/patterns.md):
 ///     confirmed = false        # proposed by us, and nobody has looked at it yet
+///     leave_out = ["POCKET"]   # pieces that are not taken
 ///     [[seam]]
 ///     first = "FRONT.e1"       # panel and edge
 ///     second = "BACK.e3"
@@ -31,8 +32,7 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
 void read_seams(const std::filesystem::path& path, PatternFile& into);
 
 /// The text of a side file with these seams, not confirmed. Each is preceded by a comment with its
-/// lengths and what it rests on.
-std::string seams_text(const pattern::Pattern& pattern,
-                       const std::vector<pattern::SeamProposal>& seams);
+/// lengths and what it rests on. Pieces that are no part of a garment that is known are left out.
+std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals);
 
 }  // namespace loosefit::io

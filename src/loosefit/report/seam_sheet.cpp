@@ -79,7 +79,8 @@ std::string seam_sheet_svg(const pattern::Pattern& pattern,
   }
   for (const std::string& doubt : proposals.known.doubts) marks.lines.push_back("doubt: " + doubt);
   if (!proposals.unsewn.empty())
-    marks.lines.push_back("sewn to nothing: " + join(proposals.unsewn));
+    marks.lines.push_back((proposals.known.kind.empty() ? "sewn to nothing: " : "left out: ") +
+                          join(proposals.unsewn));
   return io::pattern_svg(pattern, marks);
 }
 
@@ -101,8 +102,7 @@ WrittenProposals write_seam_proposals(const fs::path& pattern_file, const io::Pa
   const std::string picture = seam_sheet_svg(file.pattern, written.proposals);
   io::write_text_file(written.picture.string(), picture);
   try {
-    io::write_text_file(written.seams.string(),
-                        io::seams_text(file.pattern, written.proposals.seams));
+    io::write_text_file(written.seams.string(), io::seams_text(file.pattern, written.proposals));
   } catch (...) {
     std::error_code ignored;
     fs::remove(written.picture, ignored);
