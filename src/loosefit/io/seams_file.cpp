@@ -139,7 +139,11 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
     seams.push_back(std::move(sewing));
   }
   reader.finish();
-  pattern::sew_chains(pattern, std::move(seams), into.notches);
+  try {
+    pattern::sew_chains(pattern, std::move(seams), into.notches);
+  } catch (const GeometryError& error) {
+    throw GeometryError(error.at({file, 0, "seam " + printable(error.place().key)}));
+  }
   if (!confirmed)
     into.warnings.push_back(
         "the seams are a proposal that nobody has confirmed: look at them, correct them, then set "

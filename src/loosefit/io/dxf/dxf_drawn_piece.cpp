@@ -11,9 +11,9 @@
 namespace loosefit::io {
 namespace {
 
-constexpr std::size_t kMostLines = 2000, kMostPoints = 5000;  // of one outline
-constexpr double kSameCurve = 0.001;   // between two samplings of one curve [m]
-constexpr double kShareOfPiece = 0.5;  // a sew line encloses at least so much of the piece
+constexpr std::size_t kMostLines = 2000;  // of one outline
+constexpr double kSameCurve = 0.001;      // between two samplings of one curve [m]
+constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of the piece
 constexpr double kNarrowest = 0.002, kWidest = 0.06;  // seam allowance [m]
 constexpr double kMm = 1000;
 
@@ -96,10 +96,10 @@ Layered outline_on(const DxfBlock& block, int layer, double metre) {
   if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer)};
   std::size_t points = 0;
   for (const DrawnLine& line : lines) points += line.points.size();
-  if (lines.size() > kMostLines || points > kMostPoints)
+  if (lines.size() > kMostLines || points > kMostOutlinePoints)
     return {{},
             fmt::format("layer {} has {} lines with {} points, at most {} and {} are read", layer,
-                        lines.size(), points, kMostLines, kMostPoints)};
+                        lines.size(), points, kMostLines, kMostOutlinePoints)};
   Chained chained = chain_lines(lines, points_on(block, 2, metre));
   for (Outline& loop : chained.loops)
     if (Outline clean = cleaned(std::move(loop)); !clean.empty()) return {std::move(clean), {}};

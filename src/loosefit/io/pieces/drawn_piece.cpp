@@ -81,6 +81,16 @@ void unfold_piece(DrawnPiece& piece, PiecePanel& result) {
 
 }  // namespace
 
+void set_outline(DrawnPiece& piece, std::vector<Vec2> points, const std::vector<Vec2>& nodes) {
+  if (points.size() < 3 || points.size() > kMostOutlinePoints) {
+    piece.fault = fmt::format("its outline has {} points, 3 to {} are read", points.size(),
+                              kMostOutlinePoints);
+    return;
+  }
+  Chained chained = chain_lines({{std::move(points), true, false}}, nodes);
+  if (!chained.loops.empty()) piece.outline = cleaned(std::move(chained.loops[0]));
+}
+
 PiecePanel panel_of_piece(DrawnPiece piece) {
   PiecePanel result;
   result.notes = std::move(piece.notes);

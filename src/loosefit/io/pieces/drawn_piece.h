@@ -41,6 +41,10 @@ struct PiecePanel {
   bool unfolded = false;  ///< from a half piece
 };
 
+/// The outline of a closed line [m] whose edges begin where it turns by more than 20 degrees at a
+/// node; what is wrong with it goes to piece.fault.
+void set_outline(DrawnPiece& piece, std::vector<Vec2> points, const std::vector<Vec2>& nodes);
+
 /// Unfolds a half piece at its fold, turns its grain to y, cuts its outline into edges at the
 /// corners and puts every notch on the nearest edge within 3 cm, a wide allowance.
 PiecePanel panel_of_piece(DrawnPiece piece);

@@ -37,8 +37,6 @@ DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count)
   piece.fold = part.fold;
   piece.on_sew_line = true;
   // Halves may be drawn open at the fold, where nothing is sewn.
-  part.seam.closed = true;
-  part.seam.one_edge = false;
   std::vector<Vec2>& points = part.seam.points;
   if (points.size() > 2 && (points.front() - points.back()).norm() < kChainGap) points.pop_back();
   if (!piece.fold && !marked && (words.front || words.back) && begins_at(points, part.middle))
@@ -46,12 +44,7 @@ DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count)
   count = {};
   if (!piece.fold && (words.sleeve || words.cuff || words.leg || words.front || words.back))
     count.mirrored = 1;
-  if (points.size() < 3) {
-    piece.fault = "its path has fewer than three points";
-    return piece;
-  }
-  Chained chained = chain_lines({part.seam}, part.nodes);
-  if (!chained.loops.empty()) piece.outline = cleaned(std::move(chained.loops[0]));
+  set_outline(piece, std::move(points), part.nodes);
   return piece;
 }
 

@@ -13,8 +13,8 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kLargest = 1e7;  // coordinate that is one
-constexpr std::size_t kMostSegments = 200'000;
+constexpr double kLargest = 1e7;               // coordinate that is one
+constexpr std::size_t kMostSegments = 20'000;  // of one path
 constexpr int kMostChords = 400;
 constexpr double kArcPart = std::numbers::pi / 6;
 

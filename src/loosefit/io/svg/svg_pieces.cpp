@@ -26,7 +26,8 @@ constexpr double kWholePage = 0.95;       // of its width and height
 constexpr double kBeforeAllOthers = 1e6;  // [m²]
 constexpr const char* kOtherLines[] = {"sa", "help", "hidden", "dashed", "lashed", "dotted"};
 constexpr std::size_t kMostClosed = 1000;  // closed lines
-constexpr std::size_t kMostOpen = 2000;    // open lines of one group
+constexpr std::size_t kMostPoints = 2'000'000;
+constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
 struct Run {
   const SvgShape* shape;
@@ -94,12 +95,17 @@ bool has_class(const SvgShape& shape, const std::string& wanted) {
   return false;
 }
 
-Outline outline_of(const SampledRun& line) {
-  Chained chained = chain_lines({{line.points, true, false}}, line.nodes);
-  return chained.loops.empty() ? Outline() : cleaned(std::move(chained.loops[0]));
+/// Whether the extent of one lies in that of the other, which is quickly told.
+bool may_lie_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
+  Eigen::AlignedBox2d a, b;
+  for (const Vec2& p : inner) a.extend(p);
+  for (const Vec2& p : outer) b.extend(p);
+  return a.min().x() > b.min().x() - kChainGap && a.min().y() > b.min().y() - kChainGap &&
+         a.max().x() < b.max().x() + kChainGap && a.max().y() < b.max().y() + kChainGap;
 }
 
 bool lies_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
+  if (!may_lie_inside(inner, outer)) return false;
   return std::all_of(inner.begin(), inner.end(), [&](const Vec2& p) {
     return pattern::inside_polygon(outer, p) ||
            (pattern::closest_on_polygon(outer, p) - p).norm() < kChainGap;
@@ -119,12 +125,8 @@ class Sorter {
     std::map<int, int> pieces_of_group;
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (within_[i] < 0) ++pieces_of_group[innermost(*closed_[i].shape)];
-    int within = 0, small = 0;
+    int within = 0;
     for (std::size_t i = 0; i < closed_.size(); ++i) {
-      if (closed_[i].area < kSmallestPiece) {
-        ++small;
-        continue;
-      }
       if (within_[i] >= 0) {
         ++within;
         continue;
@@ -136,7 +138,7 @@ class Sorter {
       const Run* outline = &closed_[i];
       if (const Run* seam = sew_line(i)) outline = seam, piece.piece.on_sew_line = true, --within;
       if (words(*outline->shape).seam) piece.piece.on_sew_line = true;
-      piece.piece.outline = outline_of(outline->line);
+      set_outline(piece.piece, outline->line.points, outline->line.nodes);
       groups_.push_back(pieces_of_group[innermost(shape)] == 1 ? innermost(shape) : -1);
       outlines_.push_back(closed_[i].line.points);
       pieces.push_back(std::move(piece));
@@ -148,7 +150,7 @@ class Sorter {
       if (count > 0) unused.push_back(fmt::format("{}: {}", what, count));
     };
     tell(within, "closed lines within pieces");
-    tell(small, "closed lines of less than 4 cm2");
+    tell(small_, "closed lines of less than 4 cm2");
     tell(open, "open lines that are no grain, fold or notch");
     tell(marks, "marks that belong to no piece");
     tell(sheets_, "frames, legends and test squares");
@@ -194,9 +196,18 @@ class Sorter {
       for (const SvgRun& run : shape.runs) {
         Run one{&shape, sampled_in_metres(run, unit_), 0};
         if (one.line.points.size() < 2) continue;
+        points_ += one.line.points.size();
+        if (points_ > kMostPoints)
+          throw InvalidInput({file_, shape.line, {}},
+                             fmt::format("lines with more than {} points", kMostPoints),
+                             "a pattern");
         if (one.line.closed && one.line.points.size() > 2) {
+          // Letters drawn as paths are many and small.
           one.area = std::abs(pattern::signed_area(one.line.points));
-          closed_.push_back(std::move(one));
+          if (one.area < kSmallestPiece)
+            ++small_;
+          else
+            closed_.push_back(std::move(one));
         } else {
           open_.push_back(std::move(one));
         }
@@ -354,7 +365,8 @@ class Sorter {
   std::vector<const SvgShape*> marks_;
   std::vector<int> groups_;                  ///< per piece: the group that is its own; −1
   std::vector<std::vector<Vec2>> outlines_;  ///< per piece
-  int sheets_ = 0, chained_ = 0;
+  int sheets_ = 0, chained_ = 0, small_ = 0;
+  std::size_t points_ = 0;
 };
 
 }  // namespace
