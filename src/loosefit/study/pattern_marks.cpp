@@ -66,6 +66,7 @@ std::vector<io::PatternMark> ranking_marks(const placement::RankingTable& table)
   for (const placement::RankedSite& site : table.ranking.sites) {
     if (!site.score.rated() || !(site.score.robust > 0)) continue;
     const placement::RankedPlace& place = table.places[site.index];
+    if (place.panel.empty()) continue;
     marks.push_back(sensor_mark(site.name, place.panel, place.at, place.angle, place.shape));
   }
   return marks;
