@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kInwards = 14;  // of a number from its edge [mm]
+constexpr double kInwards = 19;  // of a number from its edge [mm]
 constexpr double kDisc = 8;      // [mm]
 
 std::string run_words(const pattern::Pattern& pattern,
