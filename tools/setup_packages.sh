@@ -8,14 +8,14 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache make python3 ca-certificates coreutils file dpkg-dev
   libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
-  libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
+  libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libexpat1-dev
   xvfb
 )
 [ "${1:-}" = body ] && packages=()
 [ -n "${1:-}" ] || packages+=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
-  python3-jsonschema
+  python3-jsonschema python3-ezdxf
 )
 [ "${1:-}" = program ] || command -v npm >/dev/null || packages+=(nodejs npm)
 

@@ -8,11 +8,13 @@
 #include <memory>
 #include <optional>
 
+#include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/types.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/report/fact_documents.h"
+#include "loosefit/report/seam_sheet.h"
 #include "loosefit/report/write_pattern.h"
 #include "loosefit/study/make_garment_pattern.h"
 #include "print_document.h"
@@ -67,7 +69,7 @@ std::vector<NumberOption> fit_options() {
 struct Wish {
   study::GarmentPatternWish pattern;
   std::string out;
-  bool list_sizes = false, json = false;
+  bool list_sizes = false, json = false, propose = false;
   std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
 };
 
@@ -169,24 +171,49 @@ void print_words(const study::GarmentPattern& made) {
   print_lines("not used:", made.unused);
 }
 
+/// Two files beside the pattern, and in words what is in them.
+void propose_seams(const Wish& wish) {
+  if (wish.pattern.file.empty() || wish.json || !wish.out.empty() || !wish.pattern.seams.empty())
+    throw InvalidInput({{}, 0, "--propose-seams"},
+                       "without --file, or beside --json, -o or --seams",
+                       "--file FILE beside it, --size and --units if need be");
+  const report::WrittenProposals written =
+      report::write_seam_proposals(wish.pattern.file, {wish.pattern.size, wish.pattern.units});
+  const pattern::SeamProposals& found = written.proposals;
+  if (!found.known.kind.empty()) fmt::print("known by its pieces: {}\n", found.known.kind);
+  int number = 0;
+  for (const pattern::SeamProposal& p : found.seams)
+    fmt::print("{:>3} {:<14} {:>8.1f} and {:>8.1f} mm  {}\n", ++number, terminal_line(p.seam.name),
+               1000 * p.first, 1000 * p.second, terminal_line(p.why));
+  for (const std::string& doubt : found.known.doubts)
+    fmt::print("doubt: {}\n", terminal_line(doubt));
+  for (const std::string& name : found.unsewn)
+    fmt::print("{}: {}\n", found.known.kind.empty() ? "sewn to nothing" : "left out",
+               terminal_line(name));
+  fmt::print("\nwrote {} and {}\nlook at them, correct the seams, then set confirmed = true\n",
+             terminal_line(written.seams.string()), terminal_line(written.picture.string()));
+}
+
 void run(Wish wish) {
   if (wish.list_sizes) {
     const kinds::GarmentKind& kind = kinds::garment_kind(wish.pattern.kind.value_or(usual_kind()));
     return wish.json ? print_document(report::sizes_document(kind)) : print_sizes(kind);
   }
+  if (wish.propose) return propose_seams(wish);
   wish.pattern.measures = given(measure_options(), wish.measures);
   wish.pattern.fit = given(fit_options(), wish.fit);
   const study::GarmentPattern made = study::make_garment_pattern(wish.pattern);
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   if (!wish.json) print_words(made);
-  if (!wish.out.empty()) report::write_pattern(wish.out, made.pattern);
+  if (!wish.out.empty()) report::write_pattern(wish.out, made.pattern, made.notches, made.marks);
   if (wish.json)
     print_document(report::pattern_document(
         made, wish.out.empty() ? report::WrittenFiles{}
-                               : report::WrittenFiles{wish.out, {"pattern.json", "pattern.svg"}}));
+                               : report::WrittenFiles{
+                                     wish.out, {"pattern.json", "pattern.svg", "pattern.dxf"}}));
   else if (!wish.out.empty())
-    fmt::print("\nwrote {}/pattern.json, pattern.svg\n", terminal_line(wish.out));
+    fmt::print("\nwrote {}/pattern.json, pattern.svg, pattern.dxf\n", terminal_line(wish.out));
 }
 
 }  // namespace
@@ -202,15 +229,18 @@ void add_pattern_command(CLI::App& app) {
       ->check(CLI::IsMember(kinds::drafted_kinds()));
   command->add_option(
       "--file", wish->pattern.file,
-      "pattern file instead of the draft: GarmentCode specification JSON, DXF-AAMA or "
-      "ASTM D6673");
+      "pattern file instead of the draft: GarmentCode specification JSON, DXF-AAMA or ASTM D6673, "
+      "SVG (FreeSewing, Inkscape, …), FreeSewing JSON, Valentina .val");
   command->add_option("--size", wish->pattern.size,
                       "garment size, e.g. child-142, women-38, men-M; with --file one of the file");
   command->add_option(
       "--seams", wish->pattern.seams,
-      "seams of a DXF file; default: NAME.seams.toml beside NAME.dxf, if there is one");
-  command->add_option("--units", wish->pattern.units,
-                      "of a DXF file: mm, cm, m or inch; default: as it says, if that can be");
+      "seams of a file that has none; default: NAME.seams.toml beside it, if there is one");
+  command->add_option(
+      "--units", wish->pattern.units,
+      "of a DXF or SVG file: mm, cm, m or inch; default: as it says, if that can be");
+  command->add_flag("--propose-seams", wish->propose,
+                    "write NAME.seams.toml beside the file, to confirm, and NAME.seams.svg");
   command->add_flag("--list-sizes", wish->list_sizes, "all sizes with their source");
   command->add_option("--body", wish->pattern.body,
                       "body.json of `loosefit body`, or JSON with measures; default: the body of a "
@@ -221,7 +251,8 @@ void add_pattern_command(CLI::App& app) {
   for (const NumberOption& option : fit_options())
     command->add_option("--" + option.name, wish->fit[option.name],
                         option.help + "; as [garment.fit] of a scenario");
-  command->add_option("-o,--output", wish->out, "folder for pattern.json and pattern.svg");
+  command->add_option("-o,--output", wish->out,
+                      "folder for pattern.json, pattern.svg and pattern.dxf");
   add_json_flag(*command, wish->json);
   command->callback([wish] { run(*wish); });
 }

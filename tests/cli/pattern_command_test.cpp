@@ -9,6 +9,7 @@
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
+#include "support/drawn_tshirt.h"
 #include "support/dxf_text.h"
 #include "support/run_program.h"
 
@@ -89,7 +90,8 @@ TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
   const ProgramRun scenario =
       pattern("--scenario " + file("case.toml", "[garment]\npattern = \"shirt.dxf\"\n"));
   EXPECT_EQ(scenario.exit_code, 2);
-  EXPECT_NE(scenario.output.find("found a DXF file"), std::string::npos) << scenario.output;
+  EXPECT_NE(scenario.output.find("shirt.dxf:4: section BLOCKS"), std::string::npos)
+      << scenario.output;
 }
 
 TEST_F(PatternCommand, ShowsADxfFileWithItsSeamsAndWhatWasNotUsed) {
@@ -103,6 +105,79 @@ TEST_F(PatternCommand, ShowsADxfFileWithItsSeamsAndWhatWasNotUsed) {
   const ProgramRun alone = pattern("--units mm");
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_NE(alone.output.find("error: --units: found mm"), std::string::npos) << alone.output;
+}
+
+TEST_F(PatternCommand, SewsAKnownGarmentUnaskedAndWritesItInEveryFormat) {
+  const std::string name = file("tee.svg", testing_support::freesewing_tshirt(true));
+  const fs::path out = base / "out";
+  const ProgramRun run = pattern("--file " + name + " -o " + out.string());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("sewn by what its pieces are, t-shirt: 8 seams"), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("cannot be worn"), std::string::npos) << run.output;
+  for (const char* written : {"pattern.json", "pattern.svg", "pattern.dxf"}) {
+    SCOPED_TRACE(written);
+    const ProgramRun again = pattern("--file " + (out / written).string());
+    EXPECT_EQ(again.exit_code, 0) << again.output;
+    EXPECT_NE(again.output.find("4 pieces, 0.6397 m2"), std::string::npos) << again.output;
+    EXPECT_NE(again.output.find("armhole_L_1"), std::string::npos) << again.output;
+  }
+  // A scenario that names the file makes the same pattern.
+  const ProgramRun scenario =
+      pattern("--scenario " + file("case.toml", "[garment]\npattern = \"tee.svg\"\n"));
+  EXPECT_EQ(scenario.exit_code, 0) << scenario.output;
+  EXPECT_NE(scenario.output.find("armhole_L_1"), std::string::npos) << scenario.output;
+}
+
+TEST_F(PatternCommand, ProposesSeamsOnceAndNeverOverwritesThem) {
+  const std::string name = file("tee.dxf", gerber_like_dxf());
+  const fs::path seams = base / "tee.seams.toml", picture = base / "tee.seams.svg";
+  const ProgramRun first = pattern("--file " + name + " --propose-seams");
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  ASSERT_TRUE(fs::exists(seams)) << first.output;
+  const std::string text = io::read_text_file(seams.string(), 1 << 20);
+  EXPECT_NE(text.find("confirmed = false"), std::string::npos);
+  EXPECT_NE(io::read_text_file(picture.string(), 1 << 24).find("class=\"seam\""),
+            std::string::npos);
+  // They are used from now on, and told to be proposals until somebody says otherwise.
+  const ProgramRun read = pattern("--file " + name);
+  EXPECT_EQ(read.exit_code, 0) << read.output;
+  EXPECT_NE(read.output.find("nobody has confirmed"), std::string::npos) << read.output;
+  for (const fs::path& there : {seams, picture}) {
+    const fs::path other = there == seams ? picture : seams;
+    fs::remove(other);
+    const ProgramRun second = pattern("--file " + name + " --propose-seams");
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_NE(second.output.find("there already"), std::string::npos) << second.output;
+    EXPECT_FALSE(fs::exists(other)) << "both or none";
+    if (there == seams) {
+      EXPECT_EQ(io::read_text_file(seams.string(), 1 << 20), text);
+    }
+    io::write_text_file(other.string(), "x");
+  }
+  const ProgramRun sewn = pattern("--propose-seams --file " +
+                                  file("p.json", io::garmentcode_text(kinds::draft_shirt({}))));
+  EXPECT_EQ(sewn.exit_code, 2);
+  EXPECT_NE(sewn.output.find("a file with seams"), std::string::npos) << sewn.output;
+  EXPECT_EQ(pattern("--propose-seams").exit_code, 2);
+}
+
+TEST_F(PatternCommand, AScenarioChoosesSizeUnitsAndSeamsOfAFile) {
+  file("tee.dxf", gerber_like_dxf());
+  file("own.toml", "[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e3\"\nname = \"mine\"\n");
+  const auto told = [&](const std::string& keys) {
+    return pattern("--scenario " + file("case.toml", "[garment]\npattern = \"tee.dxf\"\n" + keys));
+  };
+  // Half of it is not sewn to the rest, which only the reader of both can tell.
+  const ProgramRun run = told("size = \"42\"\nunits = \"mm\"\nseams = \"own.toml\"\n");
+  EXPECT_EQ(run.exit_code, 2) << run.output;
+  EXPECT_NE(run.output.find("sewn to no other one"), std::string::npos) << run.output;
+  const ProgramRun size = told("size = \"44\"\n");
+  EXPECT_EQ(size.exit_code, 2);
+  EXPECT_NE(size.output.find("a size of the file"), std::string::npos) << size.output;
+  const ProgramRun unsewn = told("");
+  EXPECT_EQ(unsewn.exit_code, 2);
+  EXPECT_NE(unsewn.output.find("it has no seams"), std::string::npos) << unsewn.output;
+  EXPECT_NE(unsewn.output.find("--propose-seams"), std::string::npos) << unsewn.output;
 }
 
 TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 #include "loosefit/drape/arrange_panels.h"
@@ -11,8 +12,10 @@
 #include "loosefit/drape/worn.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/pattern/place_pieces.h"
 #include "support/placed_top.h"
 #include "support/shirt_on_body.h"
+#include "support/unsewn_garments.h"
 
 namespace loosefit::drape {
 namespace {
@@ -107,6 +110,78 @@ TEST(CloseSeams, SewnItCutsNothingOfItselfAndFewSeamsAreOpen) {
   int inside = 0;
   for (const Vec3& p : closed.x) inside += woman().tree().signed_distance(p) < -0.003;
   EXPECT_LT(inside, sewn.vertex_count / 100);
+}
+
+/// Sewn by what its pieces are and placed by nobody: its pieces lie at the origin.
+pattern::Pattern from_nothing(pattern::Pattern pattern) {
+  std::vector<pattern::Notch> notches;
+  const pattern::KnownGarment known = pattern::know_garment(pattern);
+  EXPECT_TRUE(known.certain());
+  pattern::sew_chains(pattern, known.seams, notches);
+  pattern::place_pieces(pattern);
+  return pattern;
+}
+
+TEST(ArrangePanels, ASleeveInOnePieceIsRolledRoundTheArm) {
+  const pattern::Pattern pattern = from_nothing(testing_support::unsewn_tshirt());
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+  const double hps = woman()->landmarks.at("hps_L").z();
+  EXPECT_NEAR(height_of_top(open, panels.x, 0), hps, 0.03);
+  int left = -1;
+  for (std::size_t k = 0; k < open.garment.panel_names.size(); ++k)
+    if (open.garment.panel_names[k] == "sleeve_mirrored") left = static_cast<int>(k);
+  ASSERT_GE(left, 0);
+  EXPECT_TRUE(panels.outside[left].isZero());
+  // The cuff goes all the way round the arm: no plane through the arm has all of it on one side.
+  std::vector<Vec3> cuff;
+  for (int v = 0; v < open.garment.vertex_count; ++v) {
+    EXPECT_GT(woman().tree().signed_distance(panels.x[v]), 0) << v;
+    if (open.garment.vertex_panel[v] == left && open.garment.vertex_uv[v][1] < -0.149)
+      cuff.push_back(panels.x[v]);
+  }
+  const Vec3 &shoulder = woman()->joints.at("shoulder_L"), &elbow = woman()->joints.at("elbow_L"),
+             &wrist = woman()->joints.at("wrist_L");
+  const Vec3 mean = std::accumulate(cuff.begin(), cuff.end(), Vec3(0, 0, 0)) / double(cuff.size());
+  const Vec3 along = (wrist - elbow).normalized(), upper = (elbow - shoulder).normalized();
+  const bool below_elbow = (mean - elbow).dot(along) > 0;
+  const Vec3 axis = below_elbow ? along : upper;
+  const Vec3 on_arm = elbow + (mean - elbow).dot(axis) * axis;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 across = axis.cross(Vec3::UnitY()).normalized();
+    const Vec3 n = Eigen::AngleAxisd(i * kPi / 4, axis) * across;
+    EXPECT_TRUE(std::any_of(cuff.begin(), cuff.end(), [&](const Vec3& p) {
+      return (p - on_arm).dot(n) > 0.03;
+    })) << i;
+  }
+  const ClosedSeams closed = close_seams(sewn, open, panels.x, panels.outside, woman(), 3);
+  EXPECT_EQ(closed.cuts, 0);
+  EXPECT_LT(closed.gap, 0.03);
+}
+
+TEST(SewOn, AGarmentWithoutAnyPlacementIsWornAndSettled) {
+  for (const bool trousers : {false, true}) {
+    SCOPED_TRACE(trousers);
+    const auto& m = woman()->measured;
+    const pattern::Pattern pattern =
+        from_nothing(trousers ? testing_support::unsewn_trousers(
+                                    1.02 * m.at("waist"), 1.06 * m.at("hip"),
+                                    m.at("waist_level") - m.at("crotch_height") + 0.02,
+                                    m.at("waist_level") - 0.12)
+                              : testing_support::unsewn_tshirt(0.56 * m.at("chest")));
+    fabric::Material material;
+    material.bending_warp = material.bending_weft = 5e-6;
+    const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
+    Progress silent;
+    DrapeOptions options;
+    options.time_budget = 200;
+    const Drape d = drape_garment(
+        garment, material, [&](double) { return woman(); }, options, silent);
+    EXPECT_TRUE(d.certificate.settled());
+    const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
+    EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+  }
 }
 
 TEST(SewOn, ASleevedTopOfAFileForSomebodyElseIsWornAndSettled) {

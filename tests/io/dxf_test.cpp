@@ -38,7 +38,7 @@ Vec2 extent(const pattern::Panel& panel) {
   return high - low;
 }
 
-std::string refusal(const std::string& text, const DxfWish& wish = {}) {
+std::string refusal(const std::string& text, const PatternWish& wish = {}) {
   try {
     parse_dxf_pattern(text, "x.dxf", wish);
   } catch (const Error& error) {

@@ -23,13 +23,16 @@ second = "SLEEVE_mirrored.e3"
 reversed = true
 )";
 
-pattern::Pattern tee() { return parse_dxf_pattern(gerber_like_dxf(), "tee.dxf").pattern; }
+PatternFile tee() {
+  PatternFile file = parse_dxf_pattern(gerber_like_dxf(), "tee.dxf");
+  file.warnings.clear();
+  return file;
+}
 
 std::string refusal(const std::string& text) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
+  PatternFile file = tee();
   try {
-    parse_seams(text, "tee.seams.toml", pattern, warnings);
+    parse_seams(text, "tee.seams.toml", file);
   } catch (const InvalidInput& error) {
     return error.what();
   }
@@ -37,9 +40,9 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
-  parse_seams(kSeams, "tee.seams.toml", pattern, warnings);
+  PatternFile file = tee();
+  parse_seams(kSeams, "tee.seams.toml", file);
+  const pattern::Pattern& pattern = file.pattern;
   ASSERT_EQ(pattern.stitches.size(), 2u);
   EXPECT_EQ(pattern.stitches[0].name, "underarm");
   const pattern::Panel& sleeve = pattern.panels[pattern.stitches[0].first.panel];
@@ -57,12 +60,31 @@ TEST(SeamsFile, SeamsOfASideFileAreThoseOfThePattern) {
                 pattern::signed_area(pattern::outline_polygon(pattern.panels[p])), 1e-9);
 }
 
+TEST(SeamsFile, PiecesThatAreLeftOutAreNotTaken) {
+  PatternFile file = tee();
+  const std::size_t notches = file.notches.size();
+  parse_seams("leave_out = [\"FRONT\"]\n" + std::string(kSeams), "tee.seams.toml", file);
+  ASSERT_EQ(file.pattern.panels.size(), 2u);
+  EXPECT_EQ(file.pattern.find_panel("FRONT"), -1);
+  EXPECT_EQ(file.pattern.panel_order, (std::vector<int>{0, 1}));
+  EXPECT_EQ(file.notches.size(), notches) << "those of the sleeves";
+  for (const pattern::Notch& notch : file.notches) EXPECT_LT(notch.panel, 2);
+  EXPECT_EQ(file.pattern.stitches.size(), 2u);
+  EXPECT_NE(file.unused.back().find("FRONT: left out"), std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRNT\"]\n").find("leave_out"), std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRONT\", \"SLEEVE\", \"SLEEVE_mirrored\"]\n").find("not all"),
+            std::string::npos);
+  EXPECT_NE(refusal("leave_out = [\"FRONT\"]\n[[seam]]\nfirst = \"FRONT.e1\"\nsecond = "
+                    "\"SLEEVE.e1\"\n")
+                .find("a panel of the pattern"),
+            std::string::npos);
+}
+
 TEST(SeamsFile, SidesOfDifferentLengthsAreTold) {
-  pattern::Pattern pattern = tee();
-  std::vector<std::string> warnings;
-  parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", pattern, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("208.8 and 549.3 mm"), std::string::npos) << warnings[0];
+  PatternFile file = tee();
+  parse_seams("[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n", "s", file);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("208.8 and 549.3 mm"), std::string::npos) << file.warnings[0];
 }
 
 TEST(SeamsFile, MistakesAreToldWithTheirLine) {

@@ -133,6 +133,7 @@ TEST(RankingFiles, AreWrittenOrRefused) {
   EXPECT_EQ(read("ranking-plain.csv"), ranking_csv(table()));
   EXPECT_EQ(read("ranking-plain.json"), ranking_json(table()));
   EXPECT_EQ(read("sewing-plan-plain.svg"), sewing_plan_svg(table(), shirt));
+  EXPECT_NE(read("sewing-plan-plain.dxf").find("low, \"left\""), std::string::npos);
   std::filesystem::remove_all(folder);
   EXPECT_THROW(write_ranking(folder, table(), shirt), IoError);
 }

@@ -10,7 +10,9 @@
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/panel_roles.h"
+#include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
+#include "loosefit/drape/rolled_sleeve.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/rotation_between.h"
 
@@ -31,32 +33,7 @@ constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a t
 constexpr double kFromHands = 0.04;    ///< of a skirt that is sewn, from the hands [m]
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
-
-/// A line through joints, continued straight at both ends, by the way along it from the first.
-class Polyline {
- public:
-  explicit Polyline(std::vector<Vec3> points) : points_(std::move(points)) {}
-  struct Place {
-    Vec3 point, tangent;
-  };
-  Place at(double s) const {
-    std::size_t i = 0;
-    double length = (points_[1] - points_[0]).norm();
-    while (i + 2 < points_.size() && s > length) {
-      s -= length, ++i;
-      length = (points_[i + 1] - points_[i]).norm();
-    }
-    const Vec3 tangent = (points_[i + 1] - points_[i]) / length;
-    return {points_[i] + s * tangent, tangent};
-  }
-  /// Way along the first piece, however far, that is next to p.
-  double project_on_first(const Vec3& p) const {
-    return (p - points_[0]).dot((points_[1] - points_[0]).normalized());
-  }
-
- private:
-  std::vector<Vec3> points_;
-};
+constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
 
 class Arranger {
  public:
@@ -351,8 +328,27 @@ class Arranger {
     }
     const Vec3 mid = body_arm.at(start + (0 - begin) / 2).tangent;
     for (int k : panels) {
+      const RolledSleeve rolled(open_, placed_, k, from, axis, outside_[k]);
+      if (rolled.goes_round()) {
+        roll_round_arm(k, rolled, body_arm, start - begin);
+        outside_[k].setZero();
+        continue;
+      }
       outside_[k] = geometry::rotation_between(axis, mid) * outside_[k];
       clear_along_normal(k);
+    }
+  }
+
+  /// A sleeve in one piece goes round the arm: wider, then farther out along it, until it is clear
+  /// of the body.
+  void roll_round_arm(int panel, const RolledSleeve& sleeve, const Polyline& arm, double offset) {
+    for (int step = 0; step < kSteps; ++step) {
+      sleeve.place(arm, offset + kBeyond * (step / 5), kStep * (step % 5), x_);
+      bool clear = true;
+      for (int v = 0; v < g_.vertex_count && clear; ++v)
+        clear = g_.vertex_panel[v] != panel ||
+                body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;
+      if (clear) return;
     }
   }
 

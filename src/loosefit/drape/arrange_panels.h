@@ -9,8 +9,10 @@ namespace loosefit::drape {
 
 /// Panels round a body, before they are sewn.
 struct ArrangedPanels {
-  std::vector<Vec3> x;        ///< vertices of open.garment [m]
-  std::vector<Vec3> outside;  ///< per panel of open.garment: unit normal of its outside
+  std::vector<Vec3> x;  ///< vertices of open.garment [m]
+  /// Per panel of open.garment: unit normal of its outside; zero of one that is rolled round a
+  /// limb, whose triangles have normals of their own.
+  std::vector<Vec3> outside;
 };
 
 /// Arranges the panels of a garment round this body, whatever body and posture their placement was

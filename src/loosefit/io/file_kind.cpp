@@ -99,6 +99,7 @@ std::string kind_of_file(const std::string& bytes) {
     if (has_word(text, "\"asset\"") && has_word(text, "\"meshes\"")) return "a mesh (glTF)";
     if (has_word(text, "\"pattern\"") && has_word(text, "\"panels\"")) return {};
     if (has_word(text, "freesewing") || has_word(text, "FreeSewing") ||
+        (has_word(text, "\"paths\"") && has_word(text, "\"ops\"")) ||
         (has_word(text, "\"settings\"") &&
          (has_word(text, "\"parts\"") || has_word(text, "\"patterns\"") ||
           has_word(text, "\"design\""))))

@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;  // panels stay in the order of the file
 
 constexpr std::size_t kLargestFile = 32u << 20;  // bytes
-constexpr std::size_t kMostPanels = 500, kMostEdges = 500, kMostEdgesInAll = 5000;
+constexpr std::size_t kMostPanels = 500, kMostEdges = 5000, kMostEdgesInAll = 50'000;
 constexpr double kLargestNumber = 1e7;
 
 /// A JSON value with its path, so that every complaint can say where it stands.
@@ -269,12 +269,8 @@ void refuse_other_kinds(const std::string& text, const std::string& file) {
       {file, 0, {}}, kind, kExpected,
       kind.find("mesh") != std::string::npos
           ? "a mesh has no flat pieces; a scanned body is read by body.file"
-      : kind == "a DXF file"
-          ? "`loosefit pattern --file` reads it and writes such a file (-o DIR), in which the "
-            "places "
-            "of its panels are to be set"
-          : "patterns are read from GarmentCode JSON and DXF-AAMA; `loosefit pattern -o DIR` "
-            "writes GarmentCode JSON");
+          : "patterns are read from GarmentCode JSON, DXF-AAMA, SVG and FreeSewing JSON; "
+            "`loosefit pattern -o DIR` writes GarmentCode JSON");
 }
 
 /// Keys that are neither read nor known to mean nothing here, each once for the whole file.

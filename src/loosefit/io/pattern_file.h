@@ -7,6 +7,12 @@
 
 namespace loosefit::io {
 
+/// What is wanted of a file that holds several sizes or is unclear about its units.
+struct PatternWish {
+  std::string size;   ///< empty: the sample size, or the only one
+  std::string units;  ///< mm, cm, m or inch; empty: found (io/pieces/file_units.h)
+};
+
 /// A pattern read from a file and what had to be assumed for it.
 struct PatternFile {
   pattern::Pattern pattern;
@@ -14,7 +20,8 @@ struct PatternFile {
   std::vector<pattern::Notch> notches;  ///< that the file has; seams are proposed by them
   std::vector<std::string> about;       ///< what the file says of itself: format, units, sizes
   std::vector<std::string> unused;      ///< what stands in the file and was not used
-  bool placed = true;                   ///< the file says where its panels start
+  bool placed = true;      ///< it says where its panels start, or it was told by what they are
+  std::string not_placed;  ///< why it could not be told
 };
 
 }  // namespace loosefit::io

@@ -1,14 +1,21 @@
 #include "loosefit/io/read_pattern.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <utility>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/dxf/dxf_read.h"
 #include "loosefit/io/file_kind.h"
+#include "loosefit/io/freesewing_json.h"
 #include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/seams_file.h"
+#include "loosefit/io/svg/svg_read.h"
+#include "loosefit/io/valentina.h"
+#include "loosefit/pattern/place_pieces.h"
 
 namespace loosefit::io {
 namespace {
@@ -24,27 +31,69 @@ std::string beginning(const std::filesystem::path& path) {
   return text;
 }
 
+/// Seams of a side file, or those of a known garment.
+void sew(PatternFile& file, const std::filesystem::path& path, const std::filesystem::path& seams) {
+  std::error_code ignored;
+  const std::filesystem::path beside = seams_path(path);
+  if (!seams.empty() || std::filesystem::exists(beside, ignored)) {
+    const std::filesystem::path& from = seams.empty() ? beside : seams;
+    read_seams(from, file);
+    file.about.push_back("seams from " + from.string());
+    if (!file.pattern.stitches.empty()) return;
+  }
+  const pattern::KnownGarment known = pattern::know_garment(file.pattern);
+  if (known.certain()) {
+    const std::size_t count = known.seams.size();
+    pattern::sew_chains(file.pattern, known.seams, file.notches);
+    file.about.push_back(fmt::format(
+        "sewn by what its pieces are, {}: {} seams whose lengths agree, and no other way to sew it",
+        known.kind, count));
+    return;
+  }
+  file.not_placed = "it has no seams: none in a side file, and ";
+  file.not_placed +=
+      known.kind.empty()
+          ? std::string("its pieces are not those of a garment that is known")
+          : "as " + known.kind + " it leaves doubts (" + join(known.doubts, "; ") + ")";
+}
+
+void place(PatternFile& file) {
+  try {
+    for (const std::string& note : pattern::place_pieces(file.pattern))
+      file.warnings.push_back(note);
+    file.placed = true;
+  } catch (const GeometryError& error) {
+    file.not_placed = error.what();
+  }
+}
+
 }  // namespace
 
-PatternFile read_pattern(const std::filesystem::path& path, const DxfWish& wish,
-                         const std::filesystem::path& seams) {
-  if (kind_of_file(beginning(path)) == "a DXF file") {
-    PatternFile result = read_dxf_pattern(path, wish);
-    std::error_code ignored;
-    const std::filesystem::path beside = seams_path(path);
-    if (!seams.empty() || std::filesystem::exists(beside, ignored)) {
-      const std::filesystem::path& from = seams.empty() ? beside : seams;
-      read_seams(from, result.pattern, result.warnings);
-      result.about.push_back("seams from " + from.string());
-    }
-    return result;
-  }
-  for (const auto& [key, value] : {std::pair{"size", wish.size}, std::pair{"units", wish.units},
-                                   std::pair{"seams", seams.string()}})
+PatternFile read_unsewn(const std::filesystem::path& path, const PatternWish& wish) {
+  const std::string kind = kind_of_file(beginning(path));
+  if (kind == "a DXF file") return read_dxf_pattern(path, wish);
+  if (kind == "an SVG drawing") return read_svg_pattern(path, wish);
+  if (kind == "a FreeSewing file") return read_freesewing_json(path, wish);
+  if (kind == kValentinaKind) return read_valentina(path, wish);
+  for (const auto& [key, value] : {std::pair{"size", wish.size}, std::pair{"units", wish.units}})
     if (!value.empty())
       throw InvalidInput({path.string(), 0, key}, '"' + printable(value) + '"',
-                         "none: only DXF files have sizes and units to choose from, and no seams");
+                         "none: only files that draw pieces have sizes and units to choose from");
   return read_garmentcode(path);
+}
+
+PatternFile read_pattern(const std::filesystem::path& path, const PatternWish& wish,
+                         const std::filesystem::path& seams) {
+  PatternFile result = read_unsewn(path, wish);
+  if (result.placed) {
+    if (!seams.empty())
+      throw InvalidInput({path.string(), 0, "seams"}, '"' + printable(seams.string()) + '"',
+                         "none: the file has its seams itself");
+    return result;
+  }
+  sew(result, path, seams);
+  if (!result.pattern.stitches.empty()) place(result);
+  return result;
 }
 
 }  // namespace loosefit::io

@@ -32,7 +32,9 @@ std::map<std::string, double> read_fit(ConfigReader table, const kinds::GarmentK
 }
 
 const char* const kPatternAbout =
-    "kind of the garment, or a GarmentCode or DXF pattern file, taken at the size it has";
+    "kind of the garment, or a pattern file (GarmentCode, DXF, SVG, FreeSewing), taken at the size "
+    "it has";
+const char* const kSeamsAbout = "what is sewn to what; NAME.seams.toml beside the file otherwise";
 const char* const kPathPattern = "/|.\\.";  // as names_a_file
 
 bool names_a_file(const std::string& pattern) {
@@ -71,7 +73,15 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
     garment.file = existing_file(table, "pattern", kPatternAbout, kPathPattern);
     table.require("pattern", "a pattern file");
     garment.kind = kinds::pattern_file().name;
-    for (const char* key : {"fit", "size", "adapt"})
+    garment.size =
+        table.text("size", "", "of a file that holds several; its sample size otherwise");
+    garment.units = table.choice("units", "", {"mm", "cm", "m", "inch"},
+                                 "of a file that does not name them, or wrongly");
+    if (table.has("seams"))
+      garment.seams = existing_file(table, "seams", kSeamsAbout);
+    else
+      table.text("seams", "", kSeamsAbout);
+    for (const char* key : {"fit", "adapt"})
       if (table.has(key))
         throw table.error(key, std::string("no ") + key + " beside a pattern file",
                           "a pattern file is taken at the size it has");
@@ -109,7 +119,13 @@ std::string garment_toml(const scenario::GarmentSpec& garment, const std::string
   const bool named = garment.file.empty();
   std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
   if (section == "garment") text = "[garment]\n" + text;
-  if (!named) return text;
+  if (!named) {
+    for (const auto& [key, value] :
+         {std::pair{"size", garment.size}, std::pair{"units", garment.units},
+          std::pair{"seams", garment.seams}})
+      if (!value.empty()) text += std::string(key) + " = " + toml_quoted(value) + "\n";
+    return text;
+  }
   std::vector<std::string> adapt;
   for (const std::string& name : garment.adapt) adapt.push_back(toml_quoted(name));
   text += "adapt = [" + join(adapt) + "]\n";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -17,15 +18,15 @@ namespace {
 
 constexpr double kGathered = 0.1;  // difference of lengths that is told, of the longer side
 constexpr std::size_t kLargestFile = 1 << 20;
+constexpr std::size_t kLongestRun = 50;  // edges
 
 /// "PANEL.EDGE"; names of panels may have dots, names of edges of such files have none.
-pattern::Stitch::Side read_side(ConfigReader& seam, const std::string& key,
-                                const pattern::Pattern& pattern,
-                                std::set<std::pair<int, int>>& sewn) {
-  const std::string text = seam.text(key, "");
+pattern::Stitch::Side side_named(const ConfigReader& seam, const std::string& key,
+                                 const std::string& text, const pattern::Pattern& pattern,
+                                 std::set<std::pair<int, int>>& sewn) {
   const std::size_t dot = text.rfind('.');
   if (text.empty() || dot == std::string::npos)
-    throw seam.error(key, "a panel and an edge, \"FRONT.e1\"");
+    throw seam.error(key, "a panel and an edge, \"FRONT.e1\", or a list of such");
   pattern::Stitch::Side side;
   const std::string panel_name = text.substr(0, dot), edge_name = text.substr(dot + 1);
   std::vector<std::string> names;
@@ -45,6 +46,58 @@ pattern::Stitch::Side read_side(ConfigReader& seam, const std::string& key,
   return side;
 }
 
+/// One edge, or a run of them.
+std::vector<pattern::Stitch::Side> read_run(ConfigReader& seam, const std::string& key,
+                                            const pattern::Pattern& pattern,
+                                            std::set<std::pair<int, int>>& sewn) {
+  const ConfigNode* node = seam.node(key);
+  if (!node || node->kind != ConfigNode::Kind::array)
+    return {side_named(seam, key, seam.text(key, ""), pattern, sewn)};
+  if (node->items.empty() || node->items.size() > kLongestRun)
+    throw seam.error(key, fmt::format("1 to {} edges", kLongestRun));
+  std::vector<pattern::Stitch::Side> run;
+  for (const ConfigNode& item : node->items) {
+    if (item.kind != ConfigNode::Kind::text) throw seam.error(key, "a list of texts");
+    run.push_back(side_named(seam, key, item.text, pattern, sewn));
+  }
+  return run;
+}
+
+/// Takes these pieces away from a pattern without seams.
+void leave_out(PatternFile& file, const std::vector<std::string>& names,
+               const ConfigReader& reader) {
+  if (names.empty()) return;
+  pattern::Pattern& pattern = file.pattern;
+  if (names.size() >= pattern.panels.size())
+    throw reader.error("leave_out", "some of the pieces, not all");
+  if (!pattern.stitches.empty()) throw reader.error("leave_out", "a pattern without seams");
+  std::vector<int> now(pattern.panels.size(), -1);
+  std::vector<pattern::Panel> kept;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (std::find(names.begin(), names.end(), pattern.panels[p].name) != names.end()) {
+      file.unused.push_back("piece " + printable(pattern.panels[p].name) + ": left out as asked");
+      continue;
+    }
+    now[p] = static_cast<int>(kept.size());
+    kept.push_back(std::move(pattern.panels[p]));
+  }
+  pattern.panels = std::move(kept);
+  for (int& p : pattern.panel_order) p = now[p];
+  std::erase(pattern.panel_order, -1);
+  for (pattern::Notch& notch : file.notches) notch.panel = now[notch.panel];
+  std::erase_if(file.notches, [](const pattern::Notch& notch) { return notch.panel < 0; });
+}
+
+std::string run_text(const pattern::Pattern& pattern,
+                     const std::vector<pattern::Stitch::Side>& run) {
+  std::vector<std::string> texts;
+  for (const pattern::Stitch::Side& side : run) {
+    const pattern::Panel& panel = pattern.panels[side.panel];
+    texts.push_back(toml_quoted(panel.name + "." + panel.edges[side.edge].name));
+  }
+  return texts.size() == 1 ? texts[0] : "[" + join(texts) + "]";
+}
+
 }  // namespace
 
 std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
@@ -52,41 +105,77 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
   return path.replace_extension(".seams.toml");
 }
 
-void parse_seams(const std::string& text, const std::string& file, pattern::Pattern& pattern,
-                 std::vector<std::string>& warnings) {
+void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam"});
+  reader.only({"seam", "confirmed", "leave_out"});
+  pattern::Pattern& pattern = into.pattern;
+  const bool confirmed = reader.boolean("confirmed", true);
+  std::vector<std::string> all;
+  for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
+  leave_out(into, reader.choices("leave_out", {}, all), reader);
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
     for (const auto& side : {stitch.first, stitch.second}) sewn.insert({side.panel, side.edge});
   std::set<std::string> names;
+  std::vector<pattern::ChainSeam> seams;
   for (ConfigReader& seam : reader.tables("seam")) {
     seam.only({"first", "second", "reversed", "name"});
-    pattern::Stitch stitch;
-    stitch.first = read_side(seam, "first", pattern, sewn);
-    stitch.second = read_side(seam, "second", pattern, sewn);
-    stitch.right_wrong = seam.boolean("reversed", false);
-    stitch.name = seam.text("name", fmt::format("seam_{}", pattern.stitches.size() + 1));
-    if (!names.insert(stitch.name).second)
+    pattern::ChainSeam sewing;
+    sewing.first = read_run(seam, "first", pattern, sewn);
+    sewing.second = read_run(seam, "second", pattern, sewn);
+    sewing.reversed = seam.boolean("reversed", false);
+    sewing.name =
+        seam.text("name", fmt::format("seam_{}", pattern.stitches.size() + seams.size() + 1));
+    if (!names.insert(sewing.name).second)
       throw seam.error("name", "a name that no other seam has");
     seam.finish();
-    const auto length = [&](const pattern::Stitch::Side& side) {
-      return pattern::EdgePath(pattern.panels[side.panel], side.edge).length();
-    };
-    const double a = length(stitch.first), b = length(stitch.second);
+    const double a = pattern::chain_length(pattern, sewing.first),
+                 b = pattern::chain_length(pattern, sewing.second);
     if (std::abs(a - b) > kGathered * std::max(a, b))
-      warnings.push_back(fmt::format(
+      into.warnings.push_back(fmt::format(
           "seam {}: its sides are {:.1f} and {:.1f} mm long, the longer one is gathered",
-          printable(stitch.name), 1000 * a, 1000 * b));
-    pattern.stitches.push_back(std::move(stitch));
+          printable(sewing.name), 1000 * a, 1000 * b));
+    seams.push_back(std::move(sewing));
   }
   reader.finish();
+  try {
+    pattern::sew_chains(pattern, std::move(seams), into.notches);
+  } catch (const GeometryError& error) {
+    throw GeometryError(error.at({file, 0, "seam " + printable(error.place().key)}));
+  }
+  if (!confirmed)
+    into.warnings.push_back(
+        "the seams are a proposal that nobody has confirmed: look at them, correct them, then set "
+        "confirmed = true in " +
+        file);
 }
 
-void read_seams(const std::filesystem::path& path, pattern::Pattern& pattern,
-                std::vector<std::string>& warnings) {
-  parse_seams(read_text_file(path.string(), kLargestFile), path.string(), pattern, warnings);
+void read_seams(const std::filesystem::path& path, PatternFile& into) {
+  parse_seams(read_text_file(path.string(), kLargestFile), path.string(), into);
+}
+
+std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals) {
+  std::string text =
+      "# Proposed seams. Numbers are those of the picture beside this file. Look at each, change "
+      "or\n"
+      "# delete what is wrong, then say so:\n"
+      "confirmed = false\n";
+  if (!proposals.known.kind.empty() && !proposals.unsewn.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& name : proposals.unsewn) names.push_back(toml_quoted(name));
+    text += "leave_out = [" + join(names) + "]  # pieces that are not taken\n";
+  }
+  int number = 0;
+  for (const pattern::SeamProposal& proposal : proposals.seams) {
+    text += fmt::format("\n# {}: {:.1f} and {:.1f} mm; {}\n[[seam]]\nname = {}\n", ++number,
+                        1000 * proposal.first, 1000 * proposal.second, proposal.why,
+                        toml_quoted(proposal.seam.name));
+    text += "first = " + run_text(pattern, proposal.seam.first) + "\n";
+    text += "second = " + run_text(pattern, proposal.seam.second) + "\n";
+    if (proposal.seam.reversed) text += "reversed = true\n";
+  }
+  return text;
 }
 
 }  // namespace loosefit::io

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/pattern/pattern.h"
+#include "loosefit/io/pattern_file.h"
+#include "loosefit/pattern/propose_seams.h"
 
 namespace loosefit::io {
 
@@ -11,19 +12,27 @@ namespace loosefit::io {
 std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 
 /// Adds the seams of a side file to a pattern that has none (docs/patterns.md):
+///     confirmed = false        # proposed by us, and nobody has looked at it yet
+///     leave_out = ["POCKET"]   # pieces that are not taken
 ///     [[seam]]
 ///     first = "FRONT.e1"       # panel and edge
 ///     second = "BACK.e3"
 ///     reversed = true          # start meets start; usual is that the end meets the start
 ///     name = "side_L"
-/// A seam whose sides differ in length by more than a tenth is told in `warnings`.
-/// `file` only appears in messages.
-/// \throws InvalidInput with file, line and key: text that is no TOML, unknown keys, panels or
+///     [[seam]]
+///     first = "SLEEVE.e3"      # a run of edges, each where the one before ends
+///     second = ["BACK.e2", "FRONT.e8"]
+/// Runs are cut so that one edge is sewn to one (pattern/sew_chains.h). A seam whose sides differ
+/// in length by more than a tenth is told in the warnings, and so is what is not confirmed. `file`
+/// only appears in messages. \throws InvalidInput with file, line and key: text that is no TOML,
+/// unknown keys, panels or
 ///         edges that the pattern has not, an edge in a second seam.
-void parse_seams(const std::string& text, const std::string& file, pattern::Pattern& pattern,
-                 std::vector<std::string>& warnings);
+void parse_seams(const std::string& text, const std::string& file, PatternFile& into);
 /// \throws IoError if the file cannot be read, and as parse_seams.
-void read_seams(const std::filesystem::path& path, pattern::Pattern& pattern,
-                std::vector<std::string>& warnings);
+void read_seams(const std::filesystem::path& path, PatternFile& into);
+
+/// The text of a side file with these seams, not confirmed. Each is preceded by a comment with its
+/// lengths and what it rests on. Pieces that are no part of a garment that is known are left out.
+std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals);
 
 }  // namespace loosefit::io

@@ -14,6 +14,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/derived_metrics.h"
 #include "loosefit/report/sewing_plan.h"
+#include "loosefit/study/pattern_marks.h"
 
 namespace loosefit::report {
 namespace {
@@ -306,7 +307,7 @@ std::string ranking_json(const placement::RankingTable& table) {
 
 std::vector<std::string> ranking_files(const std::string& scorecard) {
   return {"ranking-" + scorecard + ".csv", "ranking-" + scorecard + ".json",
-          "sewing-plan-" + scorecard + ".svg"};
+          "sewing-plan-" + scorecard + ".svg", "sewing-plan-" + scorecard + ".dxf"};
 }
 
 void write_ranking(const std::filesystem::path& folder, const placement::RankingTable& table,
@@ -315,6 +316,7 @@ void write_ranking(const std::filesystem::path& folder, const placement::Ranking
   io::write_text_file((folder / files[0]).string(), ranking_csv(table));
   io::write_text_file((folder / files[1]).string(), ranking_json(table));
   io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
+  io::write_dxf(folder / files[3], pattern, {}, study::ranking_marks(table));
 }
 
 }  // namespace loosefit::report

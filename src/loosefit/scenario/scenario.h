@@ -35,7 +35,11 @@ struct ScenarioBody {
 struct GarmentSpec {
   std::string kind = "long-sleeve-shirt";  ///< GarmentKind::name (kinds/registry.h)
   std::string file;                        ///< pattern file instead of a draft; absolute
-  std::string size;  ///< fixed garment size instead of a fit to this body; empty = fit
+  /// Fixed garment size instead of a fit to this body, empty = fit; of a pattern file one of those
+  /// that it holds, empty = as it says.
+  std::string size;
+  std::string units;  ///< of a pattern file: mm, cm, m or inch; empty = as it says
+  std::string seams;  ///< side file with the seams of a pattern file, absolute; empty = beside it
   /// By KindKey::name; a missing one has the usual value of the kind.
   std::map<std::string, double> fit;
   /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
@@ -83,7 +87,8 @@ struct ScenarioRanking {
 };
 
 /// Names of movements, in the order in which they are offered (study/wearer_movements.h).
-inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull", "fidget"};
+inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull",
+                                                              "fidget"};
 
 /// [donning]: how the wearer settles the garment once it is on, and putting it on again and again,
 /// never quite alike.

@@ -5,7 +5,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/garmentcode_read.h"
+#include "loosefit/io/read_pattern.h"
 #include "loosefit/kinds/body_measures.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/study/carry_with_scan.h"
@@ -78,7 +78,12 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   CasePattern result;
   kinds::NamedValues fit;
   if (!wished.file.empty()) {
-    io::PatternFile file = io::read_garmentcode(wished.file);
+    io::PatternFile file = io::read_pattern(wished.file, {wished.size, wished.units}, wished.seams);
+    if (!file.placed)
+      throw GeometryError({wished.file, 0, "pieces"}, file.not_placed,
+                          "pieces that are sewn together and can be placed round a body",
+                          "`loosefit pattern --file " + printable(wished.file, 200) +
+                              " --propose-seams` proposes seams to confirm");
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
     carry_with_scan(result.pattern, body, result.warnings);

@@ -14,6 +14,7 @@
 #include "loosefit/kinds/registry.h"
 #include "loosefit/study/case_body.h"
 #include "loosefit/study/case_pattern.h"
+#include "loosefit/study/pattern_marks.h"
 
 namespace loosefit::study {
 namespace {
@@ -40,6 +41,7 @@ GarmentPattern of_scenario(const std::string& file) {
     made.pattern = std::move(result.pattern);
     made.levels = std::move(result.levels);
     made.warnings = std::move(result.warnings);
+    made.marks = scenario_marks(scenario);
     return made;
   } catch (const InvalidInput& error) {
     throw io::in_scenario(error, scenario);
@@ -81,6 +83,10 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
     made.warnings = std::move(file.warnings);
     made.about = std::move(file.about);
     made.unused = std::move(file.unused);
+    made.notches = std::move(file.notches);
+    if (!file.placed)
+      made.warnings.push_back("it cannot be worn yet: " + file.not_placed +
+                              "; --propose-seams proposes seams to confirm");
     kind_name = made.pattern.kind;
   }
   const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);

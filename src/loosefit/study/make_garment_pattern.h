@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/io/dxf/dxf_write.h"
 #include "loosefit/kinds/kind.h"
 #include "loosefit/pattern/pattern.h"
 
@@ -35,8 +36,10 @@ struct GarmentPattern {
   std::vector<kinds::FitLevel> levels;  ///< of fit, in the order of the kind
   std::string details;                  ///< of the draft; empty without one
   std::vector<std::string> warnings;
-  std::vector<std::string> about;   ///< what a pattern file says of itself
-  std::vector<std::string> unused;  ///< what of a pattern file was not used
+  std::vector<std::string> about;       ///< what a pattern file says of itself
+  std::vector<std::string> unused;      ///< what of a pattern file was not used
+  std::vector<pattern::Notch> notches;  ///< of a pattern file
+  std::vector<io::PatternMark> marks;   ///< what a scenario fixes to it
 };
 
 /// Drafts a garment, or reads it from a pattern file or as a scenario has it. Without `body` and

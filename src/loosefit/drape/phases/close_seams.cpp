@@ -118,7 +118,10 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   particles::VectorField forces(x.size(), Vec3::Zero());
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     area.push_back(geometry::flat_area(g.triangle_uv[t]));
-    for (int v : g.triangles[t]) forces[v] += pull * area[t] / 3 * outside[g.triangle_panel[t]];
+    const auto& [a, b, c] = g.triangles[t];
+    Vec3 normal = outside[g.triangle_panel[t]];
+    if (normal.isZero()) normal = (x[b] - x[a]).cross(x[c] - x[a]).normalized();
+    for (int v : g.triangles[t]) forces[v] += pull * area[t] / 3 * normal;
   }
   particles::DeadLoad outwards;
   outwards.set_forces(forces);

@@ -21,7 +21,7 @@ struct ClosedSeams {
 /// cloth out, and every panel is drawn along `outside`, its own outside normal, so that the tubes
 /// that it is sewn into stand open. Panels pass through each other on the way, which ends with all
 /// of them drawn apart; what cuts even then is smoothed. pull: along `outside` [Pa]. \pre one
-/// normal per panel of open.garment
+/// normal per panel of open.garment; zero: each triangle's own
 ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& open,
                         std::vector<Vec3> x, const std::vector<Vec3>& outside,
                         const body::PosedBody& body, double pull);

@@ -3,13 +3,9 @@
 #include <vector>
 
 #include "loosefit/io/dxf/dxf_document.h"
+#include "loosefit/io/pieces/drawn_piece.h"
 
 namespace loosefit::io {
-
-/// How often a piece is cut.
-struct PieceCount {
-  int as_drawn = 1, mirrored = 0;
-};
 
 /// A block that has an outline, with what its texts say.
 struct DxfPiece {

@@ -9,19 +9,17 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/dxf/dxf_document.h"
-#include "loosefit/io/dxf/dxf_panel.h"
+#include "loosefit/io/dxf/dxf_drawn_piece.h"
 #include "loosefit/io/dxf/dxf_pieces.h"
-#include "loosefit/io/dxf/dxf_units.h"
-#include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/io/pieces/file_units.h"
+#include "loosefit/io/pieces/piece_collector.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/outline.h"
 
 namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
-constexpr std::size_t kMostPieces = 200, kMostPoints = 50'000;
-constexpr double kGap = 0.05;  // between pieces laid side by side [m]
+constexpr std::size_t kMostPieces = 200;
 
 std::string quoted(const std::string& s) { return '"' + printable(s) + '"'; }
 
@@ -55,6 +53,8 @@ const char* layer_meaning(int layer) {
       return "sew line";
     case 15:
       return "annotation";
+    case 20:
+      return "sensor places and cable paths of Loosefit";
     case 80:
     case 81:
     case 82:
@@ -157,96 +157,19 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, const DxfDocument& 
   if (loose > 0) unused.push_back(fmt::format("lines outside of blocks: {}", loose));
 }
 
-class PatternMaker {
- public:
-  PatternMaker(PatternFile& result, double metre) : result_(result), metre_(metre) {}
-
-  void add(const DxfPiece& piece) {
-    const std::string called = "piece " + printable(piece.name);
-    PieceCount count;
-    if (!piece.quantity.empty() && !parse_quantity(piece.quantity, count))
-      warn(called + ": its quantity " + quoted(piece.quantity) + " is no number; taken as 1");
-    if (count.as_drawn + count.mirrored == 0) {
-      result_.unused.push_back(called + ": its quantity is 0, it is optional");
-      return;
-    }
-    DxfPanel made = make_panel(piece, metre_);
-    if (!made.fault.empty()) {
-      warn(fmt::format("{} (block at line {}): left out, {}", called, piece.block->line,
-                       printable(made.fault, 300)));
-      return;
-    }
-    for (const std::string& note : made.notes) warn(called + ": " + note);
-    (made.on_sew_line ? on_sew_line_ : on_cut_line_) += 1;
-    unfolded_ += made.unfolded;
-    if (count.as_drawn > 1 || count.mirrored > 1)
-      warn(called + ": its quantity is " + printable(piece.quantity) +
-           "; one of each hand is taken, further ones are not");
-    for (const pattern::PanelEdge& edge : made.panel.edges) points_ += edge.curves.size();
-    if (points_ > kMostPoints)
-      throw InvalidInput(called, fmt::format("at most {} points in all pieces", kMostPoints));
-    if (count.as_drawn > 0) place(made);
-    if (count.mirrored > 0) {
-      DxfPanel twin = mirrored_piece(made);
-      if (count.as_drawn > 0) twin.panel.name += "_mirrored", ++twins_;
-      place(std::move(twin));
-    }
-  }
-
-  void finish(const std::string& file) {
-    if (result_.pattern.panels.empty())
-      throw GeometryError(
-          {file, 0, "pieces"},
-          result_.warnings.empty() ? "no piece that is cut at all" : result_.warnings.back(),
-          "at least one sound piece");
-    if (unfolded_ > 0)
-      result_.about.push_back(
-          fmt::format("{} half pieces unfolded at their mirror line", unfolded_));
-    if (twins_ > 0)
-      result_.about.push_back(
-          fmt::format("{} pieces cut twice: once as drawn, once mirrored", twins_));
-    if (on_sew_line_ > 0)
-      result_.about.push_back(fmt::format("{} pieces along their sew line", on_sew_line_));
-    if (on_cut_line_ > 0)
-      warn(
-          fmt::format("{} pieces have no sew line (layer 14): taken as they are cut; where that "
-                      "includes seam allowances, the garment is that much too wide",
-                      on_cut_line_));
-  }
-
- private:
-  void warn(const std::string& warning) { result_.warnings.push_back(warning); }
-
-  void place(DxfPanel piece) {
-    pattern::Panel& panel = piece.panel;
-    const std::string name = panel.name;
-    for (int k = 2; result_.pattern.find_panel(panel.name) >= 0; ++k)
-      panel.name = fmt::format("{}_{}", name, k);
-    Vec2 low = Vec2::Constant(1e9), high = -low;
-    for (const Vec2& p : pattern::outline_polygon(panel))
-      low = low.cwiseMin(p), high = high.cwiseMax(p);
-    panel.translation = frame_from_y_up() * Vec3(right_ - low.x(), 0, 0);
-    panel.rotation = frame_from_y_up();
-    right_ += high.x() - low.x() + kGap;
-    const int index = static_cast<int>(result_.pattern.panels.size());
-    for (pattern::Notch& notch : piece.notches) {
-      notch.panel = index;
-      result_.notches.push_back(notch);
-    }
-    result_.pattern.panel_order.push_back(index);
-    result_.pattern.panels.push_back(std::move(panel));
-  }
-
-  PatternFile& result_;
-  double metre_, right_ = 0;
-  int on_sew_line_ = 0, on_cut_line_ = 0, unfolded_ = 0, twins_ = 0;
-  std::size_t points_ = 0;
-};
+/// How often a piece is cut, by its quantity.
+PieceCount count_of(const DxfPiece& piece, std::vector<std::string>& warnings) {
+  PieceCount count;
+  if (!piece.quantity.empty() && !parse_quantity(piece.quantity, count))
+    warnings.push_back("piece " + printable(piece.name) + ": its quantity " +
+                       quoted(piece.quantity) + " is no number; taken as 1");
+  return count;
+}
 
 }  // namespace
 
 PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
-                              const DxfWish& wish) {
+                              const PatternWish& wish) {
   if (text.starts_with("AutoCAD Binary DXF"))
     throw InvalidInput({file, 0, {}}, "a binary DXF file", "a DXF file in text form",
                        "export it as ASCII DXF");
@@ -265,7 +188,7 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   if (pieces.size() > kMostPieces)
     throw InvalidInput({file, 0, "BLOCKS"}, fmt::format("{} pieces of one size", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
-  const DxfUnits units =
+  const FileUnits units =
       choose_units(wish.units, style.units, document.insunits, longest_side(pieces), file);
   result.about.push_back("DXF-AAMA or ASTM D6673, in " + units.name);
   if (!units.warning.empty()) result.warnings.push_back(units.warning);
@@ -273,9 +196,11 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
     result.about.push_back(fmt::format("size {} of {}{}", printable(size),
                                        printable(join(style.sizes), 300),
                                        size == style.sample_size ? ", the sample size" : ""));
-  PatternMaker maker(result, units.metre);
-  for (const DxfPiece* piece : pieces) maker.add(*piece);
-  maker.finish(file);
+  PieceCollector collector(result);
+  for (const DxfPiece* piece : pieces)
+    collector.add(drawn_piece(*piece, units.metre), count_of(*piece, result.warnings),
+                  fmt::format("block at line {}", piece->block->line));
+  collector.finish(file, "sew line (layer 14)");
   list_unused(pieces, document, true, result.unused);
   if (pieces.size() < style.pieces.size())
     result.unused.push_back(
@@ -283,7 +208,7 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   return result;
 }
 
-PatternFile read_dxf_pattern(const std::filesystem::path& path, const DxfWish& wish) {
+PatternFile read_dxf_pattern(const std::filesystem::path& path, const PatternWish& wish) {
   PatternFile result =
       parse_dxf_pattern(read_text_file(path.string(), kLargestFile), path.string(), wish);
   result.pattern.name = path.stem().string();

@@ -6,12 +6,6 @@
 
 namespace loosefit::io {
 
-/// What is wanted of a file that holds several sizes or is unclear about its units.
-struct DxfWish {
-  std::string size;   ///< empty: the sample size, or the only one
-  std::string units;  ///< mm, cm, m or inch; empty: as choose_units finds them
-};
-
 /// Reads a sewing pattern of DXF-AAMA or ASTM D6673 (docs/patterns.md): blocks are pieces, one in
 /// every size. Panels have their grain along y, notches, and edges e1, e2, … counted
 /// counter-clockwise from where the outline of the file begins; no seams, since such files never
@@ -20,8 +14,8 @@ struct DxfWish {
 /// naming line, block or what else was found: no DXF, no
 ///         piece, no size that was asked for, units that cannot be told, nothing sound.
 PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
-                              const DxfWish& wish = {});
+                              const PatternWish& wish = {});
 /// \throws IoError if the file cannot be read, and as parse_dxf_pattern.
-PatternFile read_dxf_pattern(const std::filesystem::path& path, const DxfWish& wish = {});
+PatternFile read_dxf_pattern(const std::filesystem::path& path, const PatternWish& wish = {});
 
 }  // namespace loosefit::io

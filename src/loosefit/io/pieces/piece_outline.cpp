@@ -1,4 +1,4 @@
-#include "loosefit/io/dxf/piece_outline.h"
+#include "loosefit/io/pieces/piece_outline.h"
 
 #include <algorithm>
 #include <cmath>

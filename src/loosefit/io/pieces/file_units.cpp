@@ -1,4 +1,4 @@
-#include "loosefit/io/dxf/dxf_units.h"
+#include "loosefit/io/pieces/file_units.h"
 
 #include <fmt/format.h>
 
@@ -55,14 +55,14 @@ const Unit* claimed_unit(std::string claimed, std::optional<int> insunits) {
 
 }  // namespace
 
-const char* const kDxfUnitNames = "mm, cm, m or inch";
+const char* const kUnitNames = "mm, cm, m or inch";
 
-DxfUnits choose_units(const std::string& asked, const std::string& claimed,
-                      std::optional<int> insunits, double extent, const std::string& file) {
+FileUnits choose_units(const std::string& asked, const std::string& claimed,
+                       std::optional<int> insunits, double extent, const std::string& file) {
   if (!asked.empty()) {
     for (const Unit& unit : kUnits)
       if (asked == unit.name) return {unit.metre, unit.title, {}};
-    throw InvalidInput({{}, 0, "units"}, '"' + printable(asked) + '"', kDxfUnitNames);
+    throw InvalidInput({{}, 0, "units"}, '"' + printable(asked) + '"', kUnitNames);
   }
   const Unit* said = claimed_unit(claimed, insunits);
   if (said && plausible(*said, extent)) return {said->metre, said->title, {}};
@@ -82,7 +82,7 @@ DxfUnits choose_units(const std::string& asked, const std::string& claimed,
         {file, 0, "units"},
         fmt::format("a largest piece of {:.6g} file units, {}", extent, sizes_in_all(extent)),
         fmt::format("{:g} to {:g} m in one of them", kShortest, kLongest),
-        words + "; name the unit: --units " + kDxfUnitNames);
+        words + "; name the unit: --units " + kUnitNames);
   const Unit& unit = *fitting[0];
   return {unit.metre, unit.title,
           fmt::format("units: {}{}; taken as {}, in which it is {:.3g} m (--units says otherwise)",

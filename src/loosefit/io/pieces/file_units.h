@@ -5,14 +5,14 @@
 namespace loosefit::io {
 
 /// The length of one file unit and how it was found.
-struct DxfUnits {
+struct FileUnits {
   double metre = 0.001;  ///< [m]
   std::string name;      ///< "millimetres", …
   std::string warning;   ///< empty when the file says so itself and its pieces agree
 };
 
 /// Names of units that may be asked for: mm, cm, m, inch.
-extern const char* const kDxfUnitNames;
+extern const char* const kUnitNames;
 
 /// What pattern files say about their units is often wrong (centimetres under METRIC, which means
 /// millimetres; centimetres under ENGLISH, which means inches), so it is checked: the longest side
@@ -22,7 +22,7 @@ extern const char* const kDxfUnitNames;
 /// ENGLISH in any case; may be empty \param insunits $INSUNITS of the header, used without
 /// `claimed` \param extent  longest side of the largest piece [file units] \throws InvalidInput
 /// where no unit or several would do, with the sizes they would give.
-DxfUnits choose_units(const std::string& asked, const std::string& claimed,
-                      std::optional<int> insunits, double extent, const std::string& file);
+FileUnits choose_units(const std::string& asked, const std::string& claimed,
+                       std::optional<int> insunits, double extent, const std::string& file);
 
 }  // namespace loosefit::io

@@ -1,23 +1,19 @@
-#include "loosefit/io/dxf/dxf_panel.h"
+#include "loosefit/io/dxf/dxf_drawn_piece.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "loosefit/base/error.h"
-#include "loosefit/io/dxf/piece_outline.h"
-#include "loosefit/pattern/curve.h"
+#include "loosefit/io/pieces/piece_outline.h"
 #include "loosefit/pattern/outline.h"
-#include "loosefit/pattern/pattern_check.h"
 
 namespace loosefit::io {
 namespace {
 
-constexpr std::size_t kMostLines = 2000, kMostPoints = 5000;  // of one outline
-constexpr double kNotchReach = 0.03;   // from a notch to the outline: a wide allowance [m]
-constexpr double kSameCurve = 0.001;   // between two samplings of one curve [m]
-constexpr double kShareOfPiece = 0.5;  // a sew line encloses at least so much of the piece
+constexpr std::size_t kMostLines = 2000;  // of one outline
+constexpr double kSameCurve = 0.001;      // between two samplings of one curve [m]
+constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of the piece
 constexpr double kNarrowest = 0.002, kWidest = 0.06;  // seam allowance [m]
 constexpr double kMm = 1000;
 
@@ -100,10 +96,10 @@ Layered outline_on(const DxfBlock& block, int layer, double metre) {
   if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer)};
   std::size_t points = 0;
   for (const DrawnLine& line : lines) points += line.points.size();
-  if (lines.size() > kMostLines || points > kMostPoints)
+  if (lines.size() > kMostLines || points > kMostOutlinePoints)
     return {{},
             fmt::format("layer {} has {} lines with {} points, at most {} and {} are read", layer,
-                        lines.size(), points, kMostLines, kMostPoints)};
+                        lines.size(), points, kMostLines, kMostOutlinePoints)};
   Chained chained = chain_lines(lines, points_on(block, 2, metre));
   for (Outline& loop : chained.loops)
     if (Outline clean = cleaned(std::move(loop)); !clean.empty()) return {std::move(clean), {}};
@@ -115,7 +111,7 @@ Layered outline_on(const DxfBlock& block, int layer, double metre) {
                   chained.gap_at.y() / metre, kMm * kChainGap)};
 }
 
-Layered best_outline(const DxfBlock& block, double metre, DxfPanel& result) {
+Layered best_outline(const DxfBlock& block, double metre, DrawnPiece& result) {
   Layered cut = outline_on(block, 1, metre);
   Layered fine = outline_on(block, 84, metre);
   if (!fine.outline.empty() && (cut.outline.empty() || finer_copy(fine.outline, cut.outline)))
@@ -144,7 +140,6 @@ Layered best_outline(const DxfBlock& block, double metre, DxfPanel& result) {
   return cut;
 }
 
-/// Notches of the file, and their mirror images in an unfolded piece.
 std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   std::vector<Vec2> points;
   for (const DxfEntity& e : block.entities)
@@ -154,143 +149,31 @@ std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   return points;
 }
 
-/// First line on a layer that has two ends apart; false without one.
-bool first_axis(const DxfBlock& block, int layer, double metre, Vec2& a, Vec2& b) {
+/// First line on a layer that has two ends apart.
+std::optional<Axis> first_axis(const DxfBlock& block, int layer, double metre) {
   for (const DxfEntity& e : block.entities)
     if (e.layer == layer && e.points.size() > 1) {
-      a = metre * e.points.front();
-      b = metre * e.points.back();
-      if ((b - a).norm() > kSamePoint) return true;
+      const Axis axis(metre * e.points.front(), metre * e.points.back());
+      if ((axis.second - axis.first).norm() > kSamePoint) return axis;
     }
-  return false;
-}
-
-pattern::Panel panel_of(const Outline& loop) {
-  pattern::Panel panel;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    if (loop[i].corner) {
-      pattern::PanelEdge edge;
-      edge.start = static_cast<int>(panel.vertices.size());
-      edge.end = edge.start + 1;
-      edge.name = fmt::format("e{}", panel.edges.size() + 1);
-      panel.vertices.push_back(loop[i].at);
-      panel.edges.push_back(edge);
-    } else {
-      panel.edges.back().knots.push_back(loop[i].at);
-      panel.edges.back().curves.push_back({});
-    }
-  }
-  panel.edges.back().end = 0;
-  return panel;
-}
-
-/// Where on the outline a notch belongs, if it is near enough.
-bool place_notch(const pattern::Panel& panel, const Vec2& p, pattern::Notch& notch) {
-  double best = kNotchReach;
-  bool found = false;
-  for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-    const pattern::PanelEdge& edge = panel.edges[e];
-    std::vector<Vec2> points{panel.vertices[edge.start]};
-    points.insert(points.end(), edge.knots.begin(), edge.knots.end());
-    points.push_back(panel.vertices[edge.end]);
-    double length = 0, at = 0;
-    bool here = false;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const Vec2 side = points[i + 1] - points[i];
-      const double t =
-          std::clamp(side.dot(p - points[i]) / std::max(side.squaredNorm(), 1e-20), 0.0, 1.0);
-      const double d = (points[i] + t * side - p).norm();
-      if (d < best) best = d, here = true, at = length + t * side.norm();
-      length += side.norm();
-    }
-    if (here) notch = {0, static_cast<int>(e), at / length}, found = true;
-  }
-  return found;
+  return {};
 }
 
 }  // namespace
 
-DxfPanel make_panel(const DxfPiece& piece, double metre) {
-  DxfPanel result;
+DrawnPiece drawn_piece(const DxfPiece& piece, double metre) {
+  DrawnPiece result;
   const DxfBlock& block = *piece.block;
+  result.name = piece.name;
   Layered best = best_outline(block, metre, result);
-  if (best.outline.empty()) {
-    result.fault = best.fault;
-    return result;
-  }
-  Outline loop = std::move(best.outline);
-  std::vector<Vec2> notches = notch_points(block, metre);
-  Vec2 a, b;
-  if (first_axis(block, 6, metre, a, b)) {
-    switch (unfold(loop, a, b)) {
-      case Fold::unfolded: {
-        loop = cleaned(std::move(loop));
-        result.unfolded = true;
-        const Vec2 along = (b - a).normalized(), across(-along.y(), along.x());
-        for (std::size_t i = 0, n = notches.size(); i < n; ++i)
-          if (const double d = across.dot(notches[i] - a); std::abs(d) > kOnAxis)
-            notches.push_back(notches[i] - 2 * d * across);
-        break;
-      }
-      case Fold::whole:
-        result.notes.push_back("its mirror line (layer 6) runs through it: taken as a whole piece");
-        break;
-      case Fold::beside:
-        result.notes.push_back(
-            "no part of its outline lies on its mirror line (layer 6): not unfolded");
-        break;
-    }
-  }
-  if (loop.empty()) {
-    result.fault = "its outline encloses nothing";
-    return result;
-  }
-  // Warp along y.
-  double turn = 0;
-  if (Vec2 from, to; first_axis(block, 7, metre, from, to))
-    turn = kPi / 2 - std::atan2((to - from).y(), (to - from).x());
-  else
+  result.outline = std::move(best.outline);
+  result.fault = std::move(best.fault);
+  result.notches = notch_points(block, metre);
+  result.fold = first_axis(block, 6, metre);
+  result.grain = first_axis(block, 7, metre);
+  if (!result.grain)
     result.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
-  const Eigen::Rotation2Dd rotation(turn);
-  Vec2 low = Vec2::Constant(1e9), high = -low;
-  for (OutlinePoint& p : loop) {
-    p.at = rotation * p.at;
-    low = low.cwiseMin(p.at);
-    high = high.cwiseMax(p.at);
-  }
-  const Vec2 origin((low.x() + high.x()) / 2, low.y());
-  for (OutlinePoint& p : loop) p.at -= origin;
-  result.panel = panel_of(loop);
-  result.panel.name = piece.name;
-  for (const Vec2& p : notches)
-    if (pattern::Notch notch; place_notch(result.panel, rotation * p - origin, notch))
-      result.notches.push_back(notch);
-  try {
-    pattern::Pattern alone;
-    alone.panels = {result.panel};
-    pattern::check_pattern(alone);
-  } catch (const GeometryError& error) {
-    result.fault = error.what();
-  }
   return result;
-}
-
-DxfPanel mirrored_piece(const DxfPanel& piece) {
-  DxfPanel mirrored = piece;
-  for (Vec2& v : mirrored.panel.vertices) v.x() = -v.x();
-  std::vector<pattern::PanelEdge>& edges = mirrored.panel.edges;
-  std::reverse(edges.begin(), edges.end());
-  for (pattern::PanelEdge& edge : edges) {
-    std::swap(edge.start, edge.end);
-    std::reverse(edge.knots.begin(), edge.knots.end());
-    for (Vec2& k : edge.knots) k.x() = -k.x();
-    std::reverse(edge.curves.begin(), edge.curves.end());
-    for (pattern::EdgeCurve& curve : edge.curves)
-      curve = pattern::mirrored_curve(pattern::reversed_curve(curve));
-  }
-  const int last = static_cast<int>(edges.size()) - 1;
-  for (pattern::Notch& notch : mirrored.notches) notch = {0, last - notch.edge, 1 - notch.along};
-  return mirrored;
 }
 
 }  // namespace loosefit::io

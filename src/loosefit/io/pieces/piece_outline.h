@@ -24,6 +24,9 @@ using Outline = std::vector<OutlinePoint>;
 /// Lengths below which things are the same [m]. DXF pattern files round to 0.01 mm or 0.0001 in.
 inline constexpr double kSamePoint = 1e-5, kChainGap = 1e-4, kOnAxis = 5e-4;
 
+/// Points of one outline; more make checks of it slow.
+inline constexpr std::size_t kMostOutlinePoints = 5000;
+
 /// What lines make together.
 struct Chained {
   std::vector<Outline> loops;  ///< the largest by area first

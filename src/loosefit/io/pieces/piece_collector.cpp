@@ -1,0 +1,86 @@
+#include "loosefit/io/pieces/piece_collector.h"
+
+#include <fmt/format.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/garmentcode_frame.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit::io {
+namespace {
+
+constexpr std::size_t kMostPoints = 50'000;
+constexpr double kGap = 0.05;  // between pieces laid side by side [m]
+
+}  // namespace
+
+void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::string& place) {
+  const std::string called = "piece " + printable(drawn.name);
+  if (count.as_drawn + count.mirrored == 0) {
+    result_.unused.push_back(called + ": its quantity is 0, it is optional");
+    return;
+  }
+  PiecePanel made = panel_of_piece(std::move(drawn));
+  if (!made.fault.empty()) {
+    warn(fmt::format("{} ({}): left out, {}", called, place, printable(made.fault, 300)));
+    return;
+  }
+  for (const std::string& note : made.notes) warn(called + ": " + note);
+  (made.on_sew_line ? on_sew_line_ : on_cut_line_) += 1;
+  unfolded_ += made.unfolded;
+  if (count.as_drawn > 1 || count.mirrored > 1)
+    warn(fmt::format("{}: it is cut {} times; one of each hand is taken, further ones are not",
+                     called, count.as_drawn + count.mirrored));
+  for (const pattern::PanelEdge& edge : made.panel.edges) points_ += edge.curves.size();
+  if (points_ > kMostPoints)
+    throw InvalidInput(called, fmt::format("at most {} points in all pieces", kMostPoints));
+  if (count.as_drawn > 0) lay_beside(made);
+  if (count.mirrored > 0) {
+    PiecePanel twin = mirrored_piece(made);
+    if (count.as_drawn > 0) twin.panel.name += "_mirrored", ++twins_;
+    lay_beside(std::move(twin));
+  }
+}
+
+void PieceCollector::finish(const std::string& file, const std::string& sew_line) {
+  if (result_.pattern.panels.empty())
+    throw GeometryError(
+        {file, 0, "pieces"},
+        result_.warnings.empty() ? "no piece that is cut at all" : result_.warnings.back(),
+        "at least one sound piece");
+  if (unfolded_ > 0)
+    result_.about.push_back(fmt::format("{} half pieces unfolded at their mirror line", unfolded_));
+  if (twins_ > 0)
+    result_.about.push_back(
+        fmt::format("{} pieces cut twice: once as drawn, once mirrored", twins_));
+  if (on_sew_line_ > 0)
+    result_.about.push_back(fmt::format("{} pieces along their sew line", on_sew_line_));
+  if (on_cut_line_ > 0)
+    warn(
+        fmt::format("{} pieces have no {}: taken as they are cut; where that includes seam "
+                    "allowances, the garment is that much too wide",
+                    on_cut_line_, sew_line));
+}
+
+void PieceCollector::lay_beside(PiecePanel piece) {
+  pattern::Panel& panel = piece.panel;
+  const std::string name = panel.name;
+  for (int k = 2; result_.pattern.find_panel(panel.name) >= 0; ++k)
+    panel.name = fmt::format("{}_{}", name, k);
+  Vec2 low = Vec2::Constant(1e9), high = -low;
+  for (const Vec2& p : pattern::outline_polygon(panel))
+    low = low.cwiseMin(p), high = high.cwiseMax(p);
+  panel.translation = frame_from_y_up() * Vec3(right_ - low.x(), 0, 0);
+  panel.rotation = frame_from_y_up();
+  right_ += high.x() - low.x() + kGap;
+  const int index = static_cast<int>(result_.pattern.panels.size());
+  for (pattern::Notch& notch : piece.notches) {
+    notch.panel = index;
+    result_.notches.push_back(notch);
+  }
+  result_.pattern.panel_order.push_back(index);
+  result_.pattern.panels.push_back(std::move(panel));
+}
+
+}  // namespace loosefit::io

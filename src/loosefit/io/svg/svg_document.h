@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/io/svg/svg_path.h"
+
+namespace loosefit::io {
+
+/// A thing that is drawn, in the units of the drawing with all transforms applied, y down.
+struct SvgShape {
+  std::string kind;         ///< element: "path", "rect", …
+  std::string id;           ///< may be empty
+  std::string label;        ///< inkscape:label; may be empty
+  std::string classes;      ///< as the file has them
+  std::string marker;       ///< marker-start, else marker-end
+  std::vector<int> groups;  ///< indices into SvgDocument::groups round it, the outermost first
+  int line = 0;             ///< of the file
+  std::vector<SvgRun> runs;
+};
+
+struct SvgGroup {
+  std::string id, label;
+  bool layer = false;  ///< a layer of Inkscape
+  SvgAffine place;     ///< of what is in it
+};
+
+/// What an SVG file draws.
+struct SvgDocument {
+  std::vector<SvgShape> shapes;
+  std::vector<SvgGroup> groups;
+  std::optional<double> unit_mm;  ///< length of a unit of the drawing, where the file names it
+  double pixel_mm = 25.4 / 96;    ///< the same, if its pixels are 1/96 inch
+  bool freesewing = false;        ///< FreeSewing wrote it
+  bool points = false;            ///< Adobe Illustrator wrote it, whose unit is 1/72 inch
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< of the page; equal: not said
+  std::vector<std::string> unused;               ///< what is not read, with counts
+};
+
+/// Shapes of path, rect, circle, ellipse, line, polyline, polygon and use (of one of these or of a
+/// group), with the transforms of all groups round them. What is hidden, clip paths, masks, markers
+/// and symbols are passed over. Units: width and viewBox (W3C SVG 1.1, 7.7 and 7.10). `file` only
+/// appears in messages. \throws InvalidInput with the line.
+SvgDocument parse_svg(const std::string& text, const std::string& file);
+
+}  // namespace loosefit::io

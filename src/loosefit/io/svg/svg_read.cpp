@@ -1,0 +1,112 @@
+#include "loosefit/io/svg/svg_read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/pieces/file_units.h"
+#include "loosefit/io/pieces/piece_collector.h"
+#include "loosefit/io/svg/svg_pieces.h"
+#include "loosefit/io/text_file.h"
+
+namespace loosefit::io {
+namespace {
+
+constexpr std::size_t kLargestFile = 64u << 20;  // bytes
+constexpr std::size_t kMostPieces = 200;
+constexpr double kLargestUnit = 0.0254;  // that a drawing may be in [m]
+constexpr double kShortest = 0.25,
+                 kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
+
+std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
+                                std::vector<std::string>& unused) {
+  unused.clear();
+  return document.freesewing ? freesewing_pieces(document, unit, unused)
+                             : drawn_pieces(document, unit, file, unused);
+}
+
+double longest_side(const std::vector<SvgPiece>& pieces) {
+  double longest = 0;
+  for (const SvgPiece& piece : pieces) {
+    Vec2 low = Vec2::Constant(1e300), high = -low;
+    for (const OutlinePoint& p : piece.piece.outline)
+      low = low.cwiseMin(p.at), high = high.cwiseMax(p.at);
+    if (low.x() <= high.x()) longest = std::max(longest, (high - low).maxCoeff());
+  }
+  return longest;
+}
+
+bool plausible(double metres) { return metres >= kShortest && metres <= kLongest; }
+
+}  // namespace
+
+PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
+                              const PatternWish& wish) {
+  if (!wish.size.empty())
+    throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
+                       "none: an SVG drawing is in one size");
+  const SvgDocument document = parse_svg(text, file);
+  const double named = document.unit_mm.value_or(document.points ? 25.4 / 72 : document.pixel_mm);
+  std::vector<std::string> left;
+  // What is too small for a piece is told by the unit, which the largest piece may have to tell.
+  double measured_in =
+      wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, {}, 1, file).metre;
+  std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, left);
+  if (pieces.empty() && !document.unit_mm && wish.units.empty())
+    pieces = pieces_in(document, measured_in = kLargestUnit, file, left);
+  if (pieces.empty())
+    throw InvalidInput({file, 0, "pieces"},
+                       fmt::format("{} shapes, none of them a closed line of more than 4 cm2",
+                                   document.shapes.size()),
+                       document.freesewing ? "parts of a FreeSewing design" : "closed outlines",
+                       "draw each piece as one closed path and name it");
+  if (pieces.size() > kMostPieces)
+    throw InvalidInput({file, 0, "pieces"}, fmt::format("{} pieces", pieces.size()),
+                       fmt::format("at most {}", kMostPieces));
+  PatternFile result;
+  result.placed = false;
+  // The page, or the usual pixel, says how large things are, unless somebody knows better.
+  const double extent = longest_side(pieces) / measured_in * named / 1000;
+  double unit = named / 1000;
+  std::string units = fmt::format("a unit of {:.4g} mm", named);
+  if (!wish.units.empty() || !plausible(extent)) {
+    const FileUnits chosen = choose_units(wish.units, {}, {}, extent / (named / 1000), file);
+    if (!chosen.warning.empty()) result.warnings.push_back(chosen.warning);
+    unit = chosen.metre;
+    units = chosen.name;
+    pieces = pieces_in(document, unit, file, left);
+  } else if (!document.unit_mm) {
+    result.warnings.push_back(fmt::format(
+        "units: the file does not name its units; taken as {}, in which the largest piece is "
+        "{:.3g} m (--units says otherwise)",
+        document.points ? "points of 1/72 inch" : "pixels of 1/96 inch", extent));
+  }
+  result.about.push_back(
+      fmt::format("{}, in {}", document.freesewing ? "FreeSewing SVG" : "SVG", units));
+  PieceCollector collector(result);
+  int without_grain = 0;
+  for (SvgPiece& piece : pieces) {
+    without_grain += !piece.piece.grain && !document.freesewing;
+    const int line = piece.line;
+    collector.add(std::move(piece.piece), piece.count, fmt::format("at line {}", line));
+  }
+  collector.finish(file, "sew line");
+  if (without_grain > 0)
+    result.warnings.push_back(fmt::format(
+        "{} pieces have no grain line (a line called \"grain\"): the warp is taken up the page",
+        without_grain));
+  result.unused.insert(result.unused.end(), left.begin(), left.end());
+  result.unused.insert(result.unused.end(), document.unused.begin(), document.unused.end());
+  return result;
+}
+
+PatternFile read_svg_pattern(const std::filesystem::path& path, const PatternWish& wish) {
+  PatternFile result =
+      parse_svg_pattern(read_text_file(path.string(), kLargestFile), path.string(), wish);
+  result.pattern.name = path.stem().string();
+  return result;
+}
+
+}  // namespace loosefit::io

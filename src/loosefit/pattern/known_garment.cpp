@@ -1,0 +1,407 @@
+#include "loosefit/pattern/known_garment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "loosefit/base/text.h"
+#include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/piece_names.h"
+
+namespace loosefit::pattern {
+namespace {
+
+constexpr double kSameLength = 0.02;  // of lengths that are sewn or mirrored
+constexpr double kDeeper = 0.01;      // by which a front's neck is lower [m]
+constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
+constexpr double kAsymmetric = 0.02;  // of the two halves of a cap that differ
+constexpr double kConcave = -0.01;    // bulge of what is cut out
+
+double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
+
+/// Sections counted from `first` on.
+std::vector<Section> from(const std::vector<Section>& sections, std::size_t first) {
+  std::vector<Section> turned = sections;
+  std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+  return turned;
+}
+
+Vec2 middle(const Section& s) { return (s.from + s.to) / 2; }
+
+/// Eight sections that mirror each other about the first (hem, side, armhole, shoulder, neck, …) or
+/// six (hem, side, raglan, neck, …).
+std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
+  const std::size_t n = sections.size(), across = n / 2;
+  if (n != 6 && n != 8) return {};
+  double best = kSameLength;
+  std::optional<KnownPiece> found;
+  for (std::size_t i = 0; i < across; ++i) {
+    double worst = 0;
+    for (std::size_t k = 1; k < across; ++k)
+      worst = std::max(worst,
+                       difference(sections[(i + k) % n].length, sections[(i + n - k) % n].length));
+    if (worst >= best) continue;
+    best = worst;
+    const bool hem_first = sections[i].chord() > sections[i + across].chord();
+    KnownPiece piece;
+    piece.sections = from(sections, hem_first ? i : i + across);
+    const auto& s = piece.sections;
+    // A neckline and armholes are cut out, a hem is not.
+    if (s[across].bulge > -kConcave || s[2].bulge > kCapBulge || s[n - 2].bulge > kCapBulge)
+      continue;
+    piece.upright = middle(s[across]).y() > middle(s[0]).y();
+    found = piece;
+  }
+  return found;
+}
+
+/// Six sections: cuff, underarm, raglan, neck, raglan, underarm; the neck is the shortest.
+std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections) {
+  if (sections.size() != 6) return {};
+  std::size_t neck = 0;
+  for (std::size_t i = 1; i < 6; ++i)
+    if (sections[i].length < sections[neck].length) neck = i;
+  KnownPiece piece;
+  piece.role = PieceRole::sleeve;
+  piece.sections = from(sections, (neck + 3) % 6);
+  const auto& s = piece.sections;
+  if (difference(s[1].length, s[5].length) > kSameLength) return {};
+  piece.upright = middle(s[3]).y() > middle(s[0]).y();
+  return piece;
+}
+
+/// Four sections: cuff, underarm, cap, underarm.
+std::optional<KnownPiece> as_sleeve(const std::vector<Section>& sections) {
+  if (sections.size() != 4) return {};
+  std::optional<KnownPiece> found;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Section &cuff = sections[i], &cap = sections[(i + 2) % 4];
+    if (cap.bulge < kCapBulge || cap.bulge < cuff.bulge + kCapBulge ||
+        difference(sections[(i + 1) % 4].length, sections[(i + 3) % 4].length) > kSameLength)
+      continue;
+    if (found) return {};
+    KnownPiece piece;
+    piece.role = PieceRole::sleeve;
+    piece.sections = from(sections, i);
+    piece.upright = middle(cap).y() > middle(cuff).y();
+    found = piece;
+  }
+  return found;
+}
+
+/// Four sections with equal sides: hem, side, waist, side; the warp runs up.
+std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections) {
+  if (sections.size() != 4) return {};
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (middle(sections[i]).y() < middle(sections[lowest]).y()) lowest = i;
+  KnownPiece piece;
+  piece.sections = from(sections, lowest);
+  if (difference(piece.sections[1].length, piece.sections[3].length) > kSameLength) return {};
+  return piece;
+}
+
+/// Five sections: hem between the two longest, crotch cut out, waist.
+std::optional<KnownPiece> as_leg(const std::vector<Section>& sections) {
+  if (sections.size() != 5) return {};
+  std::size_t hem = 0;
+  double longest = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double sum = sections[(i + 1) % 5].length + sections[(i + 4) % 5].length;
+    if (sum > longest) longest = sum, hem = i;
+  }
+  KnownPiece piece;
+  piece.sections = from(sections, hem);
+  const auto& s = piece.sections;
+  const bool outseam_next = s[3].bulge < s[2].bulge;
+  const Section &crotch = outseam_next ? s[3] : s[2], &waist = outseam_next ? s[2] : s[3];
+  const Section &outseam = outseam_next ? s[1] : s[4], &inseam = outseam_next ? s[4] : s[1];
+  if (crotch.bulge > kConcave || crotch.bulge > waist.bulge + kConcave ||
+      outseam.length < inseam.length)
+    return {};
+  piece.side = outseam_next ? 1 : -1;  // as a front; a back is the other way round
+  piece.upright = middle(waist).y() > middle(s[0]).y();
+  return piece;
+}
+
+class Knower {
+ public:
+  explicit Knower(const Pattern& pattern) : pattern_(pattern) {
+    garment_.pieces.resize(pattern.panels.size());
+  }
+
+  KnownGarment know() {
+    for (std::size_t p = 0; p < pattern_.panels.size(); ++p) sort(static_cast<int>(p));
+    if (trunks_.size() == 2 && (sleeves_.empty() || sleeves_.size() == 2) && legs_.empty())
+      shirt();
+    else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
+      trousers();
+    else if (skirts_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
+      skirt();
+    if (garment_.kind.empty()) return std::move(garment_);
+    std::vector<std::string> left;
+    for (std::size_t p = 0; p < pattern_.panels.size(); ++p)
+      if (garment_.pieces[p].role == PieceRole::unknown)
+        left.push_back(printable(pattern_.panels[p].name));
+    if (!left.empty()) doubt("no part of it: " + join(left));
+    for (const ChainSeam& seam : garment_.seams) {
+      const double a = chain_length(pattern_, seam.first), b = chain_length(pattern_, seam.second);
+      if (difference(a, b) > kSameLength)
+        doubt(fmt::format("seam {}: its sides are {:.1f} and {:.1f} mm long", seam.name, 1000 * a,
+                          1000 * b));
+    }
+    return std::move(garment_);
+  }
+
+ private:
+  const Panel& panel(int p) const { return pattern_.panels[p]; }
+  PieceWords words(int p) const { return words_of(panel(p).name + " " + panel(p).label); }
+  void doubt(const std::string& why) { garment_.doubts.push_back(why); }
+
+  void sort(int p) {
+    const PieceWords w = words(p);
+    if (w.pocket || w.hood || w.yoke || w.cuff || w.waist) return;
+    const std::vector<Section> sections = outline_sections(panel(p));
+    if (!w.sleeve && !w.leg && (sections.size() == 8 || w.front || w.back))
+      if (auto piece = as_trunk(sections)) {
+        garment_.pieces[p] = *piece;
+        return trunks_.push_back(p);
+      }
+    if (w.sleeve)
+      if (auto piece = as_raglan_sleeve(sections)) {
+        garment_.pieces[p] = *piece;
+        return sleeves_.push_back(p);
+      }
+    if (auto piece = as_sleeve(sections);
+        piece && (w.sleeve || (!w.front && !w.back && !w.skirt))) {
+      garment_.pieces[p] = *piece;
+      return sleeves_.push_back(p);
+    }
+    if (!w.sleeve)
+      if (auto piece = as_leg(sections)) {
+        garment_.pieces[p] = *piece;
+        return legs_.push_back(p);
+      }
+    if (!w.sleeve && (w.skirt || w.front || w.back))
+      if (auto piece = as_skirt(sections)) {
+        garment_.pieces[p] = *piece;
+        return skirts_.push_back(p);
+      }
+  }
+
+  /// Height of the top of a trunk's neck above its lowest point.
+  double neck_depth(int p) const {
+    const std::vector<Section>& sections = garment_.pieces[p].sections;
+    const Section& neck = sections[sections.size() / 2];
+    double deepest = 0;
+    const Vec2 along = (neck.to - neck.from).normalized();
+    for (const Vec2& q : section_points(panel(p), neck))
+      deepest = std::max(deepest, std::abs(geometry::cross(along, q - neck.from)));
+    return deepest;
+  }
+
+  /// Orders two pieces: the front first. By their names, else by `deeper`.
+  void front_first(std::vector<int>& two, double deeper_by) {
+    const PieceWords a = words(two[0]), b = words(two[1]);
+    const int first = int(a.front) - int(a.back), second = int(b.front) - int(b.back);
+    if (first == second && std::abs(deeper_by) < kDeeper) {
+      // Front and back that are alike may change places without harm.
+      if (first != 0)
+        doubt("both " + printable(panel(two[0]).name) + " and " + printable(panel(two[1]).name) +
+              " are called " + (first > 0 ? "front" : "back"));
+      return;
+    }
+    if (first < second || (first == second && deeper_by < 0)) std::swap(two[0], two[1]);
+  }
+
+  void add(const std::string& name, std::vector<Stitch::Side> first,
+           std::vector<Stitch::Side> second) {
+    garment_.seams.push_back({name, std::move(first), std::move(second), false});
+  }
+  std::vector<Stitch::Side> sides(int p, int section) const {
+    return garment_.pieces[p].sections[section].sides(panel(p), p);
+  }
+  static void append(std::vector<Stitch::Side>& to, const std::vector<Stitch::Side>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  }
+
+  void shirt() {
+    front_first(trunks_, neck_depth(trunks_[0]) - neck_depth(trunks_[1]));
+    const int front = trunks_[0], back = trunks_[1];
+    const int last = static_cast<int>(garment_.pieces[front].sections.size()) - 1;
+    const bool raglan = last == 5;
+    if (garment_.pieces[back].sections.size() != garment_.pieces[front].sections.size()) return;
+    for (const int p : sleeves_)
+      if ((garment_.pieces[p].sections.size() == 6) != raglan) return;
+    if (raglan && sleeves_.empty()) return;
+    garment_.pieces[front].role = PieceRole::front;
+    garment_.pieces[back].role = PieceRole::back;
+    garment_.kind = sleeves_.empty() ? "tank top" : raglan ? "raglan shirt" : "t-shirt";
+    // Seen from outside the wearer's left is at the right of the front, at the left of the back.
+    add("side_L", sides(front, 1), sides(back, last));
+    add("side_R", sides(front, last), sides(back, 1));
+    if (raglan) return raglan_sleeves(front, back);
+    add("shoulder_L", sides(front, 3), sides(back, 5));
+    add("shoulder_R", sides(front, 5), sides(back, 3));
+    if (sleeves_.empty()) return;
+    tell_sleeves([this](int p) { return scoop(p); });
+    for (const int p : sleeves_) {
+      const bool left = garment_.pieces[p].side > 0;
+      const std::string name = left ? "_L" : "_R";
+      std::vector<Stitch::Side> hole;
+      if (left) {
+        hole = sides(front, 2);
+        append(hole, sides(back, 6));
+      } else {
+        hole = sides(back, 2);
+        append(hole, sides(front, 6));
+      }
+      add("armhole" + name, sides(p, 2), hole);
+      add("underarm" + name, sides(p, 1), sides(p, 3));
+    }
+  }
+
+  /// A sleeve's raglan next to its cuff in the outline is the front's on a right sleeve.
+  void raglan_sleeves(int front, int back) {
+    const double of_front = garment_.pieces[front].sections[2].length,
+                 of_back = garment_.pieces[back].sections[2].length;
+    tell_sleeves([&](int p) {
+      const auto& s = garment_.pieces[p].sections;
+      const double right = std::abs(s[2].length - of_front) + std::abs(s[4].length - of_back),
+                   left = std::abs(s[4].length - of_front) + std::abs(s[2].length - of_back);
+      return (left - right) / std::max(1e-9, of_front + of_back);
+    });
+    for (const int p : sleeves_) {
+      const bool left = garment_.pieces[p].side > 0;
+      const std::string name = left ? "_L" : "_R";
+      add("raglan_front" + name, sides(p, left ? 4 : 2), sides(front, left ? 2 : 4));
+      add("raglan_back" + name, sides(p, left ? 2 : 4), sides(back, left ? 4 : 2));
+      add("underarm" + name, sides(p, 1), sides(p, 5));
+    }
+  }
+
+  /// How much less the half of a cap behind its top (at the end of the outline's way) bulges than
+  /// the half before: the front of a cap is cut out more. Positive: the way begins at the front.
+  double scoop(int p) const {
+    const Section& cap = garment_.pieces[p].sections[2];
+    const std::vector<Vec2> points = section_points(panel(p), cap);
+    const Vec2 along = (cap.to - cap.from).normalized();
+    std::size_t top = 0;
+    double highest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const double h = -geometry::cross(along, points[i] - cap.from); h > highest)
+        highest = h, top = i;
+    if (top == 0 || top + 1 >= points.size()) return 0;
+    const auto fill = [&](std::size_t a, std::size_t b) {
+      // Area under the half, against its box.
+      double area = 0;
+      for (std::size_t i = a; i < b; ++i)
+        area -= (geometry::cross(along, points[i] - cap.from) +
+                 geometry::cross(along, points[i + 1] - cap.from)) /
+                2 * (points[i + 1] - points[i]).dot(along);
+      const double wide = (points[b] - points[a]).dot(along);
+      return area / std::max(1e-9, wide * highest);
+    };
+    return fill(top, points.size() - 1) - fill(0, top);
+  }
+
+  /// \param front_first_of positive where the outline goes from the cuff to the front of the arm
+  /// first, as that of a right sleeve does
+  void tell_sleeves(const std::function<double(int)>& front_first_of) {
+    int side[2] = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+      const int p = sleeves_[i];
+      const PieceWords w = words(p);
+      const double front_begins = front_first_of(p);
+      const int shape = front_begins > kAsymmetric ? -1 : front_begins < -kAsymmetric ? 1 : 0;
+      const int name = w.left ? 1 : w.right ? -1 : 0;
+      if (name != 0 && shape != 0 && name != shape)
+        doubt("piece " + printable(panel(p).name) +
+              ": its name and the shape of its cap say different arms");
+      side[i] = name != 0 ? name : shape;
+    }
+    if (side[0] == 0 && side[1] == 0)
+      side[0] = -1, side[1] = 1;
+    else if (side[0] == 0)
+      side[0] = -side[1];
+    else if (side[1] == 0)
+      side[1] = -side[0];
+    if (side[0] == side[1]) {
+      doubt("both sleeves are for the same arm");
+      side[1] = -side[0];
+    }
+    for (int i = 0; i < 2; ++i) garment_.pieces[sleeves_[i]].side = side[i];
+  }
+
+  void trousers() {
+    // Fronts and backs; without names the crotch of a back is longer.
+    std::vector<int> fronts, backs, unnamed;
+    for (const int p : legs_) {
+      const PieceWords w = words(p);
+      (w.front ? fronts : w.back ? backs : unnamed).push_back(p);
+    }
+    const auto crotch = [&](int p) {
+      return garment_.pieces[p].sections[garment_.pieces[p].side > 0 ? 3 : 2].length;
+    };
+    std::stable_sort(unnamed.begin(), unnamed.end(),
+                     [&](int a, int b) { return crotch(a) < crotch(b); });
+    for (const int p : unnamed) (fronts.size() < 2 ? fronts : backs).push_back(p);
+    if (fronts.size() != 2 || backs.size() != 2) return;
+    garment_.kind = "trousers";
+    for (const int p : fronts) garment_.pieces[p].role = PieceRole::front_leg;
+    for (const int p : backs) {
+      garment_.pieces[p].role = PieceRole::back_leg;
+      garment_.pieces[p].side = -garment_.pieces[p].side;
+    }
+    const auto of_side = [&](std::vector<int>& two, const char* what) {
+      if (garment_.pieces[two[0]].side == garment_.pieces[two[1]].side) {
+        doubt(std::string("both ") + what + " are for the same leg");
+        garment_.pieces[two[1]].side = -garment_.pieces[two[0]].side;
+      }
+      if (garment_.pieces[two[0]].side < 0) std::swap(two[0], two[1]);
+    };
+    of_side(fronts, "fronts");
+    of_side(backs, "backs");
+    // Of a left front and of a right back the outseam comes next after the hem.
+    const auto section = [&](int p, int next_case) {
+      const KnownPiece& piece = garment_.pieces[p];
+      const bool next = piece.role == PieceRole::front_leg ? piece.side > 0 : piece.side < 0;
+      return next ? next_case : 5 - next_case;
+    };
+    for (int i = 0; i < 2; ++i) {
+      const std::string name = i == 0 ? "_L" : "_R";
+      add("outseam" + name, sides(fronts[i], section(fronts[i], 1)),
+          sides(backs[i], section(backs[i], 1)));
+      add("inseam" + name, sides(fronts[i], section(fronts[i], 4)),
+          sides(backs[i], section(backs[i], 4)));
+    }
+    add("crotch_front", sides(fronts[0], section(fronts[0], 3)),
+        sides(fronts[1], section(fronts[1], 3)));
+    add("crotch_back", sides(backs[0], section(backs[0], 3)),
+        sides(backs[1], section(backs[1], 3)));
+  }
+
+  void skirt() {
+    front_first(skirts_, 0);
+    const int front = skirts_[0], back = skirts_[1];
+    garment_.kind = "skirt";
+    garment_.pieces[front].role = PieceRole::front_skirt;
+    garment_.pieces[back].role = PieceRole::back_skirt;
+    add("side_L", sides(front, 1), sides(back, 3));
+    add("side_R", sides(front, 3), sides(back, 1));
+  }
+
+  const Pattern& pattern_;
+  KnownGarment garment_;
+  std::vector<int> trunks_, sleeves_, legs_, skirts_;
+};
+
+}  // namespace
+
+KnownGarment know_garment(const Pattern& pattern) { return Knower(pattern).know(); }
+
+}  // namespace loosefit::pattern

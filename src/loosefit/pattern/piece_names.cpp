@@ -1,0 +1,134 @@
+#include "loosefit/pattern/piece_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace loosefit::pattern {
+namespace {
+
+/// Small letters, umlauts and accents as their plain letters.
+std::vector<std::string> split(const std::string& name) {
+  std::vector<std::string> words(1);
+  bool small = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const unsigned char c = name[i];
+    if (c == 0xc3 && i + 1 < name.size()) {  // Latin 1 in UTF-8
+      const unsigned char d = static_cast<unsigned char>(name[++i]) | 0x20;
+      words.back() += d == 0xa4                ? "ae"
+                      : d == 0xb6              ? "oe"
+                      : d == 0xbc              ? "ue"
+                      : d == 0xbf              ? "ss"
+                      : d >= 0xa0 && d <= 0xa6 ? "a"
+                      : d >= 0xa8 && d <= 0xab ? "e"
+                      : d >= 0xac && d <= 0xaf ? "i"
+                      : d == 0xb1              ? "n"
+                      : d >= 0xb2 && d <= 0xb5 ? "o"
+                                               : "u";
+      small = true;
+    } else if (std::isalpha(c)) {
+      if (std::isupper(c) && small && !words.back().empty()) words.emplace_back();
+      words.back() += static_cast<char>(std::tolower(c));
+      small = std::islower(c) != 0;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+      small = false;
+    }
+  }
+  return words;
+}
+
+struct Known {
+  bool PieceWords::*what;
+  std::vector<const char*> begins;  ///< the word begins so
+  std::vector<const char*> is;      ///< the word is this
+  std::vector<const char*> holds;   ///< the word has this in it
+};
+
+const std::vector<Known>& known() {
+  using W = PieceWords;
+  static const std::vector<Known> list = {
+      {&W::front,
+       {"front", "vorder", "vorne", "devant", "delant", "davant", "voor", "frente"},
+       {"fr", "vt", "cf", "frt", "fnt"},
+       {"front"}},
+      {&W::back,
+       {"back", "rueck", "ruck", "hinter", "dos", "espald", "dietro", "achter", "costas"},
+       {"bk", "rt", "ht", "cb", "bck"},
+       {"back"}},
+      {&W::left, {"left", "link", "gauche", "izq", "sinistr"}, {"l", "lt", "lh"}, {}},
+      {&W::right, {"right", "recht", "droit", "derech", "destr"}, {"r", "rh"}, {}},
+      {&W::sleeve,
+       {"sleeve", "aermel", "armel", "manche", "manga", "manic", "mouw"},
+       {"sl", "slv"},
+       {"sleeve", "aermel"}},
+      {&W::leg,
+       {"leg", "hose", "bein", "jambe", "pantal", "trouser", "pant", "broek", "pierna", "legging",
+        "jean"},
+       {},
+       {"hose", "pants", "trouser"}},
+      {&W::skirt, {"skirt", "rock", "jupe", "falda", "gonna", "saia"}, {}, {"skirt", "rock"}},
+      {&W::yoke, {"yoke", "passe", "sattel", "empiecement", "canesu"}, {"yk"}, {"yoke"}},
+      {&W::pocket,
+       {"pocket", "tasche", "poche", "bolsillo", "facing", "lining", "beleg", "futter", "interfac",
+        "einlage"},
+       {"pk", "pkt"},
+       {"pocket", "tasche"}},
+      {&W::hood, {"hood", "kapuze", "capuche", "capucha"}, {"ho"}, {"hood", "kapuze"}},
+      {&W::neck,
+       {"neck", "collar", "kragen", "hals", "col", "cuello"},
+       {"co", "nr", "nb"},
+       {"neck", "collar", "kragen", "hals"}},
+      {&W::cuff,
+       {"cuff", "manschette", "poignet", "puno", "polsino"},
+       {"cu"},
+       {"cuff", "manschette"}},
+      {&W::waist,
+       {"waistband", "bund", "ceinture", "cintura", "hemband", "hemrib", "pretina"},
+       {"wb", "hb"},
+       {"waistband", "hosenbund", "saumbund"}},
+      {&W::grain,
+       {"grain", "fadenlauf", "warp", "droitfil", "hilo"},
+       {"fl", "gl"},
+       {"grain", "fadenlauf"}},
+      {&W::fold,
+       {"fold", "bruch", "stoffbruch", "mirrorline", "cutonfold", "onfold", "pliure", "doblez"},
+       {"mirror"},
+       {"onfold", "bruch"}},
+      {&W::notch, {"notch", "knips", "cran", "piquete", "passzeichen"}, {}, {"notch"}},
+      {&W::seam,
+       {"sew", "seam", "naht", "stitch", "couture", "costura"},
+       {},
+       {"naht", "seamline", "sewline", "stitchline"}},
+      {&W::sheet,
+       {"control", "scale", "legend", "title", "frame", "page", "logo", "massstab", "rahmen",
+        "kontroll", "calibration", "background"},
+       {},
+       {"testsquare"}},
+  };
+  return list;
+}
+
+bool says(const Known& known, const std::string& word) {
+  const auto any = [&](const std::vector<const char*>& list, auto test) {
+    return std::any_of(list.begin(), list.end(), test);
+  };
+  return any(known.is, [&](const char* k) { return word == k; }) ||
+         any(known.begins, [&](const char* k) { return word.starts_with(k); }) ||
+         any(known.holds, [&](const char* k) { return word.find(k) != std::string::npos; });
+}
+
+}  // namespace
+
+PieceWords words_of(const std::string& name) {
+  PieceWords words;
+  for (const std::string& word : split(name.substr(0, 200)))
+    for (const Known& one : known())
+      if (!word.empty() && says(one, word)) words.*one.what = true;
+  // A back of trousers, not "Bruststück": names that say both say neither.
+  if (words.left && words.right) words.left = words.right = false;
+  if (words.front && words.back) words.front = words.back = false;
+  return words;
+}
+
+}  // namespace loosefit::pattern

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+namespace loosefit::pattern {
+
+/// What the name of a piece or of a line says, in English, German, French, Spanish, Italian,
+/// Portuguese and Dutch, and in the short codes of apparel programs (FR, BK, SL, …). Several may be
+/// said at once: "front_sleeve_L".
+struct PieceWords {
+  bool front = false, back = false, left = false, right = false;
+  bool sleeve = false, leg = false, skirt = false, yoke = false, pocket = false, hood = false;
+  bool neck = false, cuff = false, waist = false;                 ///< of bands, ribs and collars
+  bool grain = false, fold = false, notch = false, seam = false;  ///< of lines
+  bool sheet = false;  ///< frame, legend, test square: no part of a garment
+};
+
+/// Words begin at a capital letter after a small one and at everything that is no letter.
+PieceWords words_of(const std::string& name);
+
+}  // namespace loosefit::pattern

@@ -1,0 +1,184 @@
+#include "loosefit/pattern/propose_seams.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "loosefit/base/text.h"
+#include "loosefit/pattern/least_cost.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/piece_names.h"
+
+namespace loosefit::pattern {
+namespace {
+
+constexpr double kOpen = 0.12;  // cost of leaving a side open
+constexpr double kNever = 1e3;
+constexpr double kMostGathered = 0.15;  // of lengths that are paired by themselves
+constexpr std::size_t kMostSections = 300;
+constexpr double kSameOutline = 0.002;  // between a piece and its mirrored twin
+
+struct Side {
+  int panel = 0;
+  Section section;
+  std::vector<double> notches;  ///< shares of its length
+  double steep = 0;             ///< 0: across the grain, 1: along it
+};
+
+double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
+
+class Pairing {
+ public:
+  Pairing(const Pattern& pattern, const std::vector<Notch>& notches) : pattern_(pattern) {
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+      const Panel& panel = pattern.panels[p];
+      words_.push_back(words_of(panel.name + " " + panel.label));
+      lengths_.push_back(edge_lengths(panel));
+      for (const Section& section : outline_sections(panel)) {
+        Side side{static_cast<int>(p), section, {}, 0};
+        const Vec2 along = section.to - section.from;
+        side.steep = std::abs(along.y()) / std::max(1e-9, along.norm());
+        double begin = 0;
+        for (const Stitch::Side& edge : section.sides(panel, side.panel)) {
+          for (const Notch& notch : notches)
+            if (notch.panel == edge.panel && notch.edge == edge.edge)
+              side.notches.push_back((begin + notch.along * lengths_[p][edge.edge]) /
+                                     section.length);
+          begin += lengths_[p][edge.edge];
+        }
+        std::sort(side.notches.begin(), side.notches.end());
+        sides_.push_back(side);
+      }
+    }
+    find_twins();
+  }
+
+  std::vector<SeamProposal> pair() const {
+    std::vector<SeamProposal> found;
+    const std::size_t n = sides_.size();
+    if (n > kMostSections) return found;
+    std::vector<std::vector<double>> cost(n, std::vector<double>(n, kNever));
+    for (std::size_t i = 0; i < n; ++i) {
+      cost[i][i] = kOpen;
+      for (std::size_t j = 0; j < i; ++j) cost[i][j] = cost[j][i] = cost_of(sides_[i], sides_[j]);
+    }
+    const std::vector<int> assigned = least_cost_assignment(cost);
+    // An assignment may run in circles; the cheapest pairs of a circle are taken.
+    std::vector<std::pair<double, std::pair<int, int>>> pairs;
+    for (std::size_t i = 0; i < n; ++i)
+      if (const int j = assigned[i]; j != static_cast<int>(i) && cost[i][j] < 2 * kOpen)
+        pairs.push_back({cost[i][j], {std::min<int>(i, j), std::max<int>(i, j)}});
+    std::sort(pairs.begin(), pairs.end());
+    std::set<int> taken;
+    for (const auto& [c, ij] : pairs) {
+      if (taken.count(ij.first) || taken.count(ij.second)) continue;
+      taken.insert(ij.first), taken.insert(ij.second);
+      const Side &a = sides_[ij.first], &b = sides_[ij.second];
+      SeamProposal proposal;
+      proposal.seam.name = fmt::format("seam_{}", found.size() + 1);
+      proposal.seam.first = a.section.sides(pattern_.panels[a.panel], a.panel);
+      proposal.seam.second = b.section.sides(pattern_.panels[b.panel], b.panel);
+      proposal.first = a.section.length;
+      proposal.second = b.section.length;
+      proposal.cost = c;
+      proposal.why = fmt::format("lengths differ by {:.1f} %{}",
+                                 100 * difference(a.section.length, b.section.length),
+                                 a.notches.empty() || b.notches.empty() ? ""
+                                 : a.notches.size() == b.notches.size() ? ", notches agree"
+                                                                        : ", notches do not agree");
+      found.push_back(std::move(proposal));
+    }
+    return found;
+  }
+
+ private:
+  /// The mirrored copy of each panel, itself where its outline mirrors itself; −1.
+  void find_twins() {
+    const std::size_t n = pattern_.panels.size();
+    twin_.assign(n, -1);
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t q = 0; q < n && twin_[p] < 0; ++q) {
+        const auto &a = lengths_[p], &b = lengths_[q];
+        if (a.size() != b.size()) continue;
+        // Mirrored the edges run the other way round, from anywhere.
+        for (std::size_t shift = 0; shift < a.size() && twin_[p] < 0; ++shift) {
+          bool same = true;
+          for (std::size_t e = 0; e < a.size() && same; ++e)
+            same = std::abs(a[e] - b[(shift + a.size() - e) % a.size()]) < kSameOutline;
+          const bool like_it = p == q;
+          if (same && (like_it ||
+                       pattern_.panels[q].name.find(pattern_.panels[p].name) != std::string::npos ||
+                       pattern_.panels[p].name.find(pattern_.panels[q].name) != std::string::npos))
+            twin_[p] = static_cast<int>(q);
+        }
+      }
+  }
+
+  double cost_of(const Side& a, const Side& b) const {
+    const double lengths = difference(a.section.length, b.section.length);
+    if (lengths > kMostGathered) return kNever;
+    double cost = lengths;
+    // The end of one meets the start of the other: notches count from opposite ends.
+    if (!a.notches.empty() || !b.notches.empty()) {
+      if (a.notches.size() == b.notches.size()) {
+        double off = 0;
+        for (std::size_t k = 0; k < a.notches.size(); ++k)
+          off += std::abs(a.notches[k] - (1 - b.notches[b.notches.size() - 1 - k]));
+        cost += off / static_cast<double>(a.notches.size());
+      } else {
+        cost += 0.1;
+      }
+    }
+    const PieceWords &u = words_[a.panel], &v = words_[b.panel];
+    double role = 0;
+    if (a.panel == b.panel)
+      role = u.sleeve || u.cuff || u.neck || u.waist || u.leg ? 0.02 : 0.1;
+    else if ((u.front && v.front) || (u.back && v.back))
+      role = twin_[a.panel] == b.panel ? 0.02 : 0.08;
+    if (u.left != v.left && u.right != v.right) role += 0.1;
+    cost += role;
+    cost += 0.5 * std::max(0.0, std::abs(a.steep - b.steep) - 0.2) * 0.3;
+    // A curve that is cut out is not sewn to a hem, but to what bulges or is cut out alike.
+    cost += 0.1 * std::min(1.0, std::abs(std::abs(a.section.bulge) - std::abs(b.section.bulge)));
+    const bool twin_a = twin_[a.panel] >= 0, twin_b = twin_[b.panel] >= 0;
+    if (twin_a != twin_b) cost += 2 * 0.02;
+    return cost;
+  }
+
+  const Pattern& pattern_;
+  std::vector<PieceWords> words_;
+  std::vector<std::vector<double>> lengths_;
+  std::vector<Side> sides_;
+  std::vector<int> twin_;
+};
+
+}  // namespace
+
+SeamProposals propose_seams(const Pattern& pattern, const std::vector<Notch>& notches) {
+  SeamProposals result;
+  result.known = know_garment(pattern);
+  if (result.known.kind.empty()) {
+    result.seams = Pairing(pattern, notches).pair();
+  } else {
+    for (const ChainSeam& seam : result.known.seams) {
+      SeamProposal proposal;
+      proposal.seam = seam;
+      proposal.first = chain_length(pattern, seam.first);
+      proposal.second = chain_length(pattern, seam.second);
+      proposal.cost = difference(proposal.first, proposal.second);
+      proposal.why = "so it is sewn in any " + result.known.kind;
+      result.seams.push_back(std::move(proposal));
+    }
+  }
+  std::set<int> sewn;
+  for (const SeamProposal& proposal : result.seams)
+    for (const auto* chain : {&proposal.seam.first, &proposal.seam.second})
+      for (const Stitch::Side& side : *chain) sewn.insert(side.panel);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p)
+    if (!sewn.count(static_cast<int>(p))) result.unsewn.push_back(pattern.panels[p].name);
+  return result;
+}
+
+}  // namespace loosefit::pattern

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/dxf/dxf_read.h"
+#include "loosefit/io/dxf/dxf_write.h"
+#include "loosefit/io/freesewing_json.h"
+#include "loosefit/io/seams_file.h"
+#include "loosefit/io/svg/svg_read.h"
+#include "loosefit/pattern/pattern_check.h"
+#include "loosefit/pattern/place_pieces.h"
+#include "loosefit/pattern/propose_seams.h"
+#include "support/drawn_tshirt.h"
+#include "support/mutate.h"
+
+// Damaged SVG, FreeSewing JSON and side files: never a crash, never a hang; an error that says
+// where, or sound panels that can be sewn and placed or are told not to be.
+namespace loosefit::io {
+namespace {
+
+using Read = std::function<PatternFile(const std::string&)>;
+
+/// All that follows on reading.
+void go_on(PatternFile file) {
+  pattern::check_pattern(file.pattern);
+  const pattern::SeamProposals found = pattern::propose_seams(file.pattern, file.notches);
+  std::vector<pattern::ChainSeam> seams;
+  for (const pattern::SeamProposal& p : found.seams) seams.push_back(p.seam);
+  PatternFile again = file;
+  parse_seams(seams_text(file.pattern, found), "s.toml", again);
+  EXPECT_EQ(again.pattern.stitches.empty(), seams.empty());
+  pattern::check_pattern(again.pattern);
+  try {
+    pattern::place_pieces(again.pattern);
+    pattern::check_pattern(again.pattern);
+  } catch (const GeometryError&) {
+  }
+  const PatternFile written = parse_dxf_pattern(dxf_text(again.pattern), "w.dxf", {"", "mm"});
+  EXPECT_EQ(written.pattern.panels.size(), again.pattern.panels.size());
+}
+
+void fuzz(const std::string& valid, const std::string& name, const Read& read, unsigned usual) {
+  // LOOSEFIT_FUZZ_CASES=100000 for the long run under sanitizers.
+  const char* asked = std::getenv("LOOSEFIT_FUZZ_CASES");
+  const unsigned cases = asked ? static_cast<unsigned>(std::atol(asked)) : usual;
+  unsigned refused = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (unsigned seed = 0; seed < cases; ++seed) {
+    SCOPED_TRACE(seed);
+    try {
+      PatternFile file = read(Mutator(seed)(valid));
+      // What is lost is told. A piece whose name no longer says sleeve has no mirrored twin.
+      EXPECT_TRUE(file.pattern.panels.size() >= 3 || !file.warnings.empty() ||
+                  !file.unused.empty());
+      go_on(std::move(file));
+    } catch (const InvalidInput& error) {
+      ++refused;
+      const std::string message = error.what();
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      EXPECT_LT(message.size(), 900u) << message;
+      EXPECT_EQ(message.rfind(name + ":", 0), 0u) << message;
+    }
+  }
+  EXPECT_GT(refused, cases / 10) << "the damage is real";
+  EXPECT_LT(refused, cases) << "and some files survive it";
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(spent.count(), 0.1 * cases + 10);
+}
+
+TEST(DrawingFuzz, FreesewingSvg) {
+  fuzz(
+      testing_support::freesewing_tshirt(true), "fuzz.svg",
+      [](const std::string& text) { return parse_svg_pattern(text, "fuzz.svg"); }, 600);
+}
+
+TEST(DrawingFuzz, OtherSvg) {
+  std::string text =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900mm\" height=\"700mm\"\n"
+      "viewBox=\"0 0 900 700\">\n";
+  for (const auto& [name, d] : {std::pair{"front", testing_support::kFrontHalf},
+                                std::pair{"back", testing_support::kBackHalf}})
+    text +=
+        std::string("<g id=\"") + name + "\" transform=\"translate(5 5) rotate(2)\">\n<path d=\"" +
+        d +
+        "\"/>\n<path id=\"fold\" d=\"M0 100V590\"/>\n<path id=\"notch\" d=\"M183 120h5\"/>\n</g>\n";
+  text += std::string("<path id=\"sleeve\" transform=\"matrix(1 0 0 1 500 200)\" d=\"") +
+          testing_support::kSleeve +
+          "\"/>\n<path id=\"sleeve_2\" transform=\"translate(700 400) scale(-1 1)\"\n d=\"" +
+          testing_support::kSleeve +
+          "\"/>\n<rect x=\"1\" y=\"2\" width=\"20\" height=\"30\" rx=\"2\"/>\n</svg>\n";
+  fuzz(
+      text, "fuzz.svg", [](const std::string& t) { return parse_svg_pattern(t, "fuzz.svg"); }, 600);
+}
+
+TEST(DrawingFuzz, FreesewingJson) {
+  fuzz(
+      testing_support::freesewing_json(), "fuzz.json",
+      [](const std::string& text) { return parse_freesewing_json(text, "fuzz.json"); }, 600);
+}
+
+TEST(DrawingFuzz, RunsOfASideFile) {
+  const PatternFile shirt = parse_svg_pattern(testing_support::freesewing_tshirt(true), "t.svg");
+  const std::string valid =
+      seams_text(shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches));
+  fuzz(
+      valid, "fuzz.toml",
+      [&](const std::string& text) {
+        PatternFile file = shirt;
+        parse_seams(text, "fuzz.toml", file);
+        pattern::check_pattern(file.pattern);
+        file.pattern.stitches.clear();
+        return file;
+      },
+      600);
+}
+
+}  // namespace
+}  // namespace loosefit::io

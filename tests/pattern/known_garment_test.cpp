@@ -1,0 +1,275 @@
+#include "loosefit/pattern/known_garment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/pattern/least_cost.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/pattern_check.h"
+#include "loosefit/pattern/piece_names.h"
+#include "loosefit/pattern/place_pieces.h"
+#include "loosefit/pattern/propose_seams.h"
+#include "support/unsewn_garments.h"
+
+namespace loosefit::pattern {
+namespace {
+
+using namespace testing_support;
+
+/// Ends of all seams lie together when the sewn panels are flat fronts and backs above each other.
+double worst_difference(const Pattern& pattern) {
+  double worst = 0;
+  for (const Stitch& s : pattern.stitches) {
+    const double a = EdgePath(pattern.panels[s.first.panel], s.first.edge).length(),
+                 b = EdgePath(pattern.panels[s.second.panel], s.second.edge).length();
+    worst = std::max(worst, std::abs(a - b) / std::max(a, b));
+  }
+  return worst;
+}
+
+TEST(KnownGarment, ATShirtIsSewnInOneWay) {
+  Pattern shirt = unsewn_tshirt();
+  const KnownGarment known = know_garment(shirt);
+  EXPECT_EQ(known.kind, "t-shirt");
+  ASSERT_TRUE(known.certain()) << known.doubts[0];
+  EXPECT_EQ(known.pieces[0].role, PieceRole::front);
+  EXPECT_EQ(known.pieces[1].role, PieceRole::back);
+  EXPECT_EQ(known.pieces[2].side, -1) << "its cap is cut out more at x > 0: a right sleeve";
+  EXPECT_EQ(known.pieces[3].side, 1);
+  std::vector<Notch> notches;
+  sew_chains(shirt, known.seams, notches);
+  EXPECT_EQ(shirt.stitches.size(), 10u);  // each cap is sewn to two armholes
+  EXPECT_LT(worst_difference(shirt), 0.02);
+  check_pattern(shirt);
+  // One vertex per corner: of the sewn garment four loops are left open (neck, hem, two cuffs).
+  std::set<std::pair<int, int>> sewn;
+  for (const Stitch& s : shirt.stitches)
+    for (const auto& side : {s.first, s.second})
+      EXPECT_TRUE(sewn.insert({side.panel, side.edge}).second);
+  std::size_t edges = 0;
+  for (const Panel& panel : shirt.panels) edges += panel.edges.size();
+  EXPECT_EQ(edges - sewn.size(), 6u);  // front neck and hem, back neck and hem, two cuffs
+}
+
+TEST(KnownGarment, NeitherNamesNorHowPiecesLieMatterWhereShapesTell) {
+  for (int variant = 0; variant < 8; ++variant) {
+    SCOPED_TRACE(variant);
+    Pattern shirt = unsewn_tshirt();
+    if (variant & 1)
+      for (std::size_t p = 0; p < 4; ++p) shirt.panels[p].name = "piece_" + std::to_string(p);
+    if (variant & 2) {  // on their heads
+      turn_panel(shirt.panels[0]);
+      turn_panel(shirt.panels[2]);
+    }
+    if (variant & 4) {  // other first edges
+      rotate_edges(shirt.panels[1], 3);
+      rotate_edges(shirt.panels[3], 2);
+    }
+    const KnownGarment known = know_garment(shirt);
+    EXPECT_EQ(known.kind, "t-shirt");
+    EXPECT_TRUE(known.certain()) << known.doubts[0];
+    EXPECT_EQ(known.pieces[0].role, PieceRole::front) << "its neck is deeper";
+    EXPECT_EQ(known.pieces[0].upright, !(variant & 2));
+    EXPECT_EQ(known.pieces[2].side, -1);
+  }
+}
+
+TEST(KnownGarment, TrousersSkirtsAndTankTopsAreTold) {
+  Pattern trousers = unsewn_trousers();
+  const KnownGarment legs = know_garment(trousers);
+  EXPECT_EQ(legs.kind, "trousers");
+  EXPECT_TRUE(legs.certain()) << legs.doubts[0];
+  EXPECT_EQ(legs.seams.size(), 6u);
+  std::vector<Notch> notches;
+  sew_chains(trousers, legs.seams, notches);
+  EXPECT_LT(worst_difference(trousers), 0.02);
+  Pattern tank = unsewn_tshirt();
+  tank.panels.resize(2);
+  EXPECT_EQ(know_garment(tank).kind, "tank top");
+  EXPECT_TRUE(know_garment(tank).certain());
+  EXPECT_EQ(know_garment(unsewn_skirt()).kind, "skirt");
+  EXPECT_TRUE(know_garment(unsewn_skirt()).certain());
+}
+
+TEST(KnownGarment, ARaglanShirtIsSewnByTheLengthsOfItsRaglans) {
+  Pattern shirt = unsewn_raglan();
+  const KnownGarment known = know_garment(shirt);
+  EXPECT_EQ(known.kind, "raglan shirt");
+  ASSERT_TRUE(known.certain()) << known.doubts[0];
+  EXPECT_EQ(known.pieces[2].side, -1) << "its longer raglan, the back's, lies at x < 0";
+  EXPECT_EQ(known.pieces[3].side, 1);
+  std::vector<Notch> notches;
+  sew_chains(shirt, known.seams, notches);
+  EXPECT_EQ(shirt.stitches.size(), 8u);
+  EXPECT_LT(worst_difference(shirt), 0.02);
+  EXPECT_TRUE(place_pieces(shirt).empty());
+  EXPECT_GT(shirt.panels[2].rotation.col(1).x(), 0.5);
+}
+
+TEST(KnownGarment, DoubtsKeepItFromBeingSewnUnasked) {
+  Pattern more = unsewn_tshirt();
+  more.panels.push_back(more.panels[2]);
+  more.panels.back().name = "cuff";
+  EXPECT_EQ(know_garment(more).kind, "t-shirt");
+  EXPECT_FALSE(know_garment(more).certain());
+  Pattern longer = unsewn_tshirt();  // the side seams of the back are 5 % longer
+  for (Vec2& v : longer.panels[1].vertices)
+    if (v.y() < 0.1) v.y() -= 0.02;
+  EXPECT_EQ(know_garment(longer).kind, "t-shirt");
+  EXPECT_FALSE(know_garment(longer).certain());
+  Pattern twice = unsewn_tshirt();
+  twice.panels[3] = twice.panels[2];
+  twice.panels[3].name = "sleeve_2";
+  EXPECT_FALSE(know_garment(twice).certain()) << "two right sleeves";
+  Pattern fronts = unsewn_tshirt();
+  fronts.panels[1] = fronts.panels[0];
+  fronts.panels[1].name = "front_2";
+  EXPECT_FALSE(know_garment(fronts).certain());
+  Pattern one = unsewn_tshirt();
+  one.panels.pop_back();
+  EXPECT_FALSE(know_garment(one).certain());
+}
+
+TEST(ProposeSeams, PairsTheSidesOfAGarmentThatNobodyKnows) {
+  // Two rectangles with notches: a bag.
+  Pattern bag;
+  bag.panels = {rectangle_panel("front", 0.40, 0.30), rectangle_panel("back", 0.40, 0.30)};
+  const SeamProposals found = propose_seams(bag, {{0, 1, 0.25}, {1, 3, 0.75}});
+  EXPECT_TRUE(found.known.kind.empty() || !found.seams.empty());
+  ASSERT_FALSE(found.seams.empty());
+  bool notched = false;
+  for (const SeamProposal& p : found.seams)
+    notched = notched || (p.seam.first[0].edge == 1 && p.seam.second[0].edge == 3) ||
+              (p.seam.first[0].edge == 3 && p.seam.second[0].edge == 1);
+  EXPECT_TRUE(notched) << "edges whose notches meet";
+}
+
+TEST(LeastCost, FindsTheBestOfAllAssignments) {
+  const std::vector<std::vector<double>> cost = {
+      {4, 1, 3, 7}, {2, 0, 5, 1}, {3, 2, 2, 6}, {9, 3, 1, 8}};
+  std::vector<int> order = {0, 1, 2, 3};
+  double least = 1e9;
+  do {
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) sum += cost[i][order[i]];
+    least = std::min(least, sum);
+  } while (std::next_permutation(order.begin(), order.end()));
+  const std::vector<int> found = least_cost_assignment(cost);
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) sum += cost[i][found[i]];
+  EXPECT_EQ(sum, least);
+  EXPECT_EQ(std::set<int>(found.begin(), found.end()).size(), 4u);
+  EXPECT_TRUE(least_cost_assignment({}).empty());
+}
+
+TEST(SewChains, CutsEdgesWhereTheOtherSideBegins) {
+  Pattern pattern;
+  pattern.panels = {rectangle_panel("long", 0.6, 0.2), rectangle_panel("a", 0.2, 0.2),
+                    rectangle_panel("b", 0.4, 0.2)};
+  std::vector<Notch> notches = {{0, 0, 0.5}, {0, 1, 0.5}};
+  // The bottom of the long one, from left to right, to the bottoms of b and a.
+  sew_chains(pattern, {{"hem", {{0, 0}}, {{1, 0}, {2, 0}}, false}}, notches);
+  ASSERT_EQ(pattern.stitches.size(), 2u);
+  const Panel& cut = pattern.panels[0];
+  ASSERT_EQ(cut.edges.size(), 5u);
+  EXPECT_EQ(cut.edges[0].name, "edge_0_1");
+  EXPECT_EQ(cut.edges[1].name, "edge_0_2");
+  EXPECT_NEAR(EdgePath(cut, 0).length(), 0.4, 1e-9);
+  // End meets start: the beginning of the long edge is sewn to the end of the run.
+  EXPECT_EQ(pattern.stitches[0].second.panel, 2);
+  EXPECT_EQ(pattern.stitches[1].second.panel, 1);
+  EXPECT_EQ(notches[0].edge, 0);
+  EXPECT_NEAR(notches[0].along, 0.75, 1e-9);
+  EXPECT_EQ(notches[1].edge, 2);
+  check_pattern(pattern);
+  // Parallel runs meet start to start.
+  Pattern other;
+  other.panels = pattern.panels;
+  other.panels[0] = rectangle_panel("long", 0.6, 0.2);
+  std::vector<Notch> none;
+  sew_chains(other, {{"hem", {{0, 0}}, {{1, 0}, {2, 0}}, true}}, none);
+  EXPECT_EQ(other.stitches[0].second.panel, 1);
+  EXPECT_NEAR(EdgePath(other.panels[0], 0).length(), 0.2, 1e-9);
+  EXPECT_TRUE(other.stitches[0].right_wrong);
+  EXPECT_THROW(sew_chains(other, {{"x", {}, {{1, 1}}, false}}, none), GeometryError);
+}
+
+TEST(PieceNames, AreUnderstoodInSeveralLanguages) {
+  EXPECT_TRUE(words_of("Vorderteil").front);
+  EXPECT_TRUE(words_of("Rückenteil").back);
+  EXPECT_TRUE(words_of("Ärmel links").sleeve);
+  EXPECT_TRUE(words_of("Ärmel links").left);
+  EXPECT_TRUE(words_of("frontLeft").front);
+  EXPECT_TRUE(words_of("frontLeft").left);
+  EXPECT_TRUE(words_of("TEE-BK-01").back);
+  EXPECT_TRUE(words_of("manche").sleeve);
+  EXPECT_FALSE(words_of("manche").fold);
+  EXPECT_FALSE(words_of("sleeve_mirrored").fold);
+  EXPECT_FALSE(words_of("blank").back);
+  EXPECT_FALSE(words_of("front-back").front) << "says both";
+}
+
+TEST(PlacePieces, FrontsLieBeforeBacksBehindAndSleevesBeside) {
+  Pattern shirt = unsewn_tshirt();
+  turn_panel(shirt.panels[1]);
+  std::vector<Notch> notches;
+  sew_chains(shirt, know_garment(shirt).seams, notches);
+  EXPECT_TRUE(place_pieces(shirt).empty());
+  EXPECT_LT((shirt.panels[0].rotation.col(2) + Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_LT((shirt.panels[1].rotation.col(2) - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_LT(shirt.panels[0].translation.y(), -0.1);
+  EXPECT_GT(shirt.panels[1].translation.y(), 0.1);
+  EXPECT_EQ(shirt.panels[2].label, "arm");
+  EXPECT_GT(shirt.panels[2].rotation.col(1).x(), 0.5) << "the cap of a right sleeve to the middle";
+  EXPECT_LT(shirt.panels[3].rotation.col(1).x(), -0.5);
+  // Sewn edges of front and back lie at one height and one x.
+  const auto at = [&](const Stitch::Side& side, double share) -> Vec3 {
+    const Panel& panel = shirt.panels[side.panel];
+    const Vec2 p = EdgePath(panel, side.edge).at(share);
+    return panel.rotation * Vec3(p.x(), p.y(), 0) + panel.translation;
+  };
+  for (const Stitch& s : shirt.stitches) {
+    EXPECT_NEAR(shirt.panels[s.first.panel].rotation.determinant(), 1, 1e-12);
+    if (s.first.panel > 1 || s.second.panel > 1) continue;
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Vec3 gap = at(s.first, share) - at(s.second, 1 - share);
+      EXPECT_LT(std::hypot(gap.x(), gap.z()), 0.005) << s.name << " " << share;
+    }
+  }
+  // Trousers: legs beside each other, not through each other.
+  Pattern trousers = unsewn_trousers();
+  sew_chains(trousers, know_garment(trousers).seams, notches);
+  place_pieces(trousers);
+  const auto known = know_garment(trousers);
+  for (std::size_t p = 0; p < 4; ++p) {
+    double low = 1e9, high = -1e9;
+    for (const Vec2& q : outline_polygon(trousers.panels[p])) {
+      const Vec3 x =
+          trousers.panels[p].rotation * Vec3(q.x(), q.y(), 0) + trousers.panels[p].translation;
+      low = std::min(low, x.x()), high = std::max(high, x.x());
+    }
+    EXPECT_GT(known.pieces[p].side > 0 ? low : -high, 0.02);
+  }
+}
+
+TEST(PlacePieces, SaysWhatItCannotPlace) {
+  Pattern loose = unsewn_tshirt();
+  loose.stitches.push_back({{0, 1}, {1, 7}, false, "side"});
+  EXPECT_THROW(place_pieces(loose), GeometryError);
+  Pattern nameless;
+  nameless.panels = {rectangle_panel("a", 0.4, 0.6), rectangle_panel("b", 0.4, 0.6)};
+  nameless.stitches.push_back({{0, 1}, {1, 3}, false, "side"});
+  try {
+    place_pieces(nameless);
+    ADD_FAILURE();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("front"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace loosefit::pattern
