@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/types.h"
+
+namespace loosefit::report {
+
+/// Arrays for a page, one after the other in one block of bytes (little-endian). Each `add` returns
+/// the JSON that tells the page how to read its array back:
+/// `{"at": byte offset, "count": numbers, "type": "u8"|"u16"|"u32", "size": numbers per item}`, and
+/// of rounded numbers `"low"` and `"step"` per component: value = low + step · stored.
+class PackedArrays {
+ public:
+  /// Whole numbers from 0, in as few bytes as the greatest needs. \throws Error for negative ones.
+  std::string add_counts(const std::vector<int>& values, int size = 1);
+  /// Numbers rounded to 65535 even steps between the least and the greatest; 65535 itself is NaN
+  /// (also of infinities). The error is at most half a step.
+  std::string add_values(const std::vector<double>& values);
+  /// Points, rounded alike per coordinate; they are finite.
+  std::string add_points(const std::vector<Vec3>& points);
+  std::string add_points(const std::vector<Vec2>& points);
+
+  /// The block, compressed with gzip (RFC 1952), as base64.
+  std::string gzip_base64() const;
+  std::size_t bytes() const { return block_.size(); }
+
+ private:
+  template <class Stored>
+  std::size_t append(const std::vector<Stored>& stored);
+  std::string add_rounded(const std::vector<std::vector<double>>& components);
+  std::string block_;
+};
+
+/// The stored number that stands for "not defined".
+inline constexpr std::uint16_t kNotDefined = 65535;
+
+/// Bytes compressed with gzip at the best level; the same bytes for the same input.
+/// \throws Error when memory runs out.
+std::string gzipped(const std::string& bytes);
+
+}  // namespace loosefit::report
