@@ -13,12 +13,18 @@ mkdir -p "$target/work"
 target=$(cd "$target" && pwd)
 work=$target/work
 
+# What tells the compiler that they are others.
+stamp() {
+  echo "// $(cat "$target/page.js" "$target/page.css" | sha256sum | cut -c1-64)" > "$target/page_stamp.h"
+}
+
 fail() {
   echo "warning: the interactive part of reports was not built: $1" >&2
   echo "hint: $2; reports show pictures only until then" >&2
   : > "$target/page.js"
   : > "$target/page.css"
-  touch -d @0 "$target/page.js" "$target/page.css"
+  stamp
+  touch -d @0 "$target/page.js" "$target/page.css" "$target/page_stamp.h"
   exit 0
 }
 
@@ -40,3 +46,4 @@ if grep -qi '</script' "$work/dist/page.js"; then
   fail "page.js holds the end of a script element" "rewrite that string in web/src"
 fi
 mv -f "$work/dist/page.js" "$work/dist/page.css" "$target"
+stamp

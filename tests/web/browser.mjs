@@ -16,8 +16,9 @@ export async function openBrowser(modules, options = {}) {
     executablePath: process.env.LOOSEFIT_CHROMIUM ?? "/usr/bin/chromium", headless: true, args: [...kArguments, ...(options.args ?? [])],
     ignoreDefaultArgs: ["--enable-automation"],
     viewport: options.viewport ?? { width: 1280, height: 800 }, colorScheme: options.dark ? "dark" : "light",
-    reducedMotion: "reduce", acceptDownloads: true,
+    reducedMotion: "reduce", acceptDownloads: true, timeout: 60000,
   });
+  context.setDefaultTimeout(10000);
   return {
     context,
     page: context.pages()[0] ?? await context.newPage(),

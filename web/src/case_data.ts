@@ -4,7 +4,7 @@
 export interface Packed {
   at: number;
   count: number;
-  type: "u8" | "u16" | "u32";
+  bytes: 1 | 2 | 4;
   size: number;
   low?: number[];
   step?: number[];
@@ -26,14 +26,15 @@ export interface MapStyle {
 }
 
 interface StateJson {
-  name: string;
+  name: string; // of the posture
+
   posture: number;
   donning: number;
   holds: boolean;
   body: number;
   positions: Packed;
   touching: Packed | null;
-  maps: Record<string, { values: Packed; min: number; median: number; max: number }>;
+  maps: Record<string, { title: string; values: Packed; min: number; median: number; max: number }>;
   slip: { from: Packed; to: Packed } | null;
 }
 
@@ -117,6 +118,7 @@ export interface CaseJson {
 }
 
 export interface MapValues {
+  title: string; // as this drape has it: its own slip, not the greatest of all
   values: Float32Array; // per garment vertex, NaN where not defined
   min: number;
   median: number;
@@ -170,8 +172,10 @@ export interface Case {
   sites: Site[];
   ranking: Ranking | null;
   colours: { sequential: Uint8Array; diverging: Uint8Array };
-  stateCount: number;
-  stateName(i: number): string;
+  postures: string[];
+  donnings: number;
+  /** Index of the drape of a posture after a donning, or -1. */
+  find(posture: number, donning: number): number;
   state(i: number): State;
 }
 
@@ -187,22 +191,26 @@ async function unzipped(bytes: Uint8Array<ArrayBuffer>): Promise<ArrayBuffer> {
   return await new Response(stream).arrayBuffer();
 }
 
+/** As packed_arrays.h has written them: differences to the item before, byte by byte. */
 class Block {
-  constructor(private readonly buffer: ArrayBuffer) {}
+  constructor(private readonly block: Uint8Array) {}
 
-  private raw(packed: Packed): Uint8Array | Uint16Array | Uint32Array {
-    if (packed.type === "u8") return new Uint8Array(this.buffer, packed.at, packed.count);
-    if (packed.type === "u16") return new Uint16Array(this.buffer, packed.at, packed.count);
-    return new Uint32Array(this.buffer, packed.at, packed.count);
-  }
   counts(packed: Packed): Uint32Array {
-    return Uint32Array.from(this.raw(packed));
+    const { at, count, bytes, size } = packed, { block } = this;
+    const out = new Uint32Array(count), mask = bytes === 4 ? 0xffffffff : 2 ** (8 * bytes) - 1;
+    for (let i = 0; i < count; ++i) {
+      let change = 0;
+      for (let plane = bytes - 1; plane >= 0; --plane)
+        change = (change << 8) | block[at + plane * count + i];
+      out[i] = (change + (i < size ? 0 : out[i - size])) & mask;
+    }
+    return out;
   }
   bytes(packed: Packed): Uint8Array {
-    return Uint8Array.from(this.raw(packed));
+    return Uint8Array.from(this.counts(packed));
   }
   numbers(packed: Packed): Float32Array {
-    const raw = this.raw(packed), size = packed.size;
+    const raw = this.counts(packed), { size } = packed;
     const low = packed.low ?? [], step = packed.step ?? [];
     const out = new Float32Array(packed.count);
     for (let i = 0; i < out.length; ++i) {
@@ -269,7 +277,7 @@ function shape(positions: Float32Array, triangles: Uint32Array, vertex: Uint32Ar
 }
 
 export async function readCase(json: CaseJson, arrays: string): Promise<Case> {
-  const block = new Block(await unzipped(bytesOf(arrays)));
+  const block = new Block(new Uint8Array(await unzipped(bytesOf(arrays))));
   const { garment, bodies, states, maps, order, colours } = json.scene;
   const cornerVertex = block.counts(garment.vertex), triangles = block.counts(garment.triangles);
   const surface = (s: SurfaceJson | null): Surface | null =>
@@ -283,7 +291,7 @@ export async function readCase(json: CaseJson, arrays: string): Promise<Case> {
       ...shape(positions, triangles, cornerVertex),
       touching: s.touching && block.bytes(s.touching),
       maps: new Map(Object.entries(s.maps).map(([array, m]) =>
-        [array, { values: block.numbers(m.values), min: m.min, median: m.median, max: m.max }])),
+        [array, { title: m.title, values: block.numbers(m.values), min: m.min, median: m.median, max: m.max }])),
       slip: s.slip && { from: block.numbers(s.slip.from), to: block.numbers(s.slip.to) },
     };
   };
@@ -301,8 +309,12 @@ export async function readCase(json: CaseJson, arrays: string): Promise<Case> {
     bodies: bodies.map((b) => ({ form: surface(b.form), under: surface(b.under) })),
     sites: json.places.sites, ranking: json.places.ranking,
     colours: { sequential: bytesOf(colours.sequential), diverging: bytesOf(colours.diverging) },
-    stateCount: states.length,
-    stateName: (i) => states[i].name,
+    postures: states.reduce<string[]>((names, s) => {
+      names[s.posture] = s.name;
+      return names;
+    }, []),
+    donnings: 1 + Math.max(...states.map((s) => s.donning)),
+    find: (posture, donning) => states.findIndex((s) => s.posture === posture && s.donning === donning),
     state: (i) => {
       let state = made.get(i);
       if (!state) made.set(i, state = makeState(i));

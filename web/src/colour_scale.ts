@@ -8,6 +8,7 @@ export interface Scale {
   breaks: number[]; // equal steps of the bar; empty: linear
   ticks: number[];
   lines: number; // contour lines at equal steps of the bar: this many steps
+  middle: boolean; // with one half way: not at the zero of a signed map, where noise would draw it
   table: Uint8Array; // 256 × RGB
 }
 
@@ -31,9 +32,9 @@ export function makeScale(data: Case, style: MapStyle, values: MapValues | undef
   if (choice === "fixed") {
     if (style.breaks.length > 1)
       return { low: style.low, high: style.high, breaks: style.breaks, ticks: style.breaks,
-               lines: style.breaks.length - 1, table };
+               lines: style.breaks.length - 1, middle: true, table };
     const ticks = [0, 1, 2, 3, 4].map((k) => style.low + (style.high - style.low) * k / 4);
-    return { low: style.low, high: style.high, breaks: [], ticks, lines: 8, table };
+    return { low: style.low, high: style.high, breaks: [], ticks, lines: 8, middle: !style.diverging, table };
   }
   let [low, high] = own;
   if (choice === "drape" && values) {
@@ -46,7 +47,7 @@ export function makeScale(data: Case, style: MapStyle, values: MapValues | undef
   }
   if (!(high > low)) high = low + (Math.abs(low) * 1e-3 || 1e-6);
   const ticks = niceTicks(low, high);
-  return { low, high, breaks: [], ticks, lines: 8, table };
+  return { low, high, breaks: [], ticks, lines: 8, middle: !style.diverging, table };
 }
 
 /** 0 at low, 1 at high, not limited on a linear scale; NaN for NaN. */

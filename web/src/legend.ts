@@ -2,9 +2,9 @@
 import type { MapStyle, MapValues } from "./case_data";
 import { cssColour, shareOf, tickText, unitText, type Scale } from "./colour_scale";
 
-export function titleText(style: MapStyle): string {
+export function titleText(style: MapStyle, values: MapValues | undefined): string {
   const unit = style.unit === "–" || !style.unit ? "" : ` [${style.unit}]`;
-  return style.title + unit;
+  return (values?.title ?? style.title) + unit;
 }
 
 interface Bar {

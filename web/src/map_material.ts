@@ -29,7 +29,7 @@ precision highp float;
 uniform sampler2D table;
 uniform vec3 plain;
 uniform vec3 key;
-uniform float mapped, lit, ambient, opacity, contours, contact;
+uniform float mapped, lit, ambient, opacity, contours, middle, contact;
 in float vShare;
 in float vKnown;
 in float vTouch;
@@ -46,6 +46,7 @@ void main() {
       float off = abs(fract(q - 0.5) - 0.5) / max(fwidth(q), 1e-6);
       float line = 1.0 - smoothstep(0.6, 1.3, off);
       if (q < 0.5 || q > contours - 0.5) line = 0.0;
+      if (middle < 0.5 && abs(q - 0.5 * contours) < 0.5) line = 0.0;
       float light = dot(c, vec3(0.3, 0.6, 0.1));
       c = mix(c, light > 0.45 ? vec3(0.08) : vec3(0.97), 0.75 * line);
     }
@@ -80,7 +81,7 @@ export function surfaceMaterial(plain: Color, lit: boolean, behind = 1): ShaderM
       table: { value: null }, plain: { value: plain },
       key: { value: new Vector3(-0.38, 0.62, 0.69).normalize() },
       mapped: { value: 0 }, lit: { value: lit ? 1 : 0 }, ambient: { value: 0.5 },
-      opacity: { value: 1 }, contours: { value: 0 }, contact: { value: 0 },
+      opacity: { value: 1 }, contours: { value: 0 }, middle: { value: 1 }, contact: { value: 0 },
     },
   });
 }

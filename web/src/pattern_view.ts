@@ -68,10 +68,15 @@ export class PatternView {
       panel.edges.forEach((edge) => edge.points.forEach(([u, v]) => extend(this.laid[i], u, v))));
   }
 
-  /** Pieces in rows, the tallest first, with the row length that lets them be drawn largest. */
-  private arrange(ratio: number): void {
+  /**
+   * Pieces in rows, the tallest first, with the row length that lets them be drawn largest.
+   * `letter`: width of one letter of their names [m].
+   */
+  private arrange(ratio: number, letter = 0): void {
     this.extents();
-    const size = (p: Laid) => [p.high[0] - p.low[0] + kGap, p.high[1] - p.low[1] + kGap + kTitle];
+    const names = new Map(this.laid.map((p, i) => [p, this.data.panels[i].name]));
+    const size = (p: Laid) => [Math.max(p.high[0] - p.low[0], letter * names.get(p)!.length) + kGap,
+                               p.high[1] - p.low[1] + kGap + kTitle];
     const order = this.laid.map((_, i) => i).filter((i) => this.laid[i].low[0] <= this.laid[i].high[0]);
     order.sort((a, b) => size(this.laid[b])[1] - size(this.laid[a])[1] || a - b);
     const rows = (limit: number, place: boolean): [number, number] => {
@@ -83,7 +88,7 @@ export class PatternView {
           x = tall = 0;
         }
         if (place) {
-          this.laid[i].x = x + kGap / 2;
+          this.laid[i].x = x + (w - (this.laid[i].high[0] - this.laid[i].low[0])) / 2;
           this.laid[i].y = y + kTitle + kGap / 2;
         }
         x += w;
@@ -131,6 +136,7 @@ export class PatternView {
     this.overlay.width = Math.round(width * ratio);
     this.overlay.height = Math.round(height * ratio);
     this.arrange(width / height);
+    this.arrange(width / height, 6.4 * Math.max(this.sheet[0] / width, this.sheet[1] / height));
     this.reset();
   }
 
@@ -178,10 +184,11 @@ export class PatternView {
     this.canvas.addEventListener("dblclick", () => this.reset());
   }
 
-  setLook(mapped: boolean, table: unknown, contours: number, contact: boolean): void {
+  setLook(mapped: boolean, table: unknown, contours: number, middle: boolean, contact: boolean): void {
     this.cloth.uniforms.mapped.value = mapped ? 1 : 0;
     this.cloth.uniforms.table.value = table;
     this.cloth.uniforms.contours.value = contours;
+    this.cloth.uniforms.middle.value = middle ? 1 : 0;
     this.cloth.uniforms.contact.value = contact ? 1 : 0;
     this.draw();
   }

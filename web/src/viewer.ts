@@ -56,6 +56,8 @@ export class Viewer {
     const wornPane = make("div", { class: "pane worn" }, wornCanvas, wornOver, views,
       make("p", { class: "hint" }, "Drag to turn · pinch or Ctrl + wheel to zoom · click to pin a point"));
     const flatPane = make("div", { class: "pane flat" }, flatCanvas, flatOver);
+    if (data.ranking)
+      flatPane.append(make("p", { class: "hint" }, "● passes · ■ does not pass · dashed: tolerance · shaded: too near an edge or seam"));
     const legendCanvas = make("canvas", { class: "bar", role: "img" });
     this.legendTitle = make("a", { class: "def", href: "#" });
     this.live = make("p", { class: "sr", role: "status", "aria-live": "polite" });
@@ -125,9 +127,10 @@ export class Viewer {
     range.title = "Fixed ranges are the same in every report, so that garments can be compared";
     const low = make("input", { id: "low", type: "number", step: "any", "aria-label": "Range from" });
     const high = make("input", { id: "high", type: "number", step: "any", "aria-label": "Range to" });
-    const state = make("select", { id: "state" });
-    for (let i = 0; i < data.stateCount; ++i)
-      state.append(make("option", { value: String(i) }, data.stateName(i)));
+    const posture = make("select", { id: "posture" }), donning = make("select", { id: "donning" });
+    data.postures.forEach((name, i) => posture.append(make("option", { value: String(i) }, name)));
+    for (let k = 0; k < data.donnings; ++k)
+      donning.append(make("option", { value: String(k) }, k === 0 ? "1st time" : k === 1 ? "2nd time" : k === 2 ? "3rd time" : `${k + 1}th time`));
     const check = (id: string, words: string, on: boolean) => {
       const box = make("input", { id, type: "checkbox" });
       box.checked = on;
@@ -141,7 +144,7 @@ export class Viewer {
       bar.addEventListener("input", () => this.showLook());
       return this.labelled(words, bar, "slider");
     };
-    Object.assign(this.controls, { map, range, low, high, state });
+    Object.assign(this.controls, { map, range, low, high, posture, donning });
     map.addEventListener("change", () => this.chooseMap(map.value || null));
     range.addEventListener("change", () => this.showMap());
     for (const end of [low, high])
@@ -149,10 +152,15 @@ export class Viewer {
         range.value = "own";
         this.showMap();
       });
-    state.addEventListener("change", () => this.chooseState(Number(state.value)));
+    for (const control of [posture, donning])
+      control.addEventListener("change", () => {
+        const wanted = data.find(Number(posture.value), Number(donning.value));
+        this.chooseState(wanted >= 0 ? wanted : this.stateIndex);
+      });
     const first = make("div", { class: "row" }, this.labelled("Map", map),
       make("div", { class: "group" }, this.labelled("Range", range), low, make("span", { class: "dash" }, "to"), high));
-    if (data.stateCount > 1) first.append(this.labelled("Posture", state));
+    if (data.postures.length > 1) first.append(this.labelled("Posture", posture));
+    if (data.donnings > 1) first.append(this.labelled("Put on", donning));
     const files = make("div", { class: "group end" });
     for (const [id, words, act] of [
       ["png-worn", "3-D", () => this.savePicture("worn")],
@@ -169,14 +177,14 @@ export class Viewer {
       check("contours", "Contours", false));
     if (this.state.touching) second.append(check("contact", "Contact", false));
     if (data.sites.length || data.ranking) second.append(check("places", data.ranking ? "Places" : "Sites", true));
-    if (data.stateCount > 1) second.append(check("arrows", "Slip", true));
+    if (data.postures.length > 1) second.append(check("arrows", "Slip arrows", true));
     second.append(files);
     return make("div", { class: "controls", role: "group", "aria-label": "What is shown" }, first, second);
   }
 
   private makeReadout(): HTMLElement {
     const list = make("dl", { class: "readout" });
-    for (const [key, words] of [["value", "Value"], ["place", "Pattern"], ["address", "Over the body"],
+    for (const [key, words] of [["value", "Value"], ["place", "Pattern"], ["address", "Body"],
                                 ["skin", "Skin"]]) {
       this.readout[key] = make("dd", { "data-probe": key }, "–");
       list.append(make("div", { class: key }, make("dt", {}, words), this.readout[key]));
@@ -208,7 +216,8 @@ export class Viewer {
   chooseState(index: number): void {
     this.stateIndex = index;
     this.state = this.data.state(index);
-    (this.controls.state as HTMLSelectElement).value = String(index);
+    (this.controls.posture as HTMLSelectElement).value = String(this.state.posture);
+    (this.controls.donning as HTMLSelectElement).value = String(this.state.donning);
     const has = (a: string | null) => a !== null && this.state.maps.has(a);
     // A posture has its slip where the reference has the maps.
     this.array = has(this.wished) ? this.wished
@@ -235,7 +244,7 @@ export class Viewer {
         low.value = tickText(this.scale.low, style).replace("\u2212", "-");
         high.value = tickText(this.scale.high, style).replace("\u2212", "-");
       }
-      this.legendTitle.textContent = titleText(style);
+      this.legendTitle.textContent = titleText(style, values);
       this.legendTitle.setAttribute("href", `#def-${this.array}`);
     } else {
       this.scale = null;
@@ -261,9 +270,10 @@ export class Viewer {
     const texture = this.texture();
     this.worn.showArrows = this.checked("arrows");
     this.worn.showPlaces = this.pattern.showPlaces = this.checked("places");
-    this.worn.setLook(mapped, texture, contours, this.checked("contact"), this.number("cloth") / 100,
+    const middle = this.scale?.middle ?? true;
+    this.worn.setLook(mapped, texture, contours, middle, this.checked("contact"), this.number("cloth") / 100,
                       this.number("body") / 100);
-    this.pattern.setLook(mapped, texture, contours, this.checked("contact"));
+    this.pattern.setLook(mapped, texture, contours, middle, this.checked("contact"));
     this.drawLegend();
   }
 
@@ -474,6 +484,7 @@ export class Viewer {
 
   private fileName(): string {
     const parts = [this.data.json.scene.garment.name, this.state.name, this.array ?? "plain"];
+    if (this.data.donnings > 1) parts.splice(2, 0, String(this.state.donning + 1));
     return parts.join("-").replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "");
   }
 
@@ -499,7 +510,7 @@ export class Viewer {
       c.font = "600 13px system-ui, sans-serif";
       c.textAlign = "center";
       c.textBaseline = "top";
-      c.fillText(titleText(style), width / 2, height + 4);
+      c.fillText(titleText(style, this.state.maps.get(this.array)), width / 2, height + 4);
       const bar = Math.min(520, width - 60);
       drawBar(c, { x: (width - bar) / 2, y: height + 26, width: bar, height: 16 }, this.scale, style,
               this.state.maps.get(this.array), ink.text, null);

@@ -163,13 +163,14 @@ export class WornView {
   }
 
   /** `mapped`: colours by the map; else plain cloth. */
-  setLook(mapped: boolean, table: unknown, contours: number, contact: boolean, clothOpacity: number,
+  setLook(mapped: boolean, table: unknown, contours: number, middle: boolean, contact: boolean, clothOpacity: number,
           bodyOpacity: number): void {
     for (const material of [this.cloth, this.clothBack]) {
       material.uniforms.mapped.value = mapped ? 1 : 0;
       material.uniforms.ambient.value = mapped ? 0.5 : 0.3;
       material.uniforms.table.value = table;
       material.uniforms.contours.value = contours;
+      material.uniforms.middle.value = middle ? 1 : 0;
       material.uniforms.contact.value = contact ? 1 : 0;
       setOpacity(material, clothOpacity);
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "loosefit/base/check.h"
@@ -33,12 +32,15 @@ std::vector<std::vector<double>> components_of(const std::vector<Point>& points)
 
 }  // namespace
 
-template <class Stored>
-std::size_t PackedArrays::append(const std::vector<Stored>& stored) {
-  block_.resize((block_.size() + sizeof(Stored) - 1) / sizeof(Stored) * sizeof(Stored));
-  const std::size_t at = block_.size(), bytes = stored.size() * sizeof(Stored);
-  block_.resize(at + bytes);
-  if (bytes > 0) std::memcpy(block_.data() + at, stored.data(), bytes);
+std::size_t PackedArrays::append(const std::vector<std::uint32_t>& stored, int bytes,
+                                 std::size_t size) {
+  const std::size_t at = block_.size(), count = stored.size();
+  block_.resize(at + count * bytes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t change = stored[i] - (i < size ? 0 : stored[i - size]);
+    for (int plane = 0; plane < bytes; ++plane)
+      block_[at + plane * count + i] = static_cast<char>(change >> 8 * plane & 255);
+  }
   return at;
 }
 
@@ -48,22 +50,16 @@ std::string PackedArrays::add_counts(const std::vector<int>& values, int size) {
     LOOSEFIT_ASSERT(value >= 0);
     greatest = std::max(greatest, value);
   }
-  const bool one = greatest <= 255, two = greatest <= 65535;
-  const std::size_t at =
-      one   ? append(std::vector<std::uint8_t>(values.begin(), values.end()))
-      : two ? append(std::vector<std::uint16_t>(values.begin(), values.end()))
-            : append(std::vector<std::uint32_t>(values.begin(), values.end()));
-  return fmt::format(R"({{"at":{},"count":{},"type":"{}","size":{}}})", at, values.size(),
-                     one   ? "u8"
-                     : two ? "u16"
-                           : "u32",
+  const int bytes = greatest <= 255 ? 1 : greatest <= 65535 ? 2 : 4;
+  const std::size_t at = append({values.begin(), values.end()}, bytes, size);
+  return fmt::format(R"({{"at":{},"count":{},"bytes":{},"size":{}}})", at, values.size(), bytes,
                      size);
 }
 
 std::string PackedArrays::add_rounded(const std::vector<std::vector<double>>& components) {
   const std::size_t items = components.empty() ? 0 : components.front().size();
   std::vector<double> lows, steps;
-  std::vector<std::uint16_t> stored(items * components.size());
+  std::vector<std::uint32_t> stored(items * components.size());
   for (std::size_t k = 0; k < components.size(); ++k) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (double value : components[k])
@@ -76,14 +72,14 @@ std::string PackedArrays::add_rounded(const std::vector<std::vector<double>>& co
     for (std::size_t i = 0; i < items; ++i) {
       const double value = components[k][i];
       stored[i * components.size() + k] =
-          std::isfinite(value) ? static_cast<std::uint16_t>(std::lround((value - low) / step))
+          std::isfinite(value) ? static_cast<std::uint32_t>(std::lround((value - low) / step))
                                : kNotDefined;
     }
     lows.push_back(low);
     steps.push_back(step);
   }
-  const std::size_t at = append(stored);
-  return fmt::format(R"({{"at":{},"count":{},"type":"u16","size":{},"low":{},"step":{}}})", at,
+  const std::size_t at = append(stored, 2, components.size());
+  return fmt::format(R"({{"at":{},"count":{},"bytes":2,"size":{},"low":{},"step":{}}})", at,
                      stored.size(), components.size(), joined(lows), joined(steps));
 }
 

@@ -7,10 +7,13 @@
 
 namespace loosefit::report {
 
-/// Arrays for a page, one after the other in one block of bytes (little-endian). Each `add` returns
-/// the JSON that tells the page how to read its array back:
-/// `{"at": byte offset, "count": numbers, "type": "u8"|"u16"|"u32", "size": numbers per item}`, and
-/// of rounded numbers `"low"` and `"step"` per component: value = low + step · stored.
+/// Arrays for a page, one after the other in one block of bytes. Each `add` returns the JSON that
+/// tells the page how to read its array back:
+/// `{"at": byte offset, "count": numbers, "bytes": 1|2|4 per number, "size": numbers per item}`,
+/// and of rounded numbers `"low"` and `"step"` per component: value = low + step · stored.
+/// So that they shrink when compressed (neighbours in a mesh are alike), each stored number is its
+/// difference to that of the item before, modulo 2^(8 · bytes), and of all numbers of an array
+/// first the lowest bytes are written, then the next ones.
 class PackedArrays {
  public:
   /// Whole numbers from 0, in as few bytes as the greatest needs. \throws Error for negative ones.
@@ -27,14 +30,13 @@ class PackedArrays {
   std::size_t bytes() const { return block_.size(); }
 
  private:
-  template <class Stored>
-  std::size_t append(const std::vector<Stored>& stored);
+  std::size_t append(const std::vector<std::uint32_t>& stored, int bytes, std::size_t size);
   std::string add_rounded(const std::vector<std::vector<double>>& components);
   std::string block_;
 };
 
 /// The stored number that stands for "not defined".
-inline constexpr std::uint16_t kNotDefined = 65535;
+inline constexpr std::uint32_t kNotDefined = 65535;
 
 /// Bytes compressed with gzip at the best level; the same bytes for the same input.
 /// \throws Error when memory runs out.

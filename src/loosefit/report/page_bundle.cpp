@@ -1,6 +1,9 @@
 #include "loosefit/report/page_bundle.h"
 
-// The two files as they are, between labels of their own.
+// Holds their checksums: a compiler's cache would not see that what .incbin names has changed.
+#include LOOSEFIT_PAGE_STAMP
+
+// They stand here as they are, between labels of their own.
 asm(".section .rodata\n"
     ".global loosefit_page_script, loosefit_page_script_end\n"
     ".global loosefit_page_style, loosefit_page_style_end\n"

@@ -164,7 +164,8 @@ Json surface_json(const geometry::TriangleMesh& mesh, PackedArrays& arrays) {
 Json values_json(const std::vector<study::CaseMap>& maps, PackedArrays& arrays) {
   Json all = Json::object();
   for (const study::CaseMap& entry : maps)
-    all[entry.map.array] = {{"values", Json::parse(arrays.add_values(entry.map.values))},
+    all[entry.map.array] = {{"title", entry.map.title},
+                            {"values", Json::parse(arrays.add_values(entry.map.values))},
                             {"min", entry.overall.min},
                             {"median", entry.overall.median},
                             {"max", entry.overall.max}};
@@ -196,11 +197,8 @@ Json arrows_json(const study::CaseResult& result, const study::CaseState& state,
           {"to", Json::parse(arrays.add_points(arrows.to))}};
 }
 
-std::string state_name(const study::CaseResult& result, const study::StateId& id) {
-  const study::CaseWear& wear = result.wear;
-  std::string name = wear.postures.empty() ? "as worn" : wear.postures[id.posture];
-  if (wear.donnings.size() > 1) name += ", put on " + std::to_string(id.donning + 1);
-  return name;
+std::string posture_name(const study::CaseResult& result, const study::StateId& id) {
+  return result.wear.postures.empty() ? "as worn" : result.wear.postures[id.posture];
 }
 
 /// The mannequin and what is worn over it under the studied garment.
@@ -238,7 +236,7 @@ void add_state(const study::CaseResult& result, const study::CaseState* state,
   const std::vector<Vec3>& positions =
       state ? state->drape().positions : result.studied().drape.positions;
   list.states.push_back(
-      {{"name", state_name(result, id)},
+      {{"name", posture_name(result, id)},
        {"posture", id.posture},
        {"donning", id.donning},
        {"holds", state ? state->counts() : certificate.holds()},
