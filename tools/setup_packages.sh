@@ -14,8 +14,9 @@ packages=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
   python3-jsonschema
+  chromium
 )
-command -v npm >/dev/null || packages+=(nodejs npm) # fetches the body data
+command -v npm >/dev/null || packages+=(nodejs npm) # body data, interactive part of reports
 
 missing=()
 for package in "${packages[@]}"; do

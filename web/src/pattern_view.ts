@@ -270,7 +270,7 @@ export class PatternView {
     if (ranking) for (const place of ranking.places) this.drawPlace(context, place, ink);
     if (this.showPlaces)
       for (const mark of this.marks) drawMark(context, this.screenOf(mark.point), mark, ink, true);
-    if (this.probe) drawCross(context, this.screenOf(this.probe), ink);
+    if (this.probe && !this.marks.some((m) => m.chosen && m.point === this.probe)) drawCross(context, this.screenOf(this.probe), ink);
   }
 
   private outline(context: CanvasRenderingContext2D, panel: number): Path2D {
@@ -297,7 +297,7 @@ export class PatternView {
       for (const edge of piece.edges) {
         const clearance = edge.sewn ? ranking.seam_clearance : ranking.edge_clearance;
         context.lineWidth = 2 * clearance * this.scale;
-        context.strokeStyle = ink.dark ? "rgba(255,255,255,0.28)" : "rgba(20,24,28,0.2)";
+        context.strokeStyle = "rgba(255,255,255,0.38)";
         context.beginPath();
         edge.points.forEach(([u, v], i) => {
           const [x, y] = this.toScreen(panel, u, v);

@@ -399,6 +399,6 @@ export class WornView {
       context.lineTo(...skin);
       context.stroke();
     }
-    drawCross(context, at, ink);
+    if (!this.marks.some((m) => m.chosen && m.point === this.probe)) drawCross(context, at, ink);
   }
 }

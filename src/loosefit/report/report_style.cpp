@@ -21,7 +21,8 @@ h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; padding-top: .6rem; border-top: 
 h3 { font-size: 1rem; margin: 1.2rem 0 .4rem; }
 p { margin: .4rem 0; max-width: 85ch; }
 .lead { color: var(--soft); font-size: 1.05rem; max-width: none; }
-.box { border-left: 5px solid; padding: .7rem 1rem; margin: 1rem 0; border-radius: 3px; }
+.box { border-left: 5px solid; padding: .6rem 1rem; margin: .7rem 0; border-radius: 3px; }
+.warn { font-size: .92rem; } .warn ul { margin: .1rem 0 0; padding-left: 1.2rem; } .warn li { margin: 0; }
 .box strong { font-size: 1.1rem; }
 .good { color: var(--good); background: var(--good-wash); }
 .bad { color: var(--bad); background: var(--bad-wash); }
