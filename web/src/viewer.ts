@@ -190,7 +190,10 @@ export class Viewer {
       list.append(make("div", { class: key }, make("dt", {}, words), this.readout[key]));
     }
     const clear = make("button", { type: "button", class: "plain", id: "unpin", disabled: "" }, "Unpin");
-    clear.addEventListener("click", () => this.pin(null));
+    clear.addEventListener("click", () => {
+      this.choose(null);
+      this.pin(null);
+    });
     this.readout.unpin = clear;
     return make("div", { class: "probe" }, list, clear);
   }
@@ -453,15 +456,20 @@ export class Viewer {
     this.pattern.setMarks(marks);
   }
 
+  /** Marks one site or place in views and tables; null: none. */
+  choose(name: string | null): void {
+    for (const mark of [...this.siteMarks, ...this.placeMarks]) mark.chosen = mark.name === name;
+    this.showMarks();
+    for (const row of document.querySelectorAll<HTMLElement>("tr[data-site], tr[data-place]"))
+      row.classList.toggle("chosen", name !== null && (row.dataset.site ?? row.dataset.place) === name);
+  }
+
   goTo(kind: "site" | "place", name: string): void {
     const mark = (kind === "site" ? this.siteMarks : this.placeMarks).find((m) => m.name === name);
     if (!mark) return;
-    for (const other of [...this.siteMarks, ...this.placeMarks]) other.chosen = other.name === name;
-    this.showMarks();
+    this.choose(name);
     this.pin(mark.point);
     this.worn.flyTo(mark.point);
-    for (const row of document.querySelectorAll("tr[data-site], tr[data-place]"))
-      row.classList.toggle("chosen", (row as HTMLElement).dataset[kind] === name);
     const host = document.getElementById("viewer")!, box = host.getBoundingClientRect();
     if (box.top < 0 || box.top > window.innerHeight * 0.5) {
       const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
