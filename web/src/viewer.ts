@@ -347,7 +347,10 @@ export class Viewer {
           this.hover(view.pick(at[0], at[1]));
         });
       });
-      canvas.addEventListener("pointerleave", () => this.hover(null));
+      canvas.addEventListener("pointerleave", () => {
+        view.nameMarkAt(-99, -99);
+        this.hover(null);
+      });
       canvas.addEventListener("pointerdown", (event) => { down = [event.offsetX, event.offsetY]; });
       canvas.addEventListener("pointerup", (event) => {
         if (!down || Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) > 4) return;

@@ -118,6 +118,10 @@ export class WornView {
       geometry.setAttribute("position", new BufferAttribute(surface.points, 3));
       geometry.setIndex(new BufferAttribute(surface.triangles, 1));
       geometry.computeVertexNormals();
+      // Drawn a millimetre inside itself: edges of flat triangles would else peep through cloth that lies on it.
+      const inside = surface.points.slice(), n = geometry.getAttribute("normal").array;
+      for (let i = 0; i < inside.length; ++i) inside[i] -= 0.001 * n[i];
+      geometry.setAttribute("position", new BufferAttribute(inside, 3));
       mesh.geometry.dispose();
       mesh.geometry = geometry;
     };
