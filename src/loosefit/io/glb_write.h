@@ -20,7 +20,7 @@ struct GlbSurface {
   bool two_sided = false;
 };
 
-/// Binary glTF 2.0 (Khronos Group 2021), which phones and browsers open: one node and mesh per
+/// Binary glTF 2.0 (of the Khronos Group), which phones and browsers open: one node and mesh per
 /// surface with POSITION, NORMAL and, with colours, COLOR_0 in linear light (16 bits). y is up in
 /// glTF and the wearer looks along +z: (x, y, z) is written as (x, z, −y). `notes` become the
 /// asset's extras, name and text.

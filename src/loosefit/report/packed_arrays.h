@@ -25,7 +25,7 @@ class PackedArrays {
   std::string add_points(const std::vector<Vec3>& points);
   std::string add_points(const std::vector<Vec2>& points);
 
-  /// The block, compressed with gzip (RFC 1952), as base64.
+  /// The block, compressed with gzip, as base64.
   std::string gzip_base64() const;
   std::size_t bytes() const { return block_.size(); }
 
@@ -38,7 +38,7 @@ class PackedArrays {
 /// The stored number that stands for "not defined".
 inline constexpr std::uint32_t kNotDefined = 65535;
 
-/// Bytes compressed with gzip at the best level; the same bytes for the same input.
+/// Bytes in the gzip format, at the best level; the same bytes for the same input.
 /// \throws Error when memory runs out.
 std::string gzipped(const std::string& bytes);
 
