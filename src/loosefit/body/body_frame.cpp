@@ -1,11 +1,11 @@
 #include "loosefit/body/body_frame.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "loosefit/base/error.h"
+#include "loosefit/geometry/least_squares.h"
 
 namespace loosefit::body {
 namespace {
@@ -103,7 +103,7 @@ SkinPoint skin_point(const Body& reference, const std::vector<Vec3>& axes,
       surface_frame(normal, at_point(reference.surface, axes, at.triangle, at.barycentric));
   const Vec3 tangent = (frame.has_direction ? frame : surface_frame(normal, otherwise)).axes.col(1);
   // Least squares: the foot of the direction in the plane of the triangle.
-  const Vec2 direction = edges(reference, at.triangle).colPivHouseholderQr().solve(tangent);
+  const Vec2 direction = geometry::least_squares(edges(reference, at.triangle), tangent);
   return {at.triangle, at.barycentric, direction, frame.has_direction};
 }
 

@@ -1,6 +1,5 @@
 #include "loosefit/body/body_tape.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "loosefit/body/rulers.h"
 #include "loosefit/body/section.h"
 #include "loosefit/body/tape_paths.h"
+#include "loosefit/geometry/principal_axes.h"
 
 namespace loosefit::body {
 namespace {
@@ -32,7 +32,7 @@ Vec3 ring_normal(const std::vector<Vec3>& vertices, const std::string& name) {
     const Vec3 d = vertices[std::size_t(v)] - centre;
     spread += d * d.transpose();
   }
-  return Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
+  return geometry::principal_axes(spread).axes.col(0);
 }
 
 }  // namespace

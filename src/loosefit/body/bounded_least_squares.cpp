@@ -1,7 +1,8 @@
 #include "loosefit/body/bounded_least_squares.h"
 
-#include <Eigen/QR>
 #include <vector>
+
+#include "loosefit/geometry/least_squares.h"
 
 namespace loosefit::body {
 namespace {
@@ -36,7 +37,7 @@ VectorXd boxed_step(const MatrixXd& jacobian, const VectorXd& residual, const Ve
     MatrixXd columns(residual.size(), Eigen::Index(free.size()));
     for (std::size_t k = 0; k < free.size(); ++k)
       columns.col(Eigen::Index(k)) = jacobian.col(free[k]);
-    const VectorXd solved = columns.colPivHouseholderQr().solve(right);
+    const VectorXd solved = geometry::least_squares(columns, right);
     // Those that leave the box are fixed on its bound; done when none does.
     bool inside = true;
     for (std::size_t k = 0; k < free.size(); ++k) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "loosefit/geometry/rotation_between.h"
+
 namespace loosefit::body {
 namespace {
 
@@ -76,7 +78,7 @@ Mat3 straightening(const BodyData& data, const std::vector<Vec3>& joints, const 
   const Vec3 elbow = joint_of(data, joints, "lowerarm01" + side);
   const Vec3 upper = elbow - joint_of(data, joints, "upperarm01" + side),
              fore = joint_of(data, joints, "wrist" + side) - elbow;
-  const Eigen::AngleAxisd whole(Eigen::Quaterniond::FromTwoVectors(fore, upper));
+  const Eigen::AngleAxisd whole(geometry::rotation_between(fore, upper));
   return about(whole.axis(), share * whole.angle());
 }
 

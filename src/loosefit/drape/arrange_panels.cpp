@@ -12,6 +12,7 @@
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/geometry/rotation_between.h"
 
 namespace loosefit::drape {
 namespace {
@@ -346,11 +347,11 @@ class Arranger {
       const Vec3& n = outside_[g_.vertex_panel[v]];
       const double depth = across.dot(n);
       if (depth < kFromAxis) across += (kFromAxis - depth) * n;
-      x_[v] = at.point + Eigen::Quaterniond::FromTwoVectors(axis, at.tangent) * across;
+      x_[v] = at.point + geometry::rotation_between(axis, at.tangent) * across;
     }
     const Vec3 mid = body_arm.at(start + (0 - begin) / 2).tangent;
     for (int k : panels) {
-      outside_[k] = Eigen::Quaterniond::FromTwoVectors(axis, mid) * outside_[k];
+      outside_[k] = geometry::rotation_between(axis, mid) * outside_[k];
       clear_along_normal(k);
     }
   }

@@ -11,6 +11,7 @@
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
+#include "loosefit/geometry/rotation_between.h"
 #include "loosefit/maps/surface_curvature.h"
 
 namespace loosefit::maps {
@@ -144,8 +145,7 @@ PressureField contact_pressure(const garment::Garment& garment, const drape::Dra
       // On a convex body a flat triangle touches in its middle and stands off at its rim; the
       // smooth cloth it stands for lies everywhere as near as that.
       const Vec3 out = normal.dot(middle[k]->normal) < 0 ? Vec3(-normal) : normal;
-      const Mat3 turn =
-          Eigen::Quaterniond::FromTwoVectors(out, middle[k]->normal).toRotationMatrix();
+      const Mat3 turn = geometry::rotation_between(out, middle[k]->normal).toRotationMatrix();
       const Mat3 curvature = offset_curvature(middle[k]->curvature, nearest);
       const double pressure = (turn * tension[t] * turn.transpose()).cwiseProduct(curvature).sum() +
                               0.5 * (weight(a) + weight(b)) * middle[k]->normal.z();

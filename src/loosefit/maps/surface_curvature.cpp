@@ -2,9 +2,11 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "loosefit/geometry/least_squares.h"
+#include "loosefit/geometry/principal_axes.h"
 
 namespace loosefit::maps {
 namespace {
@@ -34,14 +36,14 @@ Mat3 fitted_curvature(const std::vector<Vec3>& points, const Vec3& normal) {
   const Vec3 s = normal.unitOrthogonal(), t = normal.cross(s);
   double reach = 0;
   for (const Vec3& p : points) reach = std::max(reach, p.norm());
-  Eigen::Matrix<double, Eigen::Dynamic, 5> a(count, 5);
+  Eigen::MatrixXd a(count, 5);
   Eigen::VectorXd b(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const double x = points[i].dot(s) / reach, y = points[i].dot(t) / reach;
     a.row(i) << x, y, -0.5 * x * x, -x * y, -0.5 * y * y;
     b[i] = points[i].dot(normal) / reach;
   }
-  const Eigen::Matrix<double, 5, 1> c = a.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd c = geometry::least_squares(a, b);
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << s + c[0] * normal, t + c[1] * normal;
   const Eigen::Matrix<double, 3, 2> dual = tangents * (tangents.transpose() * tangents).inverse();
@@ -96,11 +98,9 @@ Mat3 curvature_at(const geometry::TriangleMesh& surface, const std::vector<Mat3>
 }
 
 Mat3 offset_curvature(const Mat3& curvature, double distance) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(0.5 * (curvature + curvature.transpose()));
-  const Vec3 k = eigen.eigenvalues();
+  const auto [k, axes] = geometry::principal_axes(0.5 * (curvature + curvature.transpose()));
   const Vec3 share = (1 + distance * k.array()).max(kLeastRadiusShare);
-  return eigen.eigenvectors() * (k.array() / share.array()).matrix().asDiagonal() *
-         eigen.eigenvectors().transpose();
+  return axes * (k.array() / share.array()).matrix().asDiagonal() * axes.transpose();
 }
 
 }  // namespace loosefit::maps

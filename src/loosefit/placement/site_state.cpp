@@ -1,10 +1,10 @@
 #include "loosefit/placement/site_state.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/nearest_rotation.h"
+#include "loosefit/geometry/principal_axes.h"
 #include "loosefit/maps/borne_strain.h"
 #include "loosefit/maps/statistics.h"
 
@@ -18,10 +18,9 @@ Mat3 mean_rotation(const Mat3& sum, double weight) {
   constexpr double kLeastAgreement = 0.5;
   if (!sum.allFinite() || !(weight > 0)) return Mat3::Constant(kNan);
   const Mat3 mean = sum / weight;
-  const Eigen::SelfAdjointEigenSolver<Mat3> squares(mean.transpose() * mean);
-  return squares.eigenvalues()[0] < kLeastAgreement * kLeastAgreement
-             ? Mat3(Mat3::Constant(kNan))
-             : geometry::nearest_rotation(sum);
+  const double least = geometry::principal_axes(mean.transpose() * mean).values[0];
+  return least < kLeastAgreement * kLeastAgreement ? Mat3(Mat3::Constant(kNan))
+                                                   : geometry::nearest_rotation(sum);
 }
 }  // namespace
 
