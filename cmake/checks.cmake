@@ -36,3 +36,16 @@ foreach(name cli fuzz)
   gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900
     ENVIRONMENT OPENBLAS_NUM_THREADS=1)
 endforeach()
+
+# The report in a browser: one run on a coarse mesh, opened, probed and photographed.
+find_program(LOOSEFIT_NODE node)
+if(LOOSEFIT_NODE)
+  add_test(NAME page_run COMMAND loosefit run ${PROJECT_SOURCE_DIR}/tests/web/page.toml
+    -o ${loosefit_page}/run --quiet)
+  set_tests_properties(page_run PROPERTIES FIXTURES_SETUP page TIMEOUT 300)
+  add_test(NAME page_in_a_browser COMMAND ${LOOSEFIT_NODE} ${PROJECT_SOURCE_DIR}/tests/web/page_test.mjs
+    ${loosefit_page}/run ${loosefit_page}/work ${loosefit_page}/screenshots)
+  add_test(NAME page_types COMMAND ${LOOSEFIT_NODE} ${loosefit_page}/work/node_modules/typescript/bin/tsc
+    -p ${loosefit_page}/work)
+  set_tests_properties(page_in_a_browser PROPERTIES FIXTURES_REQUIRED page TIMEOUT 300)
+endif()

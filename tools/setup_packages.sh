@@ -16,8 +16,9 @@ packages=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
   python3-jsonschema python3-ezdxf
+  chromium
 )
-[ "${1:-}" = program ] || command -v npm >/dev/null || packages+=(nodejs npm)
+command -v npm >/dev/null || packages+=(nodejs npm) # interactive part of reports, body data
 
 missing=()
 for package in "${packages[@]}"; do

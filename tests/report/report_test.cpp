@@ -2,11 +2,13 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/maps/compute_maps.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/page_viewer.h"
 #include "loosefit/report/sections.h"
 #include "loosefit/report/write_report.h"
 #include "support/tube_garment.h"
@@ -91,11 +93,77 @@ TEST_F(Report, IsOneSelfContainedPage) {
   EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0u);
   EXPECT_NE(html.find("data:image/png;base64," + base64("not really a picture")),
             std::string::npos);
-  EXPECT_EQ(count(html, "http://") + count(html, "https://") + count(html, "<script"), 0);
+  // What would fetch something; scripts stand in the page.
+  for (const char* outside : {"<script src", "<link", "@import", "url(http", "src=\"http", "<iframe"})
+    EXPECT_EQ(count(html, outside), 0) << outside;
   for (const char* tag : {"table", "div", "dl", "figure", "ul", "details", "svg", "tr"})
     EXPECT_EQ(count(html, std::string("<") + tag + ">") + count(html, std::string("<") + tag + " "),
               count(html, std::string("</") + tag + ">"))
         << tag;
+}
+
+/// The text of the element with this id, as JSON.
+nlohmann::json embedded_json(const std::string& html, const std::string& id) {
+  const std::size_t at = html.find("id=\"" + id + "\">");
+  if (at == std::string::npos) return nullptr;
+  const std::size_t from = html.find('>', at) + 1;
+  return nlohmann::json::parse(html.substr(from, html.find("</script>", from) - from));
+}
+
+TEST_F(Report, CarriesTheCaseForItsViewer) {
+  ASSERT_TRUE(has_viewer()) << "web/ was not built into this program";
+  result_.sites[0].at = {0.1, 0.2};
+  const std::string html = report_html(result_, {});
+  const nlohmann::json data = embedded_json(html, "case");
+  const nlohmann::json& scene = data["scene"];
+  EXPECT_EQ(scene["garment"]["vertices"], result_.studied().mesh().vertex_count);
+  EXPECT_EQ(scene["states"].size(), 1u);
+  EXPECT_EQ(scene["states"][0]["maps"].size(), result_.studied().maps.maps.size());
+  EXPECT_EQ(scene["maps"]["distance_mm"]["high"], 40);
+  EXPECT_GT(scene["maps"]["distance_mm"]["meaning"].get<std::string>().size(), 20u);
+  EXPECT_EQ(data["places"]["sites"][0]["name"], "<left> scapula");
+  EXPECT_EQ(data["places"]["sites"][0]["at"][1], 0.2);
+  // The tube is sewn to itself: its seam has a corner on either side.
+  EXPECT_GT(scene["garment"]["vertex"]["count"], result_.studied().mesh().vertex_count);
+  EXPECT_EQ(scene["garment"]["triangles"]["count"], 3 * result_.studied().mesh().triangles.size());
+}
+
+TEST_F(Report, NamesCannotEndTheScriptThatHoldsThem) {
+  result_.sites[0].name = "</script><script>alert(1)//";
+  result_.studied().pattern.pattern.name = "</SCRIPT><!--";
+  const std::string html = report_html(result_, {});
+  EXPECT_EQ(embedded_json(html, "case")["places"]["sites"][0]["name"], result_.sites[0].name);
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(html.find("</SCRIPT>"), std::string::npos);
+}
+
+TEST_F(Report, EveryDefinedWordHasItsDefinition) {
+  result_.studied().maps.wrinkles[body::Region::mid_back] = {radians(-3), 0.9, radians(12)};
+  const std::string html = report_html(result_, {});
+  const std::string start = "href=\"#def-";
+  int links = 0;
+  for (std::size_t at = html.find(start); at != std::string::npos; at = html.find(start, at + 1)) {
+    const std::size_t from = at + start.size();
+    const std::string term = html.substr(from, html.find('"', from) - from);
+    EXPECT_EQ(count(html, "<dt id=\"def-" + term + "\">"), 1) << term;
+    ++links;
+  }
+  EXPECT_GT(links, 20);
+}
+
+TEST_F(Report, AnUnsettledDrapeSaysSoBeforeItIsShown) {
+  EXPECT_LT(report_html(result_, {}).find("id=\"viewer\""),
+            report_html(result_, {}).find("Certificate</h2>"));
+  result_.studied().drape.certificate.residual = 0.2;
+  const std::string html = report_html(result_, {});
+  EXPECT_GT(html.find("id=\"viewer\""), html.find("Certificate</h2>"));
+  EXPECT_NE(html.find("\"verdict bad\">Not settled"), std::string::npos);
+}
+
+TEST_F(Report, ShowsThePreviewOfAPictureWhereThereIsOne) {
+  const std::string html =
+      report_html(result_, {{"distance", render::View::front, dir_ / "none.png", "jpeg bytes"}});
+  EXPECT_NE(html.find("data:image/jpeg;base64," + base64("jpeg bytes")), std::string::npos);
 }
 
 TEST_F(Report, ShowsTheNumbersOfTheResult) {

@@ -50,6 +50,15 @@ void add_strings(vtkFieldData* to, const std::string& name,
   to->AddArray(array);
 }
 
+/// "distance_mm: mm": one line per array that has a unit.
+std::vector<std::string> units_of(const std::vector<maps::PerformanceMap>& maps) {
+  std::vector<std::string> units = {"Points: m", "pattern_uv: m", "corner_uv: m",
+                                    "body_normal_force_N: N"};
+  for (const maps::PerformanceMap& map : maps)
+    units.push_back(map.array + ": " + (map.unit == "–" ? "1" : map.unit));
+  return units;
+}
+
 template <class Vec>
 std::vector<double> flat(const std::vector<Vec>& points) {
   std::vector<double> values;
@@ -140,6 +149,7 @@ void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& 
   add_array(field, "worn", {c.worn() ? 1 : 0});
   add_strings(field, "worn_reasons", c.worn_reasons);
   add_strings(field, "panel_names", garment.panel_names);
+  add_strings(field, "units", units_of(maps));
   write(path, data);
 }
 

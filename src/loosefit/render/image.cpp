@@ -2,8 +2,10 @@
 
 #include <vtkAutoInit.h>
 #include <vtkImageData.h>
+#include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -83,13 +85,32 @@ void draw_text(Image& image, const std::string& text, int x, int y, int size, in
     }
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
-  vtkNew<vtkImageData> raster;
+namespace {
+vtkSmartPointer<vtkImageData> raster_of(const Image& image) {
+  vtkSmartPointer<vtkImageData> raster = vtkSmartPointer<vtkImageData>::New();
   raster->SetDimensions(image.width, image.height, 1);
   raster->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   for (int y = 0; y < image.height; ++y)
     std::copy_n(&image.at(0, y)[0], 3 * image.width,
                 static_cast<unsigned char*>(raster->GetScalarPointer(0, image.height - 1 - y, 0)));
+  return raster;
+}
+}  // namespace
+
+std::string jpeg(const Image& image) {
+  const vtkSmartPointer<vtkImageData> raster = raster_of(image);
+  vtkNew<vtkJPEGWriter> writer;
+  writer->SetInputData(raster);
+  writer->SetQuality(82);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  const vtkSmartPointer<vtkImageData> raster = raster_of(image);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(raster);
   writer->WriteToMemoryOn();

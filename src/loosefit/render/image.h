@@ -30,6 +30,9 @@ void fill(Image& image, int x0, int y0, int x1, int y1, Rgb colour);
 void draw_text(Image& image, const std::string& text, int x, int y, int size, int align = -1,
                Rgb colour = {40, 40, 40}, bool bold = false);
 
+/// The image as JPEG, good enough to read its legend.
+std::string jpeg(const Image& image);
+
 /// \throws IoError when the file cannot be written in full.
 void write_png(const std::filesystem::path& path, const Image& image);
 

@@ -64,7 +64,7 @@ std::vector<Picture> render_pictures(const Screen& screen, const std::filesystem
   std::vector<Picture> pictures;
   // Writes a picture and tells of it.
   const auto finish = [&](const Image& image, const std::string& map, View view) {
-    pictures.push_back({map, view, dir / (map + "-" + name(view) + ".png")});
+    pictures.push_back({map, view, dir / (map + "-" + name(view) + ".png"), jpeg(image)});
     write_png(pictures.back().file, image);
     if (after_each) after_each(static_cast<double>(pictures.size()) / total);
   };

@@ -27,6 +27,7 @@ struct Picture {
   std::string map;  ///< PerformanceMap::map, or "drape" and "layers" for the undecorated ones
   View view = View::front;
   std::filesystem::path file;
+  std::string preview = {};  ///< the same as JPEG, for a page: a fifth of the bytes; may be empty
 };
 
 /// Draws the drape with every map whose `pictured` is set and writes DIR/<map>-<view>.png. The body

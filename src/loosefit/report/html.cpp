@@ -76,18 +76,43 @@ std::string element(const std::string& tag, const std::string& content,
   return "<" + tag + attribute + ">" + content + "</" + tag + ">\n";
 }
 
+std::string defined(const std::string& words, const std::string& term) {
+  return "<a class=\"def\" href=\"#def-" + escaped(term) + "\">" + escaped(words) + "</a>";
+}
+
+void Table::add(std::vector<std::string> row, std::pair<std::string, std::string> data) {
+  rows_.push_back({std::move(row), std::move(data)});
+}
+
+void Table::make_sortable(std::string name) {
+  sortable_ = true;
+  name_ = std::move(name);
+}
+
 std::string Table::html() const {
   std::string head, body;
-  for (const std::string& cell : head_) head += "<th scope=\"col\">" + escaped(cell) + "</th>";
-  for (const auto& row : rows_) {
-    body += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      body +=
-          (i == 0 ? "<th scope=\"row\">" : "<td>") + escaped(row[i]) + (i == 0 ? "</th>" : "</td>");
+  for (std::size_t i = 0; i < head_.size(); ++i) {
+    const auto term = terms_.find(i);
+    head += "<th scope=\"col\">" +
+            (term == terms_.end() ? escaped(head_[i]) : defined(head_[i], term->second)) + "</th>";
+  }
+  for (const Row& row : rows_) {
+    body += "<tr" +
+            (row.data.first.empty()
+                 ? std::string()
+                 : " data-" + row.data.first + "=\"" + escaped(row.data.second) + "\"") +
+            ">";
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      body += (i == 0 ? "<th scope=\"row\">" : "<td>") + escaped(row.cells[i]) +
+              (i == 0 ? "</th>" : "</td>");
     body += "</tr>\n";
   }
-  return "<div class=\"scroll\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body +
-         "</tbody></table></div>\n";
+  const std::string attributes =
+      sortable_ ? " class=\"sortable\"" +
+                      (name_.empty() ? std::string() : " data-name=\"" + escaped(name_) + "\"")
+                : std::string();
+  return "<div class=\"scroll\"><table" + attributes + ">\n<thead><tr>" + head +
+         "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
 }
 
 }  // namespace loosefit::report

@@ -1,5 +1,7 @@
 #pragma once
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loosefit::report {
@@ -22,17 +24,32 @@ std::string signed_number(double value, int digits = 3);
 std::string element(const std::string& tag, const std::string& content,
                     const std::string& css_class = {});
 
+/// Link to the definition of a word at the foot of the page (sections_definitions.cpp), HTML.
+std::string defined(const std::string& words, const std::string& term);
+
 /// An HTML table; all texts are escaped. The first column is a row head, others are numbers.
 class Table {
  public:
   explicit Table(std::vector<std::string> head) : head_(std::move(head)) {}
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  /// `data`: attribute and value that tell a script what the row is about ({"site", "left arm"}).
+  void add(std::vector<std::string> row, std::pair<std::string, std::string> data = {});
+  /// The head of a column links to the definition of `term`.
+  void define(std::size_t column, const std::string& term) { terms_[column] = term; }
+  /// Readers may sort it, and take it home as `name`.csv where it has a name.
+  void make_sortable(std::string name = {});
   bool empty() const { return rows_.empty(); }
   std::string html() const;
 
  private:
+  struct Row {
+    std::vector<std::string> cells;
+    std::pair<std::string, std::string> data;
+  };
   std::vector<std::string> head_;
-  std::vector<std::vector<std::string>> rows_;
+  std::map<std::size_t, std::string> terms_;
+  std::vector<Row> rows_;
+  bool sortable_ = false;
+  std::string name_;
 };
 
 }  // namespace loosefit::report

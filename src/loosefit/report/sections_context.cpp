@@ -19,6 +19,7 @@ std::string percent(double share) { return signed_number(100 * share, 3) + " %";
 
 Table fit_table(const study::CaseResult& result) {
   Table table({"Level", "garment [mm]", "body [mm]", "fit (BGM)"});
+  table.define(3, "bgm");
   for (const auto& [level, mobility] : result.studied().pattern.fit) {
     const auto girth = result.studied().pattern.girths.find(level);
     const bool known = girth != result.studied().pattern.girths.end();
@@ -72,6 +73,7 @@ Table garment_table(const study::CaseResult& result) {
   const garment::Garment& garment = result.studied().mesh();
   const fabric::Material& m = result.scenario.studied().material.material;
   Table table({"Garment and cloth", ""});
+  table.define(0, "mesh");
   table.add({"vertices, triangles",
              fmt::format("{}, {}", garment.vertex_count, garment.triangles.size())});
   table.add({"flat area", number(garment.area) + " m²"});

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "loosefit/maps/catalogue.h"
+#include "loosefit/report/glossary.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
 
@@ -12,15 +15,32 @@ std::string text(const maps::MapArray& array) {
   return html;
 }
 
+/// A term that links lead to (defined()).
+std::string term(const std::string& id, const std::string& title, const std::string& meaning) {
+  return "<dt id=\"def-" + escaped(id) + "\">" + escaped(title) + "</dt>\n" +
+         element("dd", meaning);
+}
+
 }  // namespace
 
 std::string definition_section(const study::CaseResult& result) {
-  std::string list;
-  for (const study::CaseMap& entry : result.studied().maps.maps)
-    if (const maps::MapArray* array = maps::find_map_array(entry.map.array))
-      list += element("dt", escaped(array->style.title)) + element("dd", text(*array));
-  if (list.empty()) return {};
-  return element("h2", "What the maps mean") + element("dl", list);
+  std::string of_maps, of_words;
+  std::vector<const maps::MapArray*> shown;
+  const auto add = [&](const std::vector<study::CaseMap>& maps) {
+    for (const study::CaseMap& entry : maps) {
+      const maps::MapArray* array = maps::find_map_array(entry.map.array);
+      if (!array || std::find(shown.begin(), shown.end(), array) != shown.end()) continue;
+      shown.push_back(array);
+      of_maps += term(entry.map.array, array->style.title, text(*array));
+    }
+  };
+  add(result.studied().maps.maps);
+  for (const study::CaseState& state : result.wear.states) add(state.maps.maps);
+  for (const GlossaryTerm& word : glossary())
+    of_words += term(word.id, word.title, escaped(word.meaning));
+  std::string html;
+  if (!of_maps.empty()) html += element("h2", "What the maps mean") + element("dl", of_maps);
+  return html + element("h2", "What the other numbers mean") + element("dl", of_words);
 }
 
 }  // namespace loosefit::report

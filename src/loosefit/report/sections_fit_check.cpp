@@ -16,6 +16,7 @@ std::string spaced(std::string name) {
 
 std::string load_tables(const maps::BodyLoad& load) {
   Table force({"Normal force on the wearer", "N", "weights of the garment", "share"});
+  force.define(0, "normal-force");
   const auto row = [&](const std::string& name, double newton) {
     force.add({name, fixed(newton, 2), load.weight > 0 ? fixed(newton / load.weight, 1) : "–",
                load.normal_force > 0 ? percent(newton / load.normal_force) : "–"});
@@ -25,6 +26,7 @@ std::string load_tables(const maps::BodyLoad& load) {
     if (load.of_limb.at(limb) > 0) row(spaced(limb), load.of_limb.at(limb));
   row("of it, squeezed between arm and trunk", load.between_arm_and_trunk);
   Table contact({"Gap to the skin up to", "0.5 mm", "1 mm", "2 mm", "3 mm"});
+  contact.define(0, "near-share");
   std::vector<std::string> shares = {"share of the cloth"};
   for (double share : load.near_share) shares.push_back(percent(share));
   contact.add(shares);
@@ -33,6 +35,7 @@ std::string load_tables(const maps::BodyLoad& load) {
 
 std::string ease_table(const std::vector<study::StationEase>& stations) {
   Table table({"Ease", "asked", "cut"});
+  table.define(0, "ease");
   for (const study::StationEase& s : stations)
     table.add({spaced(s.name), s.asked ? percent(*s.asked) : "–", percent(s.cut, 1)});
   return table.html();
@@ -40,6 +43,7 @@ std::string ease_table(const std::vector<study::StationEase>& stations) {
 
 std::string range_table(const maps::StrainRange& range) {
   Table table({"Strain against its measured range", "largest", "range", "cloth beyond"});
+  table.define(0, "measured-range");
   const auto row = [&](const char* name, const maps::DirectionRange& d, auto text) {
     table.add({name, text(d.largest), d.is_stated() ? text(d.limit) : "not stated",
                d.is_stated() ? percent(d.share_beyond, 1) : "–"});

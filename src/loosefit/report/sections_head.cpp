@@ -30,8 +30,8 @@ std::string what(const study::CaseResult& result) {
   return text;
 }
 
-std::string fact(const std::string& label, const std::string& value) {
-  return "<li>" + escaped(label) + " <b>" + escaped(value) + "</b></li>";
+std::string fact(const std::string& label, const std::string& term, const std::string& value) {
+  return "<li>" + defined(label, term) + " <b>" + escaped(value) + "</b></li>";
 }
 
 std::string count_text(int count) { return count < 0 ? "not tested" : std::to_string(count); }
@@ -44,14 +44,22 @@ std::string headline_section(const study::CaseResult& result) {
   const auto chest = result.studied().pattern.fit.find("chest");
   if (chest != result.studied().pattern.fit.end())
     sentence +=
-        fmt::format(", {}{:.0f} % at the chest", chest->second < 0 ? "tight by " : "loose by ",
+        fmt::format(", {}{:.0f}\u00a0% at the chest", chest->second < 0 ? "tight by " : "loose by ",
                     std::abs(100 * chest->second));
   sentence += ", in " + result.scenario.studied().material.material.name;
   for (std::size_t g = result.worn_under().size(); g-- > 0;)
     sentence += " over the " + result.garments[g].pattern.pattern.name + " in " +
                 result.scenario.garments[g].material.material.name;
   sentence += ".";
-  html += element("p", escaped(sentence), "lead");
+  // The verdict first, in a word; the certificate says why.
+  const drape::Certificate& c = result.certificate();
+  const std::string verdict = c.holds()     ? "Settled and worn"
+                              : c.settled() ? "Not worn"
+                                            : "Not settled";
+  html += element("p",
+                  "<span class=\"verdict " + std::string(c.holds() ? "good" : "bad") + "\">" +
+                      verdict + "</span>" + escaped(sentence),
+                  "lead");
   if (!result.warnings.empty()) {
     std::string list;
     for (const std::string& warning : result.warnings) list += element("li", escaped(warning));
@@ -90,20 +98,20 @@ std::string certificate_section(const study::CaseResult& result) {
         "their numbers.";
   }
   // The numbers behind it; crossings between garments only when there are several.
-  std::string facts = fact("residual ‖F‖/‖W‖", number(c.residual, 3)) +
-                      fact("largest on one particle", number(c.residual_max, 3)) +
-                      fact("crossings with the body", count_text(c.intersections_body)) +
-                      fact("crossings with itself", count_text(c.intersections_self)) +
-                      fact("stable:", !c.stable   ? "not tested"
+  std::string facts = fact("residual ‖F‖/‖W‖", "residual", number(c.residual, 3)) +
+                      fact("largest on one particle", "residual-max", number(c.residual_max, 3)) +
+                      fact("crossings with the body", "crossings", count_text(c.intersections_body)) +
+                      fact("crossings with itself", "crossings", count_text(c.intersections_self)) +
+                      fact("stable:", "stable", !c.stable   ? "not tested"
                                       : *c.stable ? "yes"
                                                   : "no") +
                       (result.worn_under().empty() ? ""
-                                                   : fact("of these, between garments",
+                                                   : fact("of these, between garments", "crossings",
                                                           count_text(c.intersections_layers))) +
-                      fact("stopped:", c.stop_reason) +
-                      fact("worn:", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
+                      fact("stopped:", "stopped", c.stop_reason) +
+                      fact("worn:", "worn", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   if (settling.total().iterations > 0)
-    facts += fact("iterations", std::to_string(settling.total().iterations));
+    facts += fact("iterations", "iterations", std::to_string(settling.total().iterations));
   // Green or red box, and below it how the force fell.
   std::string html = element("h2", "Certificate");
   html += element("div", text + element("ul", facts, "facts"), c.holds() ? "box good" : "box bad");

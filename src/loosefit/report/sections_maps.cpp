@@ -10,7 +10,9 @@
 namespace loosefit::report {
 namespace {
 
-std::string embedded(const std::filesystem::path& file) {
+std::string embedded(const render::Picture& picture) {
+  if (!picture.preview.empty()) return "data:image/jpeg;base64," + base64(picture.preview);
+  const std::filesystem::path& file = picture.file;
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (bytes.empty()) throw IoError("cannot read the picture " + file.string());
@@ -38,23 +40,27 @@ std::string picture_section(const study::CaseResult& result,
   for (const render::Picture& picture : pictures)
     if (std::find(views.begin(), views.end(), picture.view) == views.end())
       views.push_back(picture.view);
-  std::string html = element("h2", "The drape and its maps");
+  std::string html;
   for (render::View view : views) {
     std::string row;
     for (const render::Picture& picture : pictures) {
       if (picture.view != view) continue;
       const std::string title = title_of(result, picture.map) + ", " + render::name(view);
-      row += "<figure><img alt=\"" + escaped(title) + "\" src=\"" + embedded(picture.file) +
+      row += "<figure><img alt=\"" + escaped(title) + "\" src=\"" + embedded(picture) +
              "\"><figcaption>" + escaped(title) + "</figcaption></figure>\n";
     }
     html += element("div", row, "pictures") + "<p></p>\n";
   }
-  return html +
+  html +=
          element(
              "p",
              "Colour ranges are fixed, so that reports can be compared; that of the pressure has "
              "its ticks, bounds of use, at equal steps; grey cloth "
              "means that a value is not defined. Seams and edges are drawn dark.");
+  // Closed where the viewer above shows the same (viewer_head).
+  return "<details class=\"stills\" open><summary><h2>Pictures</h2></summary>\n" + html +
+         "</details>\n<script>if(document.documentElement.classList.contains('webgl'))"
+         "document.querySelector('details.stills').removeAttribute('open')</script>\n";
 }
 
 std::string map_section(const study::CaseResult& result) {
@@ -62,6 +68,8 @@ std::string map_section(const study::CaseResult& result) {
   if (result.studied().maps.maps.empty()) return {};
   // Each map over the whole garment.
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
+  overall.make_sortable("maps");
+  for (std::size_t column : {2, 3, 4, 6}) overall.define(column, "percentiles");
   for (const study::CaseMap& entry : result.studied().maps.maps) {
     const maps::MapStatistics& s = entry.overall;
     std::vector<std::string> row = {with_unit(entry.map)};
@@ -80,6 +88,9 @@ std::string map_section(const study::CaseResult& result) {
   head.push_back("area [dm²]");
   // Regions that the garment does not cover have no area and no row.
   Table regions(head);
+  regions.make_sortable("regions");
+  regions.define(0, "region");
+  for (std::size_t i = 0; i < shown.size(); ++i) regions.define(i + 1, shown[i]->map.array);
   for (body::Region region : body::all_regions()) {
     std::vector<std::string> row = {spaced(body::name(region))};
     double area = 0;
@@ -119,6 +130,11 @@ std::string site_section(const study::CaseResult& result) {
     head.push_back(with_unit(entry.map));
   }
   Table table(head);
+  table.make_sortable("sites");
+  table.define(2, "uv");
+  table.define(3, "uv");
+  table.define(4, "region");
+  for (std::size_t i = 0; i < shown.size(); ++i) table.define(5 + i, shown[i]->array);
   for (const placement::Site& site : result.sites) {
     std::vector<std::string> row = {spaced(site.name), spaced(site.panel),
                                     fixed(1000 * site.at.x(), 0), fixed(1000 * site.at.y(), 0),
@@ -130,7 +146,7 @@ std::string site_section(const study::CaseResult& result) {
                         : value_text(*map, value->second.mean) + " (" +
                               value_text(*map, value->second.worst) + ")");
     }
-    table.add(row);
+    table.add(row, {"site", spaced(site.name)});
   }
   std::string bare;
   for (const placement::UncoveredSite& site : result.uncovered_sites)
@@ -142,7 +158,7 @@ std::string site_section(const study::CaseResult& result) {
   return element("h2", "Sensor sites") + table.html() +
          (bare.empty() ? bare : element("ul", bare)) +
          element("p",
-                 "Mean over a disc of " + number(1000 * placement::kFootprintRadius, 2) +
+                 defined("Under a sensor", "footprint") + ": mean over a disc of " + number(1000 * placement::kFootprintRadius, 2) +
                      " mm radius on the cloth, in brackets the value that 95 % of the disc stay "
                      "below. u runs along the weft, v along the warp of the flat panel.");
 }

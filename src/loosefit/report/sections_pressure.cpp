@@ -27,6 +27,9 @@ std::string pressure_section(const study::CaseResult& result) {
   if (pressure.field.empty()) return {};
   Table table({"Where", "contact [dm²]", "mean, by force [kPa]", "by tension [kPa]",
                "normal force [N]", "by tension [N]", "rms difference [kPa]", "correlation"});
+  table.make_sortable("pressure");
+  for (std::size_t column : {2, 4}) table.define(column, "pressure-force");
+  for (std::size_t column : {3, 5}) table.define(column, "pressure-tension");
   table.add(row("whole garment", pressure.overall));
   for (const auto& [region, agreement] : pressure.regional)
     table.add(row(body::name(region), agreement));

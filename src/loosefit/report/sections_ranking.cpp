@@ -59,10 +59,14 @@ std::string ranking_section(const placement::RankingTable* table) {
   if (!table || table->ranking.sites.empty()) return {};
   const auto& sites = table->ranking.sites;
   Table rows({"site", "rank", "score", "90 %", "median", "passing", "rank 90 %", "limited by"});
+  rows.make_sortable("ranking");
+  const char* const terms[] = {"rank", "robust", "interval", "robust", "passing", "interval", "limited"};
+  for (std::size_t i = 0; i < std::size(terms); ++i) rows.define(i + 1, terms[i]);
   for (const placement::RankedSite& site : sites) {
     const placement::SiteScore& score = site.score;
     if (!score.rated()) {
-      rows.add({site.name, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", score.reason});
+      rows.add({site.name, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", score.reason},
+               {"place", site.name});
       continue;
     }
     const int worst = score.robust_sample;
@@ -72,7 +76,8 @@ std::string ranking_section(const placement::RankingTable* table) {
     rows.add({site.name, rank == "-" ? "–" : rank, fixed(score.robust, 2),
               interval_text(site.robust_interval, 2), fixed(score.median, 2),
               fixed(100 * score.passing, 0) + " %", interval_text(site.rank_interval, 0),
-              many ? score.reason + " (" + table->sample_names[worst] + ")" : score.reason});
+              many ? score.reason + " (" + table->sample_names[worst] + ")" : score.reason},
+             {"place", site.name});
   }
   std::string html = element("h2", "Where to put it: " + escaped(table->scorecard.title));
   if (!table->scorecard.about.empty()) html += element("p", escaped(table->scorecard.about));

@@ -29,6 +29,9 @@ std::string wear_section(const study::CaseResult& result) {
   if (wear.states.empty()) return {};
   Table table({"posture", "donning", "drape", "residual", "seconds, side by side", "slip median mm",
                "slip 95 % mm", "slip greatest mm"});
+  table.make_sortable("postures");
+  table.define(3, "residual");
+  for (std::size_t column : {5, 6, 7}) table.define(column, "slip");
   auto first =
       row(wear.postures.front(), study::StateId{}, result.certificate(), seconds_of(result));
   first.insert(first.end(), 3, "–");

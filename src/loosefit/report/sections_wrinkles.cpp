@@ -20,6 +20,9 @@ std::string row_name(body::Region region) {
 std::string wrinkle_section(const study::CaseResult& result) {
   if (result.studied().maps.wrinkles.empty()) return {};
   Table table({"Region", "slope [deg]", "direction [deg]", "coherence"});
+  table.make_sortable("wrinkles");
+  table.define(1, "slope");
+  table.define(3, "coherence");
   for (const auto& [region, w] : result.studied().maps.wrinkles)
     table.add({row_name(region), fixed(degrees(w.slope), 1),
                w.coherence < kPlainCoherence ? "–" : fixed(degrees(w.angle), 0),

@@ -5,6 +5,7 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/report/case_pictures.h"
 #include "loosefit/report/ranking_output.h"
+#include "loosefit/report/write_model.h"
 #include "loosefit/report/write_report.h"
 #include "loosefit/study/case_files.h"
 #include "loosefit/study/case_folders.h"
@@ -43,6 +44,9 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   std::vector<Path> files = {"summary.json", "drape.vtp", "body.vtp", "pattern.json",
                              "scenario.toml"};
   append(files, planned_drapes(scenario));
+  if (!study::planned_states(study::plan_wear(scenario)).empty())
+    files.push_back(study::kSeriesFile);
+  files.push_back(kModelFile);
   if (parts.pictures) append(files, planned_pictures(scenario));
   if (parts.log) files.push_back("log.jsonl");
   if (parts.sites) files.push_back("sites.csv");
@@ -83,6 +87,7 @@ study::CaseResult write_output(const Path& folder, study::CaseResult result,
       if (entry.stage == "placement") entry.seconds += ranking->seconds;
   }
   study::write_case_files(folder, result);
+  write_model(folder, result);
   std::vector<render::Picture> pictures;
   if (parts.pictures) {
     try {

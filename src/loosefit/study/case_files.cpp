@@ -1,6 +1,7 @@
 #include "loosefit/study/case_files.h"
 
 #include "loosefit/io/garmentcode_write.h"
+#include "loosefit/io/pvd_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
@@ -32,8 +33,12 @@ void write_worn_under(const std::filesystem::path& folder, const CaseResult& res
 }
 
 void write_states(const std::filesystem::path& folder, const CaseResult& result) {
+  // ParaView steps through them in the order of the case.
+  std::vector<io::PvdEntry> series = {{"drape.vtp", 0, "reference"}};
   for (const CaseState& state : result.wear.states) {
     if (!state.draped()) continue;
+    series.push_back({state_folder(state) / "drape.vtp", static_cast<double>(series.size()),
+                      state_folder(state).generic_string()});
     const std::filesystem::path own = folder / state_folder(state);
     std::filesystem::create_directories(own);
     io::write_drape_vtp(own / "drape.vtp", result.studied().mesh(), state.drape(),
@@ -42,6 +47,7 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
     if (state.id.in_first_donning())
       io::write_body_vtp(own / "body.vtp", result.body_in(state.id.posture));
   }
+  if (!result.wear.states.empty()) io::write_pvd(folder / kSeriesFile, series);
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 // Where the files of a case lie in the folder of its run.
 namespace loosefit::study {
 
+/// The series of all drapes of a case with several, for ParaView.
+inline constexpr const char* kSeriesFile = "states.pvd";
+
 /// Folder of a garment under the studied one, in that of a run or a state: "under/1" for garment 0,
 /// the innermost, and so on.
 std::filesystem::path under_folder(int garment);

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "loosefit/placement/ranking_table.h"
+#include "loosefit/study/case_result.h"
+
+namespace loosefit::report {
+
+/// Whether this program can write interactive pages (page_bundle.h).
+bool has_viewer();
+
+/// Head part: the style of the viewer, and a script that finds out whether the browser can draw it
+/// (class `webgl` of the root element), so that nothing jumps once the page is read.
+std::string viewer_head();
+/// Where the viewer will be. A case of which nothing can be drawn has none.
+std::string viewer_section(const study::CaseResult& result);
+/// Foot of the page: the case, its arrays and the script.
+std::string viewer_data(const study::CaseResult& result, const placement::RankingTable* ranking);
+
+}  // namespace loosefit::report

@@ -1,0 +1,537 @@
+// The two views, their controls, and what connects them: one map, one drape, one probed point.
+import type { DataTexture } from "three";
+import type { Case, Place, RankedPlace, State } from "./case_data";
+import { makeScale, tickText, type RangeChoice, type Scale } from "./colour_scale";
+import { save, saveText, valuesCsv } from "./downloads";
+import { drawBar, Legend, titleText } from "./legend";
+import { MapAttributes, tableTexture } from "./map_material";
+import type { Ink, Mark } from "./marks";
+import { PatternView } from "./pattern_view";
+import { readPoint, type Reading } from "./probe";
+import type { SurfacePoint } from "./picking";
+import { WornView, type View } from "./worn_view";
+
+const kViews: [View, string][] = [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"]];
+
+type Attributes = Record<string, string>;
+
+function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {},
+                                                     ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
+export class Viewer {
+  private readonly worn: WornView;
+  private readonly pattern: PatternView;
+  private readonly attributes: MapAttributes;
+  private readonly legend: Legend;
+  private readonly textures = new Map<Uint8Array, DataTexture>();
+  private readonly controls: Record<string, HTMLInputElement | HTMLSelectElement> = {};
+  private readonly readout: Record<string, HTMLElement> = {};
+  private readonly live: HTMLElement;
+  private readonly legendTitle: HTMLAnchorElement;
+  private state: State;
+  private stateIndex = 0;
+  private array: string | null;
+  private wished: string | null; // the map to come back to
+  private scale: Scale | null = null;
+  private pinned: SurfacePoint | null = null;
+  private hovered: SurfacePoint | null = null;
+  private readonly siteMarks: Mark[] = [];
+  private readonly placeMarks: Mark[] = [];
+
+  constructor(host: HTMLElement, private readonly data: Case) {
+    this.state = data.state(0);
+    this.array = this.wished = this.firstMap();
+    const canvas = (label: string) => make("canvas", { tabindex: "0", role: "application", "aria-label": label });
+    const wornCanvas = canvas("The garment as worn, in 3-D. Arrow keys turn, plus and minus zoom, F, B, L, R " +
+      "show front, back, left and right, Enter reads the middle of the picture.");
+    const flatCanvas = canvas("The flat pattern. Arrow keys move the probe, plus and minus zoom, 0 shows all.");
+    const wornOver = make("canvas", { class: "over", "aria-hidden": "true" });
+    const flatOver = make("canvas", { class: "over", "aria-hidden": "true" });
+    const views = make("div", { class: "views", role: "group", "aria-label": "Look from" });
+    const wornPane = make("div", { class: "pane worn" }, wornCanvas, wornOver, views,
+      make("p", { class: "hint" }, "Drag to turn · pinch or Ctrl + wheel to zoom · click to pin a point"));
+    const flatPane = make("div", { class: "pane flat" }, flatCanvas, flatOver);
+    if (data.ranking)
+      flatPane.append(make("p", { class: "hint" }, "● passes · ■ does not pass · dashed: tolerance · shaded: too near an edge or seam"));
+    const legendCanvas = make("canvas", { class: "bar", role: "img" });
+    this.legendTitle = make("a", { class: "def", href: "#" });
+    this.live = make("p", { class: "sr", role: "status", "aria-live": "polite" });
+    host.replaceChildren(this.makeControls(), make("div", { class: "panes" }, wornPane, flatPane),
+      make("div", { class: "foot" },
+        make("div", { class: "legend" }, make("div", { class: "title" }, this.legendTitle), legendCanvas),
+        this.makeReadout()), this.live);
+    this.attributes = new MapAttributes(data);
+    this.attributes.setState(this.state);
+    const ink = () => this.ink();
+    this.worn = new WornView(data, wornCanvas, wornOver, this.attributes, ink);
+    this.pattern = new PatternView(data, flatCanvas, flatOver, this.attributes, ink);
+    this.legend = new Legend(legendCanvas);
+    for (const [view, words] of kViews) {
+      const button = make("button", { type: "button", "data-view": view }, words);
+      button.addEventListener("click", () => this.worn.look(view));
+      views.append(button);
+    }
+    this.makeMarks();
+    this.listen(wornCanvas, flatCanvas);
+    this.linkTables();
+    new ResizeObserver(() => {
+      this.worn.resize();
+      this.pattern.resize();
+      this.drawLegend();
+    }).observe(host);
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.worn.draw();
+      this.pattern.draw();
+      this.drawLegend();
+    });
+    this.worn.resize();
+    this.pattern.resize();
+    this.showMap();
+    this.worn.render();
+    this.pattern.render();
+  }
+
+  private firstMap(): string | null {
+    const has = (a: string) => this.state.maps.has(a);
+    return ["distance_mm"].find(has) ?? this.data.order.find(has) ?? null;
+  }
+
+  private ink(): Ink {
+    const style = getComputedStyle(document.documentElement);
+    const of = (name: string) => style.getPropertyValue(name).trim();
+    return { text: of("--ink"), paper: of("--paper"), soft: of("--soft"), accent: of("--probe"),
+             dark: window.matchMedia("(prefers-color-scheme: dark)").matches };
+  }
+
+  // ------------------------------------------------------------------------------- controls
+
+  private labelled(words: string, control: HTMLElement, extra = ""): HTMLElement {
+    return make("label", extra ? { class: extra } : {}, make("span", {}, words), control);
+  }
+
+  private makeControls(): HTMLElement {
+    const { data } = this;
+    const map = make("select", { id: "map" });
+    for (const array of data.order)
+      map.append(make("option", { value: array }, data.maps.get(array)!.title));
+    map.append(make("option", { value: "" }, "Plain cloth"));
+    map.value = this.array ?? "";
+    const range = make("select", { id: "range" },
+      make("option", { value: "fixed" }, "Fixed"), make("option", { value: "drape" }, "This drape"),
+      make("option", { value: "own" }, "My own"));
+    range.title = "Fixed ranges are the same in every report, so that garments can be compared";
+    const low = make("input", { id: "low", type: "number", step: "any", "aria-label": "Range from" });
+    const high = make("input", { id: "high", type: "number", step: "any", "aria-label": "Range to" });
+    const posture = make("select", { id: "posture" }), donning = make("select", { id: "donning" });
+    data.postures.forEach((name, i) => posture.append(make("option", { value: String(i) }, name)));
+    for (let k = 0; k < data.donnings; ++k)
+      donning.append(make("option", { value: String(k) }, k === 0 ? "1st time" : k === 1 ? "2nd time" : k === 2 ? "3rd time" : `${k + 1}th time`));
+    const check = (id: string, words: string, on: boolean) => {
+      const box = make("input", { id, type: "checkbox" });
+      box.checked = on;
+      this.controls[id] = box;
+      box.addEventListener("change", () => this.showLook());
+      return make("label", { class: "check" }, box, words);
+    };
+    const slider = (id: string, words: string) => {
+      const bar = make("input", { id, type: "range", min: "0", max: "100", value: "100" });
+      this.controls[id] = bar;
+      bar.addEventListener("input", () => this.showLook());
+      return this.labelled(words, bar, "slider");
+    };
+    Object.assign(this.controls, { map, range, low, high, posture, donning });
+    map.addEventListener("change", () => this.chooseMap(map.value || null));
+    range.addEventListener("change", () => this.showMap());
+    for (const end of [low, high])
+      end.addEventListener("change", () => {
+        range.value = "own";
+        this.showMap();
+      });
+    for (const control of [posture, donning])
+      control.addEventListener("change", () => {
+        const wanted = data.find(Number(posture.value), Number(donning.value));
+        this.chooseState(wanted >= 0 ? wanted : this.stateIndex);
+      });
+    const first = make("div", { class: "row" }, this.labelled("Map", map),
+      make("div", { class: "group" }, this.labelled("Range", range), low, make("span", { class: "dash" }, "to"), high));
+    if (data.postures.length > 1) first.append(this.labelled("Posture", posture));
+    if (data.donnings > 1) first.append(this.labelled("Put on", donning));
+    const files = make("div", { class: "group end" });
+    for (const [id, words, act] of [
+      ["png-worn", "3-D", () => this.savePicture("worn")],
+      ["png-flat", "Pattern", () => this.savePicture("flat")],
+      ["csv", "Values (CSV)", () => saveText(`${this.fileName()}.csv`, valuesCsv(data, this.state))],
+    ] as [string, string, () => void][]) {
+      const button = make("button", { type: "button", id, class: "plain" }, words);
+      button.title = id === "csv" ? "All maps of this drape, one row per vertex" : "Save this view as PNG";
+      button.addEventListener("click", act);
+      files.append(button);
+    }
+    files.prepend(make("span", { class: "soft" }, "Save"));
+    const second = make("div", { class: "row" }, slider("cloth", "Cloth"), slider("body", "Body"),
+      check("contours", "Contours", false));
+    if (this.state.touching) second.append(check("contact", "Contact", false));
+    if (data.sites.length || data.ranking) second.append(check("places", data.ranking ? "Places" : "Sites", true));
+    if (data.postures.length > 1) second.append(check("arrows", "Slip arrows", true));
+    second.append(files);
+    return make("div", { class: "controls", role: "group", "aria-label": "What is shown" }, first, second);
+  }
+
+  private makeReadout(): HTMLElement {
+    const list = make("dl", { class: "readout" });
+    for (const [key, words] of [["value", "Value"], ["place", "Pattern"], ["address", "Body"],
+                                ["skin", "Skin"]]) {
+      this.readout[key] = make("dd", { "data-probe": key }, "–");
+      list.append(make("div", { class: key }, make("dt", {}, words), this.readout[key]));
+    }
+    const clear = make("button", { type: "button", class: "plain", id: "unpin", disabled: "" }, "Unpin");
+    clear.addEventListener("click", () => {
+      this.choose(null);
+      this.pin(null);
+    });
+    this.readout.unpin = clear;
+    return make("div", { class: "probe" }, list, clear);
+  }
+
+  private number(id: string): number {
+    return Number((this.controls[id] as HTMLInputElement | undefined)?.value ?? NaN);
+  }
+  private checked(id: string): boolean {
+    return (this.controls[id] as HTMLInputElement | undefined)?.checked ?? false;
+  }
+
+  // ------------------------------------------------------------------------------- state and map
+
+  chooseMap(array: string | null): void {
+    this.wished = array;
+    this.array = array !== null && this.state.maps.has(array) ? array : null;
+    (this.controls.map as HTMLSelectElement).value = this.array ?? "";
+    if ((this.controls.range as HTMLSelectElement).value === "own")
+      (this.controls.range as HTMLSelectElement).value = "fixed";
+    this.showMap();
+  }
+
+  chooseState(index: number): void {
+    this.stateIndex = index;
+    this.state = this.data.state(index);
+    (this.controls.posture as HTMLSelectElement).value = String(this.state.posture);
+    (this.controls.donning as HTMLSelectElement).value = String(this.state.donning);
+    const has = (a: string | null) => a !== null && this.state.maps.has(a);
+    // A posture has its slip where the reference has the maps.
+    this.array = has(this.wished) ? this.wished
+      : this.wished === null ? null : this.data.order.find((a) => has(a)) ?? null;
+    for (const option of (this.controls.map as HTMLSelectElement).options)
+      option.disabled = option.value !== "" && !this.state.maps.has(option.value);
+    (this.controls.map as HTMLSelectElement).value = this.array ?? "";
+    this.attributes.setState(this.state);
+    this.worn.setState(this.state);
+    this.showMap();
+  }
+
+  private showMap(): void {
+    const style = this.array ? this.data.maps.get(this.array)! : null;
+    const values = this.array ? this.state.maps.get(this.array) : undefined;
+    const range = this.controls.range as HTMLSelectElement;
+    const low = this.controls.low as HTMLInputElement, high = this.controls.high as HTMLInputElement;
+    for (const control of [range, low, high]) control.disabled = !style;
+    if (style) {
+      const unit = style.percent ? 100 : 1;
+      const own: [number, number] = [Number(low.value) / unit, Number(high.value) / unit];
+      this.scale = makeScale(this.data, style, values, range.value as RangeChoice, own);
+      if (range.value !== "own") {
+        low.value = tickText(this.scale.low, style).replace("\u2212", "-");
+        high.value = tickText(this.scale.high, style).replace("\u2212", "-");
+      }
+      this.legendTitle.textContent = titleText(style, values);
+      this.legendTitle.setAttribute("href", `#def-${this.array}`);
+    } else {
+      this.scale = null;
+      low.value = high.value = "";
+      this.legendTitle.textContent = this.state.holds ? "Plain cloth" : "Plain cloth: this drape is not settled and worn";
+      this.legendTitle.removeAttribute("href");
+    }
+    this.attributes.setMap(values?.values ?? null, this.scale);
+    this.showLook();
+    this.showReading();
+  }
+
+  private texture(): DataTexture | null {
+    if (!this.scale) return null;
+    let texture = this.textures.get(this.scale.table);
+    if (!texture) this.textures.set(this.scale.table, texture = tableTexture(this.scale.table));
+    return texture;
+  }
+
+  private showLook(): void {
+    const mapped = this.scale !== null;
+    const contours = mapped && this.checked("contours") ? this.scale!.lines : 0;
+    const texture = this.texture();
+    this.worn.showArrows = this.checked("arrows");
+    this.worn.showPlaces = this.pattern.showPlaces = this.checked("places");
+    const middle = this.scale?.middle ?? true;
+    this.worn.setLook(mapped, texture, contours, middle, this.checked("contact"), this.number("cloth") / 100,
+                      this.number("body") / 100);
+    this.pattern.setLook(mapped, texture, contours, middle, this.checked("contact"));
+    this.drawLegend();
+  }
+
+  private drawLegend(): void {
+    const style = this.array ? this.data.maps.get(this.array)! : null;
+    if (!style || !this.scale) {
+      this.legend.clear();
+      return;
+    }
+    const point = this.hovered ?? this.pinned;
+    const needle = point ? this.read(point).value : null;
+    this.legend.draw(this.scale, style, this.state.maps.get(this.array!), this.ink().text, needle);
+  }
+
+  // ------------------------------------------------------------------------------- probing
+
+  read(point: SurfacePoint): Reading {
+    return readPoint(this.data, this.state, this.stateIndex === 0, this.array, point);
+  }
+
+  hover(point: SurfacePoint | null): void {
+    this.hovered = point;
+    this.showReading();
+  }
+
+  /** `announce`: for a screen reader. */
+  pin(point: SurfacePoint | null, announce = true): void {
+    this.pinned = point;
+    this.hovered = null;
+    (this.readout.unpin as HTMLButtonElement).disabled = point === null;
+    const reading = this.showReading();
+    if (announce)
+      this.live.textContent = reading
+        ? `${this.legendTitle.textContent}: ${reading.text}; ${this.readout.place.textContent}; ${this.readout.address.textContent}`
+        : "No point";
+  }
+
+  private showReading(): Reading | null {
+    const point = this.hovered ?? this.pinned;
+    const reading = point ? this.read(point) : null;
+    this.worn.setProbe(point, reading?.skin ?? null);
+    this.pattern.setProbe(point);
+    const set = (key: string, text: string) => { this.readout[key].textContent = text || "–"; };
+    if (!reading) {
+      for (const key of ["value", "place", "address", "skin"]) set(key, "");
+    } else {
+      set("value", this.array ? reading.text : "");
+      const mm = (x: number) => (1000 * x).toFixed(1).replace("-", "\u2212");
+      set("place", `${reading.panel} · u ${mm(reading.u)}, v ${mm(reading.v)} mm`);
+      set("address", [reading.address, reading.region].filter((t) => t).join(" · "));
+      const touches = reading.touches === null ? "" : reading.touches ? "touches" : "stands off";
+      const skin = reading.gap === null ? "" : `${(1000 * reading.gap).toFixed(1)} mm to its partner`;
+      set("skin", [touches, skin].filter((t) => t).join(" · "));
+    }
+    this.drawLegend();
+    return reading;
+  }
+
+  private listen(worn: HTMLCanvasElement, flat: HTMLCanvasElement): void {
+    for (const [canvas, view] of [[worn, this.worn], [flat, this.pattern]] as [HTMLCanvasElement, WornView | PatternView][]) {
+      let pending = 0, at: [number, number] = [0, 0], down: [number, number] | null = null;
+      canvas.addEventListener("pointermove", (event) => {
+        at = [event.offsetX, event.offsetY];
+        if (event.buttons || pending) return;
+        pending = requestAnimationFrame(() => {
+          pending = 0;
+          view.nameMarkAt(at[0], at[1]);
+          this.hover(view.pick(at[0], at[1]));
+        });
+      });
+      canvas.addEventListener("pointerleave", () => {
+        view.nameMarkAt(-99, -99);
+        this.hover(null);
+      });
+      canvas.addEventListener("pointerdown", (event) => { down = [event.offsetX, event.offsetY]; });
+      canvas.addEventListener("pointerup", (event) => {
+        if (!down || Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) > 4) return;
+        const point = view.pick(event.offsetX, event.offsetY);
+        if (point) this.pin(point);
+      });
+    }
+    worn.addEventListener("keydown", (event) => {
+      const act: Record<string, () => void> = {
+        ArrowLeft: () => this.worn.turn(-0.15, 0), ArrowRight: () => this.worn.turn(0.15, 0),
+        ArrowUp: () => this.worn.turn(0, 0.15), ArrowDown: () => this.worn.turn(0, -0.15),
+        "+": () => this.worn.zoom(1.25), "=": () => this.worn.zoom(1.25), "-": () => this.worn.zoom(0.8),
+        f: () => this.worn.look("front"), b: () => this.worn.look("back"),
+        l: () => this.worn.look("left"), r: () => this.worn.look("right"),
+        Enter: () => {
+          const point = this.worn.pick(worn.clientWidth / 2, worn.clientHeight / 2);
+          if (point) this.pin(point);
+        },
+        Escape: () => this.pin(null),
+      };
+      this.onKey(event, act);
+    });
+    flat.addEventListener("keydown", (event) => {
+      const step = event.shiftKey ? 0.02 : 0.005;
+      const middle = (): [number, number] => [flat.clientWidth / 2, flat.clientHeight / 2];
+      const act: Record<string, () => void> = {
+        ArrowLeft: () => this.step(-step, 0), ArrowRight: () => this.step(step, 0),
+        ArrowUp: () => this.step(0, step), ArrowDown: () => this.step(0, -step),
+        "+": () => this.pattern.zoomAt(...middle(), 1.25), "=": () => this.pattern.zoomAt(...middle(), 1.25),
+        "-": () => this.pattern.zoomAt(...middle(), 0.8), "0": () => this.pattern.reset(),
+        Enter: () => { if (this.pinned) this.worn.flyTo(this.pinned); },
+        Escape: () => this.pin(null),
+      };
+      this.onKey(event, act);
+    });
+  }
+
+  private onKey(event: KeyboardEvent, act: Record<string, () => void>): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const found = act[event.key] ?? act[event.key.toLowerCase()];
+    if (!found) return;
+    event.preventDefault();
+    found();
+  }
+
+  /** Moves the pinned point in the flat pattern; there is one in the first piece to begin with. */
+  private step(du: number, dv: number): void {
+    if (!this.pinned) {
+      this.pin({ triangle: 0, weights: [1 / 3, 1 / 3, 1 / 3] });
+      return;
+    }
+    const { panel, u, v } = this.pattern.placeOf(this.pinned);
+    const next = this.pattern.find(panel, u + du, v + dv);
+    if (next) this.pin(next);
+  }
+
+  /** Probes a place of the pattern [m]; for tests. */
+  probePattern(panel: string, u: number, v: number): Reading | null {
+    const index = this.data.panels.findIndex((p) => p.id === panel);
+    const point = index < 0 ? null : this.pattern.find(index, u, v, true);
+    if (!point) return null;
+    this.pin(point);
+    return this.read(point);
+  }
+
+  /** Where a place of the pattern is seen in either view, in CSS pixels; for tests. */
+  whereOnScreen(panel: string, u: number, v: number): { worn: [number, number]; flat: [number, number] } | null {
+    const index = this.data.panels.findIndex((p) => p.id === panel);
+    const point = index < 0 ? null : this.pattern.find(index, u, v, true);
+    return point && { worn: this.worn.project(this.worn.positionOf(point)), flat: this.pattern.screenOf(point) };
+  }
+
+  /** Milliseconds of one pick and reading at a place of the 3-D view; for the bench. */
+  timeProbe(x: number, y: number): number {
+    const begun = performance.now();
+    this.hover(this.worn.pick(x, y));
+    return performance.now() - begun;
+  }
+  timeFrame(): number {
+    const begun = performance.now();
+    this.worn.turn(0.01, 0);
+    this.worn.render();
+    this.worn.renderer.getContext().finish();
+    return performance.now() - begun;
+  }
+
+  // ------------------------------------------------------------------------------- places
+
+  private makeMarks(): void {
+    const add = (list: Mark[], place: Place, ranked: RankedPlace | null) => {
+      const point = this.pattern.findPlace(place);
+      if (!point) return;
+      list.push({ point, name: place.name, label: ranked?.rank?.replace("=", "") ?? "–",
+                  passes: ranked ? ranked.passes : null, chosen: false, near: false });
+    };
+    for (const site of this.data.sites) add(this.siteMarks, site, null);
+    for (const place of this.data.ranking?.places ?? []) add(this.placeMarks, place, place);
+    this.showMarks();
+  }
+
+  private showMarks(): void {
+    // Ranked places stand for their sites; the best is drawn last, on top.
+    const ranked = new Set(this.placeMarks.map((m) => m.name));
+    const marks = [...this.siteMarks.filter((m) => !ranked.has(m.name)), ...[...this.placeMarks].reverse()];
+    this.worn.setMarks(marks);
+    this.pattern.setMarks(marks);
+  }
+
+  /** Marks one site or place in views and tables; null: none. */
+  choose(name: string | null): void {
+    for (const mark of [...this.siteMarks, ...this.placeMarks]) mark.chosen = mark.name === name;
+    this.showMarks();
+    for (const row of document.querySelectorAll<HTMLElement>("tr[data-site], tr[data-place]"))
+      row.classList.toggle("chosen", name !== null && (row.dataset.site ?? row.dataset.place) === name);
+  }
+
+  goTo(kind: "site" | "place", name: string): void {
+    const mark = (kind === "site" ? this.siteMarks : this.placeMarks).find((m) => m.name === name);
+    if (!mark) return;
+    this.choose(name);
+    this.pin(mark.point);
+    this.worn.flyTo(mark.point);
+    const host = document.getElementById("viewer")!, box = host.getBoundingClientRect();
+    if (box.top < 0 || box.top > window.innerHeight * 0.5) {
+      const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+      host.scrollIntoView({ behavior: calm ? "auto" : "smooth", block: "start" });
+    }
+  }
+
+  private linkTables(): void {
+    for (const row of document.querySelectorAll<HTMLTableRowElement>("tr[data-site], tr[data-place]")) {
+      const kind = row.dataset.site !== undefined ? "site" : "place";
+      const name = row.dataset[kind]!, head = row.cells[0];
+      const button = make("button", { type: "button", class: "fly", title: "Show it on the garment" });
+      button.append(...head.childNodes);
+      head.replaceChildren(button);
+      button.addEventListener("click", () => this.goTo(kind, name));
+    }
+  }
+
+  // ------------------------------------------------------------------------------- pictures
+
+  private fileName(): string {
+    const parts = [this.data.json.scene.garment.name, this.state.name, this.array ?? "plain"];
+    if (this.data.donnings > 1) parts.splice(2, 0, String(this.state.donning + 1));
+    return parts.join("-").replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "");
+  }
+
+  /** A picture with its title and colour bar, on the paper's colour. */
+  picture(which: "worn" | "flat"): HTMLCanvasElement {
+    const view = which === "worn" ? this.worn : this.pattern;
+    view.render();
+    const source = view.renderer.domElement, ratio = view.renderer.getPixelRatio();
+    const over = source.nextElementSibling as HTMLCanvasElement;
+    const width = source.clientWidth, height = source.clientHeight, foot = this.scale ? 74 : 0;
+    const sheet = document.createElement("canvas");
+    sheet.width = Math.round(width * ratio);
+    sheet.height = Math.round((height + foot) * ratio);
+    const c = sheet.getContext("2d")!, ink = this.ink();
+    c.scale(ratio, ratio);
+    c.fillStyle = ink.paper;
+    c.fillRect(0, 0, width, height + foot);
+    c.drawImage(source, 0, 0, width, height);
+    c.drawImage(over, 0, 0, width, height);
+    if (this.scale && this.array) {
+      const style = this.data.maps.get(this.array)!;
+      c.fillStyle = ink.text;
+      c.font = "600 13px system-ui, sans-serif";
+      c.textAlign = "center";
+      c.textBaseline = "top";
+      c.fillText(titleText(style, this.state.maps.get(this.array)), width / 2, height + 4);
+      const bar = Math.min(520, width - 60);
+      drawBar(c, { x: (width - bar) / 2, y: height + 26, width: bar, height: 16 }, this.scale, style,
+              this.state.maps.get(this.array), ink.text, null);
+    }
+    return sheet;
+  }
+
+  private savePicture(which: "worn" | "flat"): void {
+    this.picture(which).toBlob((blob) => {
+      if (blob) save(`${this.fileName()}${which === "flat" ? "-pattern" : ""}.png`, blob);
+    }, "image/png");
+  }
+}
