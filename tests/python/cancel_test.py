@@ -124,8 +124,9 @@ print(after[2], after[9])
         self.assertEqual(done.returncode, 0, done.stderr)
         third, tenth = map(float, done.stdout.split())
         print(f"resident after run 3: {third:.0f} MB, after run 10: {tenth:.0f} MB")
-        # One result of this case holds about 15 MB: seven that leak would be 100.
-        self.assertLess(tenth, third + 25)
+        # One result of this case holds about 15 MB: seven that leak would be 100. The allocator
+        # takes and gives back blocks of 28 MB.
+        self.assertLess(tenth, third + 50)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import paper_claims  # noqa: E402
 # Figures of the README that state nothing to be measured, with what stands round them.
 NO_CLAIMS = [
     r"Debian 12", r"\(2012\)", r"GPL-3\.0", r"x86-64", r"1:1", r"C\+\+20", r"Python 3",
-    r"f3d", r"harms2012",
+    r"f3d", r"3-D", r"harms2012",
 ]
 FIGURE = re.compile(r"\d+(?:\.\d+)?|\b(?:thousandth|hundredth|tenth|forty|thirty|twenty|ten|five|"
                     r"Five)\b")
