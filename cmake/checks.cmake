@@ -29,7 +29,7 @@ foreach(name cli fuzz)
   add_executable(test_${name} ${tests})
   add_dependencies(test_${name} loosefit)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(test_${name} PRIVATE loosefit_study loosefit_warnings GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE loosefit_pipeline loosefit_warnings GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
   loosefit_precompile(test_${name} REUSE_FROM test_base)

@@ -13,10 +13,10 @@
 #include "loosefit/base/types.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pipeline/make_garment_pattern.h"
 #include "loosefit/report/fact_documents.h"
 #include "loosefit/report/seam_sheet.h"
 #include "loosefit/report/write_pattern.h"
-#include "loosefit/study/make_garment_pattern.h"
 #include "print_document.h"
 
 namespace loosefit {
@@ -67,16 +67,17 @@ std::vector<NumberOption> fit_options() {
 }
 
 struct Wish {
-  study::GarmentPatternWish pattern;
+  pipeline::GarmentPatternWish pattern;
   std::string out;
   bool list_sizes = false, json = false, propose = false;
   std::map<std::string, std::optional<double>> measures, fit;  ///< by name of the option
 };
 
 /// Those of the options that were used.
-std::vector<study::GivenValue> given(const std::vector<NumberOption>& options,
-                                     const std::map<std::string, std::optional<double>>& values) {
-  std::vector<study::GivenValue> result;
+std::vector<pipeline::GivenValue> given(
+    const std::vector<NumberOption>& options,
+    const std::map<std::string, std::optional<double>>& values) {
+  std::vector<pipeline::GivenValue> result;
   for (const NumberOption& option : options)
     if (const auto& value = values.at(option.name))
       result.push_back({option.key, option.degrees ? radians(*value) : *value, "--" + option.name});
@@ -160,7 +161,7 @@ void print_sizes(const kinds::GarmentKind& kind) {
 }
 
 /// All that is told of a pattern, in tables.
-void print_words(const study::GarmentPattern& made) {
+void print_words(const pipeline::GarmentPattern& made) {
   fmt::print("{}\n\n", terminal_line(made.pattern.name));
   print_lines("", made.about);
   print_girths(made.levels);
@@ -202,7 +203,7 @@ void run(Wish wish) {
   if (wish.propose) return propose_seams(wish);
   wish.pattern.measures = given(measure_options(), wish.measures);
   wish.pattern.fit = given(fit_options(), wish.fit);
-  const study::GarmentPattern made = study::make_garment_pattern(wish.pattern);
+  const pipeline::GarmentPattern made = pipeline::make_garment_pattern(wish.pattern);
   for (const std::string& warning : made.warnings)
     fmt::print(stderr, "warning: {}\n", terminal_line(warning));
   if (!wish.json) print_words(made);

@@ -22,7 +22,7 @@ namespace {
 struct Arguments {
   std::string scenario, output;
   bool quiet = false, json = false, pictures = true;
-  study::RunOptions options;
+  pipeline::RunOptions options;
 };
 
 int run(const Arguments& arguments) {

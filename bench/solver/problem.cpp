@@ -9,10 +9,10 @@
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/kinds/shirt/lay_shirt.h"
+#include "loosefit/pipeline/case_body.h"
+#include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/quasi_static.h"
-#include "loosefit/study/case_body.h"
-#include "loosefit/study/case_pattern.h"
 #include "loosefit/validate/drape_specimen.h"
 
 namespace loosefit::bakeoff {
@@ -20,7 +20,7 @@ namespace {
 
 /// The reference shirt (examples/reference-shirt.toml) on its body.
 struct Shirt {
-  study::CaseBody body;
+  pipeline::CaseBody body;
   garment::GarmentHierarchy garment;
   fabric::Material material;
   std::shared_ptr<const drape::ContactBody> skin;
@@ -80,10 +80,10 @@ name = "paper-cotton"
 )",
                                                    "bakeoff.toml");
   auto shirt = std::make_shared<Shirt>();
-  shirt->body = study::make_body(scenario.body);
+  shirt->body = pipeline::make_body(scenario.body);
   shirt->material = scenario.studied().material.material;
   shirt->garment = garment::build_hierarchy(
-      study::make_pattern(scenario.studied().spec, shirt->body.body).pattern, edge_length,
+      pipeline::make_pattern(scenario.studied().spec, shirt->body.body).pattern, edge_length,
       shirt->material);
   // As the dress stage: contract soft and without friction, then with both, then level by level.
   particles::VectorField x =

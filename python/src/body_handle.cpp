@@ -8,8 +8,8 @@
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/io/scenario_place.h"
+#include "loosefit/pipeline/case_body.h"
 #include "loosefit/report/write_body.h"
-#include "loosefit/study/case_body.h"
 
 namespace loosefit::python {
 namespace {
@@ -54,7 +54,7 @@ BodyHandle make_body(const scenario::Scenario& scenario, const py::object& progr
   beside_python(progress, cancel, [&](Progress& told) {
     told.stage("body");
     try {
-      study::CaseBody of_case = study::make_body(scenario.body, &told);
+      pipeline::CaseBody of_case = pipeline::make_body(scenario.body, &told);
       made.body = shared_body(of_case.body);
       made.fit.table = std::move(of_case.asked);
       made.fit.warnings = std::move(of_case.warnings);

@@ -15,10 +15,10 @@
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/maps/catalogue.h"
+#include "loosefit/pipeline/load_case.h"
+#include "loosefit/pipeline/summary.h"
 #include "loosefit/report/run_into_folder.h"
 #include "loosefit/report/write_output.h"
-#include "loosefit/study/load_case.h"
-#include "loosefit/study/summary.h"
 #include "worn_handle.h"
 
 namespace loosefit::python {
@@ -28,8 +28,8 @@ namespace py = pybind11;
 namespace fs = std::filesystem;
 using Self = const CaseHandle&;
 
-CaseHandle handle_of(study::CaseResult result, std::optional<placement::RankingTable> ranking) {
-  return {std::make_shared<const study::CaseResult>(std::move(result)), std::move(ranking)};
+CaseHandle handle_of(pipeline::CaseResult result, std::optional<placement::RankingTable> ranking) {
+  return {std::make_shared<const pipeline::CaseResult>(std::move(result)), std::move(ranking)};
 }
 
 std::optional<placement::RankingTable> table_of(std::optional<report::TimedRanking> ranking) {
@@ -41,7 +41,7 @@ std::optional<placement::RankingTable> table_of(std::optional<report::TimedRanki
 CaseHandle run(const scenario::Scenario& scenario, const std::optional<fs::path>& folder,
                bool pictures, bool allow_unsettled, const py::object& progress,
                const CancelToken* cancel) {
-  const study::RunOptions options{.allow_unsettled = allow_unsettled};
+  const pipeline::RunOptions options{.allow_unsettled = allow_unsettled};
   CaseHandle made;
   beside_python(progress, cancel, [&](Progress& told) {
     if (folder) {
@@ -50,7 +50,7 @@ CaseHandle run(const scenario::Scenario& scenario, const std::optional<fs::path>
       made = handle_of(std::move(output.result), std::move(output.ranking));
       return;
     }
-    study::CaseResult result = study::run_case(scenario, told, options);
+    pipeline::CaseResult result = pipeline::run_case(scenario, told, options);
     auto ranking = table_of(report::rank_as_asked(result, told));
     made = handle_of(std::move(result), std::move(ranking));
   });
@@ -58,10 +58,10 @@ CaseHandle run(const scenario::Scenario& scenario, const std::optional<fs::path>
 }
 
 /// Maps and sites of a case anew, by other maps when there are any.
-CaseHandle mapped_again(study::CaseResult draped, const std::vector<std::string>& maps,
+CaseHandle mapped_again(pipeline::CaseResult draped, const std::vector<std::string>& maps,
                         bool allow_unsettled, Progress& progress) {
   if (!maps.empty()) draped.scenario.output.maps = maps;
-  study::CaseResult result = study::remap_case(std::move(draped), allow_unsettled, progress);
+  pipeline::CaseResult result = pipeline::remap_case(std::move(draped), allow_unsettled, progress);
   auto ranking = table_of(report::rank_as_asked(result, progress));
   return handle_of(std::move(result), std::move(ranking));
 }
@@ -71,7 +71,7 @@ CaseHandle load(const fs::path& folder, bool allow_unsettled, const py::object& 
                 const CancelToken* cancel) {
   CaseHandle made;
   beside_python(progress, cancel, [&](Progress& told) {
-    study::CaseResult loaded = study::load_case(folder, told);
+    pipeline::CaseResult loaded = pipeline::load_case(folder, told);
     made = loaded.certificate().holds() || allow_unsettled
                ? mapped_again(std::move(loaded), {}, allow_unsettled, told)
                : handle_of(std::move(loaded), std::nullopt);
@@ -124,7 +124,7 @@ py::dict dict_of(const drape::Certificate& c) {
 
 py::list states(Self self) {
   py::list rows;
-  for (const study::CaseState& state : self.result->wear.states) {
+  for (const pipeline::CaseState& state : self.result->wear.states) {
     py::dict row = dict_of(state.certificate());
     row["posture"] = state.name;
     row["donning"] = state.id.donning + 1;
@@ -137,7 +137,7 @@ py::list states(Self self) {
 }
 
 BodyHandle body_of(Self self) {
-  const study::CaseBody& body = self.result->body;
+  const pipeline::CaseBody& body = self.result->body;
   BodyHandle handle{shared_body(body.body), {}};
   handle.fit.table = body.asked;
   handle.fit.warnings = body.warnings;
@@ -157,7 +157,7 @@ BodyHandle body_of_state(Self self, int state) {
 void bind_case(py::module_& core) {
   py::class_<CaseHandle>(core, "Case")
       .def("scenario", [](Self self) { return io::scenario_toml(self.result->scenario); })
-      .def("summary", [](Self self) { return study::summary_json(*self.result); })
+      .def("summary", [](Self self) { return pipeline::summary_json(*self.result); })
       .def("certificate", [](Self self) { return dict_of(self.result->certificate()); })
       .def("why",
            [](Self self) {

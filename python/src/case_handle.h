@@ -4,14 +4,14 @@
 #include <memory>
 #include <optional>
 
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/study/case_result.h"
 
 namespace loosefit::python {
 
 /// _core.Case: what one case has yielded. Arrays and views share it and do not change it.
 struct CaseHandle {
-  std::shared_ptr<const study::CaseResult> result;
+  std::shared_ptr<const pipeline::CaseResult> result;
   std::optional<placement::RankingTable> ranking;  ///< as the scenario asks
 };
 

@@ -7,9 +7,9 @@
 #include "beside_python.h"
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pipeline/case_body.h"
+#include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/report/write_pattern.h"
-#include "loosefit/study/case_body.h"
-#include "loosefit/study/case_pattern.h"
 
 namespace loosefit::python {
 namespace {
@@ -98,10 +98,10 @@ PatternHandle make_pattern(const scenario::Scenario& scenario, const py::object&
   beside_python(progress, cancel, [&](Progress& told) {
     try {
       told.stage("body");
-      const study::CaseBody body = study::make_body(scenario.body, &told);
+      const pipeline::CaseBody body = pipeline::make_body(scenario.body, &told);
       told.check_cancelled();
       told.stage("pattern");
-      study::CasePattern of_case = study::make_pattern(scenario.studied().spec, body.body);
+      pipeline::CasePattern of_case = pipeline::make_pattern(scenario.studied().spec, body.body);
       made.pattern = std::make_shared<const pattern::Pattern>(std::move(of_case.pattern));
       made.levels = std::move(of_case.levels);
       made.warnings = std::move(of_case.warnings);

@@ -12,9 +12,9 @@
 #include "loosefit/body/regions.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/pipeline/rank_case.h"
 #include "loosefit/placement/site_ranking.h"
 #include "loosefit/report/ranking_output.h"
-#include "loosefit/study/rank_case.h"
 
 namespace loosefit::python {
 namespace {
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// A ranking with the pattern on which its places are marked.
 struct RankingHandle {
   placement::RankingTable table;
-  std::shared_ptr<const study::CaseResult> first;
+  std::shared_ptr<const pipeline::CaseResult> first;
 };
 using Self = const RankingHandle&;
 
@@ -72,7 +72,7 @@ placement::RankingWish ranking_wish(const Wish& wish) {
 RankingHandle rank(const std::vector<CaseHandle>& cases, const std::vector<std::string>& names,
                    const Wish& wish, const py::object& progress, const CancelToken* cancel) {
   placement::RankingWish made = ranking_wish(wish);
-  std::vector<study::RankedRun> runs;
+  std::vector<pipeline::RankedRun> runs;
   for (std::size_t i = 0; i < cases.size(); ++i)
     runs.push_back({names.at(i), cases[i].result.get()});
   RankingHandle ranked;
@@ -83,7 +83,7 @@ RankingHandle rank(const std::vector<CaseHandle>& cases, const std::vector<std::
       told.check_cancelled();
       told.update(share, "search");
     };
-    ranked.table = study::rank_cases(runs, made, wish.sites);
+    ranked.table = pipeline::rank_cases(runs, made, wish.sites);
   });
   return ranked;
 }

@@ -30,7 +30,7 @@ py::array corner_uv(Self self) {
 py::list maps(Self self) {
   py::list result;
   if (!self.maps) return result;
-  for (const study::CaseMap& entry : *self.maps) {
+  for (const pipeline::CaseMap& entry : *self.maps) {
     const maps::PerformanceMap& map = entry.map;
     const maps::MapArray* known = maps::find_map_array(map.array);
     py::dict row;
@@ -48,22 +48,24 @@ py::list maps(Self self) {
 }
 
 PatternHandle pattern_of(Self self) {
-  const study::CasePattern& pattern = self.garment->pattern;
+  const pipeline::CasePattern& pattern = self.garment->pattern;
   return {{self.result, &pattern.pattern}, pattern.levels, pattern.warnings};
 }
 
 }  // namespace
 
-WornHandle worn_in_reference(std::shared_ptr<const study::CaseResult> result, int garment) {
-  const study::CaseGarment& of = result->garments[checked_index(garment, result->garments.size())];
+WornHandle worn_in_reference(std::shared_ptr<const pipeline::CaseResult> result, int garment) {
+  const pipeline::CaseGarment& of =
+      result->garments[checked_index(garment, result->garments.size())];
   return {std::move(result), &of, &of.drape, &of.maps.maps};
 }
 
-WornHandle worn_in_state(std::shared_ptr<const study::CaseResult> result, int state, int garment) {
-  const study::CaseState& of = result->wear.states.at(state);
+WornHandle worn_in_state(std::shared_ptr<const pipeline::CaseResult> result, int state,
+                         int garment) {
+  const pipeline::CaseState& of = result->wear.states.at(state);
   if (!of.draped()) throw Error("there is no drape of this state: " + of.left_out);
   const int g = checked_index(garment, result->garments.size());
-  const study::CaseGarment& cut = result->garments[g];
+  const pipeline::CaseGarment& cut = result->garments[g];
   const bool studied = &cut == &result->studied();
   return {std::move(result), &cut, &of.drapes[g], studied ? &of.maps.maps : nullptr};
 }

@@ -7,8 +7,8 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
-#include "loosefit/study/case_body.h"
-#include "loosefit/study/case_pattern.h"
+#include "loosefit/pipeline/case_body.h"
+#include "loosefit/pipeline/case_pattern.h"
 #include "support/drawn_tshirt.h"
 #include "support/dxf_text.h"
 #include "support/run_program.h"
@@ -44,10 +44,10 @@ class PatternCommand : public testing::Test {
 };
 
 TEST_F(PatternCommand, HasTheDefaultsOfAScenario) {
-  const body::Body body = study::make_body(io::default_scenario().body).body;
+  const body::Body body = pipeline::make_body(io::default_scenario().body).body;
   const auto of_run = [&](const std::string& garment) {
     const scenario::Scenario scenario = io::parse_scenario("[garment]\n" + garment, "case.toml");
-    return io::garmentcode_text(study::make_pattern(scenario.studied().spec, body).pattern);
+    return io::garmentcode_text(pipeline::make_pattern(scenario.studied().spec, body).pattern);
   };
   EXPECT_EQ(written(""), of_run(""));
   EXPECT_EQ(written("--pattern t-shirt"), of_run("pattern = \"t-shirt\""));
@@ -112,7 +112,8 @@ TEST_F(PatternCommand, SewsAKnownGarmentUnaskedAndWritesItInEveryFormat) {
   const fs::path out = base / "out";
   const ProgramRun run = pattern("--file " + name + " -o " + out.string());
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_NE(run.output.find("sewn by what its pieces are, t-shirt: 8 seams"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("sewn by what its pieces are, t-shirt: 8 seams"), std::string::npos)
+      << run.output;
   EXPECT_EQ(run.output.find("cannot be worn"), std::string::npos) << run.output;
   for (const char* written : {"pattern.json", "pattern.svg", "pattern.dxf"}) {
     SCOPED_TRACE(written);

@@ -1,5 +1,3 @@
-#include "loosefit/loosefit.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +5,9 @@
 #include <thread>
 
 #include "loosefit/io/scenario.h"
-#include "loosefit/study/run_case.h"
-#include "loosefit/study/summary.h"
+#include "loosefit/loosefit.h"
+#include "loosefit/pipeline/run_case.h"
+#include "loosefit/pipeline/summary.h"
 
 namespace loosefit::library {
 namespace {
@@ -25,15 +24,15 @@ movements = []
 TEST(Library, GivesWhatTheStagesMake) {
   const Outcome outcome = run_text(kScenario);
   Progress silent;
-  const study::CaseResult result =
-      study::run_case(io::parse_scenario(kScenario, "scenario"), silent);
+  const pipeline::CaseResult result =
+      pipeline::run_case(io::parse_scenario(kScenario, "scenario"), silent);
   const drape::Certificate& certificate = result.certificate();
   EXPECT_EQ(outcome.verdict.holds, certificate.holds());
   EXPECT_EQ(outcome.verdict.residual, certificate.residual);
   ASSERT_TRUE(outcome.verdict.holds) << outcome.verdict.stop_reason;
 
   const Garment& garment = outcome.studied();
-  const study::CaseGarment& made = result.studied();
+  const pipeline::CaseGarment& made = result.studied();
   ASSERT_EQ(garment.surface.vertices.size(), made.drape.positions.size());
   for (std::size_t v = 0; v < made.drape.positions.size(); ++v)
     for (int k = 0; k < 3; ++k)

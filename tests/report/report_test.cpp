@@ -44,7 +44,7 @@ class Report : public ::testing::Test {
         maps::relate(tube, result_.studied().drape.positions, result_.body.body);
     for (maps::PerformanceMap& map :
          maps::compute_maps(tube, result_.studied().drape, result_.studied().maps.worn)) {
-      study::CaseMap entry;
+      pipeline::CaseMap entry;
       entry.overall = maps::statistics(map.values, result_.studied().maps.worn.areas);
       entry.regional = maps::regional_statistics(map.values, result_.studied().maps.worn.areas,
                                                  result_.studied().maps.worn.regions);
@@ -63,7 +63,7 @@ class Report : public ::testing::Test {
       ++n;
     return n;
   }
-  study::CaseResult result_;
+  pipeline::CaseResult result_;
   std::filesystem::path dir_;
 };
 
@@ -94,7 +94,8 @@ TEST_F(Report, IsOneSelfContainedPage) {
   EXPECT_NE(html.find("data:image/png;base64," + base64("not really a picture")),
             std::string::npos);
   // What would fetch something; scripts stand in the page.
-  for (const char* outside : {"<script src", "<link", "@import", "url(http", "src=\"http", "<iframe"})
+  for (const char* outside :
+       {"<script src", "<link", "@import", "url(http", "src=\"http", "<iframe"})
     EXPECT_EQ(count(html, outside), 0) << outside;
   for (const char* tag : {"table", "div", "dl", "figure", "ul", "details", "svg", "tr"})
     EXPECT_EQ(count(html, std::string("<") + tag + ">") + count(html, std::string("<") + tag + " "),

@@ -35,7 +35,7 @@ class RunIntoFolder : public ::testing::Test {
 };
 
 TEST_F(RunIntoFolder, DoesAllThatTheCommandsDoByFunctionCallsAlone) {
-  const study::RunOptions options{.allow_unsettled = true};
+  const pipeline::RunOptions options{.allow_unsettled = true};
   const FolderOutput run = run_into_folder(scenario_, folder_, options, false, silent_);
   EXPECT_FALSE(run.result.certificate().holds());
   EXPECT_EQ(run.result.sites.size(), 1u);
@@ -74,7 +74,7 @@ TEST_F(RunIntoFolder, DoesAllThatTheCommandsDoByFunctionCallsAlone) {
 }
 
 TEST_F(RunIntoFolder, ADrapeAloneHasNoSitesAndNoReport) {
-  const study::RunOptions options{.only_drape = true};
+  const pipeline::RunOptions options{.only_drape = true};
   const FolderOutput run = run_into_folder(scenario_, folder_, options, true, silent_);
   EXPECT_TRUE(run.result.sealed());
   EXPECT_FALSE(run.ranking);

@@ -1,8 +1,8 @@
 #include "loosefit/library/run.h"
 
 #include "loosefit/io/scenario.h"
-#include "loosefit/study/run_case.h"
-#include "loosefit/study/summary.h"
+#include "loosefit/pipeline/run_case.h"
+#include "loosefit/pipeline/summary.h"
 
 namespace loosefit::library {
 namespace {
@@ -15,7 +15,7 @@ Surface surface_of(const std::vector<Vec3>& vertices, const std::vector<Triangle
   return surface;
 }
 
-Garment garment_of(study::CaseGarment&& from) {
+Garment garment_of(pipeline::CaseGarment&& from) {
   const garment::Garment& mesh = from.mesh();
   Garment garment;
   garment.surface = surface_of(from.drape.positions, mesh.triangles);
@@ -23,9 +23,8 @@ Garment garment_of(study::CaseGarment&& from) {
   garment.panel = mesh.vertex_panel;
   garment.panel_names = mesh.panel_names;
   garment.mass = mesh.mass;
-  for (study::CaseMap& map : from.maps.maps)
-    garment.maps.push_back(
-        {map.map.array, map.map.title, map.map.unit, std::move(map.map.values)});
+  for (pipeline::CaseMap& map : from.maps.maps)
+    garment.maps.push_back({map.map.array, map.map.title, map.map.unit, std::move(map.map.values)});
   return garment;
 }
 
@@ -45,15 +44,15 @@ Verdict verdict_of(const drape::Certificate& certificate) {
 
 Outcome run_scenario(const scenario::Scenario& scenario, const RunSettings& settings,
                      Progress& progress) {
-  study::CaseResult result = study::run_case(
+  pipeline::CaseResult result = pipeline::run_case(
       scenario, progress,
       {.allow_unsettled = settings.allow_unsettled, .only_drape = settings.only_drape});
   Outcome outcome;
-  outcome.summary_json = study::summary_json(result);
+  outcome.summary_json = pipeline::summary_json(result);
   outcome.verdict = verdict_of(result.certificate());
   const geometry::TriangleMesh& skin = result.body.body->surface;
   outcome.body = surface_of(skin.vertices, skin.triangles);
-  for (study::CaseGarment& garment : result.garments)
+  for (pipeline::CaseGarment& garment : result.garments)
     outcome.garments.push_back(garment_of(std::move(garment)));
   outcome.warnings = std::move(result.warnings);
   return outcome;

@@ -1,9 +1,9 @@
 #include "loosefit/report/case_pictures.h"
 
-#include "loosefit/study/case_folders.h"
-#include "loosefit/study/garment_layers.h"
-#include "loosefit/study/garment_maps.h"
-#include "loosefit/study/wear_states.h"
+#include "loosefit/pipeline/case_folders.h"
+#include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/pipeline/garment_maps.h"
+#include "loosefit/pipeline/wear_states.h"
 
 namespace loosefit::report {
 namespace {
@@ -23,28 +23,29 @@ render::PictureOptions picture_options(const scenario::ScenarioOutput& asked) {
 }
 
 /// Plain pictures of the other postures; further donnings look much alike.
-void draw_states(const render::Screen& screen, const Path& folder, const study::CaseResult& result,
-                 render::PictureOptions options, Progress& progress) {
+void draw_states(const render::Screen& screen, const Path& folder,
+                 const pipeline::CaseResult& result, render::PictureOptions options,
+                 Progress& progress) {
   if (!options.undecorated) return;
-  for (const study::CaseState& state : result.wear.states) {
+  for (const pipeline::CaseState& state : result.wear.states) {
     if (!state.id.in_first_donning() || !state.draped()) continue;
     progress.check_cancelled();
-    options.under = study::surface_under_studied(result, &state);
-    render::render_pictures(screen, folder / study::state_folder(state),
+    options.under = pipeline::surface_under_studied(result, &state);
+    render::render_pictures(screen, folder / pipeline::state_folder(state),
                             result.body_in(state.id.posture), result.studied().mesh(),
                             state.drape().positions, {}, options);
   }
 }
 
 void draw_worn_under(const render::Screen& screen, const Path& folder,
-                     const study::CaseResult& result, const render::PictureOptions& options,
+                     const pipeline::CaseResult& result, const render::PictureOptions& options,
                      Progress& progress) {
   for (int g = 0; g < static_cast<int>(result.worn_under().size()); ++g) {
     progress.check_cancelled();
-    const study::CaseGarment& garment = result.garments[g];
-    render::render_pictures(screen, folder / study::under_folder(g), result.body.body,
+    const pipeline::CaseGarment& garment = result.garments[g];
+    render::render_pictures(screen, folder / pipeline::under_folder(g), result.body.body,
                             garment.mesh(), garment.drape.positions,
-                            study::plain_maps(garment.maps.maps), options);
+                            pipeline::plain_maps(garment.maps.maps), options);
   }
 }
 
@@ -62,17 +63,17 @@ void plan(const scenario::ScenarioOutput& output, const Path& folder, bool with_
 
 }  // namespace
 
-std::vector<render::Picture> draw_case(const Path& folder, const study::CaseResult& result,
+std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseResult& result,
                                        Progress& progress) {
   render::PictureOptions options = picture_options(result.scenario.output);
   const render::Screen screen;  // before anything is written
   std::filesystem::create_directories(folder / kMapFolder);
   draw_states(screen, folder, result, options, progress);
   draw_worn_under(screen, folder, result, options, progress);
-  options.under = study::surface_under_studied(result);
-  const study::CaseGarment& studied = result.studied();
+  options.under = pipeline::surface_under_studied(result);
+  const pipeline::CaseGarment& studied = result.studied();
   return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),
-                                 studied.drape.positions, study::plain_maps(studied.maps.maps),
+                                 studied.drape.positions, pipeline::plain_maps(studied.maps.maps),
                                  options, [&progress](double share) {
                                    progress.check_cancelled();
                                    progress.update(share, "pictures");
@@ -83,11 +84,12 @@ std::vector<Path> planned_pictures(const scenario::Scenario& scenario) {
   const int under = static_cast<int>(scenario.worn_under().size());
   std::vector<Path> files;
   plan(scenario.output, kMapFolder, true, under > 0, files);
-  for (int g = 0; g < under; ++g) plan(scenario.output, study::under_folder(g), true, false, files);
-  const study::CaseWear wear = study::plan_wear(scenario);
-  for (const study::StateId& id : study::planned_states(wear))
+  for (int g = 0; g < under; ++g)
+    plan(scenario.output, pipeline::under_folder(g), true, false, files);
+  const pipeline::CaseWear wear = pipeline::plan_wear(scenario);
+  for (const pipeline::StateId& id : pipeline::planned_states(wear))
     if (id.in_first_donning())
-      plan(scenario.output, study::state_folder(id, wear.postures[id.posture]), false, under > 0,
+      plan(scenario.output, pipeline::state_folder(id, wear.postures[id.posture]), false, under > 0,
            files);
   return files;
 }

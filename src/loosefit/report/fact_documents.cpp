@@ -118,7 +118,7 @@ std::string body_document(const body::Body& body, const body::BodyFit& fit,
   return text_of(json);
 }
 
-std::string pattern_document(const study::GarmentPattern& made, const WrittenFiles& written) {
+std::string pattern_document(const pipeline::GarmentPattern& made, const WrittenFiles& written) {
   Json pieces = Json::array(), seams = Json::array();
   for (const pattern::Panel& panel : made.pattern.panels) pieces.push_back(piece_json(panel));
   for (const pattern::Stitch& stitch : made.pattern.stitches)

@@ -5,8 +5,8 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/body_fit.h"
 #include "loosefit/kinds/kind.h"
+#include "loosefit/pipeline/make_garment_pattern.h"
 #include "loosefit/scenario/material_card.h"
-#include "loosefit/study/make_garment_pattern.h"
 
 // What commands without a drape say with `--json`; keys in docs/command-line.md, units in their
 // names. `files` are those that were written, relative to `folder`, which is empty when none were.
@@ -19,7 +19,7 @@ struct WrittenFiles {
 
 std::string body_document(const body::Body& body, const body::BodyFit& fit,
                           const WrittenFiles& written);
-std::string pattern_document(const study::GarmentPattern& made, const WrittenFiles& written);
+std::string pattern_document(const pipeline::GarmentPattern& made, const WrittenFiles& written);
 std::string sizes_document(const kinds::GarmentKind& kind);
 /// All cards that are shipped.
 std::string materials_document();

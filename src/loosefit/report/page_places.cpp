@@ -64,7 +64,7 @@ Json ranked_json(const placement::RankingTable& table, const placement::RankedSi
 
 }  // namespace
 
-std::string places_json(const study::CaseResult& result, const placement::RankingTable* table) {
+std::string places_json(const pipeline::CaseResult& result, const placement::RankingTable* table) {
   Json all = {{"sites", Json::array()}, {"ranking", nullptr}};
   if (!result.studied().maps.maps.empty())
     for (const placement::Site& site : result.sites) all["sites"].push_back(site_json(site));

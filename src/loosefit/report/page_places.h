@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/study/case_result.h"
 
 namespace loosefit::report {
 
@@ -10,6 +10,6 @@ namespace loosefit::report {
 /// of the report's table, and `ranking` (null without one) with its places in the order of its
 /// table, their tolerances and the clearances that the search kept. `table` may be null. Lengths
 /// in metres, angles in radians. The keys are read by web/src/case_data.ts.
-std::string places_json(const study::CaseResult& result, const placement::RankingTable* table);
+std::string places_json(const pipeline::CaseResult& result, const placement::RankingTable* table);
 
 }  // namespace loosefit::report

@@ -7,6 +7,7 @@
 
 #include "loosefit/maps/catalogue.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/placement/address.h"
 #include "loosefit/render/colour_table.h"
 #include "loosefit/render/garment_lines.h"
@@ -14,7 +15,6 @@
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/slip_arrows.h"
-#include "loosefit/study/garment_layers.h"
 
 namespace loosefit::report {
 namespace {
@@ -57,7 +57,7 @@ Json points_json(const std::vector<Vec2>& points) {
 }
 
 /// Outline of every piece, edge by edge: what is sewn, what is hemmed.
-Json panels_json(const study::CaseGarment& garment) {
+Json panels_json(const pipeline::CaseGarment& garment) {
   const pattern::Pattern& pattern = garment.pattern.pattern;
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
@@ -70,10 +70,9 @@ Json panels_json(const study::CaseGarment& garment) {
     for (int e = 0; index >= 0 && e < static_cast<int>(pattern.panels[index].edges.size()); ++e) {
       const pattern::Panel& panel = pattern.panels[index];
       const pattern::EdgePath path(panel, e);
-      const int pieces = path.curves().size() == 1 &&
-                                 path.curves()[0].kind == pattern::EdgeCurve::Kind::line
-                             ? 1
-                             : 24;
+      const int pieces =
+          path.curves().size() == 1 && path.curves()[0].kind == pattern::EdgeCurve::Kind::line ? 1
+                                                                                               : 24;
       std::vector<Vec2> points;
       for (int i = 0; i <= pieces; ++i) points.push_back(path.at(static_cast<double>(i) / pieces));
       edges.push_back({{"name", panel.edges[e].name},
@@ -92,8 +91,8 @@ std::vector<int> pairs(const std::vector<std::array<int, 2>>& lines) {
 }
 
 /// Skin under every vertex in the reference state: place, region, anatomical address, contact.
-Json partners_json(const study::CaseResult& result, PackedArrays& arrays) {
-  const study::CaseMaps& maps = result.studied().maps;
+Json partners_json(const pipeline::CaseResult& result, PackedArrays& arrays) {
+  const pipeline::CaseMaps& maps = result.studied().maps;
   const placement::BodyAddresses addresses(result.body.body);
   std::vector<Vec3> points, percents;
   std::vector<int> regions, segments;
@@ -135,7 +134,7 @@ Json touching_json(const maps::PressureField& field, PackedArrays& arrays) {
       arrays.add_counts(std::vector<int>(field.touching.begin(), field.touching.end())));
 }
 
-Json garment_json(const study::CaseResult& result, PackedArrays& arrays) {
+Json garment_json(const pipeline::CaseResult& result, PackedArrays& arrays) {
   const garment::Garment& garment = result.studied().mesh();
   const Sheet sheet = make_sheet(garment);
   const render::GarmentLines lines = render::garment_lines(garment);
@@ -148,8 +147,8 @@ Json garment_json(const study::CaseResult& result, PackedArrays& arrays) {
               {"edges", Json::parse(arrays.add_counts(pairs(lines.boundary), 2))},
               {"seams", Json::parse(arrays.add_counts(pairs(lines.seams), 2))},
               {"panels", panels_json(result.studied())}};
-  all["skin"] = result.studied().maps.worn.partners.empty() ? Json(nullptr)
-                                                            : partners_json(result, arrays);
+  all["skin"] =
+      result.studied().maps.worn.partners.empty() ? Json(nullptr) : partners_json(result, arrays);
   return all;
 }
 
@@ -161,9 +160,9 @@ Json surface_json(const geometry::TriangleMesh& mesh, PackedArrays& arrays) {
           {"triangles", Json::parse(arrays.add_counts(corners, 3))}};
 }
 
-Json values_json(const std::vector<study::CaseMap>& maps, PackedArrays& arrays) {
+Json values_json(const std::vector<pipeline::CaseMap>& maps, PackedArrays& arrays) {
   Json all = Json::object();
-  for (const study::CaseMap& entry : maps)
+  for (const pipeline::CaseMap& entry : maps)
     all[entry.map.array] = {{"title", entry.map.title},
                             {"values", Json::parse(arrays.add_values(entry.map.values))},
                             {"min", entry.overall.min},
@@ -172,7 +171,7 @@ Json values_json(const std::vector<study::CaseMap>& maps, PackedArrays& arrays) 
   return all;
 }
 
-Json arrows_json(const study::CaseResult& result, const study::CaseState& state,
+Json arrows_json(const pipeline::CaseResult& result, const pipeline::CaseState& state,
                  PackedArrays& arrays) {
   if (!state.counts() || state.id.in_reference_posture() || state.maps.worn.partners.empty())
     return nullptr;
@@ -181,8 +180,8 @@ Json arrows_json(const study::CaseResult& result, const study::CaseState& state,
   const maps::WornGarment* worn = &result.studied().maps.worn;
   if (!state.id.in_first_donning()) {
     positions = nullptr;
-    for (const study::CaseState& other : result.wear.states)
-      if (other.id == study::StateId{study::StateId::kReferencePosture, state.id.donning} &&
+    for (const pipeline::CaseState& other : result.wear.states)
+      if (other.id == pipeline::StateId{pipeline::StateId::kReferencePosture, state.id.donning} &&
           other.counts()) {
         positions = &other.drape().positions;
         worn = &other.maps.worn;
@@ -197,21 +196,21 @@ Json arrows_json(const study::CaseResult& result, const study::CaseState& state,
           {"to", Json::parse(arrays.add_points(arrows.to))}};
 }
 
-std::string posture_name(const study::CaseResult& result, const study::StateId& id) {
+std::string posture_name(const pipeline::CaseResult& result, const pipeline::StateId& id) {
   return result.wear.postures.empty() ? "as worn" : result.wear.postures[id.posture];
 }
 
 /// The mannequin and what is worn over it under the studied garment.
-Json body_json(const study::CaseResult& result, const study::CaseState* state,
+Json body_json(const pipeline::CaseResult& result, const pipeline::CaseState* state,
                PackedArrays& arrays) {
-  const geometry::TriangleMesh under = study::surface_under_studied(result, state);
+  const geometry::TriangleMesh under = pipeline::surface_under_studied(result, state);
   const body::Body& body =
       state ? result.body_in(state->id.posture).body() : result.body.body.body();
   const std::vector<Vec3>& positions =
       state ? state->drape().positions : result.studied().drape.positions;
-  return {{"form", surface_json(
-                       render::mannequin(body, result.studied().mesh(), positions, under.vertices),
-                       arrays)},
+  return {{"form",
+           surface_json(render::mannequin(body, result.studied().mesh(), positions, under.vertices),
+                        arrays)},
           {"under", surface_json(under, arrays)}};
 }
 
@@ -221,15 +220,14 @@ struct StateList {
   std::map<int, int> body_of_posture;
 };
 
-void add_state(const study::CaseResult& result, const study::CaseState* state,
+void add_state(const pipeline::CaseResult& result, const pipeline::CaseState* state,
                PackedArrays& arrays, StateList& list) {
-  const study::StateId id = state ? state->id : study::StateId{};
+  const pipeline::StateId id = state ? state->id : pipeline::StateId{};
   const drape::Certificate certificate = state ? state->certificate() : result.certificate();
   // Garments under it move with every donning, so they need bodies of their own.
-  const int key = result.worn_under().empty() ? id.posture
-                                              : static_cast<int>(list.bodies.size()) + 1000;
-  const auto [at, is_new] =
-      list.body_of_posture.emplace(key, static_cast<int>(list.bodies.size()));
+  const int key =
+      result.worn_under().empty() ? id.posture : static_cast<int>(list.bodies.size()) + 1000;
+  const auto [at, is_new] = list.body_of_posture.emplace(key, static_cast<int>(list.bodies.size()));
   if (is_new) list.bodies.push_back(body_json(result, state, arrays));
   const maps::PressureField& pressure =
       state ? state->maps.pressure : result.studied().maps.pressure.field;
@@ -248,12 +246,18 @@ void add_state(const study::CaseResult& result, const study::CaseState* state,
 }
 
 Json map_json(const maps::MapArrayStyle& style) {
-  Json all = {{"title", style.title},         {"unit", style.percent ? "%" : style.unit},
-              {"low", style.range_low},       {"high", style.range_high},
-              {"diverging", style.diverging}, {"percent", style.percent},
-              {"decimals", style.decimals},   {"breaks", style.breaks},
-              {"companion", style.companion}, {"meaning", ""},
-              {"formula", ""},                {"source", ""}};
+  Json all = {{"title", style.title},
+              {"unit", style.percent ? "%" : style.unit},
+              {"low", style.range_low},
+              {"high", style.range_high},
+              {"diverging", style.diverging},
+              {"percent", style.percent},
+              {"decimals", style.decimals},
+              {"breaks", style.breaks},
+              {"companion", style.companion},
+              {"meaning", ""},
+              {"formula", ""},
+              {"source", ""}};
   if (const maps::MapArray* array = maps::find_map_array(style.array)) {
     all["meaning"] = array->meaning;
     all["formula"] = array->formula;
@@ -268,23 +272,23 @@ Json colours_json(const render::ColourTable& table) {
 
 }  // namespace
 
-std::string scene_json(const study::CaseResult& result, PackedArrays& arrays) {
+std::string scene_json(const pipeline::CaseResult& result, PackedArrays& arrays) {
   Json scene = {{"garment", garment_json(result, arrays)}};
   StateList list;
   add_state(result, nullptr, arrays, list);
-  for (const study::CaseState& state : result.wear.states)
+  for (const pipeline::CaseState& state : result.wear.states)
     if (state.draped()) add_state(result, &state, arrays, list);
   // Styles in the order of the report, those of other states after them.
   Json maps = Json::object(), order = Json::array();
-  const auto add_maps = [&](const std::vector<study::CaseMap>& made) {
-    for (const study::CaseMap& entry : made) {
+  const auto add_maps = [&](const std::vector<pipeline::CaseMap>& made) {
+    for (const pipeline::CaseMap& entry : made) {
       if (maps.contains(entry.map.array)) continue;
       maps[entry.map.array] = map_json(entry.map);
       order.push_back(entry.map.array);
     }
   };
   add_maps(result.studied().maps.maps);
-  for (const study::CaseState& state : result.wear.states) add_maps(state.maps.maps);
+  for (const pipeline::CaseState& state : result.wear.states) add_maps(state.maps.maps);
   scene["maps"] = std::move(maps);
   scene["order"] = std::move(order);
   scene["states"] = std::move(list.states);

@@ -19,7 +19,7 @@ std::string inside_script(const std::string& json) {
   return safe;
 }
 
-bool can_be_drawn(const study::CaseResult& result) {
+bool can_be_drawn(const pipeline::CaseResult& result) {
   return has_viewer() && !result.studied().hierarchy.levels.empty() &&
          static_cast<int>(result.studied().drape.positions.size()) ==
              result.studied().mesh().vertex_count;
@@ -37,24 +37,26 @@ std::string viewer_head() {
          "catch(e){}</script>\n";
 }
 
-std::string viewer_section(const study::CaseResult& result) {
+std::string viewer_section(const pipeline::CaseResult& result) {
   if (!can_be_drawn(result)) return {};
-  return "<section id=\"viewer\" aria-label=\"The garment and its flat pattern, to be looked at from "
+  return "<section id=\"viewer\" aria-label=\"The garment and its flat pattern, to be looked at "
+         "from "
          "all sides\"></section>\n";
 }
 
-std::string viewer_data(const study::CaseResult& result, const placement::RankingTable* ranking) {
+std::string viewer_data(const pipeline::CaseResult& result,
+                        const placement::RankingTable* ranking) {
   if (!has_viewer()) return {};
   std::string data;
   if (can_be_drawn(result)) {
     PackedArrays arrays;
     const std::string scene = scene_json(result, arrays);
-    data = "<script type=\"application/json\" id=\"case\">" +
-           inside_script("{\"sealed\":" + std::string(result.sealed() ? "true" : "false") +
-                         ",\"scene\":" + scene + ",\"places\":" + places_json(result, ranking) +
-                         "}") +
-           "</script>\n<script type=\"text/plain\" id=\"arrays\">" + arrays.gzip_base64() +
-           "</script>\n";
+    data =
+        "<script type=\"application/json\" id=\"case\">" +
+        inside_script("{\"sealed\":" + std::string(result.sealed() ? "true" : "false") +
+                      ",\"scene\":" + scene + ",\"places\":" + places_json(result, ranking) + "}") +
+        "</script>\n<script type=\"text/plain\" id=\"arrays\">" + arrays.gzip_base64() +
+        "</script>\n";
   }
   return data + "<script>" + std::string(page_script()) + "</script>\n";
 }

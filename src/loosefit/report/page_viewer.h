@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/study/case_result.h"
 
 namespace loosefit::report {
 
@@ -13,8 +13,8 @@ bool has_viewer();
 /// (class `webgl` of the root element), so that nothing jumps once the page is read.
 std::string viewer_head();
 /// Where the viewer will be. A case of which nothing can be drawn has none.
-std::string viewer_section(const study::CaseResult& result);
+std::string viewer_section(const pipeline::CaseResult& result);
 /// Foot of the page: the case, its arrays and the script.
-std::string viewer_data(const study::CaseResult& result, const placement::RankingTable* ranking);
+std::string viewer_data(const pipeline::CaseResult& result, const placement::RankingTable* ranking);
 
 }  // namespace loosefit::report

@@ -11,29 +11,30 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/load_case.h"
+#include "loosefit/pipeline/map_case.h"
+#include "loosefit/pipeline/rank_case.h"
+#include "loosefit/pipeline/run_case.h"
 #include "loosefit/report/ranking_output.h"
-#include "loosefit/study/load_case.h"
-#include "loosefit/study/map_case.h"
-#include "loosefit/study/rank_case.h"
-#include "loosefit/study/run_case.h"
 
 namespace loosefit::report {
 namespace {
 
 /// The drape to be judged: an earlier output, or a scenario that is run first; with its maps.
-study::CaseResult mapped_case(const std::string& input, bool allow_unsettled, Progress& progress) {
-  study::CaseResult result;
+pipeline::CaseResult mapped_case(const std::string& input, bool allow_unsettled,
+                                 Progress& progress) {
+  pipeline::CaseResult result;
   if (std::filesystem::is_directory(input)) {
-    result = study::load_case(input, progress);
+    result = pipeline::load_case(input, progress);
   } else {
-    study::RunOptions options;
+    pipeline::RunOptions options;
     options.allow_unsettled = allow_unsettled;
     options.only_drape = true;
-    result = study::run_case(io::read_scenario(input), progress, options);
+    result = pipeline::run_case(io::read_scenario(input), progress, options);
   }
   progress.stage("maps");
   try {
-    result.take_maps(study::map_case(result, allow_unsettled));
+    result.take_maps(pipeline::map_case(result, allow_unsettled));
   } catch (const Error& error) {
     if (result.certificate().holds()) throw;
     throw Error(input + ": " + error.what(), error.hint());  // which of several
@@ -86,8 +87,8 @@ RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
     files->announce(ranking_files(asked.wish.scorecard.name));
   }
 
-  std::deque<study::CaseResult> results;
-  std::vector<study::RankedRun> runs;
+  std::deque<pipeline::CaseResult> results;
+  std::vector<pipeline::RankedRun> runs;
   for (std::size_t i = 0; i < names.size(); ++i) {
     results.push_back(mapped_case(asked.inputs[i], asked.allow_unsettled, progress));
     runs.push_back({names[i], &results.back()});
@@ -100,10 +101,10 @@ RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
     clock.check_cancelled();
     clock.update(share, "search");
   };
-  ranked.table = study::rank_cases(runs, wish, asked.with_sites);
+  ranked.table = pipeline::rank_cases(runs, wish, asked.with_sites);
   clock.stop();
   ranked.all_hold = std::ranges::all_of(
-      results, [](const study::CaseResult& result) { return result.certificate().holds(); });
+      results, [](const pipeline::CaseResult& result) { return result.certificate().holds(); });
 
   if (before_writing) before_writing(ranked.table);
   if (files) {

@@ -12,9 +12,9 @@
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pipeline/pattern_marks.h"
 #include "loosefit/placement/derived_metrics.h"
 #include "loosefit/report/sewing_plan.h"
-#include "loosefit/study/pattern_marks.h"
 
 namespace loosefit::report {
 namespace {
@@ -316,7 +316,7 @@ void write_ranking(const std::filesystem::path& folder, const placement::Ranking
   io::write_text_file((folder / files[0]).string(), ranking_csv(table));
   io::write_text_file((folder / files[1]).string(), ranking_json(table));
   io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
-  io::write_dxf(folder / files[3], pattern, {}, study::ranking_marks(table));
+  io::write_dxf(folder / files[3], pattern, {}, pipeline::ranking_marks(table));
 }
 
 }  // namespace loosefit::report

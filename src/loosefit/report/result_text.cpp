@@ -13,7 +13,7 @@ std::string number_or_dash(double value) {
   return std::isnan(value) ? fmt::format("{:>10}", "-") : fmt::format("{:10.4g}", value);
 }
 
-std::string certificate_text(const study::CaseResult& result) {
+std::string certificate_text(const pipeline::CaseResult& result) {
   const drape::Certificate& certificate = result.certificate();
   std::string text =
       fmt::format("{}: residual {:.2e}, intersections body {} self {} ({})\n",
@@ -31,23 +31,23 @@ std::string certificate_text(const study::CaseResult& result) {
   return text;
 }
 
-std::string map_table(const std::vector<study::CaseMap>& maps) {
+std::string map_table(const std::vector<pipeline::CaseMap>& maps) {
   if (maps.empty()) return {};
   std::string text = fmt::format("{:24} {:>10} {:>10} {:>10}\n", "map", "p5", "median", "p95");
-  for (const study::CaseMap& map : maps)
+  for (const pipeline::CaseMap& map : maps)
     text += fmt::format("{:24} {} {} {}\n", map.map.array, number_or_dash(map.overall.p5),
                         number_or_dash(map.overall.median), number_or_dash(map.overall.p95));
   return text;
 }
 
-std::string load_text(const study::CaseMaps& maps) {
+std::string load_text(const pipeline::CaseMaps& maps) {
   if (!maps.load) return {};
   return fmt::format(
       "normal force {:.3g} N, {:.3g} times the weight; within 1 mm of the skin {:.0f} %\n",
       maps.load->normal_force, maps.load->force_over_weight(), 100 * maps.load->near_share[1]);
 }
 
-std::string timings(const study::CaseResult& result) {
+std::string timings(const pipeline::CaseResult& result) {
   double total = 0;
   std::string stages;
   for (const StageClock::Entry& entry : result.seconds) {
@@ -60,7 +60,7 @@ std::string timings(const study::CaseResult& result) {
 
 }  // namespace
 
-std::string result_text(const study::CaseResult& result) {
+std::string result_text(const pipeline::CaseResult& result) {
   std::string text;
   for (const std::string& warning : result.warnings)
     text += fmt::format("warning: {}\n", terminal_line(warning));

@@ -3,8 +3,8 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/run_log.h"
+#include "loosefit/pipeline/load_case.h"
 #include "loosefit/report/write_output.h"
-#include "loosefit/study/load_case.h"
 
 namespace loosefit::report {
 namespace {
@@ -15,7 +15,7 @@ std::string verdict(const drape::Certificate& certificate) {
   return "not worn: " + join(certificate.worn_reasons, "; ");
 }
 
-FolderOutput output_of(study::CaseResult result, std::optional<TimedRanking> ranking) {
+FolderOutput output_of(pipeline::CaseResult result, std::optional<TimedRanking> ranking) {
   FolderOutput output{.result = std::move(result), .ranking = {}, .set_aside = {}};
   if (ranking) output.ranking = std::move(ranking->table);
   return output;
@@ -24,8 +24,9 @@ FolderOutput output_of(study::CaseResult result, std::optional<TimedRanking> ran
 }  // namespace
 
 FolderOutput run_into_folder(const scenario::Scenario& scenario,
-                             const std::filesystem::path& folder, const study::RunOptions& options,
-                             bool pictures, Progress& progress) {
+                             const std::filesystem::path& folder,
+                             const pipeline::RunOptions& options, bool pictures,
+                             Progress& progress) {
   const OutputParts parts{.log = true,
                           .sites = !options.only_drape,
                           .pictures = pictures && !options.only_drape,
@@ -34,7 +35,7 @@ FolderOutput run_into_folder(const scenario::Scenario& scenario,
   files.announce(planned_files(scenario, parts));
   io::RunLog log(files.path() / "log.jsonl", progress);
 
-  study::CaseResult result = study::run_case(scenario, log, options);
+  pipeline::CaseResult result = pipeline::run_case(scenario, log, options);
   std::optional<TimedRanking> ranking = rank_as_asked(result, log);
   result = write_output(files.path(), std::move(result), parts, ranking, log);
 
@@ -50,10 +51,10 @@ FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptio
   io::RunFolder files = io::RunFolder::update(folder);
   files.leave_if_edited("scenario.toml");
 
-  study::CaseResult result = study::load_case(folder, progress);
+  pipeline::CaseResult result = pipeline::load_case(folder, progress);
   if (!options.maps.empty()) result.scenario.output.maps = options.maps;
   files.announce(planned_files(result.scenario, parts));
-  result = study::remap_case(std::move(result), options.allow_unsettled, progress);
+  result = pipeline::remap_case(std::move(result), options.allow_unsettled, progress);
   std::optional<TimedRanking> ranking;
   if (parts.report) ranking = rank_as_asked(result, progress);
   result = write_output(files.path(), std::move(result), parts, ranking, progress);

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "loosefit/base/progress.h"
+#include "loosefit/pipeline/case_result.h"
+#include "loosefit/pipeline/run_case.h"
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/study/case_result.h"
-#include "loosefit/study/run_case.h"
 
 // Whole commands on the folder of a run, whose files appear all at once or not at all.
 namespace loosefit::report {
 
 /// What such a command has made.
 struct FolderOutput {
-  study::CaseResult result;
+  pipeline::CaseResult result;
   std::optional<placement::RankingTable> ranking;
   /// Folder in the output to which files that stood in the way were moved; mostly none.
   std::string set_aside;
@@ -25,8 +25,9 @@ struct FolderOutput {
 /// gets neither pictures nor report.
 /// \throws as run_case, rank_as_asked, write_output, RunFolder.
 FolderOutput run_into_folder(const scenario::Scenario& scenario,
-                             const std::filesystem::path& folder, const study::RunOptions& options,
-                             bool pictures, Progress& progress);
+                             const std::filesystem::path& folder,
+                             const pipeline::RunOptions& options, bool pictures,
+                             Progress& progress);
 
 /// What to make again of an earlier output beside maps and sites.
 struct RedoOptions {

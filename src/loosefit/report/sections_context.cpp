@@ -17,7 +17,7 @@ namespace {
 std::string millimetres(double metres) { return fmt::format("{:.0f}", 1000 * metres); }
 std::string percent(double share) { return signed_number(100 * share, 3) + " %"; }
 
-Table fit_table(const study::CaseResult& result) {
+Table fit_table(const pipeline::CaseResult& result) {
   Table table({"Level", "garment [mm]", "body [mm]", "fit (BGM)"});
   table.define(3, "bgm");
   for (const auto& [level, mobility] : result.studied().pattern.fit) {
@@ -30,7 +30,7 @@ Table fit_table(const study::CaseResult& result) {
 }
 
 /// The fit along one limb, as cut and as asked; empty without stations.
-std::string fit_plot(const study::CaseResult& result, const std::string& limb,
+std::string fit_plot(const pipeline::CaseResult& result, const std::string& limb,
                      const std::string& title, const std::string& from) {
   Plot plot;
   plot.title = title;
@@ -38,7 +38,7 @@ std::string fit_plot(const study::CaseResult& result, const std::string& limb,
   plot.y_label = "fit (BGM) [%]";
   plot.height = 260;
   Plot::Series cut{"as cut", {}, {}, false}, asked{"as asked", {}, {}, true};
-  for (const study::StationFit& s : result.studied().pattern.fit_along) {
+  for (const pipeline::StationFit& s : result.studied().pattern.fit_along) {
     if (s.limb != limb) continue;
     cut.x.push_back(1000 * s.along);
     cut.y.push_back(100 * s.cut());
@@ -52,7 +52,7 @@ std::string fit_plot(const study::CaseResult& result, const std::string& limb,
   return svg_plot(plot);
 }
 
-Table body_table(const study::CaseResult& result) {
+Table body_table(const pipeline::CaseResult& result) {
   Table table({"Measure", "asked [mm]", "measured [mm]", "difference [mm]"});
   std::set<std::string> done;
   for (const body::MeasureRow& row : result.body.asked) {
@@ -69,7 +69,7 @@ Table body_table(const study::CaseResult& result) {
   return table;
 }
 
-Table garment_table(const study::CaseResult& result) {
+Table garment_table(const pipeline::CaseResult& result) {
   const garment::Garment& garment = result.studied().mesh();
   const fabric::Material& m = result.scenario.studied().material.material;
   Table table({"Garment and cloth", ""});
@@ -90,7 +90,7 @@ std::string constants_table(const scenario::MaterialCard& card) {
   return table.html();
 }
 
-Table time_table(const study::CaseResult& result) {
+Table time_table(const pipeline::CaseResult& result) {
   Table table({"Stage", "seconds"});
   double total = 0;
   for (const StageClock::Entry& entry : result.seconds) {
@@ -104,7 +104,7 @@ Table time_table(const study::CaseResult& result) {
 
 }  // namespace
 
-std::string fit_section(const study::CaseResult& result) {
+std::string fit_section(const pipeline::CaseResult& result) {
   std::string fit = element("h2", "Fit");
   if (const Table table = fit_table(result); !table.empty()) fit += table.html();
   if (const maps::GarmentGirth& chest = result.studied().maps.chest;
@@ -126,7 +126,7 @@ std::string fit_section(const study::CaseResult& result) {
   return html;
 }
 
-std::string provenance_section(const study::CaseResult& result) {
+std::string provenance_section(const pipeline::CaseResult& result) {
   Table library({"Version", ""});
   for (const auto& [name, number_text] : versions()) library.add({name, number_text});
   std::string cloth = garment_table(result).html();

@@ -23,11 +23,11 @@ std::string term(const std::string& id, const std::string& title, const std::str
 
 }  // namespace
 
-std::string definition_section(const study::CaseResult& result) {
+std::string definition_section(const pipeline::CaseResult& result) {
   std::string of_maps, of_words;
   std::vector<const maps::MapArray*> shown;
-  const auto add = [&](const std::vector<study::CaseMap>& maps) {
-    for (const study::CaseMap& entry : maps) {
+  const auto add = [&](const std::vector<pipeline::CaseMap>& maps) {
+    for (const pipeline::CaseMap& entry : maps) {
       const maps::MapArray* array = maps::find_map_array(entry.map.array);
       if (!array || std::find(shown.begin(), shown.end(), array) != shown.end()) continue;
       shown.push_back(array);
@@ -35,7 +35,7 @@ std::string definition_section(const study::CaseResult& result) {
     }
   };
   add(result.studied().maps.maps);
-  for (const study::CaseState& state : result.wear.states) add(state.maps.maps);
+  for (const pipeline::CaseState& state : result.wear.states) add(state.maps.maps);
   for (const GlossaryTerm& word : glossary())
     of_words += term(word.id, word.title, escaped(word.meaning));
   std::string html;

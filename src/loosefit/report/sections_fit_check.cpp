@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "loosefit/pipeline/case_ease.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/sections.h"
-#include "loosefit/study/case_ease.h"
 
 namespace loosefit::report {
 namespace {
@@ -33,10 +33,10 @@ std::string load_tables(const maps::BodyLoad& load) {
   return force.html() + contact.html();
 }
 
-std::string ease_table(const std::vector<study::StationEase>& stations) {
+std::string ease_table(const std::vector<pipeline::StationEase>& stations) {
   Table table({"Ease", "asked", "cut"});
   table.define(0, "ease");
-  for (const study::StationEase& s : stations)
+  for (const pipeline::StationEase& s : stations)
     table.add({spaced(s.name), s.asked ? percent(*s.asked) : "–", percent(s.cut, 1)});
   return table.html();
 }
@@ -56,19 +56,19 @@ std::string range_table(const maps::StrainRange& range) {
 
 }  // namespace
 
-std::string fit_check_section(const study::CaseResult& result) {
-  const study::CaseMaps& maps = result.studied().maps;
+std::string fit_check_section(const pipeline::CaseResult& result) {
+  const pipeline::CaseMaps& maps = result.studied().maps;
   if (maps.maps.empty() && !maps.load) return {};
   std::string html = element("h2", "Does it hang?");
   if (maps.load) html += load_tables(*maps.load);
   const auto stations =
-      study::station_eases(result.studied().pattern, result.scenario.studied().spec);
+      pipeline::station_eases(result.studied().pattern, result.scenario.studied().spec);
   if (!stations.empty()) html += ease_table(stations);
   html += range_table(maps.strain_range);
   return html + element("p",
                         "A garment that hangs presses on its wearer with a few times its weight. "
                         "More than " +
-                            fixed(study::kLooseWeights, 0) +
+                            fixed(pipeline::kLooseWeights, 0) +
                             " weights mean that it is held somewhere that is too narrow. Beyond "
                             "the measured range the forces of the cloth are extrapolated.");
 }

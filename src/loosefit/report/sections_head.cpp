@@ -11,7 +11,7 @@
 namespace loosefit::report {
 namespace {
 
-std::string who(const study::CaseResult& result) {
+std::string who(const pipeline::CaseResult& result) {
   const scenario::ScenarioBody& body = result.scenario.body;
   if (!body.file.empty()) return "a scanned body";
   const bool child = body.age < 16;
@@ -21,7 +21,7 @@ std::string who(const study::CaseResult& result) {
   return fmt::format("a {} of {:.0f} years and {:.2f} m", sex, body.age, body.height);
 }
 
-std::string what(const study::CaseResult& result) {
+std::string what(const pipeline::CaseResult& result) {
   const scenario::GarmentSpec& garment = result.scenario.studied().spec;
   std::string text =
       garment.file.empty() ? garment.kind : std::filesystem::path(garment.file).filename().string();
@@ -38,7 +38,7 @@ std::string count_text(int count) { return count < 0 ? "not tested" : std::to_st
 
 }  // namespace
 
-std::string headline_section(const study::CaseResult& result) {
+std::string headline_section(const pipeline::CaseResult& result) {
   std::string html = element("h1", "Does loose fitting matter here?");
   std::string sentence = "The " + what(result) + " on " + who(result);
   const auto chest = result.studied().pattern.fit.find("chest");
@@ -68,7 +68,7 @@ std::string headline_section(const study::CaseResult& result) {
   return html;
 }
 
-std::string certificate_section(const study::CaseResult& result) {
+std::string certificate_section(const pipeline::CaseResult& result) {
   const drape::Certificate& c = result.certificate();
   const drape::SettleReport& settling = result.studied().drape.report;
   const double tolerance = result.scenario.simulation.residual_tolerance;
@@ -98,18 +98,20 @@ std::string certificate_section(const study::CaseResult& result) {
         "their numbers.";
   }
   // The numbers behind it; crossings between garments only when there are several.
-  std::string facts = fact("residual ‖F‖/‖W‖", "residual", number(c.residual, 3)) +
-                      fact("largest on one particle", "residual-max", number(c.residual_max, 3)) +
-                      fact("crossings with the body", "crossings", count_text(c.intersections_body)) +
-                      fact("crossings with itself", "crossings", count_text(c.intersections_self)) +
-                      fact("stable:", "stable", !c.stable   ? "not tested"
-                                      : *c.stable ? "yes"
-                                                  : "no") +
-                      (result.worn_under().empty() ? ""
-                                                   : fact("of these, between garments", "crossings",
-                                                          count_text(c.intersections_layers))) +
-                      fact("stopped:", "stopped", c.stop_reason) +
-                      fact("worn:", "worn", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
+  std::string facts =
+      fact("residual ‖F‖/‖W‖", "residual", number(c.residual, 3)) +
+      fact("largest on one particle", "residual-max", number(c.residual_max, 3)) +
+      fact("crossings with the body", "crossings", count_text(c.intersections_body)) +
+      fact("crossings with itself", "crossings", count_text(c.intersections_self)) +
+      fact("stable:", "stable",
+           !c.stable   ? "not tested"
+           : *c.stable ? "yes"
+                       : "no") +
+      (result.worn_under().empty()
+           ? ""
+           : fact("of these, between garments", "crossings", count_text(c.intersections_layers))) +
+      fact("stopped:", "stopped", c.stop_reason) +
+      fact("worn:", "worn", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   if (settling.total().iterations > 0)
     facts += fact("iterations", "iterations", std::to_string(settling.total().iterations));
   // Green or red box, and below it how the force fell.

@@ -8,11 +8,11 @@
 namespace loosefit::report {
 namespace {
 
-std::vector<std::string> row(const std::string& place, const study::CaseGarment& garment,
+std::vector<std::string> row(const std::string& place, const pipeline::CaseGarment& garment,
                              const fabric::Material& material) {
   double force = 0, distance = std::nan("");
   for (double f : garment.drape.body_normal_force) force += f;
-  for (const study::CaseMap& map : garment.maps.maps)
+  for (const pipeline::CaseMap& map : garment.maps.maps)
     if (map.map.array == "distance_mm") distance = map.overall.median;
   const auto& fit = garment.pattern.fit;
   const auto chest = fit.find("chest");
@@ -28,7 +28,7 @@ std::vector<std::string> row(const std::string& place, const study::CaseGarment&
 
 }  // namespace
 
-std::string layer_section(const study::CaseResult& result) {
+std::string layer_section(const pipeline::CaseResult& result) {
   if (result.worn_under().empty()) return {};
   Table table({"Garment", "pattern", "cloth", "fit at the chest", "mass [g]",
                "median distance from the skin [mm]", "normal force on the skin [N]",

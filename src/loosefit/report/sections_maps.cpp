@@ -19,21 +19,21 @@ std::string embedded(const render::Picture& picture) {
   return "data:image/png;base64," + base64(bytes);
 }
 
-std::string title_of(const study::CaseResult& result, const std::string& map) {
-  for (const study::CaseMap& entry : result.studied().maps.maps)
+std::string title_of(const pipeline::CaseResult& result, const std::string& map) {
+  for (const pipeline::CaseMap& entry : result.studied().maps.maps)
     if (entry.map.map == map) return entry.map.title;
   if (map == "layers") return "What is worn under it";
   return map == "drape" ? "The garment as it hangs" : map;
 }
 
-bool shows(const std::vector<const study::CaseMap*>& shown, const std::string& array) {
+bool shows(const std::vector<const pipeline::CaseMap*>& shown, const std::string& array) {
   return std::any_of(shown.begin(), shown.end(),
-                     [&](const study::CaseMap* entry) { return entry->map.array == array; });
+                     [&](const pipeline::CaseMap* entry) { return entry->map.array == array; });
 }
 
 }  // namespace
 
-std::string picture_section(const study::CaseResult& result,
+std::string picture_section(const pipeline::CaseResult& result,
                             const std::vector<render::Picture>& pictures) {
   if (pictures.empty()) return {};
   std::vector<render::View> views;
@@ -52,25 +52,24 @@ std::string picture_section(const study::CaseResult& result,
     html += element("div", row, "pictures") + "<p></p>\n";
   }
   html +=
-         element(
-             "p",
-             "Colour ranges are fixed, so that reports can be compared; that of the pressure has "
-             "its ticks, bounds of use, at equal steps; grey cloth "
-             "means that a value is not defined. Seams and edges are drawn dark.");
+      element("p",
+              "Colour ranges are fixed, so that reports can be compared; that of the pressure has "
+              "its ticks, bounds of use, at equal steps; grey cloth "
+              "means that a value is not defined. Seams and edges are drawn dark.");
   // Closed where the viewer above shows the same (viewer_head).
   return "<details class=\"stills\" open><summary><h2>Pictures</h2></summary>\n" + html +
          "</details>\n<script>if(document.documentElement.classList.contains('webgl'))"
          "document.querySelector('details.stills').removeAttribute('open')</script>\n";
 }
 
-std::string map_section(const study::CaseResult& result) {
+std::string map_section(const pipeline::CaseResult& result) {
   // A sealed drape has no maps to sum up.
   if (result.studied().maps.maps.empty()) return {};
   // Each map over the whole garment.
   Table overall({"Map", "least", "5 %", "median", "95 %", "greatest", "area mean"});
   overall.make_sortable("maps");
   for (std::size_t column : {2, 3, 4, 6}) overall.define(column, "percentiles");
-  for (const study::CaseMap& entry : result.studied().maps.maps) {
+  for (const pipeline::CaseMap& entry : result.studied().maps.maps) {
     const maps::MapStatistics& s = entry.overall;
     std::vector<std::string> row = {with_unit(entry.map)};
     for (double value : {s.min, s.p5, s.median, s.p95, s.max, s.area_mean})
@@ -79,8 +78,8 @@ std::string map_section(const study::CaseResult& result) {
   }
   // Columns by region: all maps but companions.
   std::vector<std::string> head = {"Region"};
-  std::vector<const study::CaseMap*> shown;
-  for (const study::CaseMap& entry : result.studied().maps.maps) {
+  std::vector<const pipeline::CaseMap*> shown;
+  for (const pipeline::CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry);
     head.push_back(with_unit(entry.map));
@@ -94,7 +93,7 @@ std::string map_section(const study::CaseResult& result) {
   for (body::Region region : body::all_regions()) {
     std::vector<std::string> row = {spaced(body::name(region))};
     double area = 0;
-    for (const study::CaseMap* entry : shown) {
+    for (const pipeline::CaseMap* entry : shown) {
       const auto found = entry->regional.find(region);
       const bool has = found != entry->regional.end();
       row.push_back(has ? value_text(entry->map, found->second.median) + " (" +
@@ -120,11 +119,11 @@ std::string map_section(const study::CaseResult& result) {
                  "wearer's.");
 }
 
-std::string site_section(const study::CaseResult& result) {
+std::string site_section(const pipeline::CaseResult& result) {
   if (result.sites.empty() || result.studied().maps.maps.empty()) return {};
   std::vector<std::string> head = {"Site", "panel", "u [mm]", "v [mm]", "region"};
   std::vector<const maps::PerformanceMap*> shown;
-  for (const study::CaseMap& entry : result.studied().maps.maps) {
+  for (const pipeline::CaseMap& entry : result.studied().maps.maps) {
     if (entry.map.companion) continue;
     shown.push_back(&entry.map);
     head.push_back(with_unit(entry.map));
@@ -158,7 +157,8 @@ std::string site_section(const study::CaseResult& result) {
   return element("h2", "Sensor sites") + table.html() +
          (bare.empty() ? bare : element("ul", bare)) +
          element("p",
-                 defined("Under a sensor", "footprint") + ": mean over a disc of " + number(1000 * placement::kFootprintRadius, 2) +
+                 defined("Under a sensor", "footprint") + ": mean over a disc of " +
+                     number(1000 * placement::kFootprintRadius, 2) +
                      " mm radius on the cloth, in brackets the value that 95 % of the disc stay "
                      "below. u runs along the weft, v along the warp of the flat panel.");
 }

@@ -22,8 +22,8 @@ std::vector<std::string> row(std::string place, const maps::PressureAgreement& a
 
 }  // namespace
 
-std::string pressure_section(const study::CaseResult& result) {
-  const study::CasePressure& pressure = result.studied().maps.pressure;
+std::string pressure_section(const pipeline::CaseResult& result) {
+  const pipeline::CasePressure& pressure = result.studied().maps.pressure;
   if (pressure.field.empty()) return {};
   Table table({"Where", "contact [dm²]", "mean, by force [kPa]", "by tension [kPa]",
                "normal force [N]", "by tension [N]", "rms difference [kPa]", "correlation"});

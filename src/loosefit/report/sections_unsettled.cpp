@@ -33,7 +33,7 @@ std::string cut_table(const std::vector<drape::CutTriangle>& cuts) {
 
 }  // namespace
 
-std::string unsettled_section(const study::CaseResult& result) {
+std::string unsettled_section(const pipeline::CaseResult& result) {
   const std::optional<drape::Unsettled>& unsettled = result.studied().drape.unsettled;
   if (!unsettled) return {};
   const drape::Unsettled& u = *unsettled;

@@ -6,14 +6,14 @@
 namespace loosefit::report {
 namespace {
 
-double seconds_of(const study::CaseResult& result) {
+double seconds_of(const pipeline::CaseResult& result) {
   double sum = 0;
   for (const StageClock::Entry& entry : result.seconds)
     if (entry.stage == "dress" || entry.stage == "settle") sum += entry.seconds;
   return sum;
 }
 
-std::vector<std::string> row(const std::string& name, const study::StateId& id,
+std::vector<std::string> row(const std::string& name, const pipeline::StateId& id,
                              const drape::Certificate& c, double seconds) {
   return {name, std::to_string(id.donning + 1),
           c.holds()     ? "settled"
@@ -24,8 +24,8 @@ std::vector<std::string> row(const std::string& name, const study::StateId& id,
 
 }  // namespace
 
-std::string wear_section(const study::CaseResult& result) {
-  const study::CaseWear& wear = result.wear;
+std::string wear_section(const pipeline::CaseResult& result) {
+  const pipeline::CaseWear& wear = result.wear;
   if (wear.states.empty()) return {};
   Table table({"posture", "donning", "drape", "residual", "seconds, side by side", "slip median mm",
                "slip 95 % mm", "slip greatest mm"});
@@ -33,10 +33,10 @@ std::string wear_section(const study::CaseResult& result) {
   table.define(3, "residual");
   for (std::size_t column : {5, 6, 7}) table.define(column, "slip");
   auto first =
-      row(wear.postures.front(), study::StateId{}, result.certificate(), seconds_of(result));
+      row(wear.postures.front(), pipeline::StateId{}, result.certificate(), seconds_of(result));
   first.insert(first.end(), 3, "–");
   table.add(first);
-  for (const study::CaseState& s : wear.states) {
+  for (const pipeline::CaseState& s : wear.states) {
     auto cells = row(s.name, s.id, s.certificate(), s.seconds);
     if (!s.left_out.empty()) cells[2] = s.left_out;
     const bool known = s.counts() && !s.id.in_reference_posture() && !s.maps.maps.empty();
@@ -56,7 +56,7 @@ std::string wear_section(const study::CaseResult& result) {
     Table how(
         {"donning", "shift left mm", "shift back mm", "shift up mm", "twist deg", "friction ×"});
     for (std::size_t k = 0; k < wear.donnings.size(); ++k) {
-      const study::CaseDonning& d = wear.donnings[k];
+      const pipeline::CaseDonning& d = wear.donnings[k];
       how.add({std::to_string(k + 1), fixed(1000 * d.shift.x(), 1), fixed(1000 * d.shift.y(), 1),
                fixed(1000 * d.shift.z(), 1), fixed(degrees(d.twist), 1), fixed(d.friction, 2)});
     }

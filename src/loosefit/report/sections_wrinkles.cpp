@@ -17,7 +17,7 @@ std::string row_name(body::Region region) {
 
 }  // namespace
 
-std::string wrinkle_section(const study::CaseResult& result) {
+std::string wrinkle_section(const pipeline::CaseResult& result) {
   if (result.studied().maps.wrinkles.empty()) return {};
   Table table({"Region", "slope [deg]", "direction [deg]", "coherence"});
   table.make_sortable("wrinkles");

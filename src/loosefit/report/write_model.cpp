@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "loosefit/io/glb_write.h"
+#include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/render/colour_table.h"
 #include "loosefit/render/mannequin.h"
-#include "loosefit/study/garment_layers.h"
 
 namespace loosefit::report {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::uint8_t, 3> kCloth = {226, 231, 238}, kUnder = {150, 166, 200};
 
 /// Maps are asked for by name; the first one may be more than one array, or none that is drawn.
-const maps::PerformanceMap* chosen_map(const study::CaseResult& result) {
-  for (const study::CaseMap& entry : result.studied().maps.maps)
+const maps::PerformanceMap* chosen_map(const pipeline::CaseResult& result) {
+  for (const pipeline::CaseMap& entry : result.studied().maps.maps)
     if (entry.map.pictured) return &entry.map;
   return nullptr;
 }
@@ -36,7 +36,7 @@ std::vector<render::Rgb> colours_on(const maps::PerformanceMap& map) {
 
 }  // namespace
 
-void write_model(const std::filesystem::path& folder, const study::CaseResult& result) {
+void write_model(const std::filesystem::path& folder, const pipeline::CaseResult& result) {
   const garment::Garment& garment = result.studied().mesh();
   const std::vector<Vec3>& positions = result.studied().drape.positions;
   io::GlbSurface cloth{.name = "garment", .positions = positions, .triangles = garment.triangles};
@@ -51,7 +51,7 @@ void write_model(const std::filesystem::path& folder, const study::CaseResult& r
     notes.push_back({"range", fmt::format("{:g} to {:g}", map->range_low, map->range_high)});
   }
   std::vector<io::GlbSurface> surfaces = {std::move(cloth)};
-  const geometry::TriangleMesh under = study::surface_under_studied(result);
+  const geometry::TriangleMesh under = pipeline::surface_under_studied(result);
   const geometry::TriangleMesh form =
       render::mannequin(result.body.body, garment, positions, under.vertices);
   if (!form.triangles.empty()) surfaces.push_back({"mannequin", form.vertices, form.triangles});

@@ -3,14 +3,14 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/pipeline/case_files.h"
+#include "loosefit/pipeline/case_folders.h"
+#include "loosefit/pipeline/rank_case.h"
+#include "loosefit/pipeline/wear_states.h"
 #include "loosefit/report/case_pictures.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/write_model.h"
 #include "loosefit/report/write_report.h"
-#include "loosefit/study/case_files.h"
-#include "loosefit/study/case_folders.h"
-#include "loosefit/study/rank_case.h"
-#include "loosefit/study/wear_states.h"
 
 namespace loosefit::report {
 namespace {
@@ -26,13 +26,15 @@ std::vector<Path> planned_drapes(const scenario::Scenario& scenario) {
   const int under = static_cast<int>(scenario.worn_under().size());
   std::vector<Path> files;
   for (int g = 0; g < under; ++g)
-    append(files, {study::under_folder(g) / "drape.vtp", study::under_folder(g) / "pattern.json"});
-  const study::CaseWear wear = study::plan_wear(scenario);
-  for (const study::StateId& id : study::planned_states(wear)) {
-    const Path folder = study::state_folder(id, wear.postures[id.posture]);
+    append(files,
+           {pipeline::under_folder(g) / "drape.vtp", pipeline::under_folder(g) / "pattern.json"});
+  const pipeline::CaseWear wear = pipeline::plan_wear(scenario);
+  for (const pipeline::StateId& id : pipeline::planned_states(wear)) {
+    const Path folder = pipeline::state_folder(id, wear.postures[id.posture]);
     files.push_back(folder / "drape.vtp");
     if (id.in_first_donning()) files.push_back(folder / "body.vtp");
-    for (int g = 0; g < under; ++g) files.push_back(folder / study::under_folder(g) / "drape.vtp");
+    for (int g = 0; g < under; ++g)
+      files.push_back(folder / pipeline::under_folder(g) / "drape.vtp");
   }
   return files;
 }
@@ -44,8 +46,8 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   std::vector<Path> files = {"summary.json", "drape.vtp", "body.vtp", "pattern.json",
                              "scenario.toml"};
   append(files, planned_drapes(scenario));
-  if (!study::planned_states(study::plan_wear(scenario)).empty())
-    files.push_back(study::kSeriesFile);
+  if (!pipeline::planned_states(pipeline::plan_wear(scenario)).empty())
+    files.push_back(pipeline::kSeriesFile);
   files.push_back(kModelFile);
   if (parts.pictures) append(files, planned_pictures(scenario));
   if (parts.log) files.push_back("log.jsonl");
@@ -60,25 +62,25 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   return names;
 }
 
-std::optional<TimedRanking> rank_as_asked(const study::CaseResult& result, Progress& progress) {
+std::optional<TimedRanking> rank_as_asked(const pipeline::CaseResult& result, Progress& progress) {
   if (result.scenario.ranking.modality.empty() || result.studied().maps.maps.empty()) return {};
   StageClock clock(progress);
   clock.stage("placement");
   placement::RankingWish wish =
-      study::ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
+      pipeline::ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
   wish.progress = [&clock](double share) {
     clock.check_cancelled();
     clock.update(share, "search");
   };
-  TimedRanking ranking{study::rank_cases({{"run", &result}}, wish, true)};
+  TimedRanking ranking{pipeline::rank_cases({{"run", &result}}, wish, true)};
   clock.stop();
   ranking.seconds = clock.entries().front().seconds;
   return ranking;
 }
 
-study::CaseResult write_output(const Path& folder, study::CaseResult result,
-                               const OutputParts& parts, const std::optional<TimedRanking>& ranking,
-                               Progress& progress) {
+pipeline::CaseResult write_output(const Path& folder, pipeline::CaseResult result,
+                                  const OutputParts& parts,
+                                  const std::optional<TimedRanking>& ranking, Progress& progress) {
   StageClock clock(progress);
   clock.stage("report");
   if (ranking) {
@@ -86,7 +88,7 @@ study::CaseResult write_output(const Path& folder, study::CaseResult result,
     for (StageClock::Entry& entry : result.seconds)
       if (entry.stage == "placement") entry.seconds += ranking->seconds;
   }
-  study::write_case_files(folder, result);
+  pipeline::write_case_files(folder, result);
   write_model(folder, result);
   std::vector<render::Picture> pictures;
   if (parts.pictures) {
@@ -100,7 +102,7 @@ study::CaseResult write_output(const Path& folder, study::CaseResult result,
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});
   result.peak_memory_mb = peak_memory_mb();
-  study::write_summary_file(folder, result);
+  pipeline::write_summary_file(folder, result);
   return result;
 }
 

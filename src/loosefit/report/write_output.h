@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "loosefit/base/progress.h"
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
-#include "loosefit/study/case_result.h"
 
 // All files of a case.
 namespace loosefit::report {
@@ -30,14 +30,14 @@ struct TimedRanking {
 
 /// Ranks sites as [ranking] of the scenario asks, as part of stage "placement". Nothing when it
 /// asks for none or there are no maps. \throws as rank_cases.
-std::optional<TimedRanking> rank_as_asked(const study::CaseResult& result, Progress& progress);
+std::optional<TimedRanking> rank_as_asked(const pipeline::CaseResult& result, Progress& progress);
 
 /// Writes the files of a case into `folder`, which exists: data, ranking when there is one,
 /// pictures and report if `parts` asks for them, summary.json last. Returns the case with what that
 /// took (stage "report", peak memory). Without a screen there are no pictures, and a warning.
 /// \throws IoError, Cancelled.
-study::CaseResult write_output(const std::filesystem::path& folder, study::CaseResult result,
-                               const OutputParts& parts, const std::optional<TimedRanking>& ranking,
-                               Progress& progress);
+pipeline::CaseResult write_output(const std::filesystem::path& folder, pipeline::CaseResult result,
+                                  const OutputParts& parts,
+                                  const std::optional<TimedRanking>& ranking, Progress& progress);
 
 }  // namespace loosefit::report

@@ -9,7 +9,7 @@
 
 namespace loosefit::report {
 
-std::string report_html(const study::CaseResult& result,
+std::string report_html(const pipeline::CaseResult& result,
                         const std::vector<render::Picture>& pictures,
                         const placement::RankingTable* ranking) {
   // A drape that is not to be relied on says so before it is shown.
@@ -23,13 +23,13 @@ std::string report_html(const study::CaseResult& result,
          picture_section(result, pictures) + ranking_section(ranking) + site_section(result) +
          (holds ? proof : "") + wear_section(result) + fit_check_section(result) +
          layer_section(result) + map_section(result) + wrinkle_section(result) +
-         pressure_section(result) + repeat_section(result) +
-         fit_section(result) + definition_section(result) + provenance_section(result) +
+         pressure_section(result) + repeat_section(result) + fit_section(result) +
+         definition_section(result) + provenance_section(result) +
          element("p", "Made by Loosefit " + escaped(version()) + ".", "lead") +
          viewer_data(result, ranking) + "</body>\n</html>\n";
 }
 
-void write_report(const std::filesystem::path& dir, const study::CaseResult& result,
+void write_report(const std::filesystem::path& dir, const pipeline::CaseResult& result,
                   const std::vector<render::Picture>& pictures,
                   const placement::RankingTable* ranking) {
   io::write_text_file((dir / "report.html").string(), report_html(result, pictures, ranking));

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
 #include "loosefit/render/render_pictures.h"
-#include "loosefit/study/case_result.h"
 
 namespace loosefit::report {
 
@@ -15,12 +15,12 @@ namespace loosefit::report {
 /// numbers per map, region and site, postures and donnings, the ranking where there is one, fit,
 /// body, material, timings, versions and the resolved scenario. A result without maps or pictures
 /// gets a page without those parts. \throws IoError when a picture cannot be read.
-std::string report_html(const study::CaseResult& result,
+std::string report_html(const pipeline::CaseResult& result,
                         const std::vector<render::Picture>& pictures,
                         const placement::RankingTable* ranking = nullptr);
 
 /// Writes it to DIR/report.html. \throws IoError when the file cannot be written in full.
-void write_report(const std::filesystem::path& dir, const study::CaseResult& result,
+void write_report(const std::filesystem::path& dir, const pipeline::CaseResult& result,
                   const std::vector<render::Picture>& pictures,
                   const placement::RankingTable* ranking = nullptr);
 

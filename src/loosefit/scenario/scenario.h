@@ -86,7 +86,7 @@ struct ScenarioRanking {
   bool partial = false;  ///< by the criteria that the drapes can tell
 };
 
-/// Names of movements, in the order in which they are offered (study/wearer_movements.h).
+/// Names of movements, in the order in which they are offered (pipeline/wearer_movements.h).
 inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull",
                                                               "fidget"};
 

@@ -7,7 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario.h"
-#include "loosefit/study/run_case.h"
+#include "loosefit/pipeline/run_case.h"
 
 namespace loosefit::validate {
 namespace {
@@ -45,23 +45,23 @@ scenario::Scenario worn_scenario(const std::string& body, const std::string& gar
   return scenario;
 }
 
-study::CaseResult wear(const scenario::Scenario& scenario, const std::string& who,
-                       Progress& progress) {
+pipeline::CaseResult wear(const scenario::Scenario& scenario, const std::string& who,
+                          Progress& progress) {
   OneRun run(progress, who);
-  study::CaseResult result = study::run_case(scenario, run);
+  pipeline::CaseResult result = pipeline::run_case(scenario, run);
   if (const drape::Certificate& c = result.certificate(); !c.holds())
     throw SolverFailure(who + (c.settled() ? " is not worn: " + join(c.worn_reasons, "; ")
                                            : " did not settle: " + c.stop_reason));
   return result;
 }
 
-std::vector<WornDrape> worn_drapes(const study::CaseResult& result) {
+std::vector<WornDrape> worn_drapes(const pipeline::CaseResult& result) {
   const garment::Garment& mesh = result.studied().mesh();
   const fabric::Material& material = result.scenario.studied().material.material;
   std::vector<WornDrape> drapes = {{mesh, material, result.body.body, result.studied().drape,
                                     result.studied().maps.worn,
                                     result.studied().maps.pressure.field}};
-  for (const study::CaseState& state : result.wear.states)
+  for (const pipeline::CaseState& state : result.wear.states)
     if (state.counts() && state.id.in_reference_posture())
       drapes.push_back(
           {mesh, material, result.body.body, state.drape(), state.maps.worn, state.maps.pressure});

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "loosefit/base/progress.h"
-#include "loosefit/study/case_result.h"
+#include "loosefit/pipeline/case_result.h"
 
 // Garments on people, for the gates of docs/theory/air_gap.md: run by the study pipeline as any
 // scenario is.
@@ -31,10 +31,10 @@ scenario::Scenario worn_scenario(const std::string& body, const std::string& gar
 
 /// Runs it. \throws SolverFailure, naming `who`, when the reference donning does not settle or is
 /// not worn.
-study::CaseResult wear(const scenario::Scenario& scenario, const std::string& who,
-                       Progress& progress);
+pipeline::CaseResult wear(const scenario::Scenario& scenario, const std::string& who,
+                          Progress& progress);
 
 /// The donnings that settled and are worn, the reference first. Only of the reference posture.
-std::vector<WornDrape> worn_drapes(const study::CaseResult& result);
+std::vector<WornDrape> worn_drapes(const pipeline::CaseResult& result);
 
 }  // namespace loosefit::validate

@@ -61,7 +61,7 @@ scenario::Scenario scenario_of(const AirGapRow& row) {
 }
 
 /// Means over the donnings, as the rows ask for them.
-void add_cells(const Run& run, const study::CaseResult& result, std::vector<AirGapCell>& cells) {
+void add_cells(const Run& run, const pipeline::CaseResult& result, std::vector<AirGapCell>& cells) {
   const std::vector<WornDrape> drapes = worn_drapes(result);
   const double n = static_cast<double>(drapes.size());
   for (const AirGapRow* row : run.rows) {

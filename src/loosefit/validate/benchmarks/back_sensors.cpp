@@ -10,11 +10,11 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/scenario.h"
-#include "loosefit/study/case_sites.h"
-#include "loosefit/study/check_worn.h"
-#include "loosefit/study/garment_maps.h"
-#include "loosefit/study/prepare_case.h"
-#include "loosefit/study/simulation_options.h"
+#include "loosefit/pipeline/case_sites.h"
+#include "loosefit/pipeline/check_worn.h"
+#include "loosefit/pipeline/garment_maps.h"
+#include "loosefit/pipeline/prepare_case.h"
+#include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 
 namespace loosefit::validate {
@@ -100,7 +100,7 @@ struct Study {
 Study study(const Child& child, int first_part, int parts, Progress& progress) {
   const scenario::Scenario scenario = scenario_of(child);
   Progress silent;
-  study::CaseResult result = study::prepare_case(scenario, silent);
+  pipeline::CaseResult result = pipeline::prepare_case(scenario, silent);
   const fabric::Material& material = scenario.studied().material.material;
   Study study;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
@@ -108,8 +108,8 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
                   fmt::format("{} child, drape {} of {}", child.name, repeat + 1, kRepeats));
     drape::Drape drape =
         drape::drape_garment(result.studied().hierarchy, material, result.body.path,
-                             study::drape_options(scenario.simulation, repeat), part);
-    result.take_drapes(study::check_worn({std::move(drape)}, result.garments, result.body.body));
+                             pipeline::drape_options(scenario.simulation, repeat), part);
+    result.take_drapes(pipeline::check_worn({std::move(drape)}, result.garments, result.body.body));
     if (const drape::Certificate& c = result.certificate(); !c.holds()) {
       study.warnings.push_back(
           fmt::format("{} child: drape {} {} ({}), left out.", child.name, repeat + 1,
@@ -117,8 +117,8 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
                       c.settled() ? join(c.worn_reasons, "; ") : c.stop_reason));
       continue;
     }
-    result.studied().maps = study::make_studied_maps(result, false);
-    study.samples.push_back(sample_of(study::find_case_sites(result).sites));
+    result.studied().maps = pipeline::make_studied_maps(result, false);
+    study.samples.push_back(sample_of(pipeline::find_case_sites(result).sites));
   }
   const double n = static_cast<double>(study.samples.size());
   for (int k = 0; k < kPlaces; ++k) {

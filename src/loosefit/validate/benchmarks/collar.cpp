@@ -8,8 +8,8 @@
 #include "loosefit/base/progress_part.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/maps/pressure.h"
-#include "loosefit/study/garment_layers.h"
-#include "loosefit/study/simulation_options.h"
+#include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/other_bodies.h"
 #include "loosefit/validate/worn_drapes.h"
@@ -56,18 +56,18 @@ Peaks peaks_of(const Shoulders& shoulders, double neck_ease, Progress& progress,
   const auto sloped = [&](const body::Body& body) {
     return shoulders.more == 0 ? body : with_shoulder_slope(body, shoulders.more);
   };
-  study::CaseBody wearer = study::make_body(scenario.body);
+  pipeline::CaseBody wearer = pipeline::make_body(scenario.body);
   wearer.body = body::PosedBody(sloped(wearer.body));
   for (body::BodyPath* path : {&wearer.path, &wearer.wide_path})
     if (*path)
       *path = [&sloped, inner = *path](double share) {
         return body::PosedBody(sloped(inner(share)));
       };
-  const auto garments = study::mesh_garments(scenario, study::make_patterns(scenario, wearer.body),
-                                             {}, study::MeshLevels::all);
-  drape::DrapeSession session(study::cloth_layers(scenario, garments),
-                              study::drape_options(scenario.simulation), progress);
-  const drape::Drape drape = study::put_on(session, wearer);
+  const auto garments = pipeline::mesh_garments(
+      scenario, pipeline::make_patterns(scenario, wearer.body), {}, pipeline::MeshLevels::all);
+  drape::DrapeSession session(pipeline::cloth_layers(scenario, garments),
+                              pipeline::drape_options(scenario.simulation), progress);
+  const drape::Drape drape = pipeline::put_on(session, wearer);
   if (!drape.certificate.settled())
     throw SolverFailure(std::string(shoulders.name) +
                         " shoulders: it did not settle: " + drape.certificate.stop_reason);
@@ -102,12 +102,13 @@ BenchmarkResult benchmark_collar(Effort, Progress& progress) {
   BenchmarkResult result;
   std::string mesh;
   int part = 0;
-  const body::Body plain = study::make_body(worn_scenario("sex = \"female\"\nheight = 1.62\n"
-                                                          "measurements = { chest = 0.86, waist = "
-                                                          "0.70, hip = 0.92 }",
-                                                          "", kEdge, 1)
-                                                .body)
-                               .body;
+  const body::Body plain =
+      pipeline::make_body(worn_scenario("sex = \"female\"\nheight = 1.62\n"
+                                        "measurements = { chest = 0.86, waist = "
+                                        "0.70, hip = 0.92 }",
+                                        "", kEdge, 1)
+                              .body)
+          .body;
   // A share of the neck's width: what makes it wider by kWider at each side.
   const double wider = kWider / plain.landmarks.at("hps_L").x();
   for (const bool wide : {false, true})

@@ -70,7 +70,7 @@ Rung drape_rung(const Woman& woman, double ease, Progress& progress, std::string
   const std::string garment =
       fmt::format("pattern = \"tank-top\"\nfit = {{ chest = {:.6f}, hip = {:.6f} }}",
                   ease / woman.bust, ease / woman.hip);
-  const study::CaseResult run =
+  const pipeline::CaseResult run =
       wear(worn_scenario(body, garment, kEdge, kDonnings),
            fmt::format("{}, +{:.0f} cm", woman.name, 100 * ease), progress);
   const std::vector<WornDrape> drapes = worn_drapes(run);

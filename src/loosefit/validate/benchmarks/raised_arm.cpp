@@ -7,9 +7,9 @@
 #include "loosefit/base/progress_part.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/geometry/mesh_topology.h"
-#include "loosefit/study/garment_layers.h"
-#include "loosefit/study/prepare_case.h"
-#include "loosefit/study/simulation_options.h"
+#include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/pipeline/prepare_case.h"
+#include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/other_bodies.h"
 #include "loosefit/validate/worn_drapes.h"
@@ -82,11 +82,11 @@ std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
                                 std::string& mesh_text) {
   const scenario::Scenario scenario = worn_scenario(kBody, garment, kEdge, 1);
   Progress silent;
-  study::CaseResult prepared = study::prepare_case(scenario, silent);
+  pipeline::CaseResult prepared = pipeline::prepare_case(scenario, silent);
   ProgressPart putting_on(progress, 0, 0.25);
-  drape::DrapeSession session(study::cloth_layers(prepared.scenario, prepared.garments),
-                              study::drape_options(scenario.simulation), putting_on);
-  const drape::Drape standing = study::put_on(session, prepared.body);
+  drape::DrapeSession session(pipeline::cloth_layers(prepared.scenario, prepared.garments),
+                              pipeline::drape_options(scenario.simulation), putting_on);
+  const drape::Drape standing = pipeline::put_on(session, prepared.body);
   if (!standing.certificate.settled())
     throw SolverFailure("the garment did not settle: " + standing.certificate.stop_reason);
   const garment::Garment& mesh = prepared.studied().mesh();
@@ -99,7 +99,7 @@ std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
     // The same person on the way from one posture to the other; the left half stays.
     scenario::ScenarioBody wanted = scenario.body;
     wanted.dress_posture = from, wanted.posture = to;
-    const study::CaseBody mover = study::make_body(wanted);
+    const pipeline::CaseBody mover = pipeline::make_body(wanted);
     const body::BodyPath path = [&](double share) {
       return body::PosedBody(halves(prepared.body.body, mover.path(share)));
     };

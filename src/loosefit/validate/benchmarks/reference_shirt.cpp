@@ -33,14 +33,14 @@ const Compared kMaps[] = {{"distance_mm", "distance", "mm", 2, 0.10, 0.35},
                           {"strain_max", "strain, largest principal", "", 0.002, 0.10, 0.35},
                           {"shear_angle_deg", "trellis shear", "°", 1, 0.10, 0.35}};
 
-study::CaseResult run(double edge, Progress& progress) {
+pipeline::CaseResult run(double edge, Progress& progress) {
   scenario::Scenario s = worn_scenario(kBody, "", edge, 1);
   s.output.maps = {"strain", "distance", "angular-deviation", "shear"};
   return wear(s, fmt::format("reference shirt, {:g} mm", 1e3 * edge), progress);
 }
 
-const study::CaseMap& find(const study::CaseResult& result, const std::string& array) {
-  for (const study::CaseMap& map : result.studied().maps.maps)
+const pipeline::CaseMap& find(const pipeline::CaseResult& result, const std::string& array) {
+  for (const pipeline::CaseMap& map : result.studied().maps.maps)
     if (map.map.array == array) return map;
   throw InvalidInput("the run made no map " + array);
 }
@@ -50,7 +50,7 @@ const study::CaseMap& find(const study::CaseResult& result, const std::string& a
 BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
   BenchmarkResult result;
   ProgressPart first(progress, 0, 0.2), second(progress, 0.2, 0.8);
-  const study::CaseResult coarse = run(kEdge, first), fine = run(kFine, second);
+  const pipeline::CaseResult coarse = run(kEdge, first), fine = run(kFine, second);
   const std::string mesh = fmt::format("{:g} mm edges, {} triangles; {:g} mm, {}", 1e3 * kEdge,
                                        coarse.studied().mesh().triangles.size(), 1e3 * kFine,
                                        fine.studied().mesh().triangles.size());
@@ -64,7 +64,7 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
     result.findings.push_back(f);
   };
   for (const Compared& compared : kMaps) {
-    const study::CaseMap &a = find(coarse, compared.array), &b = find(fine, compared.array);
+    const pipeline::CaseMap &a = find(coarse, compared.array), &b = find(fine, compared.array);
     std::vector<double> shares;
     std::string worst_region;
     double worst = -1;

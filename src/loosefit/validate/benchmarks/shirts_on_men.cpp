@@ -130,7 +130,7 @@ BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress) {
       const double share = quick ? 1 : 1.0 / (std::size(kBuilds) * std::size(kFits));
       ProgressPart own(progress, share * part++, share);
       const int donnings = quick ? 1 : kDonnings;
-      const study::CaseResult run =
+      const pipeline::CaseResult run =
           wear(worn_scenario(build.body, fit.garment, edge, donnings), who, own);
       tried += donnings;
       std::vector<Reading> readings;

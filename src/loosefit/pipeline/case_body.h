@@ -1,0 +1,56 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/progress.h"
+#include "loosefit/body/body_fit.h"
+#include "loosefit/body/body_model.h"
+#include "loosefit/body/posed_body.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/pipeline/wearer_movements.h"
+#include "loosefit/scenario/scenario.h"
+
+namespace loosefit::flesh {
+class SoftBody;
+}
+
+namespace loosefit::pipeline {
+
+/// Stage "body": the wearer in the wanted posture, and the way there from the dressing posture.
+/// Copies ask the same person, one caller at a time; see clone_wearer.
+struct CaseBody {
+  body::PosedBody body;  ///< in the wanted posture
+  body::BodyPath path;   ///< share 0 dressing posture … 1 `body`
+  /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
+  /// empty when another one was chosen, when the arms are as wide already, and for a scan.
+  body::BodyPath wide_path;
+  body::Posture from, to;                   ///< of the path, unless it is a scan's
+  std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null for a scan
+  std::vector<CaseMovement> movements;      ///< that were made once the garments were on
+  std::vector<body::MeasureRow> asked;      ///< wishes against what the surface measures [m]
+  std::vector<std::string> warnings;        ///< from the fit or the scan's check
+};
+
+/// The parametric person, or the scan when the scenario names a file (which keeps its posture).
+/// The baked body data are loaded once per process. `progress` is asked whether to go on, and hears
+/// of the way of flesh to the posture.
+/// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data;
+/// Cancelled.
+CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress = nullptr);
+
+/// The same wearer for somebody who asks at the same time as others: what it answers depends on
+/// nothing that they ask.
+CaseBody clone_wearer(const CaseBody& body);
+
+/// What `after`, who began as a copy of `before`, has been warned of since.
+std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);
+
+/// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
+/// posture, along its wide one, which then is its path, with a warning. Of the movements those that
+/// this wearer can make are made and kept in the body. \throws GeometryError when it cannot be laid
+/// at all.
+drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
+                    const std::vector<CaseMovement>& movements = {});
+
+}  // namespace loosefit::pipeline

@@ -1,0 +1,113 @@
+#include "loosefit/pipeline/case_ease.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "loosefit/base/text.h"
+#include "loosefit/kinds/registry.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+/// Share of the cloth beyond a range from which on it is said [–]: a triangle or two at a corner
+/// say nothing of the garment.
+constexpr double kToldShare = 0.001;
+
+std::optional<double> asked_ease(const std::string& station, const scenario::GarmentSpec& spec) {
+  if (!spec.file.empty() || !spec.size.empty()) return std::nullopt;
+  for (const kinds::KindKey& key : kinds::garment_kind(spec.kind).keys) {
+    if (!key.mobility || key.name != station) continue;
+    const auto wished = spec.fit.find(key.name);
+    return wished == spec.fit.end() ? key.usual : wished->second;
+  }
+  return std::nullopt;
+}
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+/// "trunk 40 %, upper_arm_L 30 %": the limbs that bear most of the force.
+std::string bearers(const maps::BodyLoad& load) {
+  constexpr double kWorthTelling = 0.1;
+  std::vector<std::string> told;
+  for (const std::string& limb : maps::limb_names())
+    if (const double share = load.of_limb.at(limb) / load.normal_force; share > kWorthTelling)
+      told.push_back(limb + " " + percent(share));
+  return join(told);
+}
+
+}  // namespace
+
+std::vector<StationEase> station_eases(const CasePattern& pattern,
+                                       const scenario::GarmentSpec& spec) {
+  std::vector<StationEase> stations;
+  for (const kinds::FitLevel& level : pattern.levels)
+    if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
+      stations.push_back({level.name, cut->second, asked_ease(level.name, spec)});
+  // Along trunk and arm, the tightest of each place.
+  std::map<std::string, StationEase> tightest;
+  for (const StationFit& s : pattern.fit_along) {
+    const std::string name =
+        s.limb == "arm" ? "sleeve at the " + s.place : "trunk at the " + s.place;
+    const auto [entry, first] = tightest.insert({name, {name, s.cut(), s.asked}});
+    if (!first && s.cut() < entry->second.cut) entry->second = {name, s.cut(), s.asked};
+  }
+  for (auto& entry : tightest) stations.push_back(std::move(entry.second));
+  return stations;
+}
+
+std::optional<StationEase> least_cut_ease(const std::vector<StationEase>& stations) {
+  const auto least = std::ranges::min_element(stations, {}, &StationEase::cut);
+  return least == stations.end() ? std::nullopt : std::optional(*least);
+}
+
+bool is_asked_loose(const std::vector<StationEase>& stations) {
+  bool any = false;
+  for (const StationEase& s : stations) {
+    if (!s.asked) continue;
+    if (*s.asked < kLooseEase) return false;
+    any = true;
+  }
+  return any;
+}
+
+std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
+                                       const std::optional<maps::BodyLoad>& load) {
+  std::vector<std::string> lines;
+  for (const StationEase& s : stations)
+    if (s.asked && *s.asked >= kLooseEase && s.cut < kCutShare * *s.asked)
+      lines.push_back(printable(s.name) + ": " + percent(s.cut) + " of ease where " +
+                      percent(*s.asked) + " was asked");
+  if (!load || !is_asked_loose(stations) || !(load->weight > 0)) return lines;
+  const double free_force = load->normal_force - load->between_arm_and_trunk;
+  if (free_force > kLooseWeights * load->weight)
+    lines.push_back(fmt::format(
+        "the garment was asked to be loose, but presses with {:.0f} times its weight, without what "
+        "is squeezed between arms and trunk: {}",
+        free_force / load->weight, bearers(*load)));
+  return lines;
+}
+
+std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
+                                               const scenario::MaterialCard& card) {
+  std::vector<std::string> beyond;
+  const auto look = [&](const char* name, const maps::DirectionRange& d, double unit,
+                        const char* sign) {
+    if (d.share_beyond > kToldShare)
+      beyond.push_back(
+          fmt::format("{} on {:.2g} % of the cloth, up to {:.3g}{} where {:.3g}{} are "
+                      "stated",
+                      name, 100 * d.share_beyond, unit * d.largest, sign, unit * d.limit, sign));
+  };
+  look("warp", range.warp, 100, " %");
+  look("weft", range.weft, 100, " %");
+  look("shear", range.shear, degrees(1.0), "°");
+  std::vector<std::string> lines;
+  if (!beyond.empty())
+    lines.push_back("strained beyond the range in which the constants of " +
+                    printable(card.material.name) + " hold: " + join(beyond));
+  return lines;
+}
+
+}  // namespace loosefit::pipeline

@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/pipeline/case_result.h"
+
+namespace loosefit::pipeline {
+
+/// Cut ease (of the flat pieces) and asked ease of a garment at one station, as garment girth /
+/// body girth − 1.
+struct StationEase {
+  std::string name;             ///< "chest", "sleeve", "sleeve at the forearm", …
+  double cut = 0;               ///< of the flat pieces on this body [–]
+  std::optional<double> asked;  ///< [–]; absent: nobody asked for one there
+};
+
+/// All stations whose body girth is known: the levels of fit, and the tightest near each place
+/// along trunk and arm. Those that have a key of the kind were asked for: by the scenario, or by
+/// what the kind usually has. A fixed size and a pattern file ask for nothing.
+std::vector<StationEase> station_eases(const CasePattern& pattern,
+                                       const scenario::GarmentSpec& spec);
+
+/// The one with the least ease; nothing where none is known.
+std::optional<StationEase> least_cut_ease(const std::vector<StationEase>& stations);
+
+/// Ease from which on a garment is meant to be loose [–].
+inline constexpr double kLooseEase = 0.05;
+/// Share of the asked ease below which a station counts as not cut as asked [–]: 15 % that come out
+/// as less than 10 %.
+inline constexpr double kCutShare = 2.0 / 3.0;
+/// Normal force in weights of the garment beyond which it is not loose [–]. Shirts of woven cotton
+/// that hang free of the arms press with 4 to 9 weights, knits with 3 to 7, shirts caught on the
+/// forearms with 20 and more (reference woman, edges of 10 to 20 mm).
+inline constexpr double kLooseWeights = 10;
+
+/// Whether all eases that were asked for, at least one, are loose.
+bool is_asked_loose(const std::vector<StationEase>& stations);
+
+/// In words: stations that are not cut as they were asked for, and a garment that was asked to be
+/// loose but presses with many times its weight.
+std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
+                                       const std::optional<maps::BodyLoad>& load);
+
+/// In words: cloth that is strained beyond what its constants were measured over.
+std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
+                                               const scenario::MaterialCard& card);
+
+}  // namespace loosefit::pipeline

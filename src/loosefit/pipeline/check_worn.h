@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "loosefit/pipeline/case_result.h"
+
+namespace loosefit::pipeline {
+
+/// Asks whether the garments with these drapes, one each, are worn by `body` (drape/worn.h): the
+/// drapes with what is not in the certificates of all of them.
+std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes,
+                                     const std::vector<CaseGarment>& garments,
+                                     const body::PosedBody& body);
+
+/// The same of a state of `reference`, when it is settled, on the body in its posture. It is left
+/// out with the reasons when it is not worn; also when a limb no longer goes through an opening of
+/// an unusual cut that it goes through in the reference state (worn_alike).
+CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference);
+
+}  // namespace loosefit::pipeline

@@ -1,0 +1,123 @@
+#include "loosefit/pipeline/make_garment_pattern.h"
+
+#include <algorithm>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/io/measures_file.h"
+#include "loosefit/io/read_pattern.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_place.h"
+#include "loosefit/kinds/body_measures.h"
+#include "loosefit/kinds/find_size.h"
+#include "loosefit/kinds/registry.h"
+#include "loosefit/pipeline/case_body.h"
+#include "loosefit/pipeline/case_pattern.h"
+#include "loosefit/pipeline/pattern_marks.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+void check_one_source(const GarmentPatternWish& wish) {
+  // With a file, a size is one of those that the file holds.
+  const int sources =
+      !wish.file.empty() + (!wish.size.empty() && wish.file.empty()) + !wish.scenario.empty();
+  const bool fixed = !wish.file.empty() || !wish.scenario.empty();
+  if (sources > 1 || (fixed && !(wish.fit.empty() && !wish.kind)))
+    throw InvalidInput({{}, 0, "pattern"}, "several sources of the pattern",
+                       "one of --file, --size, --scenario, or measures with a fit");
+  if (!wish.units.empty() && wish.file.empty())
+    throw InvalidInput({{}, 0, "--units"}, printable(wish.units), "--file beside it");
+  if (!wish.seams.empty() && wish.file.empty())
+    throw InvalidInput({{}, 0, "--seams"}, printable(wish.seams), "--file beside it");
+}
+
+GarmentPattern of_scenario(const std::string& file) {
+  const scenario::Scenario scenario = io::read_scenario(file);
+  try {
+    CasePattern result = make_pattern(scenario.studied().spec, make_body(scenario.body).body);
+    GarmentPattern made;
+    made.pattern = std::move(result.pattern);
+    made.levels = std::move(result.levels);
+    made.warnings = std::move(result.warnings);
+    made.marks = scenario_marks(scenario);
+    return made;
+  } catch (const InvalidInput& error) {
+    throw io::in_scenario(error, scenario);
+  }
+}
+
+/// What a scenario with this wish would ask for.
+scenario::GarmentSpec garment_of(const GarmentPatternWish& wish, const kinds::GarmentKind& kind) {
+  scenario::GarmentSpec garment;
+  garment.kind = kind.name;
+  garment.size = wish.size;
+  for (const kinds::KindKey& key : kind.keys) garment.adapt.push_back(key.name);
+  for (const GivenValue& given : wish.fit) {
+    if (std::erase(garment.adapt, given.key) == 0)
+      throw InvalidInput({{}, 0, given.place}, "an option that a " + kind.title + " has not",
+                         "keys of its fit: " + join(garment.adapt));
+    const auto key = std::find_if(kind.keys.begin(), kind.keys.end(),
+                                  [&](const auto& k) { return k.name == given.key; });
+    if (!wish.size.empty() && !key->with_size)
+      throw InvalidInput({{}, 0, given.place}, "a fit beside --size",
+                         "a size, which fixes the garment, or a fit, which follows the body");
+    garment.fit[given.key] = given.value;
+  }
+  return garment;
+}
+
+}  // namespace
+
+GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
+  check_one_source(wish);
+  // A scenario brings body and garment.
+  if (!wish.scenario.empty()) return of_scenario(wish.scenario);
+  GarmentPattern made;
+  // A pattern file tells its kind, which tells the measures that it is compared with.
+  std::string kind_name = wish.kind.value_or(kinds::garment_kinds().front().name);
+  if (!wish.file.empty()) {
+    io::PatternFile file = io::read_pattern(wish.file, {wish.size, wish.units}, wish.seams);
+    made.pattern = std::move(file.pattern);
+    made.warnings = std::move(file.warnings);
+    made.about = std::move(file.about);
+    made.unused = std::move(file.unused);
+    made.notches = std::move(file.notches);
+    if (!file.placed)
+      made.warnings.push_back("it cannot be worn yet: " + file.not_placed +
+                              "; --propose-seams proposes seams to confirm");
+    kind_name = made.pattern.kind;
+  }
+  const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);
+  const bool has_body = !wish.body.empty() || !wish.measures.empty();
+  kinds::NamedValues measures;
+  if (!wish.body.empty())
+    measures = io::read_measures(wish.body, kind.measures);
+  else if (wish.size.empty() && (wish.file.empty() || has_body))
+    measures = kinds::draft_measures(kind, make_body(io::default_scenario().body).body->measured);
+  std::set<std::string> asked;
+  for (const GivenValue& given : wish.measures) {
+    measures[given.key] = given.value;
+    asked.insert("measures." + given.key);
+  }
+  if (!wish.file.empty()) {
+    made.levels = kind.levels(made.pattern, measures, {});
+    return made;
+  }
+  // A draft; a size is compared with its own body unless there is another one.
+  if (!wish.size.empty()) try {
+      const kinds::KindSize& size = kinds::find_size(kind.sizes, wish.size);
+      if (!has_body) measures = size.measures;
+    } catch (const InvalidInput& error) {
+      throw error.at({{}, 0, "--size"});
+    }
+  kinds::DraftedGarment drafted = draft_garment(garment_of(wish, kind), measures, asked);
+  made.pattern = std::move(drafted.pattern);
+  made.levels = kind.levels(made.pattern, measures, drafted.fit);
+  made.details = std::move(drafted.details);
+  made.warnings = std::move(drafted.notes);
+  return made;
+}
+
+}  // namespace loosefit::pipeline

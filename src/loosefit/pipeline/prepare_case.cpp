@@ -1,0 +1,28 @@
+#include "loosefit/pipeline/prepare_case.h"
+
+#include "loosefit/pipeline/case_boards.h"
+#include "loosefit/pipeline/garment_layers.h"
+
+namespace loosefit::pipeline {
+
+CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) {
+  CaseResult result;
+  result.scenario = scenario;
+
+  progress.stage("body");
+  result.body = make_body(scenario.body, &progress);
+
+  progress.stage("pattern");
+  std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);
+  set_fit_along(patterns, result.body.path(0).body());
+
+  progress.stage("garment");
+  result.scenario.sites = place_boards(scenario, result.body, patterns, progress);
+  progress.stage("garment");  // after the stages of a first, coarse drape
+  result.garments = mesh_garments(scenario, patterns, all_attachments(result.scenario));
+  placement::check_sites(result.studied().mesh(), result.body.body,
+                         scenario.sites);  // before the long part
+  return result;
+}
+
+}  // namespace loosefit::pipeline

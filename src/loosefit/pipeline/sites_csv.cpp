@@ -1,0 +1,57 @@
+#include "loosefit/pipeline/sites_csv.h"
+
+#include <cmath>
+#include <set>
+
+#include "loosefit/io/address_columns.h"
+#include "loosefit/io/csv.h"
+
+namespace loosefit::pipeline {
+
+std::string sites_csv(const std::vector<placement::Site>& sites,
+                      const std::vector<placement::UncoveredSite>& uncovered) {
+  // Sites may lack a map: the columns are those of all sites together.
+  std::set<std::string> arrays;
+  for (const placement::Site& site : sites)
+    for (const auto& entry : site.map_values) arrays.insert(entry.first);
+  // Header: place, anatomical address, two columns per map, cover.
+  std::vector<std::string> row = {"name", "region", "panel", "u_m",      "v_m",
+                                  "x_m",  "y_m",    "z_m",   "angle_deg"};
+  row.insert(row.end(), io::address_columns().begin(), io::address_columns().end());
+  for (const std::string& array : arrays) {
+    row.push_back(array);
+    row.push_back(array + "_worst");
+  }
+  row.insert(row.end(), {"covered", "why_not_covered"});
+  const std::size_t columns = row.size();
+  std::string text = io::csv_line(row);
+  // Sites on the garment; a value that is missing is an empty field.
+  for (const placement::Site& site : sites) {
+    row = {io::csv_field(site.name), io::csv_field(body::name(site.region)),
+           io::csv_field(site.panel)};
+    for (double value : {site.at.x(), site.at.y(), site.position.x(), site.position.y(),
+                         site.position.z(), std::round(degrees(site.angle) * 1e8) / 1e8})
+      row.push_back(io::csv_field(value));
+    for (const std::string& field : io::address_fields(site.anatomy)) row.push_back(field);
+    for (const std::string& array : arrays) {
+      const auto value = site.map_values.find(array);
+      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.mean));
+      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.worst));
+    }
+    row.push_back(site.not_covering.empty() ? "yes" : "no");
+    row.push_back(io::csv_field(site.not_covering));
+    text += io::csv_line(row);
+  }
+  // Sites off the garment that were asked for; presets that miss it are no news.
+  for (const placement::UncoveredSite& site : uncovered) {
+    if (site.preset) continue;
+    row.assign(columns, "");
+    row.front() = io::csv_field(site.name);
+    row[columns - 2] = "no";
+    row.back() = io::csv_field(site.why);
+    text += io::csv_line(row);
+  }
+  return text;
+}
+
+}  // namespace loosefit::pipeline

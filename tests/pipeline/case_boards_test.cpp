@@ -1,0 +1,66 @@
+#include "loosefit/pipeline/case_boards.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/placement/site_points.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+// Without time to settle: the place is then that of the garment as it is put on.
+scenario::Scenario scenario_with(const std::string& sites) {
+  return io::parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n" + sites,
+                            "case.toml");
+}
+
+TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
+  scenario::Scenario scenario = scenario_with(
+      "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
+      "[[site]]\nname = \"arm\"\nsegment = \"upper_arm\"\nside = \"right\"\n"
+      "ratios = [100, 50, 50]\nboard = { mass = 0.01 }\n"
+      "[[site]]\nname = \"bare\"\nlandmark = \"sternum\"\n"
+      "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
+  Progress silent;
+  const CaseBody body = make_body(scenario.body);
+  const std::vector<CasePattern> patterns = make_patterns(scenario, body.body);
+  const std::vector<placement::SiteSpec> sites = place_boards(scenario, body, patterns, silent);
+  EXPECT_EQ(sites[0].panel, "back");
+  EXPECT_NEAR(sites[0].at.x(), 0, 0.005);
+  // T3 is about 13 cm below the high point shoulder of this woman.
+  EXPECT_NEAR(sites[0].at.y(), -0.13, 0.05);
+  EXPECT_TRUE(sites[1].panel.starts_with("sleeve_R")) << sites[1].panel;
+  EXPECT_TRUE(sites[2].panel.empty()) << "nothing to carry: found on the drape itself";
+  EXPECT_EQ(sites[3].at, Vec2(0.1, -0.3));
+
+  scenario.sites = sites;
+  const std::vector<garment::Attachment> all = all_attachments(scenario);
+  ASSERT_EQ(all.size(), 3u);
+  const garment::Garment garment =
+      garment::build_hierarchy(patterns[0].pattern, 0.03, {}, all).finest();
+  const garment::Garment bare = garment::build_hierarchy(patterns[0].pattern, 0.03, {}).finest();
+  EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
+}
+
+TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
+  CaseResult result;
+  result.scenario = scenario_with(
+      "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
+      "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\nboard = {}\n");
+  result.body = make_body(result.scenario.body);
+  const Vec3 wanted = placement::SitePoints(result.body.body).at("upper_back");
+  placement::Site spine, flat;
+  spine.name = "spine";
+  spine.body_point = wanted + Vec3(0, 0, 0.010);
+  flat.name = "flat";
+  result.sites = {spine, flat};
+  EXPECT_TRUE(moved_board_warnings(result).empty());
+  result.sites[0].body_point = wanted + Vec3(0, 0, 0.020);
+  const std::vector<std::string> warnings = moved_board_warnings(result);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("board of site spine lies 20 mm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

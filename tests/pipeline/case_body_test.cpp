@@ -1,0 +1,128 @@
+#include "loosefit/pipeline/case_body.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/case_pattern.h"
+#include "loosefit/pipeline/simulation_options.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+double arm_angle(const body::Body& body) {
+  const Vec3 arm = body.joints.at("elbow_L") - body.joints.at("shoulder_L");
+  return degrees(std::acos(-arm.normalized().z()));
+}
+
+TEST(MakeBody, MeetsTheWishesAndListsThem) {
+  scenario::ScenarioBody wished;
+  wished.measurements = {{"chest", 0.90}, {"waist", 0.74}};
+  const CaseBody made = make_body(wished);
+  EXPECT_NEAR(made.body->measured.at("height"), 1.68, 0.005);
+  EXPECT_NEAR(made.body->measured.at("chest"), 0.90, 0.005);
+  EXPECT_NEAR(made.body->measured.at("waist"), 0.74, 0.005);
+  EXPECT_GE(made.asked.size(), 2u);
+}
+
+TEST(MakeBody, PathLeadsFromDressingToWantedPostureOnOneTopology) {
+  const CaseBody made = make_body({});
+  const body::Body start = made.path(0), end = made.path(1);
+  EXPECT_EQ(start.surface.triangles, end.surface.triangles);
+  EXPECT_NEAR(arm_angle(start), 40, 2);
+  EXPECT_NEAR(arm_angle(end), 8, 2);
+  EXPECT_EQ(end.surface.vertices, made.body->surface.vertices) << "the same bits every time";
+}
+
+TEST(MakeBody, MissingScanIsAnError) {
+  scenario::ScenarioBody wished;
+  wished.file = "/nowhere/scan.obj";
+  EXPECT_THROW(make_body(wished), Error);
+}
+
+/// As a scenario that says nothing of postures.
+scenario::ScenarioBody usual() {
+  scenario::ScenarioBody wished;
+  wished.dress_posture = body::default_dress_posture(wished.posture);
+  return wished;
+}
+
+TEST(MakeBody, OffersArmsWideApartUnlessADressingPostureWasChosen) {
+  EXPECT_NEAR(arm_angle(make_body(usual()).wide_path(0)), 55, 2);
+  scenario::ScenarioBody chosen;
+  chosen.dress_posture = {radians(30), 0, 0};
+  EXPECT_FALSE(make_body(chosen).wide_path);
+}
+
+/// A wearer whose usual dressing posture leaves a shirt no room: arms hanging straight down.
+CaseBody pinched() {
+  CaseBody body = make_body(usual());
+  body.path = [body = body.body](double) {
+    body::Body tight = body;
+    for (const char* side : {"_L", "_R"})
+      tight.joints[std::string("elbow") + side] =
+          tight.joints[std::string("shoulder") + side] - Vec3(0, 0, 0.28);
+    return tight;
+  };
+  return body;
+}
+
+class PutOn : public ::testing::Test {
+ protected:
+  scenario::Scenario scenario_ =
+      io::parse_scenario("[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n", "");
+  CaseBody body_ = pinched();
+  garment::GarmentHierarchy garment_ = garment::build_hierarchy(
+      make_pattern(scenario_.studied().spec, body_.body).pattern, scenario_.simulation.edge_length,
+      scenario_.studied().material.material, {});
+  drape::DrapeOptions options_ = drape_options(scenario_.simulation);
+  Progress silent_;
+  drape::DrapeSession session_{garment_, scenario_.studied().material.material, options_, silent_};
+};
+
+TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
+  EXPECT_FALSE(put_on(session_, body_).positions.empty());
+  ASSERT_FALSE(body_.warnings.empty());
+  EXPECT_NE(body_.warnings.back().find("arms wide apart"), std::string::npos);
+  EXPECT_NEAR(arm_angle(body_.path(0)), 55, 2) << "the next donning goes there at once";
+}
+
+TEST_F(PutOn, DoesNotAdviseWiderArmsWhereTheyDidNotHelp) {
+  body_.wide_path = body_.path;
+  try {
+    put_on(session_, body_);
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("even with the arms wide apart"), std::string::npos);
+    EXPECT_NE(error.hint().find("a smaller garment.fit"), std::string::npos) << error.hint();
+    EXPECT_EQ(error.hint().find("abduction"), std::string::npos) << error.hint();
+  }
+}
+
+TEST_F(PutOn, TriesNoOtherPostureForABodyThatLacksWhatAShirtHangsOn) {
+  body_.path = [body = body_.body](double) {
+    body::Body bare = body;
+    bare.landmarks.clear();
+    return bare;
+  };
+  EXPECT_THROW(put_on(session_, body_), GeometryError);
+  EXPECT_TRUE(body_.warnings.empty());
+}
+
+TEST_F(PutOn, KeepsToThePostureThatWasAskedForAndSaysWhichOneMayDo) {
+  body_.wide_path = {};
+  const auto hint = [&] {
+    try {
+      put_on(session_, body_);
+    } catch (const GeometryError& error) {
+      return error.hint();
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(hint().find("body.dress_posture"), std::string::npos);
+  body_.person = nullptr;  // as a scan, which has the posture that it has
+  EXPECT_NE(hint().find("scan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

@@ -1,0 +1,94 @@
+#include "loosefit/pipeline/case_ease.h"
+
+#include <gtest/gtest.h>
+
+namespace loosefit::pipeline {
+namespace {
+
+using Stations = std::vector<StationEase>;
+
+maps::BodyLoad pressing(double newton, double squeezed = 0) {
+  maps::BodyLoad load;
+  load.normal_force = newton;
+  load.weight = 1;
+  load.between_arm_and_trunk = squeezed;
+  for (const std::string& limb : maps::limb_names()) load.of_limb[limb] = 0;
+  load.of_limb["forearm_L"] = 0.75 * newton;
+  load.of_limb["trunk"] = 0.25 * newton;
+  return load;
+}
+
+const Stations kLoose = {{"chest", 0.12, 0.12}, {"sleeve", 0.2, 0.2}, {"elbow", 0.02, {}}};
+
+TEST(CaseEase, StationsOfADraftKnowWhatWasAskedAndThoseOfASizeDoNot) {
+  CasePattern pattern;
+  pattern.levels = {{"chest", 1.0, 0.9}, {"neck", 0.4, {}}};
+  pattern.fit = {{"chest", 1.0 / 0.9 - 1}};
+  scenario::GarmentSpec spec;
+  spec.fit["chest"] = 0.15;
+  const Stations asked = station_eases(pattern, spec);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].name, "chest");
+  EXPECT_EQ(asked[0].asked, 0.15);
+  EXPECT_NEAR(asked[0].cut, 0.111, 1e-3);
+  spec.size = "women-38";
+  EXPECT_FALSE(station_eases(pattern, spec)[0].asked.has_value());
+}
+
+TEST(CaseEase, LeastIsThatOfAllStationsAskedForOrNot) {
+  EXPECT_EQ(least_cut_ease(kLoose)->name, "elbow");
+  EXPECT_FALSE(least_cut_ease({}).has_value());
+}
+
+TEST(CaseEase, SaysInWordsWhereAStationIsNotAsAsked) {
+  const auto lines = ease_warnings({{"chest", 0.12, 0.12}, {"forearm sleeve", 0.02, 0.15}}, {});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0], "forearm sleeve: 2 % of ease where 15 % was asked");
+  // Two thirds of it pass, and so does what was asked to be tight.
+  EXPECT_TRUE(ease_warnings({{"sleeve", 0.101, 0.15}, {"wrist", -0.02, 0.0}}, {}).empty());
+  EXPECT_EQ(ease_warnings({{"sleeve", 0.099, 0.15}}, {}).size(), 1u);
+}
+
+TEST(CaseEase, ALooseGarmentThatPressesWithManyWeightsIsTold) {
+  EXPECT_TRUE(ease_warnings(kLoose, pressing(9.9)).empty());
+  const auto lines = ease_warnings(kLoose, pressing(77));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("77 times its weight"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("forearm_L 75 %"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("trunk 25 %"), std::string::npos) << lines[0];
+}
+
+TEST(CaseEase, WhatIsSqueezedBetweenArmAndTrunkIsNotHeldAgainstTheCut) {
+  EXPECT_TRUE(ease_warnings(kLoose, pressing(30, 22)).empty());
+  EXPECT_EQ(ease_warnings(kLoose, pressing(30, 18)).size(), 1u);
+}
+
+TEST(CaseEase, AGarmentThatWasAskedToBeTightMayPress) {
+  EXPECT_TRUE(is_asked_loose(kLoose));
+  const Stations tight = {{"chest", -0.1, -0.1}, {"sleeve", 0.2, 0.2}};
+  EXPECT_FALSE(is_asked_loose(tight));
+  EXPECT_TRUE(ease_warnings(tight, pressing(200)).empty());
+  const Stations nobody_asked = {{"chest", 0.3, {}}};
+  EXPECT_FALSE(is_asked_loose(nobody_asked));
+  EXPECT_TRUE(ease_warnings(nobody_asked, pressing(200)).empty());
+}
+
+TEST(CaseEase, StrainBeyondItsRangeIsToldWithShareLargestAndRange) {
+  maps::StrainRange range;
+  range.warp = {0.167, 1.1, 0.34};
+  range.weft = {0.167, 0.1, 0};
+  range.shear = {0, 0.5, 0};
+  scenario::MaterialCard card;
+  card.material.name = "jersey";
+  const auto lines = strain_range_warnings(range, card);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("jersey"), std::string::npos);
+  EXPECT_NE(lines[0].find("warp on 34 % of the cloth, up to 110 % where 16.7 %"), std::string::npos)
+      << lines[0];
+  EXPECT_EQ(lines[0].find("weft"), std::string::npos);
+  range.warp.share_beyond = 0.0005;  // a triangle at a corner
+  EXPECT_TRUE(strain_range_warnings(range, card).empty());
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

@@ -1,0 +1,117 @@
+#include "loosefit/pipeline/check_worn.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/io/vtp_read.h"
+#include "loosefit/io/vtp_write.h"
+#include "loosefit/pipeline/case_files.h"
+#include "loosefit/pipeline/load_case.h"
+#include "loosefit/pipeline/map_case.h"
+#include "loosefit/pipeline/run_case.h"
+#include "support/trunk_tubes.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CheckWorn : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  /// A tube round the trunk of a woman, cut by support::tube_file, as the whole pipeline sees it.
+  CaseResult tube(double top, double bottom, double height, double above_floor,
+                  const std::string& more = "", bool allow = false) const {
+    const fs::path file = folder_ / "tube.json";
+    io::write_text_file(file.string(), support::tube_file(top, bottom, height, above_floor));
+    const std::string text =
+        "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n"
+        "[garment]\npattern = \"" +
+        file.string() +
+        "\"\n"
+        "[output]\nmaps = [\"distance\"]\npreset_sites = false\n"
+        "[simulation]\nedge_length = 0.04\ntime_budget = 60\n" +
+        more;
+    Progress silent;
+    RunOptions options;
+    options.allow_unsettled = allow;
+    return run_case(io::parse_scenario(text, "case.toml"), silent, options);
+  }
+  void store(const CaseResult& result) const {
+    write_case_files(folder_, result);
+    write_summary_file(folder_, result);
+  }
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     (std::string("check-worn-") +
+                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {
+  const CaseResult result = tube(34, 56, 45, 60);
+  const drape::Certificate& c = result.certificate();
+  ASSERT_TRUE(c.settled()) << c.stop_reason;
+  EXPECT_EQ(c.worn_reasons, std::vector<std::string>{});
+  EXPECT_FALSE(result.sealed());
+  EXPECT_FALSE(result.studied().maps.maps.empty());
+}
+
+// A tube that is narrower than the hips is put on at the waist and climbs above it.
+TEST_F(CheckWorn, ATubeThatClimbsAboveTheWaistIsSealedNamedAndJudgedAgainWhenItIsRead) {
+  const CaseResult result = tube(42, 42, 22, 50);
+  const drape::Certificate& c = result.certificate();
+  ASSERT_TRUE(c.settled()) << c.stop_reason;
+  ASSERT_EQ(c.worn_reasons.size(), 1u);
+  ASSERT_NE(c.worn_reasons[0].find("above the waist"), std::string::npos) << c.worn_reasons[0];
+  EXPECT_TRUE(result.sealed());
+  EXPECT_TRUE(result.studied().maps.maps.empty());
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings.back().find("above the waist"), std::string::npos);
+  store(result);
+  const auto summary =
+      nlohmann::json::parse(io::read_text_file((folder_ / "summary.json").string(), 50000000));
+  EXPECT_EQ(summary["settled"], true);
+  EXPECT_EQ(summary["worn"], false);
+  EXPECT_EQ(summary["worn_reasons"][0], c.worn_reasons[0]);
+  EXPECT_EQ(io::read_drape_vtp(folder_ / "drape.vtp").drape.certificate.worn_reasons,
+            c.worn_reasons);
+
+  // As an earlier version stored it: nothing said of being worn.
+  drape::Drape old = result.studied().drape;
+  old.certificate.worn_reasons.clear();
+  io::write_drape_vtp(folder_ / "drape.vtp", result.studied().mesh(), old);
+  Progress silent;
+  CaseResult again = load_case(folder_, silent);
+  EXPECT_EQ(again.certificate().worn_reasons, c.worn_reasons);
+  try {
+    map_case(again, false);
+    ADD_FAILURE() << "maps of what is not worn";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("above the waist"), std::string::npos);
+  }
+  EXPECT_FALSE(map_case(again, true).garments.back().maps.empty());
+}
+
+TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
+  const CaseResult result =
+      tube(42, 42, 22, 50, "repeats = 3\n[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n",
+           true);
+  EXPECT_TRUE(result.wear.states.empty());
+  EXPECT_TRUE(result.repeats.spread.empty());
+  int named = 0;
+  for (const std::string& text : result.repeats.warnings)
+    named += text.find("is not worn (the waistband lies") != std::string::npos &&
+             text.find("above the waist); left out") != std::string::npos;
+  EXPECT_EQ(named, 2);
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

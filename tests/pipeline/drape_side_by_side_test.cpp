@@ -1,0 +1,33 @@
+#include "loosefit/pipeline/drape_side_by_side.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace loosefit::pipeline {
+namespace {
+
+/// How many `count` drapes are told to share the threads.
+std::map<std::string, int> shares(int count, int at_once) {
+  std::map<std::string, int> found;
+  std::vector<int> got(count);
+  std::vector<DrapeJob> jobs;
+  for (int i = 0; i < count; ++i)
+    jobs.push_back({std::to_string(i), [&got, i](int sharing, Progress&) { got[i] = sharing; }});
+  Progress silent;
+  drape_side_by_side(jobs, at_once, silent);
+  for (int i = 0; i < count; ++i) found[jobs[i].name] = got[i];
+  return found;
+}
+
+TEST(DrapeSideBySide, EachIsToldHowManyShareTheThreads) {
+  for (const auto& [name, sharing] : shares(5, 2)) EXPECT_EQ(sharing, 2) << name;
+  for (const auto& [name, sharing] : shares(3, 8)) EXPECT_EQ(sharing, 3) << name;
+  for (const auto& [name, sharing] : shares(4, 1)) EXPECT_EQ(sharing, 1) << name;
+  EXPECT_TRUE(shares(0, 2).empty());
+}
+
+TEST(DrapeSideBySide, AtLeastOneFitsIntoTheMemory) { EXPECT_GE(drapes_at_once(), 1); }
+
+}  // namespace
+}  // namespace loosefit::pipeline

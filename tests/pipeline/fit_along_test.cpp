@@ -1,0 +1,50 @@
+#include "loosefit/pipeline/fit_along.h"
+
+#include <gtest/gtest.h>
+
+#include "support/body_fixture.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+body::Body woman() {
+  body::BodyParameters parameters;
+  return body_model().build(parameters, body::kArmsApart);
+}
+
+TEST(FitAlong, BodyHasItsMeasuresAtTheirStations) {
+  const body::Body body = woman();
+  const auto& m = body.measured;
+  const auto at = [&](const char* limb, double along) {
+    const std::vector<StationFit> fits = fit_along({{limb, along, 1.0, 0.5}}, body);
+    return fits.size() == 1 ? fits[0] : StationFit{};
+  };
+  const StationFit waist = at("trunk", m.at("hps_to_waist")), hip = at("trunk", m.at("hps_to_hip"));
+  EXPECT_NEAR(waist.body, m.at("waist"), 0.01 * m.at("waist"));
+  EXPECT_EQ(waist.place, "waist");
+  EXPECT_NEAR(hip.body, m.at("hip"), 0.01 * m.at("hip"));
+  EXPECT_EQ(hip.place, "hip");
+  const double elbow = m.at("elbow_length"), wrist = m.at("arm_length");
+  EXPECT_NEAR(at("arm", elbow).body, m.at("elbow"), 0.04 * m.at("elbow"));
+  EXPECT_EQ(at("arm", elbow).place, "elbow");
+  const StationFit forearm = at("arm", elbow + 0.25 * (wrist - elbow));
+  EXPECT_NEAR(forearm.body, m.at("forearm"), 0.04 * m.at("forearm"));
+  EXPECT_EQ(forearm.place, "forearm");
+  EXPECT_NEAR(forearm.cut(), 1 / forearm.body - 1, 1e-12);
+  EXPECT_EQ(forearm.asked, 0.5);
+}
+
+TEST(FitAlong, SectionsThatGoRoundTheTrunkTooAreLeftOut) {
+  const body::Body body = woman();
+  EXPECT_TRUE(fit_along({{"arm", 0.0, 1.0, {}}}, body).empty());
+}
+
+TEST(FitAlong, LimbsThatABodyHasNotAreLeftOut) {
+  body::Body body = woman();
+  body.joints.erase("wrist_L");
+  body.landmarks.erase("hps_L");
+  EXPECT_TRUE(fit_along({{"arm", 0.3, 1.0, {}}, {"trunk", 0.4, 1.0, {}}}, body).empty());
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

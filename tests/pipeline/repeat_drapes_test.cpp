@@ -1,0 +1,117 @@
+#include "loosefit/pipeline/repeat_drapes.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <filesystem>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/pipeline/case_files.h"
+#include "loosefit/pipeline/load_case.h"
+#include "loosefit/pipeline/run_case.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+/// Three drapes of a shirt on a mesh that settles in seconds.
+CaseResult repeated(const std::string& simulation, const std::string& more = "") {
+  const std::string text = more +
+                           "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
+                           "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
+                           "[simulation]\nedge_length = 0.03\nrepeats = 3\n" +
+                           simulation;
+  Progress silent;
+  return run_case(io::parse_scenario(text, "case.toml"), silent);
+}
+
+class RepeatDrapes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void store(const CaseResult& result) const {
+    write_case_files(folder_, result);
+    write_summary_file(folder_, result);
+  }
+  /// As `loosefit map` does.
+  CaseResult read_again() const {
+    Progress silent;
+    return remap_case(load_case(folder_, silent), false, silent);
+  }
+  void replace_in(const char* file, const std::string& from, const std::string& to) const {
+    std::string text = io::read_text_file((folder_ / file).string(), 50000000);
+    ASSERT_NE(text.find(from), std::string::npos) << text;
+    text.replace(text.find(from), from.size(), to);
+    io::write_text_file((folder_ / file).string(), text);
+  }
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("repeats-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
+  const CaseResult alone = repeated("threads = 1\n");
+  CaseResult beside;
+  tbb::task_arena(2).execute([&] { beside = repeated("threads = 2\n"); });
+  for (const char* key : {"maps.distance_mm.area_mean", "sites.mid.distance_mm"}) {
+    ASSERT_TRUE(alone.repeats.spread.contains(key)) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).count, 3);
+    EXPECT_GT(alone.repeats.spread.at(key).deviation, 0) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).mean, beside.repeats.spread.at(key).mean) << key;
+    EXPECT_EQ(alone.repeats.spread.at(key).deviation, beside.repeats.spread.at(key).deviation)
+        << key;
+  }
+  store(beside);
+  const CaseResult again = read_again();
+  ASSERT_EQ(again.repeats.spread.size(), beside.repeats.spread.size());
+  for (const auto& [key, spread] : beside.repeats.spread) {
+    EXPECT_EQ(again.repeats.spread.at(key).count, spread.count) << key;
+    EXPECT_EQ(again.repeats.spread.at(key).mean, spread.mean) << key;
+    EXPECT_EQ(again.repeats.spread.at(key).deviation, spread.deviation) << key;
+  }
+  EXPECT_EQ(again.warnings, beside.warnings);
+  // Damage is refused before anything is overwritten.
+  replace_in("summary.json", "\"repeats\": {", "\"repeats\": {\"maps.odd\": null, ");
+  EXPECT_THROW(read_again(), InvalidInput);
+  io::write_text_file((folder_ / "summary.json").string(), "{");
+  EXPECT_THROW(read_again(), InvalidInput);
+}
+
+TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
+  const CaseResult result =
+      repeated("", "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n");
+  EXPECT_FALSE(result.repeats.spread.contains("maps.slip_mm.area_mean")) << "of one drape alone";
+  ASSERT_TRUE(result.repeats.spread.contains("maps.distance_mm.area_mean"));
+  for (const auto& [key, spread] : result.repeats.spread) EXPECT_EQ(spread.count, 3) << key;
+}
+
+TEST_F(RepeatDrapes, SpreadsOfAScenarioThatHasChangedAreLeftOutWithAWarning) {
+  const CaseResult result = repeated("");
+  store(result);
+  replace_in("scenario.toml", "mid_back", "lower_back");
+  const CaseResult again = read_again();
+  EXPECT_TRUE(again.repeats.spread.empty());
+  EXPECT_EQ(again.warnings.size(), result.warnings.size() + 2);
+}
+
+TEST_F(RepeatDrapes, DrapesThatDidNotSettleAreNamedAlsoWhenTheRunIsReadAgain) {
+  CaseResult result = repeated("");
+  const std::size_t of_the_drape = result.warnings.size();
+  result.scenario.simulation.time_budget = 0.1;
+  Progress silent;
+  result.repeats = repeat_drapes(result, 2, silent);
+  EXPECT_TRUE(result.repeats.spread.empty()) << "one drape has no spread";
+  ASSERT_EQ(result.repeats.warnings.size(), 2u);
+  EXPECT_NE(result.repeats.warnings[1].find("repeat 3 did not settle"), std::string::npos);
+  store(result);
+  const CaseResult again = read_again();
+  EXPECT_EQ(again.repeats.warnings, result.repeats.warnings);
+  EXPECT_EQ(again.warnings.size(), of_the_drape + 3);
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline

@@ -1,0 +1,334 @@
+#include "loosefit/drape/worn.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loosefit/drape/openings.h"
+#include "loosefit/garment/hierarchy.h"
+#include "loosefit/io/garmentcode_read.h"
+#include "support/sewn_garments.h"
+#include "support/shirt_kind.h"
+#include "support/shirt_on_body.h"
+#include "support/trunk_tubes.h"
+#include "support/worn_shirt.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+using Reasons = std::vector<std::string>;
+
+const body::PosedBody& woman() {
+  static const body::PosedBody body = support::standing(support::adult_parameters(), 40);
+  return body;
+}
+
+/// A garment with its cut.
+struct Sewn {
+  pattern::Pattern pattern;
+  garment::GarmentHierarchy levels;
+  explicit Sewn(pattern::Pattern cut)
+      : pattern(std::move(cut)), levels(garment::build_hierarchy(pattern, 0.03, support::knit())) {}
+  const garment::Garment& mesh() const { return levels.finest(); }
+  Reasons on(const std::vector<Vec3>& x, const body::PosedBody& body = woman()) const {
+    return drape::why_not_worn(mesh(), pattern, x, body);
+  }
+};
+
+const Sewn& shirt() {
+  static const Sewn made(support::shirt_for(woman(), 0.2));
+  return made;
+}
+const Sewn& trousers() {
+  static const Sewn made(
+      io::parse_garmentcode(support::trousers_file(52, 24, 66, 26, 10), "t").pattern);
+  return made;
+}
+
+std::vector<Vec3> moved(std::vector<Vec3> x, const Vec3& way) {
+  for (Vec3& p : x) p += way;
+  return x;
+}
+
+std::vector<kinds::OpeningUse> uses(const Sewn& garment) {
+  std::vector<kinds::OpeningUse> all;
+  for (const drape::Opening& o : drape::garment_openings(garment.mesh(), garment.pattern))
+    all.push_back(o.use);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Where the pattern places the pieces, nearer to the body, before and behind the body, the seams
+/// drawn up to the middle, and so much lower.
+std::vector<Vec3> round_the_body(const Sewn& garment, double down) {
+  std::vector<Vec3> x = drape::placed_by_pattern(garment.mesh(), garment.pattern);
+  for (Vec3& p : x) p = Vec3(p.x(), 0.5 * p.y(), p.z() - down);
+  return x;
+}
+
+TEST(Openings, AreToldByHowTheyLieToEachOther) {
+  EXPECT_EQ(uses(shirt()),
+            (std::vector<kinds::OpeningUse>{kinds::OpeningUse::neck, kinds::OpeningUse::left_arm,
+                                            kinds::OpeningUse::right_arm, kinds::OpeningUse::hem}));
+  EXPECT_EQ(uses(trousers()), (std::vector<kinds::OpeningUse>{kinds::OpeningUse::left_leg,
+                                                              kinds::OpeningUse::right_leg,
+                                                              kinds::OpeningUse::waist}));
+  const Sewn skirt(io::parse_garmentcode(support::tube_file(36, 50, 45, 60), "s").pattern);
+  EXPECT_EQ(uses(skirt),
+            (std::vector<kinds::OpeningUse>{kinds::OpeningUse::upper, kinds::OpeningUse::hem}));
+}
+
+TEST(Openings, KeepTheirUseWhereverThePatternIsPlaced) {
+  pattern::Pattern high = shirt().pattern;
+  for (pattern::Panel& panel : high.panels) panel.translation += Vec3(0.4, 0.1, 3);
+  EXPECT_EQ(uses(Sewn(high)), uses(shirt()));
+}
+
+TEST(Worn, AShirtAsItIsPutOn) {
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  EXPECT_EQ(shirt().on(x), Reasons{});
+  EXPECT_EQ(shirt().on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
+}
+
+TEST(Worn, NotAShirtThatHasFallen) {
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const Reasons low = shirt().on(moved(x, {0, 0, -0.4}));
+  EXPECT_EQ(low, (Reasons{"the neck opening lies below both shoulders", "the left sleeve is empty",
+                          "the right sleeve is empty"}))
+      << "worn as a skirt";
+  const Reasons high = shirt().on(moved(x, {0, 0, 3}));
+  ASSERT_FALSE(high.empty());
+  EXPECT_EQ(high.front(), "the garment touches the body nowhere");
+  EXPECT_NE(std::find(high.begin(), high.end(), "the head is not through the neck opening"),
+            high.end());
+}
+
+TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const Vec3 shoulder = woman()->joints.at("shoulder_L");
+  for (Vec3& p : x)  // swung down before the trunk
+    if (p.x() > shoulder.x() + 0.04) p = Vec3(shoulder.x() + 0.04, p.y() - 0.5, p.z() - 0.3);
+  EXPECT_EQ(shirt().on(x), Reasons{"the left sleeve is empty"});
+}
+
+TEST(Worn, ASleeveThatIsLongerThanItsArm) {
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const Vec3 elbow = woman()->joints.at("elbow_L"), wrist = woman()->joints.at("wrist_L");
+  const Vec3 along = (wrist - elbow).normalized();
+  for (Vec3& p : x) {
+    const double beyond = (p - elbow).dot(along) - 0.05;
+    if (p.x() > 0.2 && beyond > 0) p += beyond * along;  // twice as long from the forearm on
+  }
+  EXPECT_EQ(shirt().on(x), Reasons{});
+}
+
+TEST(Worn, TrousersAtTheWaistAndNotRoundTheKnees) {
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0)), Reasons{});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.05)), Reasons{}) << "on the upper hips";
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5)),
+            Reasons{"the waistband has slid to the knees"});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.92)),
+            Reasons{"the waistband has slid to the feet"});
+}
+
+TEST(Worn, NotTrousersWhoseWaistbandLiesOnTheForearms) {
+  std::vector<Vec3> x = round_the_body(trousers(), 0);
+  ASSERT_EQ(trousers().on(x), Reasons{});
+  // The waistband is spread beyond both arms, all below it stays round the trunk.
+  for (Vec3& p : x)
+    if (const double up = std::clamp((p.z() - 0.96) / 0.06, 0.0, 1.0); up > 0)
+      p = Vec3((1 + 0.9 * up) * p.x(), (1 + 1.2 * up) * p.y(), p.z());
+  EXPECT_EQ(trousers().on(x), Reasons{"the waistband goes round the trunk and both arms"});
+}
+
+TEST(Worn, TheBoundIsHalfTheWayFromWaistToCrotch) {
+  double held = 0, gone = 0.5;
+  while (gone - held > 0.002) {
+    const double down = 0.5 * (held + gone);
+    (trousers().on(round_the_body(trousers(), down)).empty() ? held : gone) = down;
+  }
+  const body::Body& body = woman();
+  const double waist =
+      0.5 * (body.landmarks.at("back_waist").z() + body.landmarks.at("front_waist").z());
+  const double top = 1.02;  // of the trousers [m]
+  EXPECT_NEAR(top - held, waist - 0.5 * (waist - body.landmarks.at("crotch").z()), 0.02);
+}
+
+TEST(Worn, LevelsGoAlongWithAPosture) {
+  const body::Body sitting = body_model().build(support::adult_parameters(), {radians(40), 0, 1});
+  const double waist =
+      0.5 * (sitting.landmarks.at("back_waist").z() + sitting.landmarks.at("front_waist").z());
+  const Sewn skirt(io::parse_garmentcode(support::tube_file(40, 46, 12, 92), "s").pattern);
+  std::vector<Vec3> x = drape::placed_by_pattern(skirt.mesh(), skirt.pattern);
+  const Vec3 back = sitting.landmarks.at("back_waist"), front = sitting.landmarks.at("front_waist");
+  const double y = 0.5 * (back.y() + front.y());
+  for (Vec3& p : x) p = Vec3(p.x(), y + 0.5 * p.y(), p.z() + waist - 1.04);
+  EXPECT_EQ(skirt.on(x, sitting), Reasons{}) << "at the waist of a sitter, lower than the pattern";
+}
+
+TEST(Worn, NothingIsAskedOfABodyWithoutJointsButTheTouch) {
+  body::Body statue = woman();
+  statue.joints.clear();
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), 0.5), statue), Reasons{});
+  EXPECT_EQ(trousers().on(round_the_body(trousers(), -3), statue),
+            Reasons{"the garment touches the body nowhere"});
+}
+
+/// Two equal pieces before and behind the body, sewn at both sides: `neck` and `hem` flat widths
+/// [m].
+pattern::Pattern two_panels(double neck, double hem, double length, double x, double top) {
+  using namespace testing_support;
+  pattern::Pattern pattern;
+  for (const bool back : {false, true})
+    pattern.panels.push_back(placed(
+        polygon_panel(
+            back ? "back" : "front",
+            {{-hem / 2, -length}, {hem / 2, -length}, {neck / 2, 0}, {0, -0.03}, {-neck / 2, 0}}),
+        back, x, top));
+  pattern.stitches = {stitch(0, 1, 1, 4), stitch(0, 4, 1, 1)};
+  return pattern;
+}
+
+double neck_height(const body::Body& body) { return body.landmarks.at("hps_L").z(); }
+
+TEST(Worn, APonchoOnTheShouldersButNotBelowThem) {
+  const Sewn poncho(two_panels(0.30, 1.10, 0.55, 0, neck_height(woman()) + 0.02));
+  const std::vector<Vec3> x = round_the_body(poncho, 0.02);
+  EXPECT_EQ(poncho.on(x), Reasons{});
+  EXPECT_EQ(poncho.on(moved(x, {0, 0, -0.45})),
+            Reasons{"the neck opening lies below both shoulders"});
+  EXPECT_FALSE(poncho.on(moved(x, {0.6, 0, 0})).empty()) << "beside the head";
+}
+
+TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
+  const body::Body& body = woman();
+  const Vec3 knee = body.joints.at("knee_L"), hip = body.joints.at("hip_L");
+  const double top = 0.3 * knee.z() + 0.7 * hip.z();
+  const Sewn stocking(two_panels(0.18, 0.14, 0.4, 0.5 * (knee.x() + hip.x()), top));
+  const std::vector<Vec3> x = moved(round_the_body(stocking, 0), {0, knee.y(), 0});
+  EXPECT_EQ(stocking.on(x), Reasons{});
+  EXPECT_EQ(stocking.on(moved(x, {0.4, -0.1, 0})).back(),
+            "an opening made for the left leg goes round no part of the body");
+  EXPECT_EQ(stocking.on(moved(x, {-2 * knee.x(), 0, 0})),
+            Reasons{"an opening made for the left leg goes round the right leg"});
+}
+
+TEST(Worn, ATubeThatIsPlacedRoundNothingGoesRoundWhateverIsInBothEnds) {
+  const body::Body& body = woman();
+  const Vec3 knee = body.joints.at("knee_L");
+  const Sewn far(two_panels(0.20, 0.18, 0.3, 3, knee.z() + 0.1));
+  const std::vector<Vec3> x = round_the_body(far, 0);
+  EXPECT_EQ(far.on(moved(x, {knee.x() - 3, knee.y(), 0})), Reasons{});
+  EXPECT_EQ(far.on(moved(x, {knee.x() - 2.7, knee.y(), 0})).back(),
+            "nothing goes through both ends of a tube");
+}
+
+TEST(Worn, ATankTopOnTheShoulders) {
+  using namespace testing_support;
+  for (const double length : {0.45, 0.65}) {
+    const Sewn top(testing_support::dress(levels_of(woman()), 1.15, length));
+    const std::vector<Vec3> x = round_the_body(top, 0.01);
+    EXPECT_EQ(top.on(x), Reasons{}) << length;
+    const Reasons low = top.on(moved(x, {0, 0, -0.4}));
+    EXPECT_NE(std::find(low.begin(), low.end(), "the neck opening lies below both shoulders"),
+              low.end())
+        << length;
+  }
+}
+
+TEST(Worn, AStraplessDressAtTheChestAndNotAtTheHips) {
+  const double chest = woman()->measured.at("chest");
+  const Sewn dress(
+      two_panels(0.48 * chest, 0.7 * chest, 0.7, 0, woman()->landmarks.at("sternum").z() + 0.03));
+  const std::vector<Vec3> x = round_the_body(dress, 0);
+  EXPECT_EQ(dress.on(x), Reasons{});
+  EXPECT_EQ(dress.on(moved(x, {0, 0, -0.35})), Reasons{"the upper opening has slid to the hips"});
+}
+
+TEST(Worn, AShirtWithTheArmsRaisedAside) {
+  const body::Body raised = support::standing(support::adult_parameters(), 80);
+  const Sewn made(support::shirt_for(raised, 0.2));
+  EXPECT_EQ(made.on(support::dress_shirt(made.mesh(), raised), raised), Reasons{});
+}
+
+/// The shirt cut open along the middle of its front, without labels on its edges.
+struct Jacket {
+  pattern::Pattern pattern = shirt().pattern;
+  garment::Garment mesh = shirt().mesh();
+  Jacket() {
+    for (pattern::Panel& panel : pattern.panels)
+      for (pattern::PanelEdge& edge : panel.edges) edge.label.clear();
+    const std::vector<Vec3> flat = drape::placed_by_pattern(mesh, pattern);
+    const garment::Garment whole = mesh;
+    mesh.triangles.clear(), mesh.triangle_uv.clear(), mesh.triangle_panel.clear();
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+      const Triangle& c = whole.triangles[t];
+      const Vec3 middle = (flat[c[0]] + flat[c[1]] + flat[c[2]]) / 3;
+      if (middle.y() < 0 && std::abs(middle.x()) < 0.03) continue;
+      mesh.triangles.push_back(c);
+      mesh.triangle_uv.push_back(whole.triangle_uv[t]);
+      mesh.triangle_panel.push_back(whole.triangle_panel[t]);
+    }
+  }
+  Reasons on(const std::vector<Vec3>& x) const {
+    return drape::why_not_worn(mesh, pattern, x, woman());
+  }
+};
+
+TEST(Worn, AnOpenJacketOnTheShouldersButNotOnTheForearmsAlone) {
+  const Jacket jacket;
+  std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  EXPECT_EQ(jacket.on(x), Reasons{});
+  EXPECT_EQ(jacket.on(moved(x, {0, 0, -0.03})), Reasons{}) << "settles by a few centimetres";
+  const double shoulder = woman()->joints.at("shoulder_L").x(),
+               wrist = woman()->joints.at("wrist_L").x();
+  for (Vec3& p : x) {  // the cuffs stay where they are
+    const double along = (std::abs(p.x()) - shoulder) / (wrist - 0.05 - shoulder);
+    p.z() -= 0.35 * std::clamp(1 - along, 0.0, 1.0);
+  }
+  const Reasons slid = jacket.on(x);
+  EXPECT_NE(std::find(slid.begin(), slid.end(), "the back of the neck has slid off the shoulders"),
+            slid.end());
+}
+
+TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
+  const Jacket jacket;
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const auto alike = [&](const garment::Garment& mesh, const Vec3& way) {
+    return drape::worn_alike(mesh, jacket.pattern, moved(x, way), woman(), x, woman());
+  };
+  EXPECT_TRUE(alike(jacket.mesh, {0, 0, -0.03}));
+  EXPECT_FALSE(alike(jacket.mesh, {0, 0, 3}));
+  EXPECT_TRUE(alike(shirt().mesh(), {0, 0, 3})) << "why_not_worn knows what its openings are for";
+}
+
+TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
+  using namespace testing_support;
+  const body::Body child = support::standing(support::slim_child_parameters(), 40);
+  const double share = child.measured.at("height") / woman()->measured.at("height");
+  pattern::Pattern shawl;  // a front piece that hangs from the neck to the waist
+  shawl.panels = {
+      placed(rectangle_panel("front", 0.3, 0.35), false, -0.15, neck_height(woman()) - 0.35)};
+  const Sewn made(shawl);
+  std::vector<Vec3> on_woman = drape::placed_by_pattern(made.mesh(), made.pattern);
+  double skin = 0;
+  for (const Vec3& p : woman()->surface.vertices) skin = std::min(skin, p.y());
+  for (Vec3& p : on_woman) p.y() = skin;
+  std::vector<Vec3> on_child = on_woman;
+  for (Vec3& p : on_child) p *= share;
+  const auto sunk = [](const Reasons& reasons) {
+    return std::any_of(reasons.begin(), reasons.end(), [](const std::string& r) {
+      return r.find("below where it was put on") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(sunk(made.on(on_woman)));
+  EXPECT_FALSE(sunk(made.on(on_child, child)));
+  EXPECT_TRUE(sunk(made.on(moved(on_child, {0, 0, -0.5}), child)));
+  EXPECT_TRUE(sunk(made.on(moved(on_woman, {0, 0, -0.5}))));
+  pattern::Pattern high = shawl;
+  high.panels[0].translation.z() += 3;
+  EXPECT_FALSE(sunk(Sewn(high).on(on_woman))) << "wherever the pattern is placed";
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline
