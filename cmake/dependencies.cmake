@@ -44,4 +44,7 @@ add_library(loosefit_vtk_render INTERFACE)
 list(TRANSFORM LOOSEFIT_VTK_RENDER_MODULES PREPEND VTK:: OUTPUT_VARIABLE loosefit_vtk_targets)
 find_package(X11 REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS OpenGL GLX)
-target_link_libraries(loosefit_vtk_render INTERFACE ${loosefit_vtk_targets} X11::X11 OpenGL::GLX)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg)
+target_link_libraries(loosefit_vtk_render INTERFACE ${loosefit_vtk_targets} X11::X11 OpenGL::GLX
+  PkgConfig::CAIRO ZLIB::ZLIB)

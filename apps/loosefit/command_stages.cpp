@@ -11,21 +11,12 @@
 #include "loosefit/maps/compute_maps.h"
 #include "loosefit/report/result_documents.h"
 #include "loosefit/report/result_text.h"
-#include "loosefit/report/run_into_folder.h"
 #include "print_document.h"
 #include "set_aside_note.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
-namespace {
-
-struct Arguments {
-  std::string folder;
-  report::RedoOptions options;
-  bool quiet = false, json = false;
-};
-
-int redo(const Arguments& arguments) {
+int redo_stage(const StageArguments& arguments) {
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
   const report::FolderOutput made =
@@ -40,9 +31,11 @@ int redo(const Arguments& arguments) {
   return made.result.certificate().holds() ? kGood : kNotSettled;
 }
 
+namespace {
+
 void add_stage(CLI::App& app, const std::string& name, const std::string& description,
                const report::RedoOptions& options, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StageArguments>();
   arguments->options = options;
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("DIR", arguments->folder, "folder of an earlier run or drape")->required();
@@ -55,7 +48,7 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
                     "make maps even of a drape that did not settle or is not worn");
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
   add_json_flag(*command, arguments->json);
-  command->callback([arguments, &exit_code] { exit_code = redo(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = redo_stage(*arguments); });
 }
 
 }  // namespace
@@ -63,8 +56,6 @@ void add_stage(CLI::App& app, const std::string& name, const std::string& descri
 void add_stage_commands(CLI::App& app, int& exit_code) {
   add_stage(app, "map", "make maps and sites of a drape again",
             {.pictures = false, .report = false}, exit_code);
-  add_stage(app, "render", "maps, sites and pictures of a drape again",
-            {.pictures = true, .report = false}, exit_code);
   add_stage(app, "report", "maps, sites, pictures and report.html of a drape again",
             {.pictures = true, .report = true}, exit_code);
 }

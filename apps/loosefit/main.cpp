@@ -14,6 +14,7 @@
 #include "command_material.h"
 #include "command_pattern.h"
 #include "command_rank.h"
+#include "command_render.h"
 #include "command_run.h"
 #include "command_schema.h"
 #include "command_setup.h"
@@ -71,6 +72,7 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
   add_body_command(app);
   add_pattern_command(app);
   add_stage_commands(app, exit_code);
+  add_render_command(app, exit_code);
   add_rank_command(app, exit_code);
   add_material_command(app);
   add_validate_command(app, exit_code);

@@ -120,6 +120,17 @@ TEST_F(JsonOutput, RunsTellTheirVerdictAndDrawWithoutADisplay) {
     EXPECT_NE(io::read_text_file(out + "/" + name, 50000000).find("no Xvfb on PATH"),
               std::string::npos)
         << name;
+  const std::string figure = (base / "figure.svg").string();
+  const std::string draw = "render " + out + " -o " + figure + " --map drape --view 30,10 --json";
+  EXPECT_EQ(document(draw, 2, no_screen)["exit_code"], 2) << "a figure alone needs a screen";
+  EXPECT_FALSE(fs::exists(figure));
+  EXPECT_EQ(document(draw)["file"], figure);
+  EXPECT_TRUE(fs::exists(figure));
+  EXPECT_EQ(document(draw, 2)["error"]["found"], "a file that is there already");
+  EXPECT_GT(document(draw + " --overwrite")["width_px"], 100);
+  EXPECT_EQ(document("render " + out + " --json --view left", 2)["error"]["place"]["key"],
+            "--view");
+  EXPECT_EQ(document("render " + out + " " + out + " --json", 2)["exit_code"], 2);
   const Json rank = document("rank " + out + " -m temperature --json --allow-unsettled", 1);
   EXPECT_EQ(rank["ranking"]["sites"][0]["name"], "spine");
   for (const Json& name : rank["files"]) EXPECT_TRUE(fs::exists(base / "out" / name)) << name;

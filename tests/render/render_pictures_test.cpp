@@ -97,6 +97,67 @@ TEST_F(Pictures, ColoursAreThoseOfTheLegendAndSidesAreRight) {
   EXPECT_TRUE(near(scene.colours(&map_).at(150, 140), kUndefinedColour));
 }
 
+TEST_F(Pictures, AreSeenFromAnyDirection) {
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
+  const SceneContent content{form, positions_, garment_.triangles, {}, {}};
+  Scene scene(*screen_, content, 300, 280, 1, false);
+  // Where the jump of the map lies in the middle row, as a share of the cloth's width: it turns
+  // from the middle to the rim as the sine of the azimuth does.
+  const auto share_of_right_half = [&](double azimuth) {
+    scene.look({azimuth, 0});
+    const Image image = scene.colours(&map_);
+    int low = 0, high = 0;
+    for (int x = 0; x < image.width; ++x) {
+      low += image.at(x, 140) == sequential_colours()[0];
+      high += image.at(x, 140) == sequential_colours()[255];
+    }
+    return static_cast<double>(high) / (low + high);
+  };
+  for (double azimuth : {0.0, 30.0, -30.0, 360.0, 390.0})
+    EXPECT_NEAR(share_of_right_half(azimuth), 0.5 + 0.5 * std::sin(radians(azimuth)), 0.03)
+        << azimuth;
+}
+
+TEST_F(Pictures, FromAboveNeedRoomForTheDepthAndShowItAll) {
+  const geometry::TriangleMesh form = mannequin(body_, garment_, positions_);
+  const SceneContent content{form, positions_, garment_.triangles, {}, {}};
+  for (const Camera& from : {Camera{0, 0}, Camera{70, 40}, Camera{200, -40}}) {
+    Scene scene(*screen_, content, 300, 280, 1, false);
+    scene.look(from);
+    const Image image = scene.colours(nullptr);
+    int rim = 0, inside = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const bool drawn = image.at(x, y) != Rgb{255, 255, 255};
+        inside += drawn;
+        rim += drawn && (x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1);
+      }
+    EXPECT_EQ(rim, 0) << str(from);
+    EXPECT_GT(inside, 8000) << str(from);
+  }
+  EXPECT_GT(frame_height(content, 1, {0, 40}), frame_height(content, 1, {0, 0}));
+  // Twice the frame, half the picture.
+  SceneContent wide = content;
+  wide.frame_height = 2 * frame_height(content, 300.0 / 280, {});
+  const auto width_of = [](Scene& scene) {
+    scene.look(View::front);
+    const Image image = scene.colours(nullptr, {9, 9, 9});
+    int width = 0;
+    for (int x = 0; x < image.width; ++x) width += image.at(x, 140) == Rgb{9, 9, 9};
+    return width;
+  };
+  int whole = 0, half = 0;
+  {
+    Scene scene(*screen_, content, 300, 280, 1, false);
+    whole = width_of(scene);
+  }
+  {
+    Scene scene(*screen_, wide, 300, 280, 1, false);
+    half = width_of(scene);
+  }
+  EXPECT_NEAR(half, whole / 2.0, 2);
+}
+
 TEST_F(Pictures, ClothThatFacesTheLightIsBrightAndClothThatTurnsAwayIsShaded) {
   Scene scene(*screen_, {body_.surface, positions_, garment_.triangles, {}, {}}, 300, 280, 1, true);
   scene.look(View::front);

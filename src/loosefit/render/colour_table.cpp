@@ -94,11 +94,11 @@ const ColourTable& diverging_colours() {
   return table;
 }
 
-const ColourTable& colours_of(const maps::PerformanceMap& map) {
+const ColourTable& colours_of(const maps::MapArrayStyle& map) {
   return map.diverging ? diverging_colours() : sequential_colours();
 }
 
-double colour_share(const maps::PerformanceMap& map, double value) {
+double colour_share(const maps::MapArrayStyle& map, double value) {
   if (std::isnan(value)) return value;
   const std::vector<double>& breaks = map.breaks;
   if (breaks.size() < 2)

@@ -18,12 +18,12 @@ const ColourTable& sequential_colours();
 const ColourTable& diverging_colours();
 
 /// The table a map is drawn with.
-const ColourTable& colours_of(const maps::PerformanceMap& map);
+const ColourTable& colours_of(const maps::MapArrayStyle& map);
 
 inline constexpr Rgb kUndefinedColour = {128, 128, 128};  ///< NaN
 
 /// Place of a value on the map's colour bar: 0 at range_low, 1 at range_high, linear between the
 /// map's breaks; beyond the ends it stays at them. NaN for NaN.
-double colour_share(const maps::PerformanceMap& map, double value);
+double colour_share(const maps::MapArrayStyle& map, double value);
 
 }  // namespace loosefit::render

@@ -57,18 +57,44 @@ void set_colour(vtkActor* actor, const Rgb& c) {
   actor->GetProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
 }
 
-Vec3 towards_camera(View view) {
-  switch (view) {
-    case View::front:
-      return {0, -1, 0};
-    case View::back:
-      return {0, 1, 0};
-    case View::left:
-      return {1, 0, 0};
-    case View::right:
-      return {-1, 0, 0};
+/// sin and cos of degrees, exact at quarters of a turn, so that the four views are.
+Vec2 sine_and_cosine(double degrees) {
+  const double quarters = degrees / 90, whole = std::round(quarters);
+  const double rest = (quarters - whole) * kPi / 2;
+  const Vec2 turned(std::sin(rest), std::cos(rest));
+  switch ((static_cast<int>(whole) % 4 + 4) % 4) {
+    case 1:
+      return {turned.y(), -turned.x()};
+    case 2:
+      return -turned;
+    case 3:
+      return {-turned.y(), turned.x()};
+    default:
+      return turned;
   }
-  return {0, -1, 0};
+}
+
+Vec3 towards_camera(const Camera& camera) {
+  const Vec2 around = sine_and_cosine(camera.azimuth), above = sine_and_cosine(camera.elevation);
+  return {around.x() * above.y(), -around.y() * above.y(), above.x()};
+}
+
+/// Of everything in a scene.
+Eigen::AlignedBox3d box_of(const SceneContent& content) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : content.positions) box.extend(p);
+  for (const Vec3& p : content.body.vertices) box.extend(p);
+  if (content.under)
+    for (const Vec3& p : content.under->vertices) box.extend(p);
+  return box.isEmpty() ? Eigen::AlignedBox3d(Vec3::Zero().eval()) : box;
+}
+
+/// One scale for all sides, so that pictures of a garment can be laid beside each other; from above
+/// or below its depth takes height, too.
+double fitting_height(const Vec3& size, double aspect, const Vec3& back) {
+  const double across = std::max(size.x(), size.y());
+  const double rise = std::abs(back.z()) * across + back.head<2>().norm() * size.z();
+  return kMargin * std::max(rise, across / aspect);
 }
 }  // namespace
 
@@ -88,8 +114,9 @@ struct Scene::Window {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> key, fill_light;
   Part body, under, garment, lines, seams;
-  Vec3 lower, upper;          ///< box of all
-  Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of all
+  Eigen::AlignedBox3d box;
+  Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of body and garment
+  double frame_height = 0;    ///< as SceneContent::frame_height
   int width = 0, height = 0;
   bool ambient_occlusion = false;
 
@@ -170,38 +197,34 @@ Scene::Scene(const Screen& screen, const SceneContent& content, int width, int h
   // Extents of body and cloth, for the frame of the pictures.
   for (const Vec3& p : content.body.vertices) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
   for (const Vec3& p : content.positions) w.reach = w.reach.cwiseMax(p.head<2>().cwiseAbs());
-  w.lower = w.upper = content.positions.empty() ? Vec3::Zero() : content.positions[0];
-  const auto extend = [&w](const std::vector<Vec3>& points) {
-    for (const Vec3& p : points) {
-      w.lower = w.lower.cwiseMin(p);
-      w.upper = w.upper.cwiseMax(p);
-    }
-  };
-  extend(content.positions);
-  extend(content.body.vertices);
-  if (content.under) extend(content.under->vertices);
+  w.box = box_of(content);
+  w.frame_height = content.frame_height;
 }
 
 Scene::~Scene() { window_->window->RemoveRenderer(window_->renderer); }
 
-void Scene::look(View view) {
+double frame_height(const SceneContent& content, double aspect, const Camera& from) {
+  return fitting_height(box_of(content).sizes(), aspect, towards_camera(from));
+}
+
+void Scene::look(const Camera& from) {
   Window& w = *window_;
-  const Vec3 back = towards_camera(view);
+  const Vec3 back = towards_camera(from);
+  const Vec3 size = w.box.sizes();
   // From as near as possible: ambient occlusion keeps positions relative to the eye in half
   // precision, and contour lines of that rounding would show on the cloth.
-  const double near = 0.1 + (back.x() != 0 ? w.reach.x() : w.reach.y());
-  Vec3 centre = 0.5 * (w.lower + w.upper);
-  centre -= centre.dot(back) * back;
+  const double near = 0.1 + back.cwiseAbs().dot(Vec3(w.reach.x(), w.reach.y(), 0.5 * size.z()));
+  Vec3 centre = w.box.center();
+  const Vec3 level(back.x(), back.y(), 0);  // never zero: Camera::kLargestElevation
+  centre -= centre.dot(level.normalized()) * level.normalized();
   const Vec3 eye = centre + near * back;
   vtkCamera* camera = w.renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(centre.data());
   camera->SetPosition(eye.data());
   camera->SetViewUp(0, 0, 1);
-  // One scale for all views, so that pictures of a garment can be laid side by side.
-  const Vec3 size = w.upper - w.lower;
-  const double across = std::max(size.x(), size.y());
-  camera->SetParallelScale(0.5 * kMargin * std::max(size.z(), across * w.height / w.width));
+  const double fitting = fitting_height(size, static_cast<double>(w.width) / w.height, back);
+  camera->SetParallelScale(0.5 * (w.frame_height > 0 ? w.frame_height : fitting));
   w.renderer->ResetCameraClippingRange();
 }
 

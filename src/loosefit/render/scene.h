@@ -19,7 +19,12 @@ struct SceneContent {
   std::vector<std::array<int, 2>> lines;          ///< dark lines on the garment (vertex pairs)
   std::vector<std::array<int, 2>> seams;          ///< thinner lines
   const geometry::TriangleMesh* under = nullptr;  ///< cloth between body and garment
+  double frame_height = 0;  ///< [m] that a picture shows from foot to top; 0: all fits in
 };
+
+/// Height [m] of a picture from this side that all of a scene fits in, `aspect` its width over its
+/// height: the largest of several scenes shows them to one scale.
+double frame_height(const SceneContent& content, double aspect, const Camera& from);
 
 /// Draws a garment on its mannequin. Light and colour are drawn apart, because
 /// shading that is mixed with colours falsifies a map, and because the costly shading then serves
@@ -30,7 +35,8 @@ class Scene {
   Scene(const Screen& screen, const SceneContent& content, int width, int height, int supersampling,
         bool ambient_occlusion);
   ~Scene();
-  void look(View view);
+  void look(const Camera& from);
+  void look(View view) { look(camera(view)); }
   /// 1: opaque; less lets body and cloth under the garment be seen through it.
   void set_opacity(double opacity);
   /// Grey light of the scene as if all was white, 0..255; background 255. Not scaled down.

@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "loosefit/body/body.h"
+#include "loosefit/garment/garment.h"
+#include "loosefit/maps/performance_map.h"
+#include "loosefit/render/garment_lines.h"
+#include "loosefit/render/scene.h"
+
+namespace loosefit::render {
+
+/// A garment on a body; only referred to.
+struct DrawnDrape {
+  const body::Body& body;
+  const garment::Garment& garment;
+  const std::vector<Vec3>& positions;   ///< of the garment's vertices
+  const geometry::TriangleMesh& under;  ///< cloth worn under it; may be empty
+};
+
+/// How a painter draws.
+struct PaintOptions {
+  int width = 900, height = 1000;  ///< of a picture [pixels]
+  int supersampling = 2;           ///< drawn this many times larger, then averaged down
+  bool ambient_occlusion = true;   ///< depth in the folds; about half a second per view
+  double frame_height = 0;         ///< as SceneContent::frame_height
+};
+
+/// Draws one garment on a neutral grey dress form (render/mannequin.h) from any side, plain or with
+/// maps. Shading is drawn once per side and serves every picture of it. One at a time on a screen.
+class DrapePainter {
+ public:
+  /// \throws InvalidInput for another number of positions than the garment has vertices.
+  DrapePainter(const Screen& screen, const DrawnDrape& drape, const PaintOptions& options);
+
+  void look(const Camera& from);
+  /// Plain cloth with its seams.
+  Image cloth();
+  /// The garment seen through, with what is worn under it.
+  Image layers();
+  /// Colours by the map's fixed range, NaN grey, no legend. \throws InvalidInput for another number
+  /// of values than the garment has vertices.
+  Image map(const maps::PerformanceMap& map);
+
+ private:
+  const PaintOptions options_;
+  std::size_t vertices_;
+  geometry::TriangleMesh form_;
+  GarmentLines lines_;
+  Scene scene_;
+  std::optional<Image> light_;
+};
+
+/// As of scenes.
+double frame_height(const DrawnDrape& drape, double aspect, const Camera& from);
+
+}  // namespace loosefit::render
