@@ -9,18 +9,19 @@ BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
 
-.PHONY: help packages configure setup build raw-body-data demo paper-claims deb test bench bench-kernels format tidy asan clean
+.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test bench bench-kernels format tidy asan clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
+	@echo "also: make setup | build | validate | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
 
 # What only the tests and the Python module need is left out of a first build of the program alone.
 # `PACKAGES` and `PARTS` of a target hold for what it depends on, too.
 PACKAGES = program
-PARTS = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF)
+PARTS = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF -DLOOSEFIT_VALIDATE=OFF)
 test bench-kernels asan tidy: PACKAGES =
-test bench-kernels asan tidy: PARTS = -DLOOSEFIT_TESTS=ON -DLOOSEFIT_PYTHON_MODULE=ON
+test bench-kernels asan tidy: PARTS = -DLOOSEFIT_TESTS=ON -DLOOSEFIT_PYTHON_MODULE=ON -DLOOSEFIT_VALIDATE=ON
+validate: PARTS = -DLOOSEFIT_VALIDATE=ON
 
 packages:
 	@tools/setup_packages.sh $(PACKAGES)
@@ -60,6 +61,10 @@ deb: packages
 	@cmake --preset package > /dev/null
 	@cmake --build build-package -j $(JOBS)
 	@cd build-package && cpack -G DEB
+
+# The benchmarks of physics and of garments on people, all of them; out/validation.
+validate: setup
+	@$(LOOSEFIT) validate -o out/validation
 
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)

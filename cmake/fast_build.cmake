@@ -30,6 +30,14 @@ function(loosefit_precompile target)
   endif()
 endfunction()
 
+# Compiles what takes no time when it runs with fewer optimisations: a third less work for the
+# compiler. Results do not change, for arithmetic may not be reordered or contracted in any case.
+function(loosefit_cold target)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # Compiles the sources of a target in groups; tools/unity_groups.py chooses them when CMake runs.
 function(loosefit_unite target)
   if(NOT LOOSEFIT_UNITY)

@@ -1,16 +1,22 @@
 # One static library per folder of src/loosefit, its sub-folders included, and one test binary per
 # folder of tests.
+# COLD: hardly any of a run's time is spent there.
 # The arrows between modules are declared here once; tools/check_layers.py compares them with the includes.
 
 function(loosefit_module name)
-  cmake_parse_arguments(ARG "" "" "USES;LIBRARIES;TEST_USES" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "USES;LIBRARIES;TEST_USES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/loosefit/${name}/*.cpp)
   set_property(GLOBAL APPEND PROPERTY LOOSEFIT_MODULES loosefit_${name})
   if(sources)
     add_library(loosefit_${name} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(loosefit_${name} PRIVATE loosefit_warnings)
-    loosefit_precompile(loosefit_${name} REUSE_FROM loosefit_base)
+    if(ARG_COLD)
+      loosefit_cold(loosefit_${name})
+      loosefit_precompile(loosefit_${name} REUSE_FROM loosefit_io)
+    else()
+      loosefit_precompile(loosefit_${name} REUSE_FROM loosefit_base)
+    endif()
     loosefit_unite(loosefit_${name} ${sources})
   else()
     add_library(loosefit_${name} INTERFACE)

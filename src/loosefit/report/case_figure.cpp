@@ -21,6 +21,8 @@
 namespace loosefit::report {
 namespace {
 
+const char* const kReference = "reference";  ///< word for a run's reference posture, whatever it is
+
 /// A run in one posture, with what is drawn of it.
 struct Subject {
   std::string label, posture;
@@ -90,13 +92,13 @@ std::vector<maps::PerformanceMap> maps_of(const Subject& subject, const FigureWi
 std::vector<Subject> subjects_of(const pipeline::CaseResult& run, const std::string& label,
                                  const FigureWish& wish) {
   const std::string reference =
-      run.scenario.postures.empty() ? "reference" : run.scenario.postures.front();
+      run.scenario.postures.empty() ? kReference : run.scenario.postures.front();
   std::vector<Subject> subjects;
   for (const std::string& posture :
        wish.postures.empty() ? std::vector<std::string>{reference} : wish.postures) {
     Subject subject{label, posture, &run, &run.body.body, &run.studied().drape, {}, {}};
     const pipeline::CaseState* worn = nullptr;
-    if (posture != reference) {
+    if (posture != reference && posture != kReference) {
       std::vector<std::string> there = {reference};
       for (const pipeline::CaseState& state : run.wear.states) {
         if (!state.id.in_first_donning() || !state.draped()) continue;
