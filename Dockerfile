@@ -9,8 +9,8 @@ RUN cmake --preset package && cmake --build --preset package \
 
 FROM debian:12
 COPY --from=build /loosefit.deb /tmp/
-RUN apt-get update && apt-get install -y --no-install-recommends /tmp/loosefit.deb npm ca-certificates xvfb xauth \
+RUN apt-get update && apt-get install -y --no-install-recommends /tmp/loosefit.deb npm ca-certificates xvfb \
     && loosefit setup && rm -rf /var/lib/apt/lists/* /tmp/loosefit.deb
 WORKDIR /case
-ENTRYPOINT ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "loosefit"]
+ENTRYPOINT ["loosefit"]
 CMD ["--help"]
