@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "loosefit/base/text.h"
@@ -14,6 +15,9 @@ namespace {
 /// Share of the cloth beyond a range from which on it is said [–]: a triangle or two at a corner
 /// say nothing of the garment.
 constexpr double kToldShare = 0.001;
+
+/// Skin pressed beyond comfort from which on it is said [m²]: less is a fold in the armpit.
+constexpr double kToldPressedArea = 10e-4;
 
 std::optional<double> asked_ease(const std::string& station, const scenario::GarmentSpec& spec) {
   if (!spec.file.empty() || !spec.size.empty()) return std::nullopt;
@@ -87,6 +91,27 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
         "is squeezed between arms and trunk: {}",
         free_force / load->weight, bearers(*load)));
   return lines;
+}
+
+std::vector<std::string> comfort_warnings(const CaseMaps& maps) {
+  const maps::PressureField& field = maps.pressure.field;
+  const double limit = *std::rbegin(maps::kPressureClasses);
+  double area = 0, largest = 0;
+  std::map<body::Region, double> force;
+  for (std::size_t i = 0; i < field.contact.size(); ++i) {
+    if (field.contact[i] < limit) continue;
+    area += field.area[i];
+    largest = std::max(largest, field.contact[i]);
+    force[maps.worn.regions[i]] += field.contact[i] * field.area[i];
+  }
+  if (area < kToldPressedArea) return {};
+  const auto most = std::ranges::max_element(
+      force, {}, [](const std::pair<const body::Region, double>& entry) { return entry.second; });
+  return {
+      fmt::format("presses beyond comfort (over {:g} kPa, up to {:.3g} kPa) on {:.0f} cm² of the "
+                  "wearer, most of "
+                  "it at {} with {:.3g} N: too tight there, or caught",
+                  1e-3 * limit, 1e-3 * largest, 1e4 * area, body::name(most->first), most->second)};
 }
 
 std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,

@@ -33,6 +33,7 @@ void add_fit(Lines& all, const CaseResult& result) {
   const CaseGarment& studied = result.studied();
   const scenario::ScenarioGarment& asked = result.scenario.studied();
   add(all, "fit", ease_warnings(station_eases(studied.pattern, asked.spec), studied.maps.load));
+  add(all, "fit", comfort_warnings(studied.maps));
   for (std::size_t g = 0; g < result.garments.size(); ++g)
     add(all, "material",
         strain_range_warnings(result.garments[g].maps.strain_range,

@@ -42,9 +42,13 @@ std::string map_table(const std::vector<pipeline::CaseMap>& maps) {
 
 std::string load_text(const pipeline::CaseMaps& maps) {
   if (!maps.load) return {};
+  const maps::BodyLoad& load = *maps.load;
+  const double squeezed = load.weight > 0 ? load.between_arm_and_trunk / load.weight : 0;
   return fmt::format(
-      "normal force {:.3g} N, {:.3g} times the weight; within 1 mm of the skin {:.0f} %\n",
-      maps.load->normal_force, maps.load->force_over_weight(), 100 * maps.load->near_share[1]);
+      "normal force {:.3g} N: {:.3g} times the weight, {:.3g} of it squeezed between arm and "
+      "trunk; "
+      "within 1 mm of the skin {:.0f} %\n",
+      load.normal_force, load.force_over_weight(), squeezed, 100 * load.near_share[1]);
 }
 
 std::string timings(const pipeline::CaseResult& result) {
