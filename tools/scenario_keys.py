@@ -11,10 +11,11 @@ import subprocess
 import sys
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "scenario-keys.md"
-HEAD = """# Keys of a scenario
+GUIDE = PAGE.parent / "scenario.md"
+HEAD = f"""# Keys of a scenario
 
 Every key with its type, range, unit, default and meaning. This page is written by `tools/scenario_keys.py` from `loosefit schema`, which is
-made of the readers of scenarios; a test compares the two. [scenario.md](scenario.md) explains them with examples. A table that can be
+made of the readers of scenarios; a test compares the two. [{GUIDE.name}]({GUIDE.name}) explains them with examples. A table that can be
 written in several ways (a person or a scan, a drafted garment or a file) lists the keys of all of them together.
 """
 
