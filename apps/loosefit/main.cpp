@@ -18,6 +18,7 @@
 #include "command_schema.h"
 #include "command_setup.h"
 #include "command_stages.h"
+#include "command_study.h"
 #include "command_validate.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
@@ -73,6 +74,7 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
   add_stage_commands(app, exit_code);
   add_rank_command(app, exit_code);
   add_material_command(app);
+  add_study_command(app, exit_code);
   add_validate_command(app, exit_code);
   add_setup_command(app, exit_code);
   add_doctor_command(app, exit_code);
