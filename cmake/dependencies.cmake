@@ -7,6 +7,7 @@ find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(EXPAT REQUIRED)
+find_package(SQLite3 REQUIRED)
 
 add_library(loosefit_cgal INTERFACE)
 find_path(CGAL_INCLUDE_DIR CGAL/version.h REQUIRED)

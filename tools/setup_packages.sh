@@ -8,7 +8,7 @@ packages=(
   g++ cmake ninja-build ccache make python3 ca-certificates coreutils file dpkg-dev
   libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libgmp-dev libmpfr-dev
   libvtk9-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libexpat1-dev
-  libcairo2-dev pkg-config
+  libcairo2-dev pkg-config libsqlite3-dev
   xvfb
 )
 [ "${1:-}" = program ] || packages+=(

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "command_schema.h"
 #include "command_setup.h"
 #include "command_stages.h"
+#include "command_study.h"
 #include "command_validate.h"
 #include "exit_code.h"
 #include "loosefit/base/error.h"
@@ -40,6 +42,9 @@ void hold_standard_streams() {
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF && open("/dev/null", O_RDONLY) != stream)
       return;  // nothing to be done; the lowest free number is `stream`
 }
+
+/// A file that may not grow any more is an error as a full disk is, not the end of the process.
+void meet_limits_as_errors() { std::signal(SIGXFSZ, SIG_IGN); }
 
 /// The data lie beside the program, wherever it was installed.
 void tell_installation() {
@@ -75,6 +80,7 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
   add_render_command(app, exit_code);
   add_rank_command(app, exit_code);
   add_material_command(app);
+  add_study_command(app, exit_code);
   add_validate_command(app, exit_code);
   add_setup_command(app, exit_code);
   add_doctor_command(app, exit_code);
@@ -134,6 +140,7 @@ int run_guarded(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace loosefit;
   hold_standard_streams();
+  meet_limits_as_errors();
   tell_installation();
   return with_output_written(run_guarded(count, arguments));
 }

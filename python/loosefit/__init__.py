@@ -8,7 +8,7 @@
     result.vertices                     # (n, 3) where the cloth is, m
 
 Functions: `run` and `load` give a `Result`, `body` a `Body`, `pattern` a `Pattern`, `rank` a
-`Ranking`. A scenario is a dict with the keys of a scenario file, a TOML text, or a path.
+`Ranking`, `study` a `Study`. A scenario is a dict with the keys of a scenario file, a TOML text, or a path.
 
 SI units unless a name says otherwise (`distance_mm`). World frame: right-handed, z up, the wearer
 faces -y, +x is the wearer's left, the floor is z = 0. Pattern frame: u along the weft, v along the
@@ -23,6 +23,7 @@ from loosefit._pattern import Panel, Pattern, Seam, pattern
 from loosefit._result import Certificate, Garment, Map, Maps, Result, State
 from loosefit._run import load, run
 from loosefit._ranking import Ranking, rank
+from loosefit._study import Study, study
 from loosefit._core import version as _version
 from loosefit._core import versions
 
@@ -31,5 +32,6 @@ __version__ = _version()
 __all__ = [
     "Body", "CancelToken", "Cancelled", "Certificate", "Error", "Garment", "GeometryError",
     "InputError", "IoError", "Map", "Maps", "NotSettled", "Panel", "Pattern", "Ranking", "Result",
-    "Seam", "SolverFailure", "State", "body", "load", "pattern", "rank", "run", "versions",
+    "Seam", "SolverFailure", "State", "Study", "body", "load", "pattern", "rank", "run", "study",
+    "versions",
 ]

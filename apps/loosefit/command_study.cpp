@@ -1,0 +1,316 @@
+#include "command_study.h"
+
+#include <fmt/format.h>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "exit_code.h"
+#include "loosefit/base/error.h"
+#include "loosefit/base/resources.h"
+#include "loosefit/base/text.h"
+#include "loosefit/study/analysis.h"
+#include "loosefit/study/analysis_json.h"
+#include "loosefit/study/compare.h"
+#include "loosefit/study/run_on_slurm.h"
+#include "loosefit/study/run_study.h"
+#include "loosefit/study/store.h"
+#include "loosefit/study/study_page.h"
+#include "loosefit/study/work_case.h"
+#include "loosefit/study/worker_process.h"
+#include "print_document.h"
+#include "terminal_progress.h"
+
+namespace loosefit {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Arguments {
+  std::string study, folder, other, output, executor = "local", address;
+  bool quiet = false, json = false, retry_failed = false;
+  int index = 0;
+  study::RunnerOptions runner;
+};
+
+CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& arguments) {
+  return command->add_option("DIR", arguments->folder, "folder of the study")->required();
+}
+
+void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t open) {
+  const double work = study::estimated_core_seconds(plan.cases);
+  const int workers = arguments.runner.jobs > 0 ? arguments.runner.jobs : usable_threads();
+  if (arguments.json) {
+    Json axes = Json::array();
+    for (const study::Axis& axis : plan.study.axes)
+      axes.push_back({{"name", axis.name}, {"kind", axis.kind}, {"levels", axis.levels.size()}});
+    print_document(Json({{"study", plan.study.name},
+                         {"cases", plan.cases.size()},
+                         {"drapes", plan.drapes()},
+                         {"axes", axes},
+                         {"estimated_core_seconds", work},
+                         {"estimated_seconds", work / workers},
+                         {"workers", workers},
+                         {"open", open}})
+                       .dump(1));
+    return;
+  }
+  fmt::print("study    {}\ndesign   {}\n", terminal_line(plan.study.name),
+             study::name(plan.study.design));
+  for (const study::Axis& axis : plan.study.axes) {
+    std::vector<std::string> labels;
+    for (const study::AxisLevel& level : axis.levels) {
+      if (labels.size() == 6) {
+        labels.push_back("…");
+        break;
+      }
+      labels.push_back(level.label);
+    }
+    fmt::print("axis     {}: {} {}{}: {}\n", terminal_line(axis.name), axis.levels.size(),
+               axis.is_people() ? "people" : "levels", axis.sampled ? ", drawn" : "",
+               terminal_line(join(labels)));
+  }
+  fmt::print("sensors  {}\ncases    {} ({} drapes){}\n", join(plan.study.modalities),
+             plan.cases.size(), plan.drapes(),
+             open < plan.cases.size() ? fmt::format(", {} of them still to run", open) : "");
+  fmt::print("time     about {} on {} workers of this machine ({:.1f} core hours)\n",
+             study::duration_text(work / workers), workers, work / 3600);
+}
+
+void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command =
+      parent->add_subcommand("plan", "cases and estimated time of a study, before anything runs");
+  command->add_option("STUDY", arguments->study, "study file (docs/studies.md)")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "also write plan and scenarios into this folder");
+  command->add_option("-j,--jobs", arguments->runner.jobs, "workers to reckon with")
+      ->check(CLI::Range(0, 1024));
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments] {
+    const study::Plan plan = study::make_plan(study::read_study_file(arguments->study));
+    std::size_t open = plan.cases.size();
+    if (!arguments->output.empty()) {
+      const study::StudyFolder folder(arguments->output);
+      const study::StudyLock lock(folder);
+      folder.write_plan(plan);
+      open = folder.state(folder.read_plan()).open.size();
+    }
+    print_plan(plan, *arguments, open);
+  });
+}
+
+/// Database brought up to the results, and the page.
+study::StudyAnalysis write_report(const study::StudyFolder& folder) {
+  study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
+  study::write_whole(folder.path() / "study-report.html", study::study_html(analysis));
+  study::write_whole(folder.path() / "study-report.json", study::analysis_json(analysis));
+  return analysis;
+}
+
+int run(const Arguments& arguments) {
+  const study::Plan plan = study::make_plan(study::read_study_file(arguments.study));
+  const study::StudyFolder folder(arguments.output);
+  study::RunnerOptions options = arguments.runner;
+  options.program = study::own_program();
+  TerminalProgress shown(arguments.quiet);
+  InterruptGuard guard(shown);
+  study::StudyRun done;
+  try {
+    done = study::run_study(plan, folder, options, arguments.executor == "slurm",
+                            arguments.retry_failed, shown);
+  } catch (const Cancelled&) {
+    shown.clear();
+    fmt::print(stderr, "finished cases stay; the same command goes on where it stopped\n");
+    throw;
+  }
+  shown.clear();
+  const study::StudyAnalysis analysis = write_report(folder);
+  const study::FolderState& state = done.state;
+  if (arguments.json) {
+    Json given_up = Json::array();
+    for (const study::GivenUp& one : done.given_up)
+      given_up.push_back({{"address", one.address}, {"why", one.why}});
+    print_document(Json({{"cases", plan.cases.size()},
+                         {"ran", done.ran},
+                         {"done", state.done},
+                         {"sealed", state.sealed},
+                         {"failed", state.failed},
+                         {"open", state.open.size()},
+                         {"given_up", given_up},
+                         {"seconds", done.seconds},
+                         {"headlines", study::headlines(analysis)},
+                         {"content_sha256", study::content_sha256(folder.database())}})
+                       .dump(1));
+  } else if (!arguments.quiet) {
+    fmt::print("{} of {} cases ran in {}; {} have scores, {} are sealed, {} failed\n", done.ran,
+               plan.cases.size(), study::duration_text(done.seconds), state.done, state.sealed,
+               state.failed);
+    for (const std::string& sentence : study::headlines(analysis))
+      fmt::print("{}\n", terminal_line(sentence));
+    fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
+  }
+  for (const study::GivenUp& one : done.given_up)
+    fmt::print(stderr, "warning: case {} stays open: {}\n", one.address.substr(0, 12),
+               terminal_line(one.why));
+  return state.open.empty() ? kGood : kNotSettled;
+}
+
+void make_run_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments,
+                      int& exit_code) {
+  CLI::App* command = parent->add_subcommand(
+      "run", "runs all cases that have no result yet, and writes database and page");
+  command->add_option("STUDY", arguments->study, "study file (docs/studies.md)")->required();
+  command->add_option("-o,--output", arguments->output, "folder of the study, new or earlier")
+      ->required();
+  command->add_option("-j,--jobs", arguments->runner.jobs, "cases at a time; 0: one per core")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--threads", arguments->runner.threads, "threads of each case")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--keep-output", arguments->runner.keep_output,
+                    "also keep all files of each case, as of loosefit run");
+  command->add_flag("--retry-failed", arguments->retry_failed, "run failed cases again");
+  command->add_option("--executor", arguments->executor, "local or slurm")
+      ->check(CLI::IsMember({"local", "slurm"}));
+  command->add_option("--partition", arguments->runner.partition, "of Slurm");
+  command->add_option("--time", arguments->runner.time_limit,
+                      "time limit of an array task, as sbatch takes it");
+  command->add_option("--bundle", arguments->runner.bundle, "cases per array task")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--memory-mb", arguments->runner.memory_mb, "of an array task")
+      ->check(CLI::Range(0, 10000000));
+  command->add_flag("-q,--quiet", arguments->quiet, "no progress, no summary");
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+void make_status_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command = parent->add_subcommand("status", "what of a study is done");
+  folder_option(command, arguments);
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments] {
+    const study::StudyFolder folder(arguments->folder);
+    const study::FolderPlan plan = folder.read_plan();
+    const study::FolderState state = folder.state(plan);
+    if (arguments->json)
+      return print_document(Json({{"cases", plan.cases.size()},
+                                  {"done", state.done},
+                                  {"sealed", state.sealed},
+                                  {"failed", state.failed},
+                                  {"open", state.open.size()}})
+                                .dump(1));
+    fmt::print("{}: {} cases, {} have scores, {} sealed, {} failed, {} to run\n",
+               terminal_line(plan.name), plan.cases.size(), state.done, state.sealed, state.failed,
+               state.open.size());
+  });
+}
+
+void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command =
+      parent->add_subcommand("report", "database and page anew from the results that are there");
+  folder_option(command, arguments);
+  command->callback([arguments] {
+    const study::StudyFolder folder(arguments->folder);
+    {
+      const study::StudyLock lock(folder);
+      study::collect(folder, folder.read_plan());
+    }
+    for (const std::string& sentence : study::headlines(write_report(folder)))
+      fmt::print("{}\n", terminal_line(sentence));
+    fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
+  });
+}
+
+void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command = parent->add_subcommand("export", "every table of the database as CSV");
+  folder_option(command, arguments);
+  command->add_option("-o,--output", arguments->output, "folder; usually DIR/csv");
+  command->callback([arguments] {
+    const study::StudyFolder folder(arguments->folder);
+    const std::string to =
+        arguments->output.empty() ? (folder.path() / "csv").string() : arguments->output;
+    {
+      const study::StudyLock lock(folder);
+      study::collect(folder, folder.read_plan());
+    }
+    study::export_csv(folder.database(), to);
+    fmt::print("written: {} ({} tables)\ncontent: {}\n", terminal_line(to),
+               study::table_names().size(), study::content_sha256(folder.database()));
+  });
+}
+
+void make_compare_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {
+  CLI::App* command =
+      parent->add_subcommand("compare", "paired differences of two studies of the same people");
+  command->add_option("A", arguments->folder, "folder of a study")->required();
+  command->add_option("B", arguments->other, "folder of another")->required();
+  command->add_option("-o,--output", arguments->output, "CSV file to write");
+  command->callback([arguments] {
+    const study::StudyComparison comparison =
+        study::compare_studies(study::read_study_data(study::StudyFolder(arguments->folder)),
+                               study::read_study_data(study::StudyFolder(arguments->other)));
+    if (!arguments->output.empty())
+      study::write_whole(arguments->output, study::comparison_csv(comparison));
+    fmt::print("{}", terminal_text(study::comparison_text(comparison)));
+  });
+}
+
+/// What a runner starts: one case in this process, or the cases of an array task.
+void make_worker_commands(CLI::App* parent, const std::shared_ptr<Arguments>& arguments,
+                          int& exit_code) {
+  const auto common = [arguments](CLI::App* command) {
+    command->group("");  // not for people
+    command->add_option("--threads", arguments->runner.threads)->check(CLI::Range(1, 256));
+    command->add_flag("--keep-output", arguments->runner.keep_output);
+  };
+  CLI::App* work = parent->add_subcommand("work", "runs one case of a study");
+  folder_option(work, arguments);
+  work->add_option("ADDRESS", arguments->address)->required();
+  common(work);
+  work->callback([arguments] {
+    const study::StudyFolder folder(arguments->folder);
+    const study::FolderPlan plan = folder.read_plan();
+    Progress silent;
+    study::work_case(folder, plan.modalities, arguments->address,
+                     {arguments->runner.threads, arguments->runner.keep_output}, silent);
+  });
+  CLI::App* bundle = parent->add_subcommand("bundle", "runs the cases of one array task");
+  folder_option(bundle, arguments);
+  bundle->add_option("BUNDLES", arguments->study)->required();
+  bundle->add_option("INDEX", arguments->index)->required();
+  common(bundle);
+  bundle->callback([arguments, &exit_code] {
+    const study::StudyFolder folder(arguments->folder);
+    study::RunnerOptions options = arguments->runner;
+    options.program = study::own_program();
+    options.jobs = 1;
+    std::vector<std::string> open;
+    for (const std::string& address : study::read_bundle(arguments->study, arguments->index))
+      if (!folder.record(address)) open.push_back(address);
+    Progress silent;
+    const auto given_up = study::run_here(
+        folder, open, options, [](const study::CaseRecord&) {}, silent);
+    for (const study::GivenUp& one : given_up)
+      fmt::print(stderr, "{}: {}\n", one.address, terminal_line(one.why));
+    exit_code = given_up.empty() ? kGood : kNotSettled;
+  });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, int& exit_code) {
+  CLI::App* parent = app.add_subcommand("study", "many cases: people, fits, fabrics, wearing");
+  parent->require_subcommand(1);
+  const auto arguments = std::make_shared<Arguments>();
+  make_plan_command(parent, arguments);
+  make_run_command(parent, arguments, exit_code);
+  make_status_command(parent, arguments);
+  make_report_command(parent, arguments);
+  make_export_command(parent, arguments);
+  make_compare_command(parent, arguments);
+  make_worker_commands(parent, arguments, exit_code);
+}
+
+}  // namespace loosefit

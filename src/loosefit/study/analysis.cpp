@@ -1,0 +1,202 @@
+#include "loosefit/study/analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/base/quantile.h"
+#include "loosefit/io/scorecard_file.h"
+
+namespace loosefit::study {
+namespace {
+
+/// Fewer draws than for scores: there are many correlations.
+constexpr int kCorrelationDraws = 400;
+
+std::vector<SiteScores> scores_at(const StudyData& data, const std::vector<SiteTable>& tables,
+                                  int level) {
+  std::vector<SiteScores> sites;
+  for (const SiteTable& table : tables)
+    sites.push_back({table.site, unit_scores(data, table, level)});
+  return sites;
+}
+
+SensorConstraints constraints_of(const StudyData& data, const std::vector<SiteTable>& tables) {
+  SensorConstraints constraints;
+  const std::size_t n = tables.size();
+  constraints.apart.assign(n, std::vector<char>(n, 0));
+  constraints.excluded.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    constraints.excluded[i] =
+        std::count(data.plan.not_at.begin(), data.plan.not_at.end(), tables[i].site) > 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double d = std::hypot(tables[i].x - tables[j].x, tables[i].y - tables[j].y,
+                                  tables[i].z - tables[j].z);
+      constraints.apart[i][j] = i != j && d < data.plan.spacing;
+    }
+  }
+  return constraints;
+}
+
+/// Cases of each unit, for a bootstrap over units.
+std::vector<std::vector<int>> cases_of_units(const StudyData& data) {
+  std::vector<std::vector<int>> cases(data.units.size());
+  for (std::size_t c = 0; c < data.unit_of_case.size(); ++c)
+    cases[data.unit_of_case[c]].push_back(static_cast<int>(c));
+  return cases;
+}
+
+Bounds correlation_interval(const std::vector<std::vector<int>>& cases,
+                            const std::vector<double>& x, const std::vector<double>& y,
+                            BootstrapOptions options) {
+  options.resamples = kCorrelationDraws;
+  return bootstrap(
+      static_cast<int>(cases.size()),
+      [&](const std::vector<int>& draw) {
+        std::vector<double> a, b;
+        for (const int unit : draw)
+          for (const int c : cases[unit]) {
+            a.push_back(x[c]);
+            b.push_back(y[c]);
+          }
+        return rank_correlation(a, b);
+      },
+      options);
+}
+
+void add_sensitivity(const StudyData& data, const SiteTable& table, const std::string& quantity,
+                     const std::vector<double>& y, const BootstrapOptions& options,
+                     const std::vector<std::vector<int>>& units, std::vector<Sensitivity>& all) {
+  const std::size_t cases = data.plan.cases.size();
+  std::map<std::string, std::vector<double>> columns;
+  for (std::size_t c = 0; c < cases; ++c)
+    for (const auto& [input, value] : data.inputs[c]) {
+      std::vector<double>& column = columns[input];
+      if (column.empty()) column.assign(cases, kNotKnown);
+      column[c] = value;
+    }
+  for (const auto& [input, x] : columns) {
+    const double value = rank_correlation(x, y);
+    if (std::isnan(value)) continue;
+    Sensitivity row{table.site, quantity, input, false, value, {kNotKnown, kNotKnown}};
+    if (quantity == "score") row.interval = correlation_interval(units, x, y, options);
+    all.push_back(row);
+  }
+  if (data.plan.design != "crossed") return;
+  for (std::size_t k = 0; k < data.plan.axes.size(); ++k) {
+    if (data.plan.axes[k].each_case || data.plan.axes[k].levels.size() < 2) continue;
+    std::vector<int> group;
+    for (const FolderCase& one : data.plan.cases) group.push_back(one.levels[k]);
+    const double share = main_effect(group, y);
+    if (!std::isnan(share))
+      all.push_back(
+          {table.site, quantity, data.plan.axes[k].name, true, share, {kNotKnown, kNotKnown}});
+  }
+}
+
+ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name,
+                                  const placement::Scorecard& card,
+                                  const BootstrapOptions& options) {
+  ModalityAnalysis result;
+  result.name = name;
+  result.title = card.title;
+  result.pass = card.pass;
+  if (const auto untold = data.untold.find(name); untold != data.untold.end())
+    result.untold = untold->second;
+  const auto found = data.sites.find(name);
+  if (found == data.sites.end()) return result;
+  const std::vector<SiteTable>& tables = found->second;
+  const int levels = static_cast<int>(data.level_bgm.size());
+  for (int level = 0; level < levels; ++level)
+    result.rankings.push_back(rank_population(scores_at(data, tables, level), card.pass, options));
+  const std::vector<SiteScores> over_all = scores_at(data, tables, -1);
+  if (levels > 1) result.rankings.push_back(rank_population(over_all, card.pass, options));
+  result.sensors = choose_sensors(over_all, data.plan.sensors, constraints_of(data, tables));
+  const std::vector<std::vector<int>> units = cases_of_units(data);
+  for (const SiteTable& table : tables) {
+    if (looseness_axis(data.plan) >= 0) {
+      std::vector<LooseLevel> by_level;
+      for (int level = 0; level < levels; ++level)
+        by_level.push_back({data.level_bgm[level], unit_scores(data, table, level)});
+      HowLoose answer = how_loose(by_level, card.pass, options);
+      const bool rated = std::any_of(answer.curve.begin(), answer.curve.end(),
+                                     [](const LoosePoint& p) { return p.rated > 0; });
+      if (rated) result.how_loose[table.site] = std::move(answer);
+    }
+    add_sensitivity(data, table, "score", table.by_case, options, units, result.sensitivity);
+    for (const placement::Criterion& criterion : card.criteria)
+      if (const auto metric = table.metrics.find(criterion.metric); metric != table.metrics.end())
+        add_sensitivity(data, table, criterion.metric, metric->second, options, units,
+                        result.sensitivity);
+    int most = 0;
+    for (const auto& [metric, count] : table.limiting)
+      if (count > most) {
+        most = count;
+        result.limiting[table.site] = metric;
+      }
+  }
+  return result;
+}
+
+ComfortLimit comfort_of(const StudyData& data) {
+  ComfortLimit comfort;
+  std::vector<double> worst;
+  for (std::size_t level = 0; level < data.level_bgm.size(); ++level) {
+    std::vector<double> shares =
+        greatest_by_unit(data, data.uncomfortable_share, static_cast<int>(level));
+    std::erase_if(shares, [](double s) { return std::isnan(s); });
+    // Where nothing is known nothing is promised.
+    worst.push_back(shares.empty() ? std::numeric_limits<double>::infinity()
+                                   : quantile(shares, 1 - kRobustPeople));
+  }
+  comfort.worst_share = worst;
+  comfort.limit = least_within(data.level_bgm, worst, kUncomfortableArea);
+  return comfort;
+}
+
+}  // namespace
+
+StudyAnalysis analyse(StudyData data) {
+  StudyAnalysis analysis;
+  analysis.data = std::move(data);
+  const StudyData& read = analysis.data;
+  for (std::size_t m = 0; m < read.modalities.size(); ++m)
+    analysis.modalities.push_back(analyse_modality(
+        read, read.modalities[m], io::load_scorecard(read.plan.modalities[m]), analysis.options));
+  if (looseness_axis(read.plan) >= 0) analysis.comfort = comfort_of(read);
+  return analysis;
+}
+
+std::vector<std::string> headlines(const StudyAnalysis& analysis) {
+  std::vector<std::string> sentences;
+  for (const ModalityAnalysis& modality : analysis.modalities) {
+    if (modality.rankings.empty() || modality.rankings.back().empty() ||
+        modality.rankings.back().front().rank == 0) {
+      sentences.push_back(modality.name + ": no site could be rated");
+      continue;
+    }
+    const SitePopulation& first = modality.rankings.back().front();
+    if (modality.how_loose.empty()) {
+      sentences.push_back(fmt::format(
+          "{}: {} ranks first; {:.0f} % of {} people pass there, 95 % score above {:.2f}",
+          modality.name, first.site, 100 * first.passing, first.rated,
+          std::clamp(first.p5, 0.0, 1.0)));
+      continue;
+    }
+    const auto loosest = std::max_element(
+        modality.how_loose.begin(), modality.how_loose.end(), [](const auto& a, const auto& b) {
+          return a.second.limit != b.second.limit ? a.second.limit < b.second.limit
+                                                  : a.second.interval.low < b.second.interval.low;
+        });
+    if (loosest->second.limit == -std::numeric_limits<double>::infinity())
+      sentences.push_back(modality.name + ": no site works for 95 % of people at any fit tried");
+    else
+      sentences.push_back(modality.name + ": loosest at " + loosest->first + ", " +
+                          in_words(loosest->second, analysis.options));
+  }
+  return sentences;
+}
+
+}  // namespace loosefit::study

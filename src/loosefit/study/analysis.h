@@ -1,0 +1,56 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/study/how_loose.h"
+#include "loosefit/study/population_ranking.h"
+#include "loosefit/study/study_data.h"
+
+namespace loosefit::study {
+
+/// How a result depends on what varies.
+struct Sensitivity {
+  std::string site, quantity;  ///< "score", or a metric
+  std::string input;           ///< "fit", "person.chest", or an axis
+  bool main_effect = false;    ///< share of variance by an axis; else rank correlation
+  double value = kNotKnown;
+  Bounds interval = {kNotKnown, kNotKnown};  ///< of correlations of scores
+};
+
+/// What a study says of one kind of sensor.
+struct ModalityAnalysis {
+  std::string name, title;
+  double pass = 0.5;
+  std::vector<std::string> untold;  ///< criteria that the study cannot tell: scores are bounds
+  /// Per level of looseness, and last over all of them where there are several.
+  std::vector<std::vector<SitePopulation>> rankings;
+  std::map<std::string, HowLoose> how_loose;  ///< by site; empty without looseness
+  std::vector<SensorChoice> sensors;          ///< over all levels
+  std::vector<Sensitivity> sensitivity;
+  std::map<std::string, std::string> limiting;  ///< by site: the metric that limits most cases
+};
+
+/// From which BGM on a garment is comfortable for 95 % of people: at most kUncomfortableArea of its
+/// area presses with more than 4 kPa (maps/pressure.h, kPressureClasses).
+struct ComfortLimit {
+  double limit = kNotKnown;  ///< −∞: already at the tightest tried; +∞: not at the loosest
+  std::vector<double> worst_share;  ///< per level: the 95th percentile over people
+};
+inline constexpr double kUncomfortableArea = 0.01;
+
+struct StudyAnalysis {
+  StudyData data;
+  std::vector<ModalityAnalysis> modalities;
+  std::optional<ComfortLimit> comfort;  ///< with looseness
+  BootstrapOptions options;
+};
+
+/// All statistics of a study (docs/studies.md 5). \throws as load_scorecard.
+StudyAnalysis analyse(StudyData data);
+
+/// One sentence per modality: the site that may be loosest, or ranks first.
+std::vector<std::string> headlines(const StudyAnalysis& analysis);
+
+}  // namespace loosefit::study

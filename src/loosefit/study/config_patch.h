@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+
+#include "loosefit/io/config_node.h"
+
+// Scenarios of a study are made by changing the table of a base scenario, which is then read as any
+// other: so a case is judged by the very rules of `loosefit run`.
+namespace loosefit::study {
+
+io::ConfigNode number_node(double value, int line = 0);
+io::ConfigNode integer_node(long long value, int line = 0);
+io::ConfigNode text_node(const std::string& text, int line = 0);
+
+/// Puts `value` at a dotted key ("garment.fit.chest"; "site[0].angle_deg" in an array that is there
+/// already), making tables on the way. \throws InvalidInput, key `dotted`, where something else
+/// stands on the way or an array has no such item.
+void set_value(io::ConfigNode& root, const std::string& dotted, const io::ConfigNode& value);
+
+/// Members of `patch` over those of `base`: tables are merged, all else is replaced.
+void merge_tables(io::ConfigNode& base, const io::ConfigNode& patch);
+
+/// The value at a dotted key of tables; nullptr if absent.
+const io::ConfigNode* value_at(const io::ConfigNode& root, const std::string& dotted);
+
+}  // namespace loosefit::study

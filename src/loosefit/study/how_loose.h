@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/study/bootstrap.h"
+
+namespace loosefit::study {
+
+/// What the people of a study say at one looseness.
+struct LooseLevel {
+  double bgm = 0;              ///< body-garment mobility
+  std::vector<double> scores;  ///< per person, not clamped; NaN: not rated
+};
+
+/// One point of the curve of robust score over looseness.
+struct LoosePoint {
+  double bgm = 0;
+  int rated = 0;
+  double robust = 0, median = 0, passing = 0;
+  Bounds robust_interval;
+};
+
+/// The answer to "how loose may it be?".
+struct HowLoose {
+  /// Greatest BGM at which the robust score passes; −∞: at none that was tried, +∞: still at the
+  /// loosest.
+  double limit = 0;
+  Bounds interval;      ///< ends may be infinite, likewise
+  double tightest = 0;  ///< BGM below the limit under which it fails again; −∞: nowhere
+  std::vector<LoosePoint> curve;
+};
+
+/// Between two levels of which the tighter passes and the looser fails the limit is where the
+/// straight line between their scores meets `pass`. −∞ when none passes, +∞ when the loosest does.
+/// \pre levels ascend in BGM; NaN scores count as failing
+double greatest_passing(const std::vector<double>& bgm, const std::vector<double>& score,
+                        double pass);
+
+/// Smallest BGM from which on, up to the loosest, `value` is at most `bound`: interpolated
+/// likewise. −∞: already at the tightest; +∞: not even at the loosest.
+double least_within(const std::vector<double>& bgm, const std::vector<double>& value, double bound);
+
+/// Levels in ascending order of BGM, the same people in all. The interval draws people, the same
+/// ones at all levels, and finds the limit anew.
+HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
+                   const BootstrapOptions& options = {});
+
+/// "up to a BGM of 0.18 (90 % interval 0.12 to 0.24)", "at none of the fits tried (0.00 to 0.30)",
+/// "at least up to 0.30, the loosest tried".
+std::string in_words(const HowLoose& answer, const BootstrapOptions& options = {});
+
+}  // namespace loosefit::study

@@ -1,0 +1,235 @@
+#include "loosefit/study/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
+#include "loosefit/base/sha256.h"
+#include "loosefit/base/text.h"
+#include "loosefit/base/version.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
+#include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/placement/resample.h"
+#include "loosefit/study/config_patch.h"
+#include "loosefit/study/draws.h"
+
+namespace loosefit::study {
+namespace {
+
+using Kind = io::ConfigNode::Kind;
+
+constexpr std::size_t kMostCases = 1000000;
+/// Without a budget of its own a drape of a study ends by iterations alone: by the clock, the same
+/// case would end differently on another machine. What a scenario may say at most [s].
+constexpr double kNoTimeBudget = 1e6;
+/// Names of files are digested up to this size [bytes].
+constexpr std::size_t kLargestInput = 500000000;
+
+/// Each file is read once: a plan names the same ones again and again.
+std::string digest_of(const std::string& path) {
+  static std::map<std::string, std::string> known;
+  std::string& digest = known[path];
+  if (digest.empty()) digest = "sha256:" + sha256_hex(io::read_text_file(path, kLargestInput));
+  return digest;
+}
+
+/// Nothing where there are no body data: who runs the case will say so.
+std::string body_digest() {
+  const std::string path = default_body_data_path();
+  return std::filesystem::exists(path) ? digest_of(path) : "none";
+}
+
+double chest_of(const io::ConfigNode& root) {
+  const io::ConfigNode* chest = value_at(root, "body.measurements.chest");
+  if (!chest || !(chest->number > 0))
+    throw InvalidInput({"", 0, "body.measurements.chest"}, "nothing",
+                       "the chest girth of the wearer, since ease in cm is asked for");
+  return chest->number;
+}
+
+std::size_t checked(std::size_t cases) {
+  if (cases > kMostCases)
+    throw InvalidInput(fmt::format("a study of more than {} cases", kMostCases),
+                       "fewer levels, or design = \"latin-hypercube\" with samples");
+  return cases;
+}
+
+/// Each of `size` levels equally often, in random order.
+std::vector<int> shuffled_levels(int count, int size, std::uint64_t seed) {
+  std::vector<int> column = placement::shuffled(count, seed);
+  for (int& level : column) level %= size;
+  return column;
+}
+
+void apply(const SiteShift& shift, io::ConfigNode& root) {
+  const std::string site = "site[" + std::to_string(shift.site) + "]";
+  if (!value_at(root, site))
+    throw InvalidInput({"", 0, "place.site"}, std::to_string(shift.site),
+                       "the number of a [[site]] of the base scenario, from 0");
+  io::ConfigNode both;
+  both.kind = Kind::array;
+  both.items = {number_node(shift.u), number_node(shift.v)};
+  set_value(root, site + ".shift", both);
+}
+
+}  // namespace
+
+int Plan::drapes() const {
+  int sum = 0;
+  for (const PlannedCase& one : cases) sum += one.drapes;
+  return sum;
+}
+
+std::string Plan::label(const PlannedCase& one) const {
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    const std::string& label = study.axes[k].levels[one.levels[k]].label;
+    words.push_back(study.axes[k].is_people() ? label : study.axes[k].name + " " + label);
+  }
+  return words.empty() ? "the base scenario" : join(words);
+}
+
+std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int>& sizes,
+                                            int samples, std::uint64_t seed) {
+  std::vector<std::vector<int>> rows;
+  if (design == Design::crossed) {
+    std::size_t count = 1;
+    for (const int size : sizes) count = checked(count * static_cast<std::size_t>(size));
+    rows.assign(count, std::vector<int>(sizes.size()));
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t rest = i;
+      for (std::size_t k = sizes.size(); k-- > 0; rest /= sizes[k])
+        rows[i][k] = static_cast<int>(rest % sizes[k]);
+    }
+    return rows;
+  }
+  if (design == Design::paired) {
+    const int count = sizes.empty() ? 1 : *std::max_element(sizes.begin(), sizes.end());
+    for (const int size : sizes)
+      if (size != 1 && size != count)
+        throw InvalidInput({"", 0, "study.design"},
+                           fmt::format("\"paired\" with axes of {} and {} levels", size, count),
+                           "axes of the same length, or of one level");
+    for (int i = 0; i < count; ++i) {
+      rows.emplace_back();
+      for (const int size : sizes) rows.back().push_back(size == 1 ? 0 : i);
+    }
+    return rows;
+  }
+  rows.assign(checked(samples), std::vector<int>(sizes.size()));
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const std::vector<int> column =
+        shuffled_levels(samples, sizes[k], seed_for(seed, "column " + std::to_string(k)));
+    for (int i = 0; i < samples; ++i) rows[i][k] = column[i];
+  }
+  return rows;
+}
+
+scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels) {
+  io::ConfigNode root = study.base;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    merge_tables(root, study.axes[k].levels[levels[k]].patch);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const AxisLevel& level = study.axes[k].levels[levels[k]];
+    if (level.shift) apply(*level.shift, root);
+    if (!level.chest_ease) continue;
+    const double bgm = std::round(1e4 * *level.chest_ease / chest_of(root)) / 1e4;
+    for (const std::string& key : study.axes[k].keys) set_value(root, key, number_node(bgm));
+  }
+  const bool budget = value_at(root, "simulation.time_budget") != nullptr;
+  scenario::Scenario scenario = io::scenario_of(root, study.base_file);
+  if (!budget) scenario.simulation.time_budget = kNoTimeBudget;
+  scenario.simulation.threads = 0;
+  scenario.ranking = {};
+  return scenario;
+}
+
+std::string case_address(const scenario::Scenario& scenario,
+                         const std::vector<std::string>& modalities) {
+  scenario::Scenario content = scenario;
+  content.simulation.threads = 0;
+  content.ranking = {};
+  const scenario::ScenarioOutput usual;
+  content.output.views = usual.views;
+  content.output.undecorated = usual.undecorated;
+  content.output.width = usual.width;
+  content.output.height = usual.height;
+  if (!content.body.file.empty()) content.body.file = digest_of(content.body.file);
+  for (scenario::ScenarioGarment& garment : content.garments) {
+    if (!garment.spec.file.empty()) garment.spec.file = digest_of(garment.spec.file);
+    if (!garment.spec.seams.empty()) garment.spec.seams = digest_of(garment.spec.seams);
+  }
+  std::string text =
+      "loosefit case 1\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
+  for (const std::string& modality : modalities) {
+    const placement::Scorecard card = io::load_scorecard(modality);
+    const bool file = modality.find('/') != std::string::npos;
+    text += "\nscorecard " + card.name;
+    text += " " +
+            (file ? digest_of(modality)
+                  : digest_of((data_directory() / "scorecards" / (card.name + ".toml")).string()));
+  }
+  return sha256_hex(text);
+}
+
+int drapes_of(const scenario::Scenario& scenario) {
+  const int postures = std::max<int>(1, static_cast<int>(scenario.postures.size()));
+  return postures * std::max(scenario.donning.repeats, scenario.simulation.repeats);
+}
+
+Plan make_plan(const StudyFile& study) {
+  Plan plan;
+  plan.study = study;
+  std::vector<int> sizes;
+  for (const Axis& axis : study.axes)
+    sizes.push_back(axis.each_case ? 1 : static_cast<int>(axis.levels.size()));
+  const std::vector<std::vector<int>> rows =
+      design_matrix(study.design, sizes, study.samples, seed_for(study.seed, "design"));
+  const int count = static_cast<int>(rows.size());
+  std::vector<std::vector<int>> columns(study.axes.size());
+  for (std::size_t k = 0; k < study.axes.size(); ++k)
+    if (study.axes[k].each_case && study.design != Design::latin_hypercube) {
+      plan.study.axes[k] =
+          read_axis_for_each_case(study.axis_nodes[k], study.file, study.seed, count);
+      columns[k] =
+          placement::shuffled(count, seed_for(study.seed, "each case " + study.axes[k].name));
+    }
+  for (int i = 0; i < count; ++i) {
+    PlannedCase one;
+    one.number = i + 1;
+    one.levels = rows[i];
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (!columns[k].empty()) one.levels[k] = columns[k][i];
+    try {
+      const scenario::Scenario scenario = compose(plan.study, one.levels);
+      one.toml = io::scenario_toml(scenario);
+      one.address = case_address(scenario, study.modalities);
+      one.drapes = drapes_of(scenario);
+      one.edge_length = scenario.simulation.edge_length;
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(fmt::format("{}: case {} ({}): {}", study.file, one.number,
+                                     plan.label(one), error.what()),
+                         error.hint());
+    }
+    plan.cases.push_back(std::move(one));
+  }
+  return plan;
+}
+
+double estimated_core_seconds(const std::vector<PlannedCase>& cases) {
+  // Measured: body, pattern and measuring of a case, and one drape at 10 mm; time of a drape grows
+  // with the number of vertices to the power of 1.25.
+  constexpr double kCase = 3.0, kDrape = 9.5, kEdge = 0.010, kPower = 2.5;
+  double sum = 0;
+  for (const PlannedCase& one : cases)
+    sum += kCase + one.drapes * kDrape * std::pow(kEdge / one.edge_length, kPower);
+  return sum;
+}
+
+}  // namespace loosefit::study

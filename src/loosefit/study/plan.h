@@ -1,0 +1,54 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "loosefit/scenario/scenario.h"
+#include "loosefit/study/study_file.h"
+
+namespace loosefit::study {
+
+/// One case of a study: an ordinary scenario, and where it stands in the design.
+struct PlannedCase {
+  int number = 0;           ///< from 1, in the order of the design
+  std::vector<int> levels;  ///< per axis of the plan
+  std::string address;      ///< content address: same address, same results
+  std::string toml;         ///< the resolved scenario
+  int drapes = 1;           ///< postures × donnings (or repeats)
+  double edge_length = 0;   ///< [m]
+};
+
+/// All cases of a study, made before anything runs.
+struct Plan {
+  StudyFile study;  ///< its axes with the levels that were drawn
+  std::vector<PlannedCase> cases;
+  int drapes() const;
+  std::string label(const PlannedCase& one) const;  ///< "person 3, fit 0.16"
+};
+
+/// Which level of each axis each case has. \param sizes number of levels per axis.
+/// \throws InvalidInput for a paired design of axes of different lengths, and above 10⁶ cases.
+std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int>& sizes,
+                                            int samples, std::uint64_t seed);
+
+/// Composes and reads every scenario. \throws InvalidInput, with the case in words, for a scenario
+/// that `loosefit run` would refuse.
+Plan make_plan(const StudyFile& study);
+
+/// The scenario of one combination of levels.
+scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels);
+
+/// SHA-256 over all that results depend on: version of the program, resolved scenario with the
+/// content of the files that it names in place of their paths, and the scorecards. Number of
+/// threads, pictures and the place of files do not matter.
+std::string case_address(const scenario::Scenario& scenario,
+                         const std::vector<std::string>& modalities);
+
+/// Drapes that a scenario asks for: postures times donnings or repeats.
+int drapes_of(const scenario::Scenario& scenario);
+
+/// Core seconds that so many cases take by figures measured on an x86-64 core of 2.5 GHz
+/// (docs/scaling.md); within a factor of two for shirts.
+double estimated_core_seconds(const std::vector<PlannedCase>& cases);
+
+}  // namespace loosefit::study

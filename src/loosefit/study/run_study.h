@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/base/progress.h"
+#include "loosefit/study/plan.h"
+#include "loosefit/study/run_here.h"
+
+namespace loosefit::study {
+
+/// What a run of a study came to.
+struct StudyRun {
+  FolderState state;  ///< of the folder at its end
+  int ran = 0;        ///< cases that ran now
+  std::vector<GivenUp> given_up;
+  double seconds = 0;
+};
+
+/// `loosefit study run`: writes the plan into the folder, runs what of it has no result yet, and
+/// brings the database up to it, case by case. \param slurm by job arrays, else here.
+/// \throws InvalidInput when another runner works on the folder; IoError; Cancelled. In all cases
+/// what has finished stays and is not run again.
+StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOptions& options,
+                   bool slurm, bool retry_failed, Progress& progress);
+
+/// "3 min", "2 h 10 min", "40 s"
+std::string duration_text(double seconds);
+
+}  // namespace loosefit::study

@@ -1,0 +1,189 @@
+#include "loosefit/study/study_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace loosefit::study {
+namespace {
+
+/// Of a sampled looseness axis: enough for a curve, each with a fifth of the cases.
+constexpr int kBins = 5;
+
+/// Collects cases one by one.
+class Collector {
+ public:
+  explicit Collector(const StudyFolder& folder) : folder_(folder) {
+    data_.plan = folder.read_plan();
+    data_.modalities = scorecard_names(data_.plan);
+    const std::size_t cases = data_.plan.cases.size();
+    data_.uncomfortable_share.assign(cases, kNotKnown);
+    data_.inputs.resize(cases);
+  }
+
+  StudyData all() {
+    set_units();
+    set_levels();
+    for (std::size_t c = 0; c < data_.plan.cases.size(); ++c) add(c);
+    return std::move(data_);
+  }
+
+ private:
+  void set_units() {
+    const int people = people_axis(data_.plan);
+    if (people >= 0)
+      for (const AxisLevel& level : data_.plan.axes[people].levels)
+        data_.units.push_back(level.label);
+    for (const FolderCase& one : data_.plan.cases) {
+      data_.unit_of_case.push_back(people >= 0 ? one.levels[people] : one.number - 1);
+      if (people < 0) data_.units.push_back("case " + std::to_string(one.number));
+    }
+  }
+
+  void set_levels() {
+    const int loose = looseness_axis(data_.plan);
+    const std::size_t cases = data_.plan.cases.size();
+    if (loose < 0) {
+      data_.level_of_case.assign(cases, 0);
+      data_.level_bgm = {kNotKnown};
+      data_.level_labels = {""};
+      return;
+    }
+    const Axis& axis = data_.plan.axes[loose];
+    if (axis.sampled) return set_bins(axis, loose);
+    std::vector<int> order(axis.levels.size()), place(axis.levels.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return *axis.levels[a].value < *axis.levels[b].value; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      place[order[i]] = static_cast<int>(i);
+      data_.level_bgm.push_back(*axis.levels[order[i]].value);
+      data_.level_labels.push_back(axis.levels[order[i]].label);
+    }
+    for (const FolderCase& one : data_.plan.cases)
+      data_.level_of_case.push_back(place[one.levels[loose]]);
+  }
+
+  void set_bins(const Axis& axis, int loose) {
+    const int cases = static_cast<int>(data_.plan.cases.size());
+    const auto value = [&](int c) { return *axis.levels[data_.plan.cases[c].levels[loose]].value; };
+    std::vector<int> order(cases);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value(a) < value(b); });
+    const int bins = std::min(kBins, cases);
+    data_.level_of_case.assign(cases, 0);
+    std::vector<double> sums(bins, 0.0);
+    std::vector<int> counts(bins, 0);
+    for (int i = 0; i < cases; ++i) {
+      const int bin = i * bins / cases;
+      data_.level_of_case[order[i]] = bin;
+      sums[bin] += value(order[i]);
+      ++counts[bin];
+    }
+    for (int b = 0; b < bins; ++b) {
+      data_.level_bgm.push_back(sums[b] / counts[b]);
+      data_.level_labels.push_back(fmt::format("about {:.2f}", data_.level_bgm.back()));
+    }
+  }
+
+  void add(std::size_t c) {
+    const FolderCase& one = data_.plan.cases[c];
+    data_.drapes += one.drapes;
+    for (std::size_t k = 0; k < data_.plan.axes.size(); ++k)
+      for (const auto& [name, value] : data_.plan.axes[k].levels[one.levels[k]].inputs)
+        data_.inputs[c][name] = value;
+    const std::optional<CaseRecord> record = folder_.record(one.address);
+    if (!record) {
+      data_.troubles.push_back({one.number, label(data_.plan, one), "open", "not run yet"});
+      return;
+    }
+    data_.core_seconds += record->execution.seconds;
+    data_.drapes_counted += record->drapes_counted;
+    if (record->status != CaseStatus::done) {
+      data_.troubles.push_back(
+          {one.number, label(data_.plan, one), name(record->status), record->reason});
+      return;
+    }
+    ++data_.done;
+    for (const std::string& left_out : record->left_out)
+      data_.troubles.push_back({one.number, label(data_.plan, one), "incomplete", left_out});
+    for (const auto& [modality, criteria] : record->untold) data_.untold[modality] = criteria;
+    if (const auto share = record->garment.find("uncomfortable_share");
+        share != record->garment.end())
+      data_.uncomfortable_share[c] = share->second;
+    for (const SiteRecord& site : record->sites) {
+      SiteTable& table = table_of(site.modality, site.site);
+      if (std::isnan(table.x) && site.not_covered.empty()) {
+        table.x = site.x;
+        table.y = site.y;
+        table.z = site.z;
+      }
+    }
+    std::map<std::string, std::map<std::string, std::pair<double, int>>> sums;  // by site, metric
+    for (const SampleRecord& sample : record->samples) {
+      SiteTable& table = table_of(sample.modality, sample.site);
+      double& lowest = table.by_case[c];
+      if (std::isnan(lowest) || sample.margin < lowest) lowest = sample.margin;
+      if (!std::isnan(sample.margin) && !sample.limiting.empty()) ++table.limiting[sample.limiting];
+      for (const auto& [metric, value] : sample.metrics)
+        if (std::isfinite(value)) {
+          auto& [sum, count] = sums[sample.modality + "\n" + sample.site][metric];
+          sum += value;
+          ++count;
+        }
+    }
+    for (const auto& [key, metrics] : sums) {
+      const std::size_t end = key.find('\n');
+      SiteTable& table = table_of(key.substr(0, end), key.substr(end + 1));
+      for (const auto& [metric, sum] : metrics) {
+        std::vector<double>& values = table.metrics[metric];
+        if (values.empty()) values.assign(data_.plan.cases.size(), kNotKnown);
+        values[c] = sum.first / sum.second;
+      }
+    }
+  }
+
+  SiteTable& table_of(const std::string& modality, const std::string& site) {
+    std::vector<SiteTable>& tables = data_.sites[modality];
+    for (SiteTable& table : tables)
+      if (table.site == site) return table;
+    SiteTable& table = tables.emplace_back();
+    table.site = site;
+    table.by_case.assign(data_.plan.cases.size(), kNotKnown);
+    return table;
+  }
+
+  const StudyFolder& folder_;
+  StudyData data_;
+};
+
+}  // namespace
+
+StudyData read_study_data(const StudyFolder& folder) { return Collector(folder).all(); }
+
+std::vector<double> unit_scores(const StudyData& data, const SiteTable& site, int level) {
+  std::vector<double> scores(data.units.size(), kNotKnown);
+  for (std::size_t c = 0; c < site.by_case.size(); ++c) {
+    if (level >= 0 && data.level_of_case[c] != level) continue;
+    double& score = scores[data.unit_of_case[c]];
+    if (const double s = site.by_case[c]; !std::isnan(s))
+      score = std::isnan(score) ? s : std::min(score, s);
+  }
+  return scores;
+}
+
+std::vector<double> greatest_by_unit(const StudyData& data, const std::vector<double>& by_case,
+                                     int level) {
+  std::vector<double> greatest(data.units.size(), kNotKnown);
+  for (std::size_t c = 0; c < by_case.size(); ++c) {
+    if (level >= 0 && data.level_of_case[c] != level) continue;
+    double& value = greatest[data.unit_of_case[c]];
+    if (!std::isnan(by_case[c]))
+      value = std::isnan(value) ? by_case[c] : std::max(value, by_case[c]);
+  }
+  return greatest;
+}
+
+}  // namespace loosefit::study

@@ -1,0 +1,156 @@
+#include "loosefit/study/study_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/config_reader.h"
+#include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/io/toml_file.h"
+#include "loosefit/study/config_patch.h"
+
+namespace loosefit::study {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path beside(const std::string& file, const std::string& named) {
+  const fs::path path(named);
+  return path.is_absolute() ? path : fs::absolute(fs::path(file).parent_path() / path);
+}
+
+Design design_of(const std::string& word) {
+  for (const Design design : {Design::crossed, Design::paired, Design::latin_hypercube})
+    if (word == name(design)) return design;
+  return Design::crossed;
+}
+
+std::vector<std::string> texts(io::ConfigReader& table, const std::string& key) {
+  std::vector<std::string> words;
+  const io::ConfigNode* node = table.node(key);
+  if (!node) return words;
+  if (node->kind != io::ConfigNode::Kind::array) throw table.error(key, "an array of texts");
+  for (const io::ConfigNode& item : node->items) {
+    if (item.kind != io::ConfigNode::Kind::text)
+      throw table.error(key, item.describe(), "an array of texts", {});
+    words.push_back(item.text);
+  }
+  return words;
+}
+
+void read_head(io::ConfigReader table, StudyFile& study) {
+  table.only({"name", "base", "seed", "design", "samples", "modalities", "looseness", "sensors",
+              "spacing", "not_at"});
+  study.name = table.text("name", fs::path(study.file).stem().string());
+  study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, 1LL << 53));
+  study.design =
+      design_of(table.choice("design", "crossed", {"crossed", "paired", "latin-hypercube"}));
+  const bool drawn = study.design == Design::latin_hypercube;
+  if (drawn) table.require("samples", "how many cases");
+  if (!drawn && table.has("samples"))
+    throw table.error("samples", "samples only with design = \"latin-hypercube\"");
+  study.samples = drawn ? static_cast<int>(table.integer("samples", 1, 2, 100000)) : 0;
+  for (const std::string& word : texts(table, "modalities")) {
+    const bool file = fs::path(word).extension() == ".toml";
+    const std::string which = file ? beside(study.file, word).string() : word;
+    try {
+      io::load_scorecard(which);
+    } catch (const InvalidInput& error) {
+      if (error.place().file.empty())
+        throw table.error("modalities",
+                          error.found().empty() ? "\"" + printable(word) + "\"" : error.found(),
+                          "names of scorecards", error.hint());
+      throw;
+    }
+    if (std::count(study.modalities.begin(), study.modalities.end(), which))
+      throw table.error("modalities", "\"" + printable(word) + "\" twice", "each once", {});
+    study.modalities.push_back(which);
+  }
+  study.looseness = table.text("looseness", "");
+  study.sensors = static_cast<int>(table.integer("sensors", 3, 1, 20));
+  study.spacing = table.number("spacing", 0.05, {0, 2, "metres"});
+  study.not_at = texts(table, "not_at");
+  if (table.has("base")) {
+    const fs::path base = beside(study.file, table.text("base", ""));
+    study.base = io::read_toml(base.string());
+    study.base_file = base.string();
+  }
+  table.finish();
+}
+
+/// The axis that changes the fit of the garment, if there is one alone.
+std::string fit_axis(const std::vector<Axis>& axes) {
+  std::vector<std::string> names;
+  for (const Axis& axis : axes)
+    if (!axis.levels.empty() &&
+        (axis.kind == "ease" || value_at(axis.levels.front().patch, "garment.fit")) &&
+        std::all_of(axis.levels.begin(), axis.levels.end(),
+                    [](const AxisLevel& level) { return level.value.has_value(); }))
+      names.push_back(axis.name);
+  return names.size() == 1 ? names.front() : "";
+}
+
+}  // namespace
+
+const char* name(Design design) {
+  switch (design) {
+    case Design::crossed:
+      return "crossed";
+    case Design::paired:
+      return "paired";
+    case Design::latin_hypercube:
+      return "latin-hypercube";
+  }
+  return "?";
+}
+
+StudyFile read_study_file(const std::string& path) {
+  return parse_study_file(io::read_text_file(path, 1000000), path);
+}
+
+StudyFile parse_study_file(const std::string& text, const std::string& path) {
+  StudyFile study;
+  study.file = path;
+  study.text = text;
+  const io::ConfigNode whole = io::parse_toml(text, path);
+  io::ConfigReader root(whole, path);
+  root.only({"study", "scenario", "axis"});
+  study.base_file = path;
+  read_head(root.table("study"), study);
+  if (root.has("scenario")) {
+    const io::ConfigNode& scenario = *root.node("scenario");
+    if (scenario.kind != io::ConfigNode::Kind::table)
+      throw root.error("scenario", "tables of a scenario: [scenario.body], …");
+    merge_tables(study.base, scenario);
+  }
+  const io::ConfigNode* axes = root.node("axis");
+  const std::vector<io::ConfigReader> tables = root.tables("axis", "", 50);
+  std::set<std::string> names;
+  int people = 0;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    Axis axis = read_axis(tables[i], study.seed, study.samples);
+    if (!names.insert(axis.name).second)
+      throw root.error("axis", "the name \"" + printable(axis.name) + "\" twice", "each once", {});
+    if (axis.is_people() && ++people > 1)
+      throw root.error("axis", "people twice", "one axis of people", {});
+    study.axes.push_back(std::move(axis));
+    study.axis_nodes.push_back(axes->items[i]);
+  }
+  root.finish();
+  if (study.looseness.empty()) study.looseness = fit_axis(study.axes);
+  const auto loose = std::find_if(study.axes.begin(), study.axes.end(),
+                                  [&](const Axis& a) { return a.name == study.looseness; });
+  if (!study.looseness.empty() &&
+      (loose == study.axes.end() ||
+       !std::all_of(loose->levels.begin(), loose->levels.end(),
+                    [](const AxisLevel& l) { return l.value.has_value(); })))
+    throw InvalidInput({path, 0, "study.looseness"}, "\"" + printable(study.looseness) + "\"",
+                       "the name of an axis whose levels have a value (a BGM)");
+  if (study.modalities.empty())
+    if (const io::ConfigNode* asked = value_at(study.base, "ranking.modality"))
+      study.modalities.push_back(asked->text);
+  return study;
+}
+
+}  // namespace loosefit::study

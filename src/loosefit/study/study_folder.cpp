@@ -1,0 +1,270 @@
+#include "loosefit/study/study_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/sha256.h"
+#include "loosefit/base/text.h"
+#include "loosefit/base/version.h"
+#include "loosefit/io/text_file.h"
+
+namespace loosefit::study {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kFormat = "loosefit-study 1";
+constexpr std::size_t kLargestPlan = 2000000000;
+
+IoError failed(const fs::path& path, const char* what) {
+  return IoError(path.string() + ": " + what + ": " + std::strerror(errno));
+}
+
+void make_folders(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
+}
+
+Json axis_json(const Axis& axis) {
+  Json levels = Json::array();
+  for (const AxisLevel& level : axis.levels)
+    levels.push_back({{"label", level.label},
+                      {"value", level.value ? Json(*level.value) : Json(nullptr)},
+                      {"inputs", level.inputs}});
+  return {{"name", axis.name},
+          {"kind", axis.kind},
+          {"sampled", axis.sampled},
+          {"each_case", axis.each_case},
+          {"levels", levels}};
+}
+
+Axis axis_of(const Json& json) {
+  Axis axis;
+  axis.name = json.at("name");
+  axis.kind = json.at("kind");
+  axis.sampled = json.at("sampled");
+  axis.each_case = json.at("each_case");
+  for (const Json& j : json.at("levels")) {
+    AxisLevel& level = axis.levels.emplace_back();
+    level.label = j.at("label");
+    if (!j.at("value").is_null()) level.value = j.at("value").get<double>();
+    level.inputs = j.at("inputs").get<std::map<std::string, double>>();
+  }
+  return axis;
+}
+
+Json plan_json(const Plan& plan) {
+  const StudyFile& study = plan.study;
+  Json json = {{"format", kFormat},
+               {"name", study.name},
+               {"version", version()},
+               {"file_sha256", sha256_hex(study.text)},
+               {"seed", study.seed},
+               {"design", name(study.design)},
+               {"scorecards", study.modalities},
+               {"looseness", study.looseness},
+               {"sensors", study.sensors},
+               {"spacing", study.spacing},
+               {"not_at", study.not_at},
+               {"axes", Json::array()},
+               {"cases", Json::array()}};
+  for (const Axis& axis : study.axes) json["axes"].push_back(axis_json(axis));
+  for (const PlannedCase& one : plan.cases)
+    json["cases"].push_back({{"number", one.number},
+                             {"levels", one.levels},
+                             {"address", one.address},
+                             {"drapes", one.drapes},
+                             {"edge_length", one.edge_length}});
+  return json;
+}
+
+}  // namespace
+
+void write_whole(const fs::path& named, const std::string& text) {
+  const fs::path file = fs::absolute(named);
+  const fs::path temporary = file.parent_path() / ("." + file.filename().string() + ".writing-" +
+                                                   std::to_string(getpid()));
+  try {
+    io::write_text_file(temporary.string(), text);
+    io::sync_to_disk(temporary);
+    io::move_over(temporary, file);
+  } catch (...) {
+    std::error_code error;
+    fs::remove(temporary, error);
+    throw;
+  }
+  io::sync_to_disk(file.parent_path());
+}
+
+fs::path StudyFolder::case_folder(const std::string& address) const {
+  return path_ / "cases" / address.substr(0, 2) / address;
+}
+
+fs::path StudyFolder::scenario_file(const std::string& address) const {
+  return case_folder(address) / "scenario.toml";
+}
+
+fs::path StudyFolder::result_file(const std::string& address) const {
+  return case_folder(address) / "result.json";
+}
+
+void StudyFolder::write_plan(const Plan& plan) const {
+  std::error_code error;
+  if (fs::exists(path_, error) && !fs::exists(path_ / "plan.json", error)) {
+    for (const auto& entry : fs::directory_iterator(path_, error))
+      if (const std::string name = entry.path().filename().string();
+          name != ".lock" && name != "study.toml" && name != "cases" && name[0] != '.')
+        throw InvalidInput({path_.string(), 0, ""},
+                           "a folder that is no study, with " + printable(name) + " in it",
+                           "a new or empty folder, or that of an earlier study");
+    if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
+  }
+  make_folders(path_ / "cases");
+  std::set<std::string> written;
+  for (const PlannedCase& one : plan.cases) {
+    if (!written.insert(one.address).second) continue;
+    const fs::path file = scenario_file(one.address);
+    if (fs::exists(file, error)) continue;
+    make_folders(file.parent_path());
+    write_whole(file, one.toml);
+  }
+  write_whole(path_ / "study.toml", plan.study.text);
+  write_whole(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
+}
+
+FolderPlan StudyFolder::read_plan() const {
+  const fs::path file = path_ / "plan.json";
+  std::error_code error;
+  if (!fs::exists(file, error))
+    throw InvalidInput({path_.string(), 0, ""}, "no plan.json", "the folder of a study",
+                       "loosefit study run STUDY.toml -o DIR makes one");
+  try {
+    const Json json = Json::parse(io::read_text_file(file.string(), kLargestPlan));
+    if (json.at("format") != kFormat)
+      throw InvalidInput({file.string(), 0, "format"}, json.at("format").dump(), kFormat);
+    FolderPlan plan;
+    plan.name = json.at("name");
+    plan.version = json.at("version");
+    plan.file_sha256 = json.at("file_sha256");
+    plan.seed = json.at("seed");
+    plan.design = json.at("design");
+    plan.modalities = json.at("scorecards").get<std::vector<std::string>>();
+    plan.looseness = json.at("looseness");
+    plan.sensors = json.at("sensors");
+    plan.spacing = json.at("spacing");
+    plan.not_at = json.at("not_at").get<std::vector<std::string>>();
+    for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
+    for (const Json& j : json.at("cases"))
+      plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
+                            j.at("drapes"), j.at("edge_length")});
+    return plan;
+  } catch (const Json::exception& e) {
+    throw InvalidInput({file.string(), 0, ""}, e.what(), "plan.json as the program wrote it");
+  }
+}
+
+std::optional<CaseRecord> StudyFolder::record(const std::string& address) const {
+  return read_record(result_file(address), address);
+}
+
+FolderState StudyFolder::state(const FolderPlan& plan) const {
+  FolderState state;
+  std::map<std::string, std::optional<CaseStatus>> seen;
+  for (const FolderCase& one : plan.cases) {
+    auto [known, is_new] = seen.try_emplace(one.address);
+    if (is_new) {
+      if (const auto found = record(one.address))
+        known->second = found->status;
+      else
+        state.open.push_back(one.address);
+    }
+    if (!known->second) continue;
+    state.done += *known->second == CaseStatus::done;
+    state.sealed += *known->second == CaseStatus::sealed;
+    state.failed += *known->second == CaseStatus::failed;
+  }
+  return state;
+}
+
+int StudyFolder::forget_failed(const FolderPlan& plan) const {
+  int forgotten = 0;
+  for (const FolderCase& one : plan.cases)
+    if (const auto found = record(one.address); found && found->status == CaseStatus::failed) {
+      std::error_code error;
+      if (!fs::remove(result_file(one.address), error))
+        throw IoError(result_file(one.address).string() + ": cannot be removed");
+      ++forgotten;
+    }
+  return forgotten;
+}
+
+StudyLock::StudyLock(const StudyFolder& folder) {
+  make_folders(folder.path());
+  const fs::path file = folder.path() / ".lock";
+  descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) throw failed(file, "cannot be opened");
+  char host[256] = "?";
+  gethostname(host, sizeof host - 1);
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int cause = errno;
+    char other[512] = "";
+    const ssize_t n = pread(descriptor_, other, sizeof other - 1, 0);
+    close(descriptor_);
+    descriptor_ = -1;
+    errno = cause;
+    if (cause != EWOULDBLOCK) throw failed(file, "cannot be locked");
+    const std::string who = n > 0 ? std::string(other, static_cast<std::size_t>(n)) : "another one";
+    throw InvalidInput({folder.path().string(), 0, ""},
+                       "a study that " + printable(who, 200) + " is just running",
+                       "one runner at a time", "wait for it, or stop it; its finished cases stay");
+  }
+  const std::string text = "process " + std::to_string(getpid()) + " on " + host;
+  if (ftruncate(descriptor_, 0) != 0 ||
+      pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
+    // The name is for messages alone; the lock holds without it, on a full disk for example.
+  }
+}
+
+StudyLock::~StudyLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+std::vector<std::string> scorecard_names(const FolderPlan& plan) {
+  std::vector<std::string> names;
+  for (const std::string& modality : plan.modalities)
+    names.push_back(modality.find('/') == std::string::npos ? modality
+                                                            : fs::path(modality).stem().string());
+  return names;
+}
+
+int people_axis(const FolderPlan& plan) {
+  for (std::size_t k = 0; k < plan.axes.size(); ++k)
+    if (plan.axes[k].is_people()) return static_cast<int>(k);
+  return -1;
+}
+
+int looseness_axis(const FolderPlan& plan) {
+  for (std::size_t k = 0; k < plan.axes.size(); ++k)
+    if (!plan.looseness.empty() && plan.axes[k].name == plan.looseness) return static_cast<int>(k);
+  return -1;
+}
+
+std::string label(const FolderPlan& plan, const FolderCase& one) {
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+    const std::string& level = plan.axes[k].levels[one.levels[k]].label;
+    words.push_back(plan.axes[k].is_people() ? level : plan.axes[k].name + " " + level);
+  }
+  return words.empty() ? "the base scenario" : join(words);
+}
+
+}  // namespace loosefit::study

@@ -1,0 +1,103 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loosefit/io/plain_files.h"
+#include "loosefit/study/case_record.h"
+#include "loosefit/study/plan.h"
+
+// The folder of a study:
+//
+//   study.toml                the study file as it was
+//   plan.json                 axes with their levels, and the cases in their order
+//   cases/ab/<address>/       scenario.toml, and result.json once the case has run
+//   study.sqlite              everything in tables (store.h), made from the above
+//   study-report.html, …      what is made from that
+//   slurm/                    of the Slurm executor
+//   .lock                     held by the runner
+namespace loosefit::study {
+
+/// One case as plan.json keeps it.
+struct FolderCase {
+  int number = 0;
+  std::vector<int> levels;  ///< per axis
+  std::string address;
+  int drapes = 1;
+  double edge_length = 0;
+};
+
+/// plan.json: what a study is made of, without its study file.
+struct FolderPlan {
+  std::string name, version, file_sha256;
+  std::uint64_t seed = 1;
+  std::string design;
+  std::vector<std::string> modalities;
+  std::string looseness;
+  int sensors = 3;
+  double spacing = 0.05;
+  std::vector<std::string> not_at;
+  std::vector<Axis> axes;  ///< without patches and keys
+  std::vector<FolderCase> cases;
+};
+
+/// What of it is done.
+struct FolderState {
+  std::vector<std::string> open;  ///< addresses without a whole result, each once, in case order
+  int done = 0, sealed = 0, failed = 0;  ///< cases
+};
+
+class StudyFolder {
+ public:
+  /// Does not touch the disk.
+  explicit StudyFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path case_folder(const std::string& address) const;
+  std::filesystem::path scenario_file(const std::string& address) const;
+  std::filesystem::path result_file(const std::string& address) const;
+  std::filesystem::path database() const { return path_ / "study.sqlite"; }
+
+  /// Writes study.toml, plan.json and the scenarios that are not there yet; a folder that is there
+  /// must be empty or a study. Results of earlier plans stay. \throws IoError, InvalidInput.
+  void write_plan(const Plan& plan) const;
+  /// \throws InvalidInput when the folder is no study.
+  FolderPlan read_plan() const;
+  /// The record of a case; nothing when it has not run.
+  std::optional<CaseRecord> record(const std::string& address) const;
+  /// Reads all results of a plan.
+  FolderState state(const FolderPlan& plan) const;
+  /// Forgets the results of failed cases, which then run again; returns how many.
+  int forget_failed(const FolderPlan& plan) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Held while a runner works on a study. \throws InvalidInput naming the other process when
+/// another one holds it; IoError.
+class StudyLock {
+ public:
+  explicit StudyLock(const StudyFolder& folder);
+  ~StudyLock();
+  StudyLock(const StudyLock&) = delete;
+  StudyLock& operator=(const StudyLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Writes a file so that it is there as a whole or not at all, whenever the machine stops: beside
+/// it, to the disk, then renamed, and the folder to the disk. \throws IoError
+void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// Names of the scorecards, wherever their files are.
+std::vector<std::string> scorecard_names(const FolderPlan& plan);
+/// The axis of people in a plan; −1: none.
+int people_axis(const FolderPlan& plan);
+/// The axis that answers how loose it may be; −1: none.
+int looseness_axis(const FolderPlan& plan);
+/// "person 3, fit 0.16"
+std::string label(const FolderPlan& plan, const FolderCase& one);
+
+}  // namespace loosefit::study

@@ -1,0 +1,304 @@
+#include "loosefit/study/study_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loosefit/base/quantile.h"
+#include "loosefit/base/text.h"
+#include "loosefit/base/version.h"
+#include "loosefit/report/html.h"
+#include "loosefit/report/plot.h"
+#include "loosefit/report/report_style.h"
+#include "loosefit/report/svg.h"
+#include "loosefit/study/run_study.h"
+
+namespace loosefit::study {
+namespace {
+
+using report::element;
+using report::escaped;
+using report::fixed;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Curves that one plot can bear.
+constexpr std::size_t kMostCurves = 5;
+/// Rows of a table of sensitivity.
+constexpr std::size_t kMostSensitivities = 12;
+
+std::string score(double value) {
+  return std::isnan(value) ? "–" : fixed(std::clamp(value, 0.0, 1.0), 2);
+}
+std::string bounds(const Bounds& b, int decimals) {
+  if (std::isnan(b.low)) return "–";
+  return fixed(b.low, decimals) + " to " + fixed(b.high, decimals);
+}
+std::string score_bounds(const Bounds& b) {
+  return std::isnan(b.low) ? "–" : score(b.low) + " to " + score(b.high);
+}
+std::string percent(double share) { return std::isnan(share) ? "–" : fixed(100 * share, 0) + " %"; }
+
+std::string limit_text(double limit, const StudyData& data) {
+  if (limit == -kInfinity) return "at no fit tried";
+  if (limit == kInfinity) return "≥ " + fixed(data.level_bgm.back(), 2);
+  return fixed(limit, 2);
+}
+
+std::string end_text(double limit) {
+  if (limit == -kInfinity) return "nowhere";
+  if (limit == kInfinity) return "beyond";
+  return fixed(limit, 2);
+}
+
+/// Sites with the loosest limit first.
+std::vector<std::pair<std::string, const HowLoose*>> by_limit(const ModalityAnalysis& modality) {
+  std::vector<std::pair<std::string, const HowLoose*>> sites;
+  for (const auto& [site, answer] : modality.how_loose) sites.emplace_back(site, &answer);
+  const auto best = [](const HowLoose& answer) {
+    double most = -kInfinity;
+    for (const LoosePoint& p : answer.curve)
+      if (!std::isnan(p.robust)) most = std::max(most, p.robust);
+    return most;
+  };
+  std::stable_sort(sites.begin(), sites.end(), [&](const auto& a, const auto& b) {
+    if (a.second->limit != b.second->limit) return a.second->limit > b.second->limit;
+    return best(*a.second) > best(*b.second);
+  });
+  return sites;
+}
+
+std::string head(const StudyAnalysis& analysis) {
+  const StudyData& data = analysis.data;
+  const int n = static_cast<int>(data.units.size());
+  const bool people = people_axis(data.plan) >= 0;
+  const int cases = static_cast<int>(data.plan.cases.size());
+  std::string text = element("h1", escaped(data.plan.name));
+  text += element("p",
+                  escaped(fmt::format("{} {}, {} cases of {} drapes; {} cases have scores.", n,
+                                      people ? "people" : "units", cases, data.drapes, data.done)),
+                  "lead");
+  std::string list;
+  for (const std::string& sentence : headlines(analysis)) list += element("li", escaped(sentence));
+  const bool whole = data.done == cases;
+  text += element("div",
+                  element("strong", looseness_axis(data.plan) >= 0 ? "How loose may it be?"
+                                                                   : "Where does it work?") +
+                      element("ul", list),
+                  std::string("box ") + (whole ? "good" : "warn"));
+  if (!whole)
+    text += element("div",
+                    escaped(fmt::format("{} of {} cases have no scores; they are listed below and "
+                                        "count neither as passing nor as failing.",
+                                        cases - data.done, cases)),
+                    "box warn");
+  return text;
+}
+
+std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  if (modality.how_loose.empty()) return "";
+  const StudyData& data = analysis.data;
+  report::Plot plot;
+  plot.x_label = "body-garment mobility (" + data.plan.looseness + ")";
+  plot.y_label = "score that 95 % of people reach";
+  const auto sites = by_limit(modality);
+  for (const auto& [site, answer] : sites) {
+    if (plot.series.size() >= kMostCurves) break;
+    report::Plot::Series line;
+    line.name = site;
+    line.reference = true;
+    for (const LoosePoint& p : answer->curve) {
+      if (std::isnan(p.robust)) continue;
+      line.x.push_back(p.bgm);
+      line.y.push_back(std::clamp(p.robust, 0.0, 1.0));
+    }
+    if (!line.x.empty()) plot.series.push_back(line);
+  }
+  plot.series.push_back({"passes from here on",
+                         {data.level_bgm.front(), data.level_bgm.back()},
+                         {modality.pass, modality.pass},
+                         true});
+  if (analysis.comfort && std::isfinite(analysis.comfort->limit))
+    plot.series.push_back({"comfortable to the right",
+                           {analysis.comfort->limit, analysis.comfort->limit},
+                           {0, 1},
+                           true});
+  report::Table table({"site", "loosest BGM that passes",
+                       fmt::format("{:.0f} % interval", 100 * analysis.options.confidence),
+                       "fails again tighter than", "what limits"});
+  for (const auto& [site, answer] : sites) {
+    const auto limiting = modality.limiting.find(site);
+    table.add({site, limit_text(answer->limit, data),
+               std::isnan(answer->interval.low)
+                   ? "–"
+                   : end_text(answer->interval.low) + " to " + end_text(answer->interval.high),
+               std::isinf(answer->tightest) || answer->limit == -kInfinity
+                   ? "–"
+                   : fixed(answer->tightest, 2),
+               limiting == modality.limiting.end() ? "–" : limiting->second});
+  }
+  std::string comfort;
+  if (analysis.comfort) {
+    const double limit = analysis.comfort->limit;
+    comfort = limit == -kInfinity  ? "comfortable at all fits tried"
+              : limit == kInfinity ? "not comfortable at any fit tried"
+                                   : "comfortable from a BGM of " + fixed(limit, 2) + " on";
+    comfort = element("p", escaped("Comfort limit: the garment is " + comfort +
+                                   " (for 95 % of people at most 1 % of its area presses with "
+                                   "more than 4 kPa)."));
+  }
+  return element("h3", "How loose may it be?") + report::svg_plot(plot) + table.html() + comfort;
+}
+
+std::string ranking_table(const std::vector<SitePopulation>& ranking, double confidence) {
+  const std::string interval = fmt::format("{:.0f} % interval", 100 * confidence);
+  report::Table table({"site", "rank", "of ranks", "best of all", "median", interval,
+                       "5th percentile", interval, "95th", "pass", "people", "tied with"});
+  for (const SitePopulation& s : ranking)
+    table.add({s.site, s.rank > 0 ? std::to_string(s.rank) : "–", bounds(s.rank_interval, 0),
+               percent(s.first), score(s.median), score_bounds(s.median_interval), score(s.p5),
+               score_bounds(s.robust_interval), score(s.p95), percent(s.passing),
+               fmt::format("{} of {}", s.rated, s.people), join(s.tied_with)});
+  return table.html();
+}
+
+std::string ranking_section(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  if (modality.rankings.empty()) return "";
+  const StudyData& data = analysis.data;
+  const bool several = data.level_bgm.size() > 1;
+  std::string html =
+      element("h3", several ? "Sites, over all fits together" : "Sites, best first") +
+      ranking_table(modality.rankings.back(), analysis.options.confidence);
+  if (several)
+    for (std::size_t k = 0; k < data.level_bgm.size(); ++k)
+      html += "<details><summary>" +
+              escaped("at " + data.plan.looseness + " " + data.level_labels[k]) + "</summary>" +
+              ranking_table(modality.rankings[k], analysis.options.confidence) + "</details>\n";
+  std::vector<SiteScores> sites;
+  for (const SitePopulation& s : modality.rankings.back())
+    for (const SiteTable& table : data.sites.at(modality.name))
+      if (table.site == s.site) sites.push_back({s.site, unit_scores(data, table, -1)});
+  html += element("h3", "Scores of people") + distribution_svg(sites, modality.pass);
+  if (!modality.sensors.empty()) {
+    report::Table chosen({"sensors together", "mean over people", "5th percentile"});
+    std::string so_far;
+    for (const SensorChoice& choice : modality.sensors) {
+      so_far += (so_far.empty() ? "" : " + ") + choice.site;
+      chosen.add({so_far, fixed(choice.mean, 3), fixed(choice.robust, 3)});
+    }
+    html += element("h3", "Several sensors, of which the best counts") + chosen.html();
+  }
+  return html;
+}
+
+std::string sensitivity_section(const ModalityAnalysis& modality) {
+  std::vector<const Sensitivity*> rows;
+  for (const Sensitivity& s : modality.sensitivity)
+    if (s.quantity == "score") rows.push_back(&s);
+  if (rows.empty()) return "";
+  std::stable_sort(rows.begin(), rows.end(), [](const Sensitivity* a, const Sensitivity* b) {
+    return std::abs(a->value) > std::abs(b->value);
+  });
+  report::Table table({"site", "input", "what", "value", "90 % interval"});
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostSensitivities); ++i)
+    table.add({rows[i]->site, rows[i]->input,
+               rows[i]->main_effect ? "share of variance" : "rank correlation",
+               report::signed_number(rows[i]->value, 2), bounds(rows[i]->interval, 2)});
+  return element("h3", "What the scores depend on most") + table.html() +
+         element("p",
+                 "Shares of variance are those that an axis explains by itself; correlations are "
+                 "of ranks. All of them, and those of the metrics, stand in study-report.json.",
+                 "lead");
+}
+
+std::string trouble_section(const StudyData& data) {
+  if (data.troubles.empty())
+    return element("h2", "Failures") + element("p", "None: every case and every drape counts.");
+  report::Table table({"case", "who and what", "status", "reason"});
+  for (const CaseTrouble& t : data.troubles)
+    table.add({std::to_string(t.number), t.label, t.status, t.reason});
+  return element("h2", "Failures") + table.html();
+}
+
+std::string method_section(const StudyAnalysis& analysis) {
+  const StudyData& data = analysis.data;
+  const int n = static_cast<int>(data.units.size());
+  std::string text = element("h2", "How it was reckoned");
+  text += element(
+      "p", escaped("A person's score at a site is the lowest over all that the person went through "
+                   "there: donnings, and whatever else varies. Percentiles, shares and intervals "
+                   "are over people; intervals come from 2000 draws of people with replacement."));
+  text += element(
+      "p",
+      escaped(fmt::format(
+          "With {} independent people the worst of them lies below the 5th percentile of their "
+          "population with {:.0f} % confidence, whatever the distribution (59 make it 95 %). "
+          "With 20 people or fewer the 5th percentile is the worst of them, and its interval "
+          "reaches upwards only.",
+          n, 100 * worst_of_n_confidence(n, 1 - kRobustPeople))));
+  text +=
+      element("p", escaped(fmt::format("All cases have certificate grade A. Cases took {} of one "
+                                       "core; seed {}, design {}. Made by Loosefit {}.",
+                                       duration_text(data.core_seconds), data.plan.seed,
+                                       data.plan.design, version())));
+  return text;
+}
+
+}  // namespace
+
+std::string distribution_svg(const std::vector<SiteScores>& sites, double pass) {
+  constexpr double kRow = 22, kLeft = 130, kWidth = 620, kRight = 20, kTop = 10, kBottom = 34;
+  const double bottom = kTop + kRow * static_cast<double>(sites.size());
+  const auto at = [&](double s) {
+    return kLeft + std::clamp(s, 0.0, 1.0) * (kWidth - kLeft - kRight);
+  };
+  std::string svg = report::svg_open(kWidth, bottom + kBottom, "scores of people by site");
+  for (int tick = 0; tick <= 5; ++tick) {
+    svg += report::svg_line(at(0.2 * tick), kTop, at(0.2 * tick), bottom, "stroke=\"#e3e7eb\"");
+    svg += report::svg_text(at(0.2 * tick), bottom + 14, "middle", fixed(0.2 * tick, 1));
+  }
+  svg += report::svg_line(at(pass), kTop, at(pass), bottom,
+                          "stroke=\"#1d6b3a\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"");
+  svg += report::svg_text(at(pass), bottom + 28, "middle", "passes from here on");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
+    svg += report::svg_text(kLeft - 10, y + 4, "end", escaped(sites[i].site));
+    std::vector<double> rated = sites[i].scores;
+    std::erase_if(rated, [](double s) { return std::isnan(s); });
+    if (rated.empty()) continue;
+    svg += report::svg_line(at(quantile(rated, kRobustPeople)), y,
+                            at(quantile(rated, 1 - kRobustPeople)), y,
+                            "stroke=\"#2458a8\" stroke-width=\"2\"");
+    const double middle = at(median(rated));
+    svg += report::svg_line(middle, y - 7, middle, y + 7, "stroke=\"#2458a8\" stroke-width=\"3\"");
+    for (const double s : rated)
+      svg += fmt::format(
+          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"#2458a8\" "
+          "fill-opacity=\"0.45\"/>\n",
+          at(s), y);
+  }
+  return svg + "</svg>\n";
+}
+
+std::string study_html(const StudyAnalysis& analysis) {
+  std::string sections;
+  for (const ModalityAnalysis& modality : analysis.modalities) {
+    sections += element("h2", escaped(modality.title.empty() ? modality.name : modality.title));
+    if (!modality.untold.empty())
+      sections += element("div",
+                          escaped("Not told by this study, so the scores are upper bounds: " +
+                                  join(modality.untold)),
+                          "box warn");
+    sections += loose_section(analysis, modality) + ranking_section(analysis, modality) +
+                sensitivity_section(modality);
+  }
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(analysis.data.plan.name) + "</title>\n<style>" +
+         std::string(report::kReportStyle) + "</style>\n</head>\n<body>\n" + head(analysis) +
+         sections + trouble_section(analysis.data) + method_section(analysis) +
+         "</body>\n</html>\n";
+}
+
+}  // namespace loosefit::study

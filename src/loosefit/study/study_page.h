@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "loosefit/study/analysis.h"
+
+namespace loosefit::study {
+
+/// The page of a study: one self-contained HTML without scripts. First how loose it may be, as
+/// sentence, curve and table; then ranking, distributions, choice of sensors, sensitivity, and what
+/// failed.
+std::string study_html(const StudyAnalysis& analysis);
+
+/// One row per site: the range from 5th to 95th percentile as a line, the median as a bar, each
+/// person as a dot; inline SVG. \param pass drawn as a dashed line
+std::string distribution_svg(const std::vector<SiteScores>& sites, double pass);
+
+}  // namespace loosefit::study

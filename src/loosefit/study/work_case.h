@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+#include "loosefit/base/progress.h"
+#include "loosefit/study/study_folder.h"
+
+namespace loosefit::study {
+
+/// How a worker runs a case.
+struct WorkOptions {
+  int threads = 1;
+  /// Also write all files of `loosefit run` into the folder `output` of the case.
+  bool keep_output = false;
+};
+
+/// Runs one case of a study in this process and writes its result.json. An error of the case is its
+/// result, not thrown. \throws IoError when the result cannot be written, or there are no body
+/// data; Cancelled.
+CaseRecord work_case(const StudyFolder& folder, const std::vector<std::string>& modalities,
+                     const std::string& address, const WorkOptions& options, Progress& progress);
+
+}  // namespace loosefit::study

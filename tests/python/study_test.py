@@ -1,0 +1,102 @@
+"""A study of two small cases, run by the program and read by the package."""
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import loosefit
+
+STUDY = """
+[study]
+name = "two fits"
+modalities = ["imu-uncalibrated"]
+
+[scenario.body]
+posture = "a-pose"
+[scenario.garment]
+pattern = "tank-top"
+[scenario.donning]
+movements = []
+[scenario.simulation]
+edge_length = 0.05
+
+[[axis]]
+name = "person"
+people = { statistics = "ansur-2012", sex = "female", count = 1 }
+
+[[axis]]
+name = "fit"
+keys = ["garment.fit.chest", "garment.fit.hip"]
+values = [0.05, 0.20]
+"""
+
+
+class AStudy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        base = pathlib.Path(cls.place.name)
+        (base / "study.toml").write_text(STUDY)
+        cls.folder = base / "out"
+        subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "run", str(base / "study.toml"), "-o",
+                        str(cls.folder), "--quiet"], check=True)
+        cls.study = loosefit.study(cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.cleanup()
+
+    def test_has_a_row_per_case(self):
+        cases = self.study.table("cases")
+        self.assertEqual(cases["number"], [1, 2])
+        self.assertEqual(cases["status"], ["done", "done"])
+        self.assertEqual(cases["grade"], ["A", "A"])
+        self.assertEqual(self.study.facts["name"], "two fits")
+
+    def test_body_is_the_one_asked_for(self):
+        asked = self.study.query("SELECT value FROM inputs WHERE number = 1 AND input = 'person.chest'")["value"]
+        body = self.study.query("SELECT value_m FROM body WHERE number = 1 AND measure = 'chest'")["value_m"]
+        self.assertAlmostEqual(asked[0], body[0], delta=0.01)
+
+    def test_fit_as_cut_is_the_one_asked_for(self):
+        fit = self.study.query("SELECT bgm FROM fit WHERE station = 'chest' ORDER BY number")["bgm"]
+        self.assertAlmostEqual(fit[0], 0.05, places=6)
+        self.assertAlmostEqual(fit[1], 0.20, places=6)
+
+    def test_scores_bear_the_labels_of_the_axes(self):
+        scores = self.study.scores(site="scapula_L")
+        self.assertEqual(scores["fit"], ["0.05", "0.2"])
+        self.assertEqual(scores["person"], ["person 1", "person 1"])
+        for score in scores["score"]:
+            self.assertTrue(0 <= score <= 1)
+
+    def test_the_export_says_the_same(self):
+        subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "export", str(self.folder)], check=True,
+                       stdout=subprocess.DEVNULL)
+        with open(self.folder / "csv" / "metrics.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        values = self.study.table("metrics")["value"]
+        self.assertEqual([float(row["value"]) if row["value"] else None for row in rows], values)
+
+    def test_a_second_run_has_nothing_to_do(self):
+        again = subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "run", str(self.folder / "study.toml"), "-o",
+                                str(self.folder)], check=True, capture_output=True, text=True)
+        self.assertIn("0 of 2 cases ran", again.stdout)
+
+    def test_headline_is_in_the_report(self):
+        self.assertEqual(len(self.study.headlines), 1)
+        self.assertTrue(self.study.headlines[0].startswith("imu-uncalibrated: "))
+
+    def test_what_is_not_there_is_refused(self):
+        with self.assertRaises(loosefit.InputError):
+            loosefit.study(self.place.name)
+        with self.assertRaises(loosefit.InputError):
+            self.study.table("colours")
+        with self.assertRaises(loosefit.IoError):
+            self.study.query("SELECT nothing FROM nowhere")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,159 @@
+#include "loosefit/study/people.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/quantile.h"
+#include "loosefit/io/text_file.h"
+#include "loosefit/study/draws.h"
+
+namespace loosefit::study {
+namespace {
+
+std::vector<double> column(const std::vector<Person>& people, const std::string& measure) {
+  std::vector<double> values;
+  for (const Person& person : people) values.push_back(person.measures.at(measure));
+  return values;
+}
+
+double correlation(const std::vector<double>& x, const std::vector<double>& y) {
+  double mx = 0, my = 0, xy = 0, xx = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mx += x[i] / static_cast<double>(x.size());
+    my += y[i] / static_cast<double>(x.size());
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (x[i] - mx) * (y[i] - my);
+    xx += (x[i] - mx) * (x[i] - mx);
+    yy += (y[i] - my) * (y[i] - my);
+  }
+  return xy / std::sqrt(xx * yy);
+}
+
+PeopleWish many(const std::string& sex) {
+  PeopleWish wish;
+  wish.count = 8000;
+  wish.sex = sex;
+  wish.within = 0.9999;
+  return wish;
+}
+
+TEST(People, HaveThePercentilesOfTheirStatistics) {
+  const Anthropometry ansur = load_anthropometry("ansur-2012");
+  const std::vector<Person> women = draw_people(ansur, many("female"), 1);
+  const PopulationGroup& group = ansur.groups.front();
+  for (std::size_t i = 0; i < group.measures.size(); ++i) {
+    const std::vector<double> values = column(women, group.measures[i]);
+    const double spread = group.p95[i] - group.p5[i];
+    EXPECT_NEAR(quantile(values, 0.05), group.p5[i], 0.02 * spread) << group.measures[i];
+    EXPECT_NEAR(quantile(values, 0.50), group.p50[i], 0.02 * spread) << group.measures[i];
+    EXPECT_NEAR(quantile(values, 0.95), group.p95[i], 0.03 * spread) << group.measures[i];
+  }
+}
+
+TEST(People, HaveTheCorrelationsOfTheirStatistics) {
+  const std::vector<Person> men = draw_people(load_anthropometry("ansur-2012"), many("male"), 1);
+  // Those that were measured; skew costs a little.
+  EXPECT_NEAR(correlation(column(men, "chest"), column(men, "waist")), 0.89, 0.02);
+  EXPECT_NEAR(correlation(column(men, "waist"), column(men, "hip")), 0.88, 0.02);
+  EXPECT_NEAR(correlation(column(men, "height"), column(men, "chest")), 0.25, 0.04);
+}
+
+TEST(People, OfASmallerCountAreTheFirstOfALargerOne) {
+  const Anthropometry from = load_anthropometry("children-germany");
+  PeopleWish few, more;
+  few.count = 5;
+  more.count = 40;
+  const auto a = draw_people(from, few, 9), b = draw_people(from, more, 9);
+  for (int i = 0; i < few.count; ++i) {
+    EXPECT_EQ(a[i].measures, b[i].measures);
+    EXPECT_EQ(a[i].age, b[i].age);
+  }
+  EXPECT_NE(draw_people(from, few, 10)[0].measures, a[0].measures);
+}
+
+TEST(People, AreOfAllGroupsEquallyOften) {
+  PeopleWish wish;
+  wish.count = 12;
+  int women = 0;
+  for (const Person& person : draw_people(load_anthropometry("ansur-2012"), wish, 4))
+    women += person.sex == 0;
+  EXPECT_EQ(women, 6);
+}
+
+TEST(People, StayWithinTheShareAskedFor) {
+  PeopleWish wish = many("female");
+  wish.within = 0.8;
+  const PopulationGroup group = load_anthropometry("ansur-2012").groups.front();
+  const double score = normal_quantile(0.9) / normal_quantile(0.95);
+  const double low = group.p50[1] * std::pow(group.p5[1] / group.p50[1], score);
+  const double high = group.p50[1] * std::pow(group.p95[1] / group.p50[1], score);
+  for (const double chest :
+       column(draw_people(load_anthropometry("ansur-2012"), wish, 1), "chest")) {
+    EXPECT_GE(chest, low - 1e-4);
+    EXPECT_LE(chest, high + 1e-4);
+  }
+}
+
+TEST(People, OfAnAgeThatNobodyHasAreRefused) {
+  PeopleWish wish;
+  wish.age = {95, 99};
+  EXPECT_THROW(draw_people(load_anthropometry("ansur-2012"), wish, 1), InvalidInput);
+}
+
+TEST(Anthropometry, OfImpossibleCorrelationsIsRefused) {
+  const std::string text =
+      "source = \"x\"\n[[group]]\nsex = \"female\"\nage = 30\n"
+      "measures = [\"height\", \"chest\", \"waist\"]\np5 = [1, 0.8, 0.6]\np50 = [1.6, 0.9, 0.7]\n"
+      "p95 = [1.8, 1.1, 0.9]\ncorrelations = [0.9, 0.9, -0.9]\n";
+  try {
+    parse_anthropometry(text, "x.toml");
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("correlations"), std::string::npos) << error.what();
+  }
+}
+
+struct PeopleFile : ::testing::Test {
+  std::string path = (std::filesystem::temp_directory_path() /
+                      ("loosefit-people-" + std::to_string(getpid()) + ".csv"))
+                         .string();
+  void TearDown() override { std::filesystem::remove(path); }
+  std::vector<Person> read(const std::string& text) const {
+    io::write_text_file(path, text);
+    return read_people_csv(path);
+  }
+  void expect_refused(const std::string& text, const std::string& phrase) const {
+    try {
+      read(text);
+      FAIL() << text;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find(phrase), std::string::npos) << error.what();
+    }
+  }
+};
+
+TEST_F(PeopleFile, GivesThePeople) {
+  const auto people = read("name,sex,age,height,chest\nAda,female,30,1.68,0.9\nBob,0.5,40,1.8,\n");
+  ASSERT_EQ(people.size(), 2u);
+  EXPECT_EQ(people[0].name, "Ada");
+  EXPECT_EQ(people[0].measures.at("chest"), 0.9);
+  EXPECT_EQ(people[1].sex, 0.5);
+  EXPECT_EQ(people[1].measures.count("chest"), 0u);
+}
+
+TEST_F(PeopleFile, IsRefusedWithLineAndColumn) {
+  expect_refused("name,height,chset\nA,1.7,0.9\n", ":1: chset");
+  expect_refused("name,height\nA,170\n", ":2: height");
+  expect_refused("name,height\nA,1.7\nA,1.8\n", ":3: name");
+  expect_refused("name,height\nA\n", ":2");
+  expect_refused("name,chest\nA,0.9\n", "height");
+  expect_refused("", "nobody");
+}
+
+}  // namespace
+}  // namespace loosefit::study

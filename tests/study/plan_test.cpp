@@ -1,0 +1,184 @@
+#include "loosefit/study/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
+
+namespace loosefit::study {
+namespace {
+
+const std::string kHead = "[study]\nname = \"x\"\nmodalities = [\"imu-inclination\"]\n";
+const std::string kPeople =
+    "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = 3 }\n";
+const std::string kFits =
+    "[[axis]]\nname = \"fit\"\nkeys = [\"garment.fit.chest\", \"garment.fit.hip\"]\n"
+    "values = [0.05, 0.1]\n";
+
+Plan plan_of(const std::string& text) { return make_plan(parse_study_file(text, "study.toml")); }
+
+void expect_refused(const std::string& text, const std::string& phrase) {
+  try {
+    plan_of(text);
+    FAIL() << text;
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find(phrase), std::string::npos) << error.what();
+  }
+}
+
+TEST(DesignMatrix, CrossedHasEveryCombinationOnce) {
+  const auto rows = design_matrix(Design::crossed, {2, 3, 4}, 0, 1);
+  EXPECT_EQ(rows.size(), 24u);
+  EXPECT_EQ(std::set(rows.begin(), rows.end()).size(), 24u);
+  EXPECT_EQ(rows.front(), (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(rows[1], (std::vector<int>{0, 0, 1}));
+}
+
+TEST(DesignMatrix, PairedGoesAlongAllAxes) {
+  const auto rows = design_matrix(Design::paired, {3, 1, 3}, 0, 1);
+  EXPECT_EQ(rows, (std::vector<std::vector<int>>{{0, 0, 0}, {1, 0, 1}, {2, 0, 2}}));
+  EXPECT_THROW(design_matrix(Design::paired, {3, 2}, 0, 1), InvalidInput);
+}
+
+TEST(DesignMatrix, LatinHypercubeHasEveryLevelEquallyOften) {
+  const auto rows = design_matrix(Design::latin_hypercube, {12, 4, 5}, 12, 3);
+  ASSERT_EQ(rows.size(), 12u);
+  std::vector<int> twelve(12), four(4), five(5);
+  for (const auto& row : rows) {
+    ++twelve[row[0]];
+    ++four[row[1]];
+    ++five[row[2]];
+  }
+  EXPECT_EQ(twelve, std::vector<int>(12, 1));
+  EXPECT_EQ(four, std::vector<int>(4, 3));
+  EXPECT_EQ(*std::max_element(five.begin(), five.end()), 3);
+  EXPECT_EQ(*std::min_element(five.begin(), five.end()), 2);
+}
+
+TEST(Plan, CasesAreOrdinaryScenarios) {
+  const Plan plan = plan_of(kHead + kPeople + kFits);
+  ASSERT_EQ(plan.cases.size(), 6u);
+  for (const PlannedCase& one : plan.cases)
+    EXPECT_EQ(io::scenario_toml(io::parse_scenario(one.toml, "x.toml")), one.toml);
+  const scenario::Scenario second = io::parse_scenario(plan.cases[1].toml, "x.toml");
+  EXPECT_EQ(second.studied().spec.fit.at("chest"), 0.1);
+  EXPECT_EQ(second.studied().spec.fit.at("hip"), 0.1);
+  EXPECT_EQ(plan.label(plan.cases[1]), "person 1, fit 0.1");
+}
+
+TEST(Plan, AddressesTellWhatMatters) {
+  const auto address = [](const std::string& scenario) {
+    return plan_of(kHead + "[scenario]\n" + scenario).cases.at(0).address;
+  };
+  const std::string usual = address("");
+  EXPECT_EQ(address("simulation = { threads = 3 }"), usual);
+  EXPECT_EQ(address("output = { views = [\"left\"], width = 400 }"), usual);
+  EXPECT_EQ(address("ranking = { modality = \"ecg\" }"), usual);
+  EXPECT_NE(address("simulation = { seed = 2 }"), usual);
+  EXPECT_NE(address("body = { height = 1.7 }"), usual);
+  EXPECT_NE(address("donning = { repeats = 2 }"), usual);
+  EXPECT_NE(plan_of("[study]\nmodalities = [\"ecg\"]\n").cases.at(0).address, usual);
+}
+
+TEST(Plan, AnotherLevelChangesOnlyItsOwnCases) {
+  const Plan before = plan_of(kHead + kPeople + kFits);
+  std::string more = kFits;
+  more.replace(more.find("0.1]"), 4, "0.1, 0.2]");
+  std::set<std::string> known, now;
+  for (const PlannedCase& one : before.cases) known.insert(one.address);
+  for (const PlannedCase& one : plan_of(kHead + kPeople + more).cases) now.insert(one.address);
+  EXPECT_EQ(now.size(), 9u);
+  EXPECT_TRUE(std::includes(now.begin(), now.end(), known.begin(), known.end()));
+}
+
+TEST(Plan, ADrapeOfAStudyDoesNotEndByTheClock) {
+  EXPECT_EQ(io::parse_scenario(plan_of(kHead).cases[0].toml, "x").simulation.time_budget, 1e6);
+  const Plan asked = plan_of(kHead + "[scenario.simulation]\ntime_budget = 30\n");
+  EXPECT_EQ(io::parse_scenario(asked.cases[0].toml, "x").simulation.time_budget, 30);
+}
+
+TEST(Plan, ChosenEaseBecomesAMobilityOfTheWearer) {
+  const Plan plan =
+      plan_of(kHead +
+              "[scenario.body]\nmeasurements = { chest = 0.8 }\n"
+              "[[axis]]\nname = \"ease\"\nease = { chosen = \"blouse\", count = 40 }\n");
+  double sum = 0;
+  for (const PlannedCase& one : plan.cases) {
+    const double bgm = io::parse_scenario(one.toml, "x").studied().spec.fit.at("chest");
+    EXPECT_NEAR(bgm, *plan.study.axes[0].levels[one.levels[0]].value / 0.8, 1e-4);
+    sum += bgm;
+  }
+  EXPECT_NEAR(sum / 40, 0.073 / 0.8, 0.003);
+}
+
+TEST(Plan, DrawnAxesFollowTheirLaw) {
+  const Plan plan = plan_of(kHead +
+                            "[[axis]]\nname = \"friction\"\nkey = \"material.friction_body\"\n"
+                            "range = [0.2, 0.8]\ndistribution = \"log-normal\"\ncount = 400\n");
+  int below = 0, above = 0, lower_half = 0;
+  for (const AxisLevel& level : plan.study.axes[0].levels) {
+    below += *level.value < 0.2;
+    above += *level.value > 0.8;
+    lower_half += *level.value < 0.4;  // the geometric mean
+  }
+  EXPECT_NEAR(below, 20, 1);
+  EXPECT_NEAR(above, 20, 1);
+  EXPECT_NEAR(lower_half, 200, 1);
+}
+
+TEST(Plan, FabricsHaveTheMediansOfThePopulation) {
+  const Plan plan =
+      plan_of(kHead +
+              "[[axis]]\nname = \"fabric\"\nfabrics = { population = \"618-measured\", "
+              "count = 300 }\n");
+  int heavy = 0, stiff = 0;
+  for (const AxisLevel& level : plan.study.axes[0].levels) {
+    heavy += level.inputs.at("fabric.areal_density") > std::exp(-1.789);
+    stiff += level.inputs.at("fabric.bending_warp") > std::exp(-11.285);
+  }
+  EXPECT_NEAR(heavy, 150, 30);
+  EXPECT_NEAR(stiff, 150, 30);
+}
+
+TEST(Plan, AnAxisForEachCaseIsDrawnAnewForAll) {
+  const Plan plan = plan_of(kHead + kPeople + kFits +
+                            "[[axis]]\nname = \"friction\"\nkey = \"material.friction_body\"\n"
+                            "range = [0.2, 0.8]\neach_case = true\n");
+  ASSERT_EQ(plan.cases.size(), 6u);
+  std::set<int> levels;
+  for (const PlannedCase& one : plan.cases) levels.insert(one.levels[2]);
+  EXPECT_EQ(levels.size(), 6u);
+}
+
+TEST(Plan, CountsDrapes) {
+  const Plan plan = plan_of(kHead + kFits +
+                            "[scenario]\npostures = { list = [\"standing\", \"slouch\"] }\n"
+                            "donning = { repeats = 3 }\n");
+  EXPECT_EQ(plan.drapes(), 2 * 2 * 3);
+}
+
+TEST(StudyFile, IsRefusedWithPlace) {
+  expect_refused("[study]\nnmae = \"x\"\n", "study.toml:2: study.nmae");
+  expect_refused("[study]\nmodalities = [\"imu\"]\n", "study.toml:2: study.modalities");
+  expect_refused("[study]\ndesign = \"latin-hypercube\"\n", "samples");
+  expect_refused(kHead + "[[axis]]\nname = \"fit\"\n", "an axis of nothing");
+  expect_refused(kHead + "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = []\n",
+                 "values");
+  expect_refused(kHead + kFits + kFits, "twice");
+  expect_refused(kHead + "[[axis]]\nname = \"p\"\npeople = { statistics = \"nobody\" }\n",
+                 "statistics");
+  // A scenario that no run would take, told with the case.
+  expect_refused(
+      kHead + "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.1, 90]\n",
+      "case 2 (fit 90)");
+  expect_refused(kHead + "[[axis]]\nname = \"a\"\nkey = \"garment.colour\"\nvalues = [1]\n",
+                 "garment.colour");
+}
+
+}  // namespace
+}  // namespace loosefit::study
