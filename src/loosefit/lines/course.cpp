@@ -1,10 +1,8 @@
 #include "loosefit/lines/course.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/path_graph.h"
@@ -28,8 +26,34 @@ double cut_length(const garment::Garment& garment, const geometry::PathPiece& pi
       .norm();
 }
 
-geometry::SurfacePath straight_way(const garment::Garment& garment,
-                                   const geometry::PathSurface& surface, const GarmentPoint& from,
+/// One piece of the pattern by itself, cut open at its seams, also those with itself.
+struct OpenPanel {
+  std::vector<int> triangles;  ///< of the garment
+  std::vector<int> own;        ///< per triangle of the garment; −1: of another piece
+  geometry::PathSurface surface;
+};
+
+OpenPanel open_panel(const garment::Garment& garment, int panel) {
+  std::vector<int> triangles, own(garment.triangles.size(), -1);
+  std::vector<Triangle> corners;
+  std::vector<geometry::FlatCorners> flat;
+  std::map<std::pair<double, double>, int> vertex;  // by its place in the pattern
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
+    if (garment.triangle_panel[t] != panel) continue;
+    own[t] = static_cast<int>(triangles.size());
+    triangles.push_back(t);
+    flat.push_back(garment.triangle_uv[t]);
+    Triangle& corner = corners.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& at = garment.triangle_uv[t][k];
+      corner[k] =
+          vertex.try_emplace({at.x(), at.y()}, static_cast<int>(vertex.size())).first->second;
+    }
+  }
+  return {triangles, own, geometry::PathSurface(corners, flat)};
+}
+
+geometry::SurfacePath straight_way(const garment::Garment& garment, const GarmentPoint& from,
                                    const GarmentPoint& to) {
   const int panel = garment.triangle_panel[from.triangle];
   const std::string& name = garment.panel_names[panel];
@@ -37,24 +61,20 @@ geometry::SurfacePath straight_way(const garment::Garment& garment,
     throw InvalidInput({"", 0, "course"},
                        "a straight line from panel " + name + " to panel " +
                            garment.panel_names[garment.triangle_panel[to.triangle]],
-                       "stops in one panel",
-                       "course = \"shortest\" goes across seams; or give stops on the seam");
-  std::vector<char> inside;
-  for (const int p : garment.triangle_panel) inside.push_back(p == panel);
+                       "stops in one panel", "course = \"shortest\" goes across seams");
+  const OpenPanel piece = open_panel(garment, panel);
   const auto way = geometry::cheapest_path(
-      surface, {from.triangle, from.barycentric}, {to.triangle, to.barycentric},
-      [&](const geometry::PathPiece& piece) {
-        return inside[piece.triangle] ? surface.length(piece)
-                                      : std::numeric_limits<double>::infinity();
-      });
+      piece.surface, {piece.own[from.triangle], from.barycentric},
+      {piece.own[to.triangle], to.barycentric},
+      [&](const geometry::PathPiece& p) { return piece.surface.length(p); });
   const double straight =
       (placement::pattern_place(garment, to) - placement::pattern_place(garment, from)).norm();
   if (way) {
-    geometry::SurfacePath taut = geometry::straighten_path(surface, *way, inside);
+    geometry::SurfacePath taut = geometry::straighten_path(piece.surface, *way);
+    for (geometry::PathPiece& p : taut) p.triangle = piece.triangles[p.triangle];
     double length = 0;
-    for (const geometry::PathPiece& piece : taut) length += cut_length(garment, piece);
-    // Seams that ease a side in have lengths of their own, a little off those of the pattern.
-    if (length <= straight * 1.002 + kSamePlace) return taut;
+    for (const geometry::PathPiece& p : taut) length += cut_length(garment, p);
+    if (length <= straight + kSamePlace) return taut;
   }
   throw InvalidInput({"", 0, "course"}, "a straight line that leaves panel " + name,
                      "one that stays in it", "a stop on the way leads round the outline");
@@ -112,7 +132,7 @@ LineCourse lay_course(const garment::Garment& garment, const geometry::PathSurfa
   geometry::SurfacePath whole;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     const geometry::SurfacePath leg = course == placement::LineSpec::Course::straight
-                                          ? straight_way(garment, surface, stops[i], stops[i + 1])
+                                          ? straight_way(garment, stops[i], stops[i + 1])
                                           : shortest_way(surface, stops[i], stops[i + 1]);
     whole.insert(whole.end(), leg.begin(), leg.end());
   }
