@@ -254,7 +254,8 @@ std::vector<std::string> ConfigReader::texts(const std::string& key, const std::
   const ConfigNode* node = this->node(key);
   if (!node) return {};
   const std::string expected =
-      fmt::format("an array of at least {} text{} in quotes", at_least, at_least == 1 ? "" : "s");
+      fmt::format("an array of at least {} in quotes",
+                  at_least == 1 ? "one text" : std::to_string(at_least) + " texts");
   if (node->kind != Kind::array || node->items.size() < at_least) throw error(key, expected);
   std::vector<std::string> values;
   for (const ConfigNode& item : node->items) {
