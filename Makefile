@@ -9,11 +9,11 @@ BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
 
-.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test bench bench-kernels format tidy asan clean
+.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test test-slurm bench bench-kernels format tidy asan clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | validate | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
+	@echo "also: make setup | build | validate | test-slurm | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
 
 # What only the tests and the Python module need is left out of a first build of the program alone.
 # `PACKAGES` and `PARTS` of a target hold for what it depends on, too.
@@ -65,6 +65,11 @@ deb: packages
 # The benchmarks of physics and of garments on people, all of them; out/validation.
 validate: setup
 	@$(LOOSEFIT) validate -o out/validation
+
+# A study as job arrays of Slurm, on this machine as a cluster; as root or with sudo.
+test-slurm: setup
+	@tools/setup_packages.sh slurm
+	@$(if $(filter 0,$(shell id -u)),,sudo) python3 tests/slurm/slurm_test.py $(LOOSEFIT)
 
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)

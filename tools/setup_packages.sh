@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Install the Debian packages Loosefit is built with; does nothing when all are there.
-# usage: setup_packages.sh [program]   as root, or as a user who may use sudo
+# usage: setup_packages.sh [program | slurm]   as root, or as a user who may use sudo
 #   program: without what only the tests, the benchmarks and the Python module need
+#   slurm:   with the workload manager that `make test-slurm` brings up
 set -euo pipefail
 
 packages=(
@@ -17,6 +18,7 @@ packages=(
   python3-jsonschema python3-ezdxf
   chromium
 )
+[ "${1:-}" != slurm ] || packages+=(slurm-wlm munge)
 command -v npm >/dev/null || packages+=(nodejs npm) # interactive part of reports, body data
 
 missing=()

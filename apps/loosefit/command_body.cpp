@@ -57,7 +57,7 @@ body::Posture posture_of(const Wish& wish) {
     posture = body::named_posture(wish.posture);
   } catch (const InvalidInput& error) {
     throw InvalidInput({"", 0, "--posture"}, "\"" + printable(wish.posture) + "\"",
-                       "the name of a posture", error.hint());
+                       error.expected(), error.hint());
   }
   if (wish.arm_abduction_deg) posture.arm_abduction = radians(*wish.arm_abduction_deg);
   if (wish.forward_bend_deg) posture.forward_bend = radians(*wish.forward_bend_deg);

@@ -24,6 +24,13 @@ struct Posture {
   /// face the thighs (skeleton_pose.h), and arms that find no room beside the trunk hang as far
   /// aside as they need (hanging_arms.h).
   double relaxed_arms = 0;
+  // Joints by themselves, both sides alike; 0: as the rest of the posture has them.
+  double elbow_flexion = 0;   ///< beyond what elbow_extension leaves
+  double wrist_flexion = 0;   ///< hand towards the palm; negative: extension
+  double hip_flexion = 0;     ///< thighs forward, beyond `sitting`
+  double knee_flexion = 0;    ///< shanks back, beyond `sitting`
+  double trunk_rotation = 0;  ///< shoulders against pelvis, to the wearer's left
+  double side_bend = 0;       ///< to the wearer's left
   bool operator==(const Posture&) const = default;
 };
 
@@ -50,12 +57,14 @@ struct Body {
 
 /// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.
 inline Posture blend(const Posture& from, const Posture& to, double share) {
-  const auto mix = [&](double Posture::*angle) {
-    return from.*angle + share * (to.*angle - from.*angle);
-  };
-  return {mix(&Posture::arm_abduction), mix(&Posture::forward_bend),    mix(&Posture::sitting),
-          mix(&Posture::arm_flexion),   mix(&Posture::elbow_extension), mix(&Posture::slouch),
-          mix(&Posture::relaxed_arms)};
+  Posture posture;
+  for (double Posture::*number :
+       {&Posture::arm_abduction, &Posture::forward_bend, &Posture::sitting, &Posture::arm_flexion,
+        &Posture::elbow_extension, &Posture::slouch, &Posture::relaxed_arms,
+        &Posture::elbow_flexion, &Posture::wrist_flexion, &Posture::hip_flexion,
+        &Posture::knee_flexion, &Posture::trunk_rotation, &Posture::side_bend})
+    posture.*number = from.*number + share * (to.*number - from.*number);
+  return posture;
 }
 
 /// As people stand: the named posture "standing". Upper arms 8° aside, elbows bent by about 15° (a
@@ -73,7 +82,8 @@ inline constexpr Posture kArmsWide{radians(55.0), 0, 0};
 inline Posture default_dress_posture(const Posture& wanted) {
   const bool open = wanted.arm_abduction >= radians(35.0) && wanted.arm_abduction <= radians(60.0);
   const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
-                       wanted.slouch == 0;
+                       wanted.slouch == 0 && wanted.hip_flexion == 0 &&
+                       wanted.trunk_rotation == 0 && wanted.side_bend == 0;
   return open && upright ? wanted : kArmsApart;
 }
 

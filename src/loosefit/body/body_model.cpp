@@ -49,6 +49,12 @@ void check_posture(const Posture& posture) {
   check("elbow_extension", posture.elbow_extension, 0, 1, "");
   check("slouch", posture.slouch, 0, 1, "");
   check("relaxed_arms", posture.relaxed_arms, 0, 1, "");
+  check("elbow_flexion", degrees(posture.elbow_flexion), 0, 150, "°");
+  check("wrist_flexion", degrees(posture.wrist_flexion), -90, 90, "°");
+  check("hip_flexion", degrees(posture.hip_flexion), -30, 120, "°");
+  check("knee_flexion", degrees(posture.knee_flexion), 0, 140, "°");
+  check("trunk_rotation", degrees(posture.trunk_rotation), -60, 60, "°");
+  check("side_bend", degrees(posture.side_bend), -45, 45, "°");
 }
 
 std::vector<Vec3> carried(const std::vector<Eigen::Matrix<double, 3, 4>>& maps,

@@ -2,6 +2,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/joint_postures.h"
 
 namespace loosefit::body {
 namespace {
@@ -71,6 +72,7 @@ std::vector<std::string> posture_names() {
 Posture named_posture(const std::string& name) {
   for (const auto& [known, posture] : named_postures())
     if (known == name) return posture;
+  if (const auto angles = joint_angles(name)) return joint_posture(*angles);
   throw InvalidInput({"", 0, "posture"}, "\"" + printable(name) + "\"", "the name of a posture",
                      did_you_mean(name, posture_names()));
 }

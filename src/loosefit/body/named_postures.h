@@ -33,7 +33,8 @@ const std::vector<std::pair<std::string, Posture>>& named_postures();
 /// Names of the table.
 std::vector<std::string> posture_names();
 
-/// \throws InvalidInput for an unknown name, with a did-you-mean.
+/// The posture of a name of the table, or of joint angles (joint_postures.h) as in
+/// "elbow-flexion-90". \throws InvalidInput for an unknown name, with a did-you-mean.
 Posture named_posture(const std::string& name);
 
 }  // namespace loosefit::body

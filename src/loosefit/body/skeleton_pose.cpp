@@ -15,6 +15,10 @@ constexpr double kClavicleTurn = 0.15, kClavicleLift = 0.10, kBladeTurn = 0.10; 
 constexpr double kSlouchSpine[5] = {radians(4), radians(6), radians(8), radians(7), radians(5)};
 constexpr double kSlouchShoulder = radians(10), kSlouchNeck = radians(8),
                  kSlouchHead = radians(-25);
+// Shares of the turn and of the bend to the side, lowest spine bone first: the chest turns more
+// than the loins, which bend more.
+constexpr double kSpineTurn[5] = {0.10, 0.15, 0.20, 0.30, 0.25};
+constexpr double kSpineSide[5] = {0.25, 0.25, 0.20, 0.15, 0.15};
 // Measured: bones turning by b together turn the line C7 - back waist by b / 1.09 for 10° … 60°.
 constexpr double kBendGain = 1.09;
 
@@ -72,14 +76,31 @@ void relax_arms(const BodyData& data, const std::vector<Vec3>& joints, double sh
   }
 }
 
-/// Turn of the forearm about the elbow that brings it into line with the upper arm.
-Mat3 straightening(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
-                   double share) {
+/// Turn of the forearm about the elbow: a share of what brings it into line with the upper arm,
+/// less `flexion` [rad] about the same axis.
+Mat3 elbow_turn(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
+                double share, double flexion) {
   const Vec3 elbow = joint_of(data, joints, "lowerarm01" + side);
   const Vec3 upper = elbow - joint_of(data, joints, "upperarm01" + side),
              fore = joint_of(data, joints, "wrist" + side) - elbow;
   const Eigen::AngleAxisd whole(geometry::rotation_between(fore, upper));
-  return about(whole.axis(), share * whole.angle());
+  return about(whole.axis(), share * whole.angle() - flexion);
+}
+
+/// Turns the hands towards the palm, about the line across the knuckles that is square to the
+/// forearm, before whatever else turns the hand.
+void flex_wrists(const BodyData& data, const std::vector<Vec3>& joints, double angle,
+                 BoneRotations& rotations) {
+  for (const auto& [side, sign] : {std::pair(".L", -1.0), std::pair(".R", 1.0)}) {
+    const auto head = [&](const char* bone) {
+      return joint_of(data, joints, bone + std::string(side));
+    };
+    const Vec3 fore = (head("wrist") - head("lowerarm01")).normalized();
+    const Vec3 thumbward = head("finger2-1") - head("finger5-1");
+    const Vec3 axis = (thumbward - fore * fore.dot(thumbward)).normalized();
+    Mat3& hand = rotation_of(rotations, std::string("wrist") + side);
+    hand = hand * about(axis, sign * angle);
+  }
 }
 
 /// Raises the arms forward by `angle` after what the bones do already.
@@ -132,22 +153,30 @@ BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& j
   raise("upperarm01", kUpperArmShare);
 
   if (posture.arm_flexion != 0) raise_forward(posture.arm_flexion, rotations);
-  if (posture.elbow_extension != 0)
+  if (posture.elbow_extension != 0 || posture.elbow_flexion != 0)
     for (const char* side : {".L", ".R"})
       rotations[std::string("lowerarm01") + side] =
-          straightening(data, joints, side, posture.elbow_extension);
+          elbow_turn(data, joints, side, posture.elbow_extension, posture.elbow_flexion);
   if (posture.relaxed_arms != 0)
     relax_arms(data, joints, posture.relaxed_arms,
                about(Vec3::UnitX(), -posture.arm_flexion) * -Vec3::UnitY(), rotations);
 
+  if (posture.wrist_flexion != 0) flex_wrists(data, joints, posture.wrist_flexion, rotations);
+
   for (int i = 0; i < 5; ++i) {
-    rotations["spine0" + std::to_string(5 - i)] =
-        about(Vec3::UnitX(), kSpineShare[i] * kBendGain * posture.forward_bend);
+    Mat3& bone = rotations["spine0" + std::to_string(5 - i)];
+    bone = about(Vec3::UnitX(), kSpineShare[i] * kBendGain * posture.forward_bend);
+    if (posture.side_bend != 0)
+      bone = about(Vec3::UnitY(), kSpineSide[i] * posture.side_bend) * bone;
+    if (posture.trunk_rotation != 0)
+      bone = about(Vec3::UnitZ(), kSpineTurn[i] * posture.trunk_rotation) * bone;
   }
   if (posture.slouch != 0) slump(posture.slouch, rotations);
   for (const char* side : {".L", ".R"}) {
-    rotations[std::string("upperleg01") + side] = about(Vec3::UnitX(), -posture.sitting * kPi / 2);
-    rotations[std::string("lowerleg01") + side] = about(Vec3::UnitX(), posture.sitting * kPi / 2);
+    rotations[std::string("upperleg01") + side] =
+        about(Vec3::UnitX(), -posture.sitting * kPi / 2 - posture.hip_flexion);
+    rotations[std::string("lowerleg01") + side] =
+        about(Vec3::UnitX(), posture.sitting * kPi / 2 + posture.knee_flexion);
   }
   return rotations;
 }

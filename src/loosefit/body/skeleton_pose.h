@@ -21,7 +21,9 @@ double rest_arm_abduction(const BodyData& data, const std::vector<Vec3>& joints)
 /// it by 10 % (27° and 18° of 180°; Ludewig et al. 2009 measured about 30° and 10°, recalled), the
 /// shoulder blade follows by 10 %, and the upper arm does what is left. A full slouch is ours: 30°
 /// of spine flexion, most of it in the chest, shoulders drawn forward by 10°, the face lifted again
-/// by 25°.
+/// by 25°. The elbow flexes about the axis in which the rest posture bends it, the wrist about the
+/// line across the knuckles; a turn of the trunk and a bend to the side are shared by the spine
+/// bones in proportions of ours.
 BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& joints,
                                 const Posture& posture);
 

@@ -40,7 +40,10 @@ double turn_between(const body::Posture& a, const body::Posture& b) {
       {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
        std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
        std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch),
-       std::abs(a.relaxed_arms - b.relaxed_arms)});
+       std::abs(a.relaxed_arms - b.relaxed_arms), std::abs(a.elbow_flexion - b.elbow_flexion),
+       std::abs(a.wrist_flexion - b.wrist_flexion), std::abs(a.hip_flexion - b.hip_flexion),
+       std::abs(a.knee_flexion - b.knee_flexion), std::abs(a.trunk_rotation - b.trunk_rotation),
+       std::abs(a.side_bend - b.side_bend)});
 }
 
 body::Body displaced(body::Body body, const std::vector<Vec3>& moved) {

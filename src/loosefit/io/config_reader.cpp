@@ -248,6 +248,30 @@ std::vector<std::string> ConfigReader::choices(const std::string& key,
   return values;
 }
 
+std::vector<std::string> ConfigReader::texts(const std::string& key, const std::string& pattern,
+                                             const std::string& about, std::size_t at_least) {
+  note(key, array_form(text_form({}, pattern), at_least, 0, true), about);
+  const ConfigNode* node = this->node(key);
+  if (!node) return {};
+  const std::string expected =
+      fmt::format("an array of at least {} in quotes",
+                  at_least == 1 ? "one text" : std::to_string(at_least) + " texts");
+  if (node->kind != Kind::array || node->items.size() < at_least) throw error(key, expected);
+  std::vector<std::string> values;
+  for (const ConfigNode& item : node->items) {
+    if (item.kind != Kind::text) throw error(key, item.describe(), expected, {});
+    if (std::find(values.begin(), values.end(), item.text) != values.end())
+      throw error(key, item.describe() + " twice", "each at most once", {});
+    values.push_back(item.text);
+  }
+  return values;
+}
+
+std::string ConfigReader::matching(const std::string& key, const std::string& pattern,
+                                   const std::string& about) {
+  return path(key, pattern, about);
+}
+
 Vec2 ConfigReader::point_of(const std::string& key, const ConfigNode& node,
                             const NumberRange& range) const {
   if (node.kind != Kind::array || node.items.size() != 2 || !is_number(node.items[0]) ||

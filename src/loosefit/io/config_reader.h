@@ -60,6 +60,13 @@ class ConfigReader {
   std::vector<std::string> choices(const std::string& key, const std::vector<std::string>& fallback,
                                    const std::vector<std::string>& known,
                                    const std::string& about = {}, std::size_t at_least = 0);
+  /// An array of texts, none twice, at least so many, that match a regular expression: which is for
+  /// the record, the caller judges them.
+  std::vector<std::string> texts(const std::string& key, const std::string& pattern,
+                                 const std::string& about, std::size_t at_least);
+  /// A text that matches such an expression.
+  std::string matching(const std::string& key, const std::string& pattern,
+                       const std::string& about);
   /// [u, v]; every coordinate within `range`. Required.
   Vec2 point(const std::string& key, const NumberRange& range, const std::string& about = {});
   /// [[u, v], [u, v], …]. Required, at least `at_least`, at most 1000 points.

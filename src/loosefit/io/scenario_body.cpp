@@ -6,6 +6,7 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/io/existing_file.h"
+#include "loosefit/io/scenario_wear.h"
 
 namespace loosefit::io {
 namespace {
@@ -18,7 +19,7 @@ body::Posture read_posture(ConfigReader& body, const std::string& key,
   const ConfigNode* node = body.node(key);
   if (!node) return fallback;
   if (node->kind == ConfigNode::Kind::text)
-    return body::named_posture(body.choice(key, "", body::posture_names()));
+    return posture_by_name(body.matching(key, posture_pattern(), ""), body, key);
   if (node->kind != ConfigNode::Kind::table)
     throw body.error(key, "a posture in quotes or a table of angles");
   ConfigReader table = body.table(key);
@@ -33,13 +34,26 @@ body::Posture read_posture(ConfigReader& body, const std::string& key,
   posture.arm_flexion =
       radians(table.number("arm_flexion_deg", 0, {-40, 180, "degrees"},
                            "the arms, so far aside, raised forward against the trunk"));
-  posture.elbow_extension = table.number("elbow_extension", posture.elbow_extension, kFraction,
-                                         "share of the body's bent elbow that is straightened");
+  // A flexed elbow is told from a straight arm.
+  const bool flexed = table.has("elbow_flexion_deg");
+  posture.elbow_extension =
+      table.number("elbow_extension", flexed ? 1 : posture.elbow_extension, kFraction,
+                   "share of the body's bent elbow that is straightened");
   posture.slouch = table.number("slouch", 0, kFraction, "0 upright, 1 slumped");
   posture.relaxed_arms =
       table.number("relaxed_arms", posture.relaxed_arms, kFraction,
                    "0: arms turned as the body model has them, at the angle asked for; 1: relaxed, "
                    "and no closer than they have room");
+  const auto turned = [&](const char* joint, double low, double high, const char* about) {
+    return radians(table.number(joint, 0, {low, high, "degrees"}, about));
+  };
+  posture.elbow_flexion = turned("elbow_flexion_deg", 0, 130,
+                                 "beyond what elbow_extension leaves, which is 1 beside it");
+  posture.wrist_flexion = turned("wrist_flexion_deg", -70, 80, "hand to the palm");
+  posture.hip_flexion = turned("hip_flexion_deg", -15, 100, "thighs forward");
+  posture.knee_flexion = turned("knee_flexion_deg", 0, 120, "heels back");
+  posture.trunk_rotation = turned("trunk_rotation_deg", -45, 45, "shoulders to the wearer's left");
+  posture.side_bend = turned("side_bend_deg", -35, 35, "to the wearer's left");
   table.finish();
   return posture;
 }

@@ -77,7 +77,7 @@ std::string sites() {
       text += fmt::format("[[site]]\nname = \"s{}\"\n{}\nfootprint = {{ {} }}\n", count++, place,
                           shape) +
               (shape[0] == 'r' ? "board = {}\n" : "");
-  return text;
+  return text + "[[site]]\nname = \"line\"\nfrom = \"wrist_L\"\nto = \"elbow_L\"\n";
 }
 
 /// Scenarios that together lead through every branch of the readers. The first has every section,
@@ -88,6 +88,8 @@ Texts examples() {
                  "[donning]\n[[under]]\n"};
   texts.push_back(std::string(kAttachments) + sites());
   texts.push_back("[ranking]\nmodality = \"own.toml\"");
+  texts.push_back(
+      "[postures]\nsweep = { joint = \"elbow-flexion\", from = 0, to = 90, step = 30 }");
   for (const std::string& body : kBodies) texts.push_back("[body]\n" + body);
   // An [[under]] has both in one table.
   for (const std::string& keys : garments())

@@ -77,6 +77,45 @@ placement::FootprintShape read_footprint(ConfigReader table) {
   return shape;
 }
 
+placement::LinePlace read_place(const ConfigReader& table, const std::string& key,
+                                const std::string& text) {
+  try {
+    return placement::parse_place(text);
+  } catch (const InvalidInput& error) {
+    throw table.error(key, error.found(), error.expected(), error.hint());
+  }
+}
+
+/// A sensor that is a line: from, to and what is on the way.
+placement::LineSpec read_line(ConfigReader& table) {
+  placement::LineSpec line;
+  const auto end = [&](const char* key, const char* about) {
+    table.require(key, "a place");
+    return read_place(table, key, table.text(key, "", about));
+  };
+  line.stops.push_back(
+      end("from", "where a line begins: landmark, panel:u,v or segment [x, y, z]"));
+  for (const std::string& text :
+       table.texts("via", "", "places that a line goes through, in their order", 1))
+    line.stops.push_back(read_place(table, "via", text));
+  line.stops.push_back(end("to", "where a line ends, told alike"));
+  const std::string course =
+      table.choice("course", "shortest", {"shortest", "straight"},
+                   "the shortest way in the cloth as cut, or straight in one piece of the pattern");
+  if (course == "straight") line.course = placement::LineSpec::Course::straight;
+  line.over = table.choice("over", "", {"front", "back", "left", "right", "inside", "outside"},
+                           "side of the body that it leads over");
+  if (!line.over.empty() && table.has("via"))
+    throw table.error("over", "a side beside via", "one of the two", {});
+  line.height = table.number("height", line.height, {-0.02, 0.02, "metres"},
+                             "of the middle of the sensor above that of the cloth, outwards");
+  line.pre_stretch = table.number("pre_stretch", line.pre_stretch, {0, 2, "a fraction"},
+                                  "by which the sensor is stretched when it is sewn on");
+  line.part = table.number("part", line.part, {0.002, 1, "metres"},
+                           "wished length of the parts in which it is told");
+  return line;
+}
+
 placement::SensorBoard read_sensor_board(ConfigReader table) {
   placement::SensorBoard board;
   board.mass = table.number("mass", board.mass, {0, 2, "kilograms"}, "mass of the sensor");
@@ -106,6 +145,21 @@ std::string footprint_text(const placement::FootprintShape& shape) {
   }
 }
 
+std::string line_toml(const std::string& name, const placement::LineSpec& line) {
+  std::vector<std::string> via;
+  for (std::size_t i = 1; i + 1 < line.stops.size(); ++i)
+    via.push_back(toml_quoted(line.stops[i].str()));
+  std::string text = fmt::format("[[site]]\nname = {}\nfrom = {}\n", toml_quoted(name),
+                                 toml_quoted(line.stops.front().str()));
+  if (!via.empty()) text += "via = [" + join(via) + "]\n";
+  text += "to = " + toml_quoted(line.stops.back().str()) + "\n";
+  if (!line.over.empty()) text += "over = " + toml_quoted(line.over) + "\n";
+  const bool straight = line.course == placement::LineSpec::Course::straight;
+  return text + fmt::format("course = \"{}\"\nheight = {}\npre_stretch = {}\npart = {}\n",
+                            straight ? "straight" : "shortest", shortest(line.height),
+                            shortest(line.pre_stretch), shortest(line.part));
+}
+
 std::string place_text(const placement::SiteSpec& site) {
   if (!site.panel.empty())
     return "panel = " + toml_quoted(site.panel) + "\nat = " + pair_text(site.at) + "\n";
@@ -122,9 +176,17 @@ std::string place_text(const placement::SiteSpec& site) {
 }  // namespace
 
 placement::SiteSpec read_site_section(ConfigReader table) {
+  placement::SiteSpec site;
+  if (table.has("from") || table.has("to")) {
+    table.only({"name", "from", "to", "via", "course", "over", "height", "pre_stretch", "part"});
+    table.require("name", "a name");
+    site.name = table.text("name", "", "what the place is called in the output");
+    site.line = read_line(table);
+    table.finish();
+    return site;
+  }
   table.only({"name", "landmark", "panel", "at", "segment", "side", "ratios", "angle_deg",
               "footprint", "board"});
-  placement::SiteSpec site;
   table.require("name", "a name");
   site.name = table.text("name", "", "what the place is called in the output");
   const bool landmark = table.has("landmark"), panel = table.has("panel"),
@@ -157,6 +219,7 @@ placement::SiteSpec read_site_section(ConfigReader table) {
 }
 
 std::string site_toml(const placement::SiteSpec& site) {
+  if (site.line) return line_toml(site.name, *site.line);
   std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n" + place_text(site) +
                      "angle_deg = " + degrees_text(site.angle) + "\nfootprint = { " +
                      footprint_text(site.footprint) + " }\n";

@@ -5,28 +5,96 @@
 #include <algorithm>
 
 #include "loosefit/base/text.h"
+#include "loosefit/body/joint_postures.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/io/degrees_text.h"
 
 // [postures] and [donning]: how the garment is worn.
 namespace loosefit::io {
 
+namespace {
+
+constexpr int kMostAngles = 60;
+
+/// "elbow-flexion-0" … of one joint, evenly spaced; the last step may be shorter.
+std::vector<std::string> read_sweep(ConfigReader table) {
+  std::vector<std::string> joints;
+  for (const body::JointMotion& motion : body::joint_motions()) joints.push_back(motion.name);
+  table.only({"joint", "from", "to", "step"});
+  table.require("joint", "a joint");
+  const std::string joint = table.choice("joint", "", joints, "joint that is turned by itself");
+  const body::JointMotion& motion =
+      *std::ranges::find(body::joint_motions(), joint, &body::JointMotion::name);
+  // Of all joints together, for the schema; then of this one.
+  const auto angle = [&](const char* key, const char* about) {
+    table.require(key, "an angle");
+    const double value = *table.optional_number(key, {-90, 180, "degrees"}, about);
+    if (!(value >= motion.low && value <= motion.high))
+      throw table.error(
+          key, fmt::format("degrees from {:g} to {:g} for {}", motion.low, motion.high, joint));
+    return value;
+  };
+  const double from = angle("from", "first angle"), to = angle("to", "last angle");
+  table.require("step", "an angle");
+  const double step = *table.optional_number("step", {0.5, 180, "degrees"}, "between two angles");
+  table.finish();
+  const double span = std::abs(to - from);
+  const int steps = static_cast<int>(std::ceil(span / step - 1e-9));
+  if (steps >= kMostAngles)
+    throw table.error("step", fmt::format("a sweep of {} angles", steps + 1),
+                      fmt::format("at most {}", kMostAngles), {});
+  std::vector<std::string> names;
+  for (int i = 0; i <= steps; ++i) {
+    const double turned = std::min(i * step, span);
+    names.push_back(
+        body::joint_posture_name({{joint, to >= from ? from + turned : from - turned}}));
+  }
+  return names;
+}
+
+}  // namespace
+
+body::Posture posture_by_name(const std::string& name, const ConfigReader& table,
+                              const std::string& key) {
+  const std::vector<std::string> known = body::posture_names();
+  const bool named = std::ranges::find(known, name) != known.end();
+  try {
+    if (named || body::joint_angles(name)) return body::named_posture(name);
+  } catch (const InvalidInput& error) {
+    throw table.error(key, error.found(), error.expected(), error.hint());
+  }
+  throw table.error(key, toml_quoted(name),
+                    "texts from " + join(known) + ", or joints as in elbow-flexion-90",
+                    closest_match(name, known).empty() ? "" : did_you_mean(name, known));
+}
+
+std::string posture_pattern() {
+  return "^(" + join(body::posture_names(), "|") + "|" + body::joint_posture_pattern() + ")$";
+}
+
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body) {
-  table.only({"list", "reference"});
+  table.only({"list", "sweep", "reference"});
   std::vector<std::string> list =
-      table.choices("list", {}, body::posture_names(), "postures that the garment follows", 1);
-  if (table.lacks("reference", "list"))
-    throw table.error("reference",
-                      "an array of at least one posture from " + join(body::posture_names()));
-  const std::string reference = table.choice(
-      "reference", list.empty() ? "" : list.front(), list.empty() ? body::posture_names() : list,
+      table.texts("list", posture_pattern(), "postures that the garment follows", 1);
+  for (const std::string& name : list) posture_by_name(name, table, "list");
+  if (const auto sweep = table.optional_table("sweep", "angles of one joint, behind the list"))
+    for (const std::string& name : read_sweep(*sweep))
+      if (std::ranges::find(list, name) == list.end()) list.push_back(name);
+  if (list.empty() && table.has("reference"))
+    throw table.error("reference", "a list or a sweep beside it");
+  const std::string reference = table.matching(
+      "reference", posture_pattern(),
       "posture of the maps, in which sensors are calibrated; the first where absent");
+  if (!reference.empty() && std::ranges::find(list, reference) == list.end())
+    throw table.error("reference", "one of " + join(list),
+                      closest_match(reference, list).empty() ? "" : did_you_mean(reference, list));
   table.finish();
   if (list.empty()) return list;
   if (body.has("file"))
     throw table.error("list", "postures of a scanned body", "a parametric person",
                       "a scan keeps the posture it was taken in");
-  std::rotate(list.begin(), std::find(list.begin(), list.end(), reference), list.end());
+  if (!reference.empty())
+    std::rotate(list.begin(), std::find(list.begin(), list.end(), reference), list.end());
   return list;
 }
 

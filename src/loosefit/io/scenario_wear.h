@@ -7,7 +7,12 @@
 
 namespace loosefit::io {
 
-/// [postures]: the list with the reference posture first; `body` is [body].
+/// The posture of a name that stands at `key` of a table. \throws InvalidInput there.
+body::Posture posture_by_name(const std::string& name, const ConfigReader& table,
+                              const std::string& key);
+/// Regular expression of all such names, for the record.
+std::string posture_pattern();
+/// [postures]: list and sweep as one list with the reference posture first; `body` is [body].
 std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body);
 /// [donning]; `given`: the section stands in the file. [simulation] must have been read.
 scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,

@@ -16,12 +16,18 @@ namespace loosefit::io {
 namespace {
 
 std::string posture_text(const body::Posture& p) {
-  return fmt::format(
-      "{{ arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {}, arm_flexion_deg = {}, "
-      "elbow_extension = {}, slouch = {}, relaxed_arms = {} }}",
+  std::string text = fmt::format(
+      "arm_abduction_deg = {}, forward_bend_deg = {}, sitting = {}, arm_flexion_deg = {}, "
+      "elbow_extension = {}, slouch = {}, relaxed_arms = {}",
       degrees_text(p.arm_abduction), degrees_text(p.forward_bend), shortest(p.sitting),
       degrees_text(p.arm_flexion), shortest(p.elbow_extension), shortest(p.slouch),
       shortest(p.relaxed_arms));
+  for (const auto& [key, turn] :
+       {std::pair("elbow_flexion", p.elbow_flexion), std::pair("wrist_flexion", p.wrist_flexion),
+        std::pair("hip_flexion", p.hip_flexion), std::pair("knee_flexion", p.knee_flexion),
+        std::pair("trunk_rotation", p.trunk_rotation), std::pair("side_bend", p.side_bend)})
+    if (turn != 0) text += fmt::format(", {}_deg = {}", key, degrees_text(turn));
+  return "{ " + text + " }";
 }
 
 std::string list_text(const std::vector<std::string>& words) {

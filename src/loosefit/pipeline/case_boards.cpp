@@ -59,10 +59,13 @@ std::vector<placement::SiteSpec> place_boards(const scenario::Scenario& scenario
   const std::vector<placement::Site> found =
       placement::find_sites(bare, drape.positions, body.body, worn, {}, sites, false);
   const pattern::Pattern& pattern = patterns.back().pattern;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (!needs_place(sites[i])) continue;
-    sites[i].panel = found[i].panel;
-    sites[i].at = inside(pattern.panels[pattern.find_panel(found[i].panel)], found[i].at);
+  std::size_t next = 0;  // lines are not among those found
+  for (placement::SiteSpec& site : sites) {
+    if (site.line) continue;
+    const placement::Site& at = found[next++];
+    if (!needs_place(site)) continue;
+    site.panel = at.panel;
+    site.at = inside(pattern.panels[pattern.find_panel(at.panel)], at.at);
   }
   return sites;
 }

@@ -7,6 +7,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/pipeline/case_folders.h"
+#include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/garment_maps.h"
 #include "loosefit/pipeline/sites_csv.h"
 #include "loosefit/pipeline/summary.h"
@@ -64,6 +65,8 @@ void write_case_files(const std::filesystem::path& folder, const CaseResult& res
   if (!maps.empty())
     io::write_text_file((folder / "sites.csv").string(),
                         sites_csv(result.sites, result.uncovered_sites));
+  if (!result.lines.empty())
+    io::write_text_file((folder / "lines.csv").string(), lines_csv(result));
 }
 
 void write_summary_file(const std::filesystem::path& folder, const CaseResult& result) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "loosefit/base/stage_clock.h"
+#include "loosefit/lines/line_metrics.h"
+#include "loosefit/lines/sensitivity.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_garment.h"
 #include "loosefit/pipeline/case_state.h"
@@ -60,6 +62,17 @@ struct SiteStage {
   std::vector<std::vector<placement::Site>> in_states;
 };
 
+/// A sensor that is a line, and what it sees.
+struct CaseLine {
+  std::string name;
+  lines::LineCourse course;
+  lines::LineSensor sensor;
+  std::vector<lines::LineState> states;  ///< the reference state first, then others that count
+  std::vector<double> signals;           ///< per state (lines/line_metrics.h)
+  std::vector<std::map<std::string, double>> metrics;  ///< per donning
+  std::vector<lines::Sensitivity> sensitivities;       ///< of joints that the postures sweep
+};
+
 /// Everything one case yields, stage by stage. A drape that is not settled or not worn is sealed:
 /// maps and `sites` stay empty unless they were asked for all the same.
 struct CaseResult {
@@ -69,6 +82,7 @@ struct CaseResult {
   CaseWear wear;
   std::vector<placement::Site> sites;  ///< on the studied garment
   std::vector<placement::UncoveredSite> uncovered_sites;
+  std::vector<CaseLine> lines;  ///< of the sites that are lines
   CaseRepeats repeats;
   std::vector<StageClock::Entry> seconds;  ///< per stage, in order
   double peak_memory_mb = 0;

@@ -10,6 +10,7 @@
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/io/vtp_read.h"
 #include "loosefit/pipeline/case_folders.h"
+#include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/case_sites.h"
 #include "loosefit/pipeline/case_warnings.h"
 #include "loosefit/pipeline/check_worn.h"
@@ -128,6 +129,7 @@ CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progres
   loaded.take_maps(map_case(loaded, allow_unsettled));
   clock.stage("placement");
   loaded.take_sites(make_sites(loaded));
+  loaded.lines = measure_lines(loaded);
   loaded.repeats = known_repeats(loaded);
   clock.stop();
   loaded.seconds.insert(loaded.seconds.end(), clock.entries().begin(), clock.entries().end());

@@ -1,6 +1,7 @@
 #include "loosefit/pipeline/prepare_case.h"
 
 #include "loosefit/pipeline/case_boards.h"
+#include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/garment_layers.h"
 
 namespace loosefit::pipeline {
@@ -22,6 +23,7 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.garments = mesh_garments(scenario, patterns, all_attachments(result.scenario));
   placement::check_sites(result.studied().mesh(), result.body.body,
                          scenario.sites);  // before the long part
+  check_lines(result);
   return result;
 }
 

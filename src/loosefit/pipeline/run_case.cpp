@@ -4,6 +4,7 @@
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_place.h"
+#include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/case_sites.h"
 #include "loosefit/pipeline/case_warnings.h"
 #include "loosefit/pipeline/check_worn.h"
@@ -43,6 +44,7 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
     clock.stage("placement");
     result.take_sites(make_sites(result));
+    result.lines = measure_lines(result);
 
     result.repeats = repeat_drapes(result, at_once, clock);  // repeats
   }

@@ -4,6 +4,7 @@
 
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/footprint.h"
+#include "loosefit/placement/line_spec.h"
 
 namespace loosefit::placement {
 
@@ -15,7 +16,7 @@ struct SensorBoard {
 };
 
 /// Where a sensor is wanted, in one of three ways: a place in the pattern, a body landmark or
-/// preset by name, or an anatomical address; and what it is.
+/// preset by name, or an anatomical address; and what it is. Or a line.
 struct SiteSpec {
   std::string name;
   std::string panel;                        ///< with `at`; wins over the other two
@@ -25,6 +26,9 @@ struct SiteSpec {
   double angle = 0;  ///< of the sensor's axis in the pattern (FootprintShape)
   FootprintShape footprint = {};
   std::optional<SensorBoard> board = {};  ///< simulated as a stiff part
+  /// A sensor that is a line: then it has no place and footprint of the others, and is found by
+  /// lines/find_course.h.
+  std::optional<LineSpec> line = {};
 };
 
 }  // namespace loosefit::placement

@@ -110,6 +110,7 @@ void check_sites(const garment::Garment& garment, const body::Body& body,
   const SitePoints points(body);
   for (std::size_t i = 0; i < wished.size(); ++i) {
     const SiteSpec& spec = wished[i];
+    if (spec.line) continue;
     try {
       if (!spec.panel.empty())
         pattern_point(garment, spec.panel, spec.at);
@@ -149,7 +150,8 @@ std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<
     finder.describe(site);
     sites.push_back(site);
   };
-  for (std::size_t i = 0; i < wished.size(); ++i) add(wished[i], i);
+  for (std::size_t i = 0; i < wished.size(); ++i)
+    if (!wished[i].line) add(wished[i], i);
   if (with_presets)
     for (const SiteSpec& spec : finder.points.presets()) add(spec, std::nullopt);
   return sites;

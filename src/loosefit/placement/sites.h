@@ -46,7 +46,7 @@ struct UncoveredSite {
 /// Finds each site on the draped garment and averages every map over its footprint. A landmark or
 /// anatomical address goes to the garment point over it (GarmentOverSkin). What the garment does
 /// not cover goes into `uncovered`; without that a preset is left out, and a wished one is an
-/// error. Every site has both addresses. \throws InvalidInput with a key as check_sites: unknown
+/// error. Every site has both addresses. Lines are passed over. \throws InvalidInput with a key as check_sites: unknown
 /// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
 /// not cover (with the nearest place that it does).
 std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,

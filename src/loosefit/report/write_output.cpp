@@ -52,6 +52,12 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   if (parts.pictures) append(files, planned_pictures(scenario));
   if (parts.log) files.push_back("log.jsonl");
   if (parts.sites) files.push_back("sites.csv");
+  if (parts.sites)
+    for (const placement::SiteSpec& site : scenario.sites)
+      if (site.line) {
+        files.push_back("lines.csv");
+        break;
+      }
   if (parts.report) files.push_back("report.html");
   if (parts.report && !scenario.ranking.modality.empty())
     for (const std::string& file :

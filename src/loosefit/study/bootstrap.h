@@ -37,7 +37,7 @@ double rank_correlation(const std::vector<double>& x, const std::vector<double>&
 /// Share of the variance of y that the groups explain by themselves, ε² = (SS_between − (k − 1)
 /// MS_within) / SS_total, which has no bias from small groups to first order (Kelley 1935); not
 /// below 0. In a balanced crossed design this is the first-order index of variance-based
-/// sensitivity (Sobol' 1993). NaN for fewer than two groups, or when y is constant.
+/// sensitivity (Sobol 1993). NaN for fewer than two groups, or when y is constant.
 double main_effect(const std::vector<int>& group, const std::vector<double>& y);
 
 }  // namespace loosefit::study
