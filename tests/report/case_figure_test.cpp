@@ -1,6 +1,7 @@
 #include "loosefit/report/case_figure.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 class CaseFigure : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(::testing::TempDir()) / "case-figure" / "slim shirt";
+    folder_ =
+        fs::path(::testing::TempDir()) / ("case-figure-" + std::to_string(getpid())) / "slim shirt";
     fs::remove_all(folder_.parent_path());
     fs::create_directories(folder_.parent_path());
     Progress silent;

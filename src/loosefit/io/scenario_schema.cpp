@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "loosefit/body/joint_postures.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/json_schema.h"
 #include "loosefit/io/scenario.h"
@@ -88,8 +89,10 @@ Texts examples() {
                  "[donning]\n[[under]]\n"};
   texts.push_back(std::string(kAttachments) + sites());
   texts.push_back("[ranking]\nmodality = \"own.toml\"");
-  texts.push_back(
-      "[postures]\nsweep = { joint = \"elbow-flexion\", from = 0, to = 90, step = 30 }");
+  for (const body::JointMotion& motion : body::joint_motions())
+    texts.push_back(
+        fmt::format("[postures]\nsweep = {{ joint = \"{}\", from = {}, to = {}, step = 90 }}",
+                    motion.name, motion.low, motion.high));
   for (const std::string& body : kBodies) texts.push_back("[body]\n" + body);
   // An [[under]] has both in one table.
   for (const std::string& keys : garments())

@@ -100,9 +100,11 @@ placement::LineSpec read_line(ConfigReader& table) {
     line.stops.push_back(read_place(table, "via", text));
   line.stops.push_back(end("to", "where a line ends, told alike"));
   const std::string course =
-      table.choice("course", "shortest", {"shortest", "straight"},
-                   "the shortest way in the cloth as cut, or straight in one piece of the pattern");
+      table.choice("course", "shortest", {"shortest", "straight", "least-strain"},
+                   "the shortest way in the cloth as cut, straight in one piece of the pattern, or "
+                   "the way that is stretched least in all postures and donnings");
   if (course == "straight") line.course = placement::LineSpec::Course::straight;
+  if (course == "least-strain") line.course = placement::LineSpec::Course::least_strain;
   line.over = table.choice("over", "", {"front", "back", "left", "right", "inside", "outside"},
                            "side of the body that it leads over");
   if (!line.over.empty() && table.has("via"))
@@ -154,10 +156,12 @@ std::string line_toml(const std::string& name, const placement::LineSpec& line) 
   if (!via.empty()) text += "via = [" + join(via) + "]\n";
   text += "to = " + toml_quoted(line.stops.back().str()) + "\n";
   if (!line.over.empty()) text += "over = " + toml_quoted(line.over) + "\n";
-  const bool straight = line.course == placement::LineSpec::Course::straight;
-  return text + fmt::format("course = \"{}\"\nheight = {}\npre_stretch = {}\npart = {}\n",
-                            straight ? "straight" : "shortest", shortest(line.height),
-                            shortest(line.pre_stretch), shortest(line.part));
+  using Course = placement::LineSpec::Course;
+  const char* const course = line.course == Course::straight       ? "straight"
+                             : line.course == Course::least_strain ? "least-strain"
+                                                                   : "shortest";
+  return text + fmt::format("course = \"{}\"\nheight = {}\npre_stretch = {}\npart = {}\n", course,
+                            shortest(line.height), shortest(line.pre_stretch), shortest(line.part));
 }
 
 std::string place_text(const placement::SiteSpec& site) {

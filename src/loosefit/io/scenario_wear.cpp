@@ -25,14 +25,10 @@ std::vector<std::string> read_sweep(ConfigReader table) {
   const std::string joint = table.choice("joint", "", joints, "joint that is turned by itself");
   const body::JointMotion& motion =
       *std::ranges::find(body::joint_motions(), joint, &body::JointMotion::name);
-  // Of all joints together, for the schema; then of this one.
+  table.only_for("joint", {joint});
   const auto angle = [&](const char* key, const char* about) {
     table.require(key, "an angle");
-    const double value = *table.optional_number(key, {-90, 180, "degrees"}, about);
-    if (!(value >= motion.low && value <= motion.high))
-      throw table.error(
-          key, fmt::format("degrees from {:g} to {:g} for {}", motion.low, motion.high, joint));
-    return value;
+    return *table.optional_number(key, {motion.low, motion.high, "degrees"}, about);
   };
   const double from = angle("from", "first angle"), to = angle("to", "last angle");
   table.require("step", "an angle");

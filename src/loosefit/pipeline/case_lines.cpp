@@ -45,16 +45,19 @@ std::vector<CaseLine> measure_lines(const CaseResult& mapped) {
   const CaseGarment& studied = mapped.studied();
   const lines::CourseFinder finder(studied.mesh(), studied.drape.positions, mapped.body.body,
                                    studied.maps.worn);
+  const std::vector<placement::WornState> states = worn_states(mapped);
   for_lines(mapped.scenario, [&](const placement::SiteSpec& site) {
-    found.push_back({site.name,
-                     finder.find(*site.line),
-                     {site.line->height, site.line->pre_stretch},
-                     {},
-                     {},
-                     {},
-                     {}});
+    CaseLine& line = found.emplace_back();
+    line.name = site.name;
+    line.course = finder.find(*site.line);
+    line.sensor = {site.line->height, site.line->pre_stretch};
+    if (site.line->course != placement::LineSpec::Course::least_strain) return;
+    line.shortest = lines::judged(studied.mesh(), line.course, states);
+    line.routes = lines::find_routes(studied.mesh(), finder.surface(), line.course.stops, states,
+                                     {.part = site.line->part});
+    line.course = line.routes.front().course;
   });
-  for (const placement::WornState& state : worn_states(mapped)) {
+  for (const placement::WornState& state : states) {
     const lines::LineMeter meter(studied.mesh(), mapped.scenario.studied().material.material,
                                  state);
     for (CaseLine& line : found) line.states.push_back(meter.measure(line.course, line.sensor));

@@ -1,11 +1,13 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "loosefit/base/stage_clock.h"
+#include "loosefit/lines/find_routes.h"
 #include "loosefit/lines/line_metrics.h"
 #include "loosefit/lines/sensitivity.h"
 #include "loosefit/pipeline/case_body.h"
@@ -71,6 +73,10 @@ struct CaseLine {
   std::vector<double> signals;           ///< per state (lines/line_metrics.h)
   std::vector<std::map<std::string, double>> metrics;  ///< per donning
   std::vector<lines::Sensitivity> sensitivities;       ///< of joints that the postures sweep
+  /// Of a course of least strain: the routes, best first, the course being the first; and the
+  /// shortest way, which is not taken.
+  std::vector<lines::Route> routes = {};
+  std::optional<lines::Route> shortest = {};
 };
 
 /// Everything one case yields, stage by stage. A drape that is not settled or not worn is sealed:

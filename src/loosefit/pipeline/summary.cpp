@@ -10,6 +10,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/pipeline/case_ease.h"
+#include "loosefit/pipeline/lines_json.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -327,43 +328,6 @@ void add_wear(const CaseWear& wear, Json& json) {
   }
 }
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json sensitivity_json(const lines::Sensitivity& s) {
-  Json json = {{"joint", s.joint},
-               {"gain_percent_per_deg", 100 * s.gain},
-               {"monotone_deg", {s.monotone_from, s.monotone_to}},
-               {"rises", s.rises},
-               {"angle_error_deg", finite(s.angle_error)},
-               {"curve", Json::array()},
-               {"cross", Json::array()}};
-  for (const lines::CurvePoint& p : s.curve)
-    json["curve"].push_back({{"deg", p.degrees},
-                             {"signal", p.mean},
-                             {"deviation", p.deviation},
-                             {"donnings", p.signals.size()}});
-  for (const lines::CrossEffect& c : s.cross)
-    json["cross"].push_back(
-        {{"posture", c.posture}, {"change", c.change}, {"as_degrees", finite(c.degrees)}});
-  return json;
-}
-
-Json line_json(const CaseLine& line, const garment::Garment& mesh) {
-  Json json = {{"length_cut_m", line.course.length}, {"metrics", Json::array()}};
-  if (!line.states.empty()) json["length_worn_m"] = line.states.front().length;
-  for (const auto& metrics : line.metrics) json["metrics"].push_back(metrics);
-  for (const lines::PanelStretch& stretch : lines::stretches(mesh, line.course)) {
-    Json points = Json::array();
-    for (const Vec2& p : stretch.points) points.push_back({p.x(), p.y()});
-    json["pattern"].push_back({{"panel", mesh.panel_names[stretch.panel]}, {"points_m", points}});
-  }
-  if (!line.states.empty()) json["parts"] = line.states.front().parts;
-  json["sensitivities"] = Json::array();
-  for (const lines::Sensitivity& s : line.sensitivities)
-    json["sensitivities"].push_back(sensitivity_json(s));
-  return json;
-}
-
 Json certificate_json(const CaseResult& result) {
   const drape::Certificate& certificate = result.certificate();
   Json json;
@@ -419,7 +383,7 @@ std::string summary_json(const CaseResult& result) {
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
-  for (const CaseLine& line : result.lines) json["lines"][line.name] = line_json(line, mesh);
+  for (const CaseLine& line : result.lines) json["lines"][line.name] = lines_json(line, mesh);
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
   for (const auto& [key, spread] : result.repeats.spread)

@@ -10,9 +10,9 @@ namespace loosefit::placement {
 /// of its stops to the last one.
 struct LineSpec {
   std::vector<LinePlace> stops;  ///< at least two
-  /// From stop to stop: the shortest way in the cloth as cut, across seams; or the straight line of
-  /// one piece of the pattern.
-  enum class Course { shortest, straight } course = Course::shortest;
+  /// From stop to stop: the shortest way in the cloth as cut, across seams; the straight line of
+  /// one piece of the pattern; or the way that is stretched least in all postures and donnings.
+  enum class Course { shortest, straight, least_strain } course = Course::shortest;
   /// Side of the body that the way between two stops leads over: front, back, left, right, and of
   /// limbs inside and outside; empty: the shortest.
   std::string over = {};
