@@ -49,7 +49,7 @@ TEST(ScenarioSweep, ListsTheAnglesOfOneJoint) {
   EXPECT_EQ(again.body.posture, s.body.posture);
   const std::string sweep = "[postures]\nsweep = { joint = \"elbow-flexion\", from = 0, ";
   expect_refused(sweep + "to = 140, step = 20 }", {"postures.sweep.to", "0 to 130"});
-  expect_refused(sweep + "to = 130, step = 1 }", {"postures.sweep.step", "at most 60"});
+  expect_refused(sweep + "to = 130, step = 1 }", {"postures.sweep.step", "4 to 180"});
   expect_refused("[postures]\nlist = [\"elbow-flexion-170\"]", {"postures.list", "0 to 130"});
   expect_refused("[postures]\nsweep = { joint = \"elbo\", from = 0, to = 9, step = 3 }",
                  {"postures.sweep.joint"});

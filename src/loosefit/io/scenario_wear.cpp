@@ -14,7 +14,7 @@ namespace loosefit::io {
 
 namespace {
 
-constexpr int kMostAngles = 60;
+constexpr double kLeastStep = 4;  ///< of a sweep [deg]: every angle is a drape
 
 /// "elbow-flexion-0" … of one joint, evenly spaced; the last step may be shorter.
 std::vector<std::string> read_sweep(ConfigReader table) {
@@ -32,13 +32,11 @@ std::vector<std::string> read_sweep(ConfigReader table) {
   };
   const double from = angle("from", "first angle"), to = angle("to", "last angle");
   table.require("step", "an angle");
-  const double step = *table.optional_number("step", {0.5, 180, "degrees"}, "between two angles");
+  const double step =
+      *table.optional_number("step", {kLeastStep, 180, "degrees"}, "between two angles");
   table.finish();
   const double span = std::abs(to - from);
   const int steps = static_cast<int>(std::ceil(span / step - 1e-9));
-  if (steps >= kMostAngles)
-    throw table.error("step", fmt::format("a sweep of {} angles", steps + 1),
-                      fmt::format("at most {}", kMostAngles), {});
   std::vector<std::string> names;
   for (int i = 0; i <= steps; ++i) {
     const double turned = std::min(i * step, span);

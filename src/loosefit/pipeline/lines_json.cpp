@@ -48,7 +48,7 @@ Json route_json(const lines::Route& route, const garment::Garment& mesh) {
 
 }  // namespace
 
-Json lines_json(const CaseLine& line, const garment::Garment& mesh) {
+std::string lines_json(const CaseLine& line, const garment::Garment& mesh) {
   Json json = {{"length_cut_m", line.course.length}, {"metrics", Json::array()}};
   if (!line.states.empty()) json["length_worn_m"] = line.states.front().length;
   for (const auto& metrics : line.metrics) json["metrics"].push_back(metrics);
@@ -59,7 +59,7 @@ Json lines_json(const CaseLine& line, const garment::Garment& mesh) {
   json["sensitivities"] = Json::array();
   for (const lines::Sensitivity& s : line.sensitivities)
     json["sensitivities"].push_back(sensitivity_json(s));
-  return json;
+  return json.dump();
 }
 
 }  // namespace loosefit::pipeline

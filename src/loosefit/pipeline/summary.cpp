@@ -383,7 +383,8 @@ std::string summary_json(const CaseResult& result) {
   if (!result.wear.postures.empty()) add_wear(result.wear, json);
   json["sites"] = Json::object();
   for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
-  for (const CaseLine& line : result.lines) json["lines"][line.name] = lines_json(line, mesh);
+  for (const CaseLine& line : result.lines)
+    json["lines"][line.name] = Json::parse(lines_json(line, mesh));
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
   for (const auto& [key, spread] : result.repeats.spread)
