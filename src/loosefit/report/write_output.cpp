@@ -3,11 +3,13 @@
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/text_file.h"
 #include "loosefit/pipeline/case_files.h"
 #include "loosefit/pipeline/case_folders.h"
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/pipeline/wear_states.h"
 #include "loosefit/report/case_pictures.h"
+#include "loosefit/report/lines_plan.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/write_model.h"
 #include "loosefit/report/write_report.h"
@@ -55,7 +57,7 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   if (parts.sites)
     for (const placement::SiteSpec& site : scenario.sites)
       if (site.line) {
-        files.push_back("lines.csv");
+        append(files, {"lines.csv", kLinesPlan});
         break;
       }
   if (parts.report) files.push_back("report.html");
@@ -96,6 +98,8 @@ pipeline::CaseResult write_output(const Path& folder, pipeline::CaseResult resul
   }
   pipeline::write_case_files(folder, result);
   write_model(folder, result);
+  if (!result.lines.empty())
+    io::write_text_file((folder / kLinesPlan).string(), lines_plan_svg(result));
   std::vector<render::Picture> pictures;
   if (parts.pictures) {
     try {
