@@ -15,6 +15,7 @@
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
+#include "loosefit/study/gallery.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/run_study.h"
 #include "loosefit/study/store.h"
@@ -103,9 +104,10 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
 }
 
 /// Database brought up to the results, and the page.
-study::StudyAnalysis write_report(const study::StudyFolder& folder) {
+study::StudyAnalysis write_report(const study::StudyFolder& folder, Progress& progress) {
   study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
-  study::write_whole(folder.path() / "study-report.html", study::study_html(analysis));
+  const study::Gallery gallery = study::make_gallery(folder, analysis.data.plan, progress);
+  study::write_whole(folder.path() / "study-report.html", study::study_html(analysis, gallery));
   study::write_whole(folder.path() / "study-report.json", study::analysis_json(analysis));
   return analysis;
 }
@@ -126,8 +128,8 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "finished cases stay; the same command goes on where it stopped\n");
     throw;
   }
+  const study::StudyAnalysis analysis = write_report(folder, shown);
   shown.clear();
-  const study::StudyAnalysis analysis = write_report(folder);
   const study::FolderState& state = done.state;
   if (arguments.json) {
     Json given_up = Json::array();
@@ -217,7 +219,8 @@ void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
       const study::StudyLock lock(folder);
       study::collect(folder, folder.read_plan());
     }
-    for (const std::string& sentence : study::headlines(write_report(folder)))
+    Progress silent;
+    for (const std::string& sentence : study::headlines(write_report(folder, silent)))
       fmt::print("{}\n", terminal_line(sentence));
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   });

@@ -41,7 +41,7 @@ class AStudy(unittest.TestCase):
         (base / "study.toml").write_text(STUDY)
         cls.folder = base / "out"
         subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "run", str(base / "study.toml"), "-o",
-                        str(cls.folder), "--quiet"], check=True)
+                        str(cls.folder), "--quiet", "--keep-output"], check=True)
         cls.study = loosefit.study(cls.folder)
 
     @classmethod
@@ -54,6 +54,11 @@ class AStudy(unittest.TestCase):
         self.assertEqual(cases["status"], ["done", "done"])
         self.assertEqual(cases["grade"], ["A", "A"])
         self.assertEqual(self.study.facts["name"], "two fits")
+
+    def test_page_has_a_gallery_of_kept_outputs(self):
+        page = (self.folder / "study-report.html").read_text(encoding="utf-8")
+        self.assertIn("drapes of 2 cases", page)
+        self.assertIn("data:image/png;base64,iVBOR", page)
 
     def test_body_is_the_one_asked_for(self):
         asked = self.study.query("SELECT value FROM inputs WHERE number = 1 AND input = 'person.chest'")["value"]

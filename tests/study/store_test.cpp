@@ -11,6 +11,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/compare.h"
+#include "loosefit/study/gallery.h"
 #include "loosefit/study/study_page.h"
 #include "loosefit/study/worker_process.h"
 
@@ -286,6 +287,19 @@ TEST_F(StudyOnDisk, ComparisonPairsPeople) {
   EXPECT_LT(second.interval.high - second.interval.low, 0.025);
   EXPECT_TRUE(second.differs());
   EXPECT_EQ(second.better, 0);
+}
+
+TEST_F(StudyOnDisk, GalleryIsThereWhereOutputsWereKept) {
+  const StudyFolder folder = finished("a");
+  Progress silent;
+  const Gallery none = make_gallery(folder, folder.read_plan(), silent);
+  EXPECT_EQ(none.cases, 0);
+  EXPECT_TRUE(none.png.empty() && none.why.empty());
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
+  EXPECT_EQ(study_html(analysis, none).find("<img"), std::string::npos);
+  EXPECT_NE(study_html(analysis, {"png", "", 2}).find("drapes of 2 cases"), std::string::npos);
+  EXPECT_NE(study_html(analysis, {"", "no <screen>", 2}).find("no &lt;screen&gt;"),
+            std::string::npos);
 }
 
 TEST(WorkerProcess, TellsHowAProgramEnded) {

@@ -245,6 +245,17 @@ std::string method_section(const StudyAnalysis& analysis) {
   return text;
 }
 
+std::string gallery_section(const Gallery& gallery) {
+  if (!gallery.why.empty())
+    return element("div", escaped("No gallery: " + gallery.why), "box warn");
+  if (gallery.png.empty()) return {};
+  return element("h2", "Drapes") +
+         fmt::format(
+             "<img alt=\"drapes of {} cases from the front, coloured by their distance from "
+             "the body\" style=\"max-width:100%\" src=\"data:image/png;base64,{}\">\n",
+             gallery.cases, report::base64(gallery.png));
+}
+
 }  // namespace
 
 std::string distribution_svg(const std::vector<SiteScores>& sites, double pass) {
@@ -281,7 +292,7 @@ std::string distribution_svg(const std::vector<SiteScores>& sites, double pass) 
   return svg + "</svg>\n";
 }
 
-std::string study_html(const StudyAnalysis& analysis) {
+std::string study_html(const StudyAnalysis& analysis, const Gallery& gallery) {
   std::string sections;
   for (const ModalityAnalysis& modality : analysis.modalities) {
     sections += element("h2", escaped(modality.title.empty() ? modality.name : modality.title));
@@ -298,7 +309,7 @@ std::string study_html(const StudyAnalysis& analysis) {
          escaped(analysis.data.plan.name) + "</title>\n<style>" +
          std::string(report::kReportStyle) + "</style>\n</head>\n<body>\n" + head(analysis) +
          sections + trouble_section(analysis.data) + method_section(analysis) +
-         "</body>\n</html>\n";
+         gallery_section(gallery) + "</body>\n</html>\n";
 }
 
 }  // namespace loosefit::study
