@@ -146,12 +146,12 @@ def kills(study, content, count, draws):
     return f"{count} kills, {runners} of them of the runner; {said['ran']} cases were left at the end"
 
 
-def full_disk(study, content):
+def full_disk(study, content, cases):
     """In a file system of memory of our own, without leave of anybody."""
     script = f"""
 set -e
 mkdir -p {study.folder}
-mount -t tmpfs -o size=420k loosefit-test {study.folder}
+mount -t tmpfs -o size=240k loosefit-test {study.folder}
 code=0; {' '.join(study.command())} > /dev/null 2> {study.folder}.errors || code=$?
 echo "$code $(ls {study.folder}/cases/*/*/result.json | wc -l)"
 mount -o remount,size=50m {study.folder}
@@ -164,6 +164,7 @@ mount -o remount,size=50m {study.folder}
     code, finished = (int(word) for word in end.stdout.split())
     errors = pathlib.Path(f"{study.folder}.errors").read_text()
     check(code == 2, f"exit code {code} on a full disk: {errors}")
+    check(finished < cases, "the disk was full too late: all cases had finished")
     check("error: " in errors, f"no error line: {errors}")
     said = json.loads(pathlib.Path(f"{study.folder}.json").read_text())
     check(said["content_sha256"] == content, "the database differs after a full disk")
@@ -239,7 +240,7 @@ def main():
               f"{time.time() - begin:.0f} s")
         failed = 0
         for name, act in (("kills", lambda s: kills(s, content, arguments.kills, draws)),
-                          ("full disk", lambda s: full_disk(s, content)),
+                          ("full disk", lambda s: full_disk(s, content, said["cases"])),
                           ("no growth", lambda s: no_growth(s, content)),
                           ("second runner", lambda s: second_runner(s, content)),
                           ("interrupted", lambda s: interrupted(s, content))):
