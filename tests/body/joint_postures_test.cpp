@@ -34,6 +34,26 @@ TEST(JointPostures, TheElbowFlexesByItsAngleAndForward) {
   }
 }
 
+TEST(JointPostures, BendingTheElbowTurnsTheHandWithTheForearm) {
+  // Skin of hand and wrist moves as one piece, also past the right angle.
+  const Body straight = in("elbow-flexion-0");
+  for (const double flexion : {60.0, 89.0, 91.0, 130.0}) {
+    const Body bent = in(joint_posture_name({{"elbow-flexion", flexion}}));
+    int edges = 0;
+    for (const Triangle& t : straight.surface.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const int a = t[k], b = t[(k + 1) % 3];
+        const Vec3& p = straight.surface.vertices[a];
+        if ((p - straight.joints.at("wrist_L")).norm() > 0.05) continue;
+        const double before = (p - straight.surface.vertices[b]).norm(),
+                     after = (bent.surface.vertices[a] - bent.surface.vertices[b]).norm();
+        ASSERT_NEAR(after / before, 1, 0.02) << flexion;
+        ++edges;
+      }
+    EXPECT_GT(edges, 50);
+  }
+}
+
 TEST(JointPostures, TheWayFromStandingIsEvenInTheAngle) {
   const Posture bent = named_posture("elbow-flexion-120");
   for (const double share : {0.25, 0.5, 0.75}) {

@@ -72,6 +72,31 @@ TEST(Scorecards, ShippedOnesAreReadAndComplete) {
   }
 }
 
+TEST(Scorecards, OfLinesAreReadAndCompleteAndJudgeNoPlaces) {
+  EXPECT_EQ(line_scorecard_names(), (std::vector<std::string>{"lead", "stretch"}));
+  placement::MetricValues all;
+  for (const placement::MetricName& m : placement::line_vocabulary()) all[m.name] = 0.5;
+  for (const std::string& name : line_scorecard_names()) {
+    const placement::Scorecard card = load_scorecard(name, true);
+    EXPECT_TRUE(card.of_lines);
+    EXPECT_TRUE(placement::score(all, card).q.has_value());
+    for (const placement::Criterion& c : card.criteria) EXPECT_GE(c.source.size(), 10u);
+    EXPECT_THROW(load_scorecard(name), InvalidInput) << "a place";
+  }
+  EXPECT_THROW(load_scorecard("ecg", true), InvalidInput) << "a line";
+  const std::string head = "title = \"t\"\nabout = \"a\"\njudges = \"lines\"\n";
+  const std::string criterion =
+      "[[criterion]]\nmetric = \"M\"\nunit = \"-\"\ngood = 0.1\nfail = 0.2\nreason = \"r\"\n"
+      "source = \"s\"\n";
+  const auto with = [&](const std::string& metric, const std::string& more = {}) {
+    std::string text = head + more + criterion;
+    return parse_scorecard(text.replace(text.find("\"M\""), 3, '"' + metric + '"'), "c.toml");
+  };
+  EXPECT_NO_THROW(with("line_slack"));
+  EXPECT_THROW(with("slack"), InvalidInput);
+  EXPECT_THROW(with("line_slack", "regions = [\"chest\"]\n"), InvalidInput);
+}
+
 TEST(Scorecards, ManualNamesEveryWord) {
   // Metrics that are read of an array stand in the table of maps too.
   std::string docs;
@@ -81,6 +106,7 @@ TEST(Scorecards, ManualNamesEveryWord) {
     EXPECT_NE(docs.find("`" + word + "`"), std::string::npos) << word;
   };
   for (const placement::MetricName& m : placement::metric_vocabulary()) named(m.name);
+  for (const placement::MetricName& m : placement::line_vocabulary()) named(m.name);
   for (const placement::SensorParameter& p : placement::sensor_parameters()) named(p.name);
   for (const std::string& name : scorecard_names()) named(name);
 }

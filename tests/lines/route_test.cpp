@@ -42,7 +42,7 @@ class SheetWithACone : public ::testing::Test {
 };
 
 TEST_F(SheetWithACone, TheRouteIsTheTautStringRoundItsFoot) {
-  const Route straight = judged(garment_, shortest(across()), {state(positions_)});
+  const Route straight = judged(garment_, surface_, shortest(across()), {state(positions_)});
   EXPECT_NEAR(straight.course.length, 2 * kAside, 1e-6);
   EXPECT_NEAR(straight.strain, std::sqrt(2.0) - 1, 0.02);
   EXPECT_NEAR(straight.mean_strain, (std::sqrt(2.0) - 1) * kFoot / kAside, 0.01);
@@ -72,8 +72,9 @@ TEST_F(SheetWithACone, TheWorstOfAllStatesCounts) {
   const std::vector<Route> routes = find_routes(
       garment_, surface_, across(), {state(plane_), state(positions_)}, {.alternatives = 0});
   EXPECT_GT(routes.front().course.length, 0.29) << "the second state has the cone";
-  EXPECT_NEAR(judged(garment_, shortest(across()), {state(plane_), state(positions_)}).strain,
-              std::sqrt(2.0) - 1, 0.02);
+  EXPECT_NEAR(
+      judged(garment_, surface_, shortest(across()), {state(plane_), state(positions_)}).strain,
+      std::sqrt(2.0) - 1, 0.02);
 }
 
 TEST_F(SheetWithACone, AlternativesLieElsewhere) {
@@ -99,6 +100,82 @@ TEST_F(SheetWithACone, GoesByItsStops) {
                   {state(positions_)}, {.alternatives = 0});
   EXPECT_NEAR(routes[0].course.length, 2 * std::hypot(0.14, 0.14), 0.003);
   EXPECT_EQ(routes[0].course.stops.size(), 3u);
+}
+
+TEST_F(SheetWithACone, ALengthLimitTakesTheStringOverTheCone) {
+  const double taut =
+      2 * std::sqrt(kAside * kAside - kFoot * kFoot) + 2 * kFoot * std::asin(kFoot / kAside);
+  const double limit = 2 * kAside + 0.3 * (taut - 2 * kAside);
+  const std::vector<Route> routes = find_routes(garment_, surface_, across(), {state(positions_)},
+                                                {.alternatives = 0, .longest = limit});
+  EXPECT_LE(routes[0].course.length, limit);
+  EXPECT_GT(routes[0].course.length, 2 * kAside + 0.1 * (taut - 2 * kAside))
+      << "uses some of what it may";
+  const double straight =
+      judged(garment_, surface_, shortest(across()), {state(positions_)}).mean_strain;
+  EXPECT_LT(routes[0].mean_strain, straight);
+  try {
+    find_routes(garment_, surface_, across(), {state(positions_)}, {.longest = 0.25});
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "longest");
+    EXPECT_NE(error.expected().find("0.280"), std::string::npos) << error.expected();
+  }
+}
+
+TEST_F(SheetWithACone, WhatIsKeptFreeIsPassed) {
+  // A disc in the flat sheet: the taut string round it.
+  std::vector<char> kept(garment_.triangles.size(), 0);
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    const auto& uv = garment_.triangle_uv[t];
+    kept[t] = ((uv[0] + uv[1] + uv[2]) / 3 - kMiddle).norm() < kFoot;
+  }
+  const std::vector<Route> routes = find_routes(garment_, surface_, across(), {state(plane_)},
+                                                {.alternatives = 0, .kept_free = kept});
+  const double taut =
+      2 * std::sqrt(kAside * kAside - kFoot * kFoot) + 2 * kFoot * std::asin(kFoot / kAside);
+  EXPECT_NEAR(routes[0].course.length, taut, 0.02 * taut);
+  for (const CoursePiece& piece : routes[0].course.pieces) EXPECT_FALSE(kept[piece.triangle]);
+}
+
+TEST_F(SheetWithACone, ASeamIsCrossedOnlyWhereTheDetourIsDearer) {
+  // From side to side of the seam of a round tube, which is the short way.
+  const double radius = kWidth / (2 * kPi);
+  std::vector<Vec3> tube;
+  for (const Vec2& uv : garment_.vertex_uv)
+    tube.emplace_back(radius * std::sin(uv.x() / radius), radius * std::cos(uv.x() / radius),
+                      uv.y());
+  const std::vector<placement::GarmentPoint> stops = {at(0.1, 0.2), at(0.5, 0.2)};
+  const auto seams = [&](double seam) {
+    const Route route = find_routes(garment_, surface_, stops, {state(tube)},
+                                    {.alternatives = 0, .prices = {.seam = seam}})
+                            .front();
+    return std::pair(route.seams, route.course.length);
+  };
+  // The way across is 0.2 m, the way round 0.4 m.
+  const auto [cheap, across] = seams(0.1);
+  EXPECT_EQ(cheap, 1);
+  EXPECT_NEAR(across, 0.2, 1e-3);
+  const auto [dear, round] = seams(0.3);
+  EXPECT_EQ(dear, 0);
+  EXPECT_NEAR(round, 0.4, 1e-3);
+}
+
+TEST_F(SheetWithACone, BendingIsPaidForAtItsRadius) {
+  // A cylinder of radius R: nothing is stretched, a way round it bends with 1/R.
+  const double radius = 0.05;
+  std::vector<Vec3> bent;
+  for (const Vec2& uv : garment_.vertex_uv) {
+    const double angle = (uv.x() - kMiddle.x()) / radius;
+    bent.emplace_back(radius * std::sin(angle), radius * std::cos(angle), uv.y());
+  }
+  const Route round = judged(garment_, surface_, shortest(across()), {state(bent)});
+  EXPECT_NEAR(round.bend_radius, radius, 0.02 * radius);
+  EXPECT_LT(round.strain, 0.002);
+  const RouteCost priced(garment_, {state(bent)}, {.own_strain = 0.01, .bending = 0.001});
+  double sum = 0;
+  for (const CoursePiece& piece : round.course.pieces) sum += priced.of(piece);
+  EXPECT_NEAR(sum, 2 * kAside * (0.01 + 0.001 / radius), 0.02 * sum);
 }
 
 }  // namespace

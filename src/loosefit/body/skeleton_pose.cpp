@@ -44,10 +44,23 @@ Mat3& rotation_of(BoneRotations& rotations, const std::string& bone) {
   return rotations.try_emplace(bone, Mat3::Identity()).first->second;
 }
 
+/// Turn of the forearm about the elbow: a share of what brings it into line with the upper arm,
+/// less `flexion` [rad] about the same axis.
+Mat3 elbow_turn(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
+                double share, double flexion) {
+  const Vec3 elbow = joint_of(data, joints, "lowerarm01" + side);
+  const Vec3 upper = elbow - joint_of(data, joints, "upperarm01" + side),
+             fore = joint_of(data, joints, "wrist" + side) - elbow;
+  const Eigen::AngleAxisd whole(geometry::rotation_between(fore, upper));
+  return about(whole.axis(), share * whole.angle() - flexion);
+}
+
 /// Turns upper arms and forearms about their own length after what the bones do already: the elbow
-/// bends to where `forward` points (of an arm that is not raised: −y), and so does the thumb.
+/// bends to where `forward` points (of an arm that is not raised: −y), and there points the thumb
+/// of an arm that is not bent; `extension` as in elbow_turn. Bending turns the thumb with the
+/// forearm.
 void relax_arms(const BodyData& data, const std::vector<Vec3>& joints, double share,
-                const Vec3& forward, BoneRotations& rotations) {
+                const Vec3& forward, double extension, BoneRotations& rotations) {
   for (const std::string side : {".L", ".R"}) {
     const auto head = [&](const char* bone) { return joint_of(data, joints, bone + side); };
     const Vec3 elbow = head("lowerarm01");
@@ -66,25 +79,15 @@ void relax_arms(const BodyData& data, const std::vector<Vec3>& joints, double sh
     };
     twist("upperarm01", upper, kHumerusTwist * humerus);
     twist("upperarm02", upper, (1 - kHumerusTwist) * humerus);
-    // Elbow and palm, after the whole turn of the upper arm.
-    const Mat3 bend = rotation_of(rotations, "lowerarm01" + side);
-    const Vec3 ahead_of_elbow = (about(upper, humerus) * bend).transpose() * ahead;
+    // Palm, after the whole turn of the upper arm. Not after the bend of the elbow: a forearm that
+    // points forward has no side that does.
+    const Mat3 stretched = elbow_turn(data, joints, side, extension, 0);
+    const Vec3 ahead_of_elbow = (about(upper, humerus) * stretched).transpose() * ahead;
     const double radius = turn_about(fore, thumbward, ahead_of_elbow);
     twist("lowerarm01", fore, kForearmTwist[0] * radius);
     twist("lowerarm02", fore, kForearmTwist[1] * radius);
     twist("wrist", fore, kForearmTwist[2] * radius);
   }
-}
-
-/// Turn of the forearm about the elbow: a share of what brings it into line with the upper arm,
-/// less `flexion` [rad] about the same axis.
-Mat3 elbow_turn(const BodyData& data, const std::vector<Vec3>& joints, const std::string& side,
-                double share, double flexion) {
-  const Vec3 elbow = joint_of(data, joints, "lowerarm01" + side);
-  const Vec3 upper = elbow - joint_of(data, joints, "upperarm01" + side),
-             fore = joint_of(data, joints, "wrist" + side) - elbow;
-  const Eigen::AngleAxisd whole(geometry::rotation_between(fore, upper));
-  return about(whole.axis(), share * whole.angle() - flexion);
 }
 
 /// Turns the hands towards the palm, about the line across the knuckles that is square to the
@@ -159,7 +162,8 @@ BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& j
           elbow_turn(data, joints, side, posture.elbow_extension, posture.elbow_flexion);
   if (posture.relaxed_arms != 0)
     relax_arms(data, joints, posture.relaxed_arms,
-               about(Vec3::UnitX(), -posture.arm_flexion) * -Vec3::UnitY(), rotations);
+               about(Vec3::UnitX(), -posture.arm_flexion) * -Vec3::UnitY(), posture.elbow_extension,
+               rotations);
 
   if (posture.wrist_flexion != 0) flex_wrists(data, joints, posture.wrist_flexion, rotations);
 

@@ -78,6 +78,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     bending_.push_back(std::make_unique<fabric::BendingEnergy>(triangles, garment.triangle_uv,
                                                                garment.triangle_added_bending, m,
                                                                viscous, garment.triangle_built_in));
+    bands_.push_back(std::make_unique<fabric::BandEnergy>(triangles, garment.bands));
     system_.mass.insert(system_.mass.end(), garment.vertex_mass.begin(), garment.vertex_mass.end());
     for (int v = 0; v < garment.vertex_count; ++v)
       system_.cloth_mass.push_back(garment.cloth_mass(v));
@@ -107,6 +108,8 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   // Forces are summed in this order, on which their last digits depend.
   for (const auto& e : membrane_) system_.energies.push_back(e.get());
   for (const auto& e : bending_) system_.energies.push_back(e.get());
+  for (const auto& e : bands_)
+    if (!e->empty()) system_.energies.push_back(e.get());
   system_.energies.push_back(gravity_.get());
   system_.energies.push_back(load_.get());
   for (const auto& e : body_) system_.energies.push_back(e.get());
@@ -140,6 +143,7 @@ ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   for (particles::VectorField& f : forces) f.assign(x.size(), Vec3::Zero());
   auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
   for (const auto& e : membrane_) e->add_gradient(x, membrane);
+  for (const auto& e : bands_) e->add_gradient(x, membrane);
   for (const auto& e : bending_) e->add_gradient(x, bending);
   gravity_->add_gradient(x, gravity);
   for (const auto& e : body_) {

@@ -8,6 +8,7 @@
 #include "loosefit/drape/cloth_layer.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/unsettled.h"
+#include "loosefit/fabric/band_energy.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/dead_load.h"
@@ -57,7 +58,8 @@ class ClothModel {
   /// Of the body contact of every layer.
   void set_field(const std::shared_ptr<const contact::DistanceField>& field);
 
-  /// Forces on every particle [N], by kind in the order of kForceNames.
+  /// Forces on every particle [N], by kind in the order of kForceNames; those of bands that are sewn
+  /// on are counted with the membrane.
   using Forces = std::array<particles::VectorField, kForceNames.size()>;
   Forces forces(const particles::VectorField& x) const;
 
@@ -88,6 +90,7 @@ class ClothModel {
   ClothMesh mesh_;
   std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // per layer
   std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
+  std::vector<std::unique_ptr<fabric::BandEnergy>> bands_;
   std::unique_ptr<particles::GravityEnergy> gravity_;
   std::unique_ptr<particles::DeadLoad> load_;
   std::vector<std::unique_ptr<contact::BodyContact>> body_;

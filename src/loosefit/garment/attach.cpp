@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/garment/check_attachment.h"
 #include "loosefit/garment/covered_share.h"
+#include "loosefit/garment/lay_band.h"
 #include "loosefit/geometry/closest_point.h"
 
 namespace loosefit::garment {
@@ -98,6 +99,7 @@ void add(Garment& g, int panel, const Cable& cable) {
     g.mass += cable.linear_density * length;
   }
   stiffen(g, panel, cable.bending / cable.width, 1, PathStrip(cable.path, cable.width));
+  lay_band(g, panel, cable);
 }
 
 }  // namespace

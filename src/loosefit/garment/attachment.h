@@ -19,12 +19,14 @@ struct Board {
   double membrane_factor = 10;  ///< in-plane stiffness multiplier within the footprint, ≥ 1
 };
 
-/// A cable sewn along a path on one panel.
+/// A cable, a stretch sensor or an elastic that is sewn along a path on one panel.
 struct Cable {
   std::vector<Vec2> path;     ///< polyline in pattern coordinates [m], at least two points
   double linear_density = 0;  ///< [kg/m]
   double bending = 0;   ///< B of the cable [N m²]; adds B / width [N m] on a strip of `width`
   double width = 0.01;  ///< [m]
+  double axial_stiffness = 0;  ///< EA: force per elongation, it does not push [N]
+  double pre_stretch = 0;      ///< by which it is stretched when it is sewn on [–]
 };
 
 /// Something fixed to one panel that changes mass and rigidity locally (Harms et al. 2012: m_i,

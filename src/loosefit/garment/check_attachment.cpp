@@ -60,6 +60,8 @@ struct Checker {
     range("linear_density", cable.linear_density, 0, 1, "kg/m");
     range("bending", cable.bending, 0, 1, "N m²");
     range("width", cable.width, 5e-4, 0.2, "m");
+    range("axial_stiffness", cable.axial_stiffness, 0, 1e5, "N");
+    range("pre_stretch", cable.pre_stretch, 0, 2, "");
   }
 };
 

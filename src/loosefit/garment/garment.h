@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/base/types.h"
+#include "loosefit/fabric/band_energy.h"
 #include "loosefit/pattern/pattern.h"
 
 namespace loosefit::garment {
@@ -27,6 +28,9 @@ struct Garment {
   std::vector<double>
       triangle_membrane_factor;                ///< in-plane stiffness multiplier (1 = plain fabric)
   std::vector<double> triangle_added_bending;  ///< isotropic rigidity added by attachments [N m]
+
+  /// What pulls along paths; their triangles are those of the garment.
+  std::vector<fabric::BandPart> bands;
 
   std::vector<char> triangle_built_in;  ///< held in a rigid clamp; empty: none
 

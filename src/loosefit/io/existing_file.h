@@ -5,6 +5,9 @@
 
 namespace loosefit::io {
 
+/// A path with that extension, as a pattern for existing_file.
+inline constexpr const char* kTomlFile = "[^/]\\.toml$";
+
 /// Absolute form of a file named in a configuration, relative to the folder of that; `about` and
 /// `pattern` as of ConfigReader::path. \throws InvalidInput if it does not exist or is not a file.
 std::string existing_file(ConfigReader& table, const std::string& key,

@@ -45,6 +45,10 @@ garment::Cable read_cable(ConfigReader& table) {
                              "breadth of cloth over which the cable is spread");
   cable.linear_density = table.number("linear_density", 0, {0, 1, "kg/m"}, "mass per length");
   cable.bending = table.number("bending", 0, {0, 0.01, "N m²"}, "rod rigidity, spread over width");
+  cable.axial_stiffness = table.number("axial_stiffness", 0, {0, 1e5, "newton"},
+                                       "force of a cable or elastic per elongation of one");
+  cable.pre_stretch = table.number("pre_stretch", 0, {0, 2, "a fraction"},
+                                   "by which a cable or elastic is stretched when it is sewn on");
   return cable;
 }
 
@@ -64,9 +68,11 @@ std::string part_text(const garment::Board& board) {
 std::string part_text(const garment::Cable& cable) {
   std::vector<std::string> path;
   for (const Vec2& p : cable.path) path.push_back(point_text(p));
-  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n", join(path),
-                     shortest(cable.width), shortest(cable.linear_density),
-                     shortest(cable.bending));
+  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n"
+                     "axial_stiffness = {}\npre_stretch = {}\n",
+                     join(path), shortest(cable.width), shortest(cable.linear_density),
+                     shortest(cable.bending), shortest(cable.axial_stiffness),
+                     shortest(cable.pre_stretch));
 }
 
 }  // namespace
@@ -80,7 +86,7 @@ garment::Attachment read_attachment_section(ConfigReader table) {
          {"at", "size", "radius", "angle_deg", "mass", "bending", "membrane_factor"})
       known.push_back(key);
   if (!only_board)
-    for (const char* key : {"path", "width", "linear_density", "bending"}) known.push_back(key);
+    for (const char* key : {"path", "width", "linear_density", "bending", "axial_stiffness", "pre_stretch"}) known.push_back(key);
   table.only(known);
   garment::Attachment a;
   a.name = required_text(table, "name", "a name");

@@ -6,15 +6,11 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/existing_file.h"
 #include "loosefit/io/material_origin.h"
-#include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/scorecard_key.h"
 #include "loosefit/maps/compute_maps.h"
 
 // [material], [simulation], [output] and [ranking]: how it is computed and shown.
 namespace loosefit::io {
-
-namespace {
-const char* const kTomlFile = "[^/]\\.toml$";  // a path with that extension
-}  // namespace
 
 scenario::MaterialCard read_material_section(ConfigReader table) {
   const std::vector<std::string> names = material_names();
@@ -80,14 +76,7 @@ scenario::ScenarioOutput read_output_section(ConfigReader table) {
 scenario::ScenarioRanking read_ranking_section(ConfigReader table) {
   scenario::ScenarioRanking r;
   const std::string about = "scorecard by which sites are ranked, or the path of a .toml file";
-  r.modality = table.peek_text("modality", r.modality);
-  table.declare("modality", about);
-  if (std::filesystem::path(r.modality).extension() == ".toml")
-    r.modality = existing_file(table, "modality", about, kTomlFile);
-  else
-    table.choice("modality", "", scorecard_names(), about);
-  if (!r.modality.empty() && !table.recording())
-    load_scorecard(r.modality);  // what is wrong with it is said now
+  r.modality = scorecard_of(table, "modality", about, false);
   r.best =
       static_cast<int>(table.integer("best", r.best, 0, 1000, "places to search beside the sites"));
   r.partial = table.boolean("partial", r.partial, "judge by the criteria that the drapes can tell");

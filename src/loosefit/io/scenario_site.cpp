@@ -4,6 +4,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/degrees_text.h"
+#include "loosefit/io/scorecard_key.h"
 #include "loosefit/placement/site_points.h"
 
 // [[site]]: where a sensor is wanted and what it is.
@@ -115,6 +116,42 @@ placement::LineSpec read_line(ConfigReader& table) {
                                   "by which the sensor is stretched when it is sewn on");
   line.part = table.number("part", line.part, {0.002, 1, "metres"},
                            "wished length of the parts in which it is told");
+  if (line.course == placement::LineSpec::Course::least_strain) {
+    line.longest = table.number("longest", line.longest, {0, 20, "metres"},
+                                "limit of a least-strain line in the flat cloth; 0: none");
+    line.seam_price = table.number("seam_price", line.seam_price, {0, 100, "metres"},
+                                   "way that is as dear as to cross a seam");
+    line.bend_price = table.number("bend_price", line.bend_price, {0, 0.1, "metres"},
+                                   "strain per curvature of the cloth: half the lead's thickness");
+    line.slip_price = table.number("slip_price", line.slip_price, {0, 1e3, "1/m"},
+                                   "strain per metre by which the cloth slips on the skin");
+    for (const std::string& text : table.texts(
+             "keep_out", "", "zones of the pattern and regions of the body that it passes by", 1))
+      try {
+        placement::add_keep_out(text, line.keep_out);
+      } catch (const InvalidInput& error) {
+        throw table.error("keep_out", error.found(), error.expected(), error.hint());
+      }
+  } else {
+    for (const char* key : {"longest", "seam_price", "bend_price", "slip_price", "keep_out"})
+      if (table.has(key))
+        throw table.error(key, "a condition of a route", "course = \"least-strain\" beside it", {});
+  }
+  line.scorecard = scorecard_of(
+      table, "scorecard", "scorecard by which a line is judged, or the path of a .toml file", true);
+  line.stiffness = table.number("stiffness", line.stiffness, {0, 1e5, "N/m"},
+                                "of the whole line: force per metre by which it is longer");
+  line.width = table.number("width", line.width, {0.0005, 0.1, "metres"},
+                            "breadth of cloth on which the line pulls");
+  line.linear_density =
+      table.number("linear_density", line.linear_density, {0, 1, "kg/m"}, "mass per length");
+  line.bending =
+      table.number("bending", line.bending, {0, 0.01, "N m²"}, "rod rigidity, spread over width");
+  if (line.is_sewn_part() && line.course == placement::LineSpec::Course::least_strain)
+    throw table.error("course", "least-strain for a line with stiffness, mass or rigidity",
+                      "shortest or straight",
+                      "find the route without them, then give places of it "
+                      "(summary.json lines.NAME.routes) as via");
   return line;
 }
 
@@ -160,8 +197,24 @@ std::string line_toml(const std::string& name, const placement::LineSpec& line) 
   const char* const course = line.course == Course::straight       ? "straight"
                              : line.course == Course::least_strain ? "least-strain"
                                                                    : "shortest";
-  return text + fmt::format("course = \"{}\"\nheight = {}\npre_stretch = {}\npart = {}\n", course,
-                            shortest(line.height), shortest(line.pre_stretch), shortest(line.part));
+  if (line.course == Course::least_strain) {
+    text += fmt::format("longest = {}\nseam_price = {}\nbend_price = {}\nslip_price = {}\n",
+                        shortest(line.longest), shortest(line.seam_price),
+                        shortest(line.bend_price), shortest(line.slip_price));
+    std::vector<std::string> kept;
+    for (const placement::KeepOutZone& zone : line.keep_out.zones)
+      kept.push_back(toml_quoted(zone.name));
+    for (const body::Region region : line.keep_out.regions)
+      kept.push_back(toml_quoted(body::name(region)));
+    if (!kept.empty()) text += "keep_out = [" + join(kept) + "]\n";
+  }
+  if (!line.scorecard.empty()) text += "scorecard = " + toml_quoted(line.scorecard) + "\n";
+  return text + fmt::format(
+                    "course = \"{}\"\nheight = {}\npre_stretch = {}\npart = {}\nstiffness = {}\n"
+                    "width = {}\nlinear_density = {}\nbending = {}\n",
+                    course, shortest(line.height), shortest(line.pre_stretch), shortest(line.part),
+                    shortest(line.stiffness), shortest(line.width), shortest(line.linear_density),
+                    shortest(line.bending));
 }
 
 std::string place_text(const placement::SiteSpec& site) {
@@ -182,7 +235,9 @@ std::string place_text(const placement::SiteSpec& site) {
 placement::SiteSpec read_site_section(ConfigReader table) {
   placement::SiteSpec site;
   if (table.has("from") || table.has("to")) {
-    table.only({"name", "from", "to", "via", "course", "over", "height", "pre_stretch", "part"});
+    table.only({"name", "from", "to", "via", "course", "over", "height", "pre_stretch", "part",
+                "scorecard", "longest", "seam_price", "bend_price", "slip_price", "keep_out",
+                "stiffness", "width", "linear_density", "bending"});
     table.require("name", "a name");
     site.name = table.text("name", "", "what the place is called in the output");
     site.line = read_line(table);

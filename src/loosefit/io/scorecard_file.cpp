@@ -95,15 +95,17 @@ void read_ramps(ConfigReader& table, placement::Criterion& criterion) {
   criterion.upper = placement::Ramp{good[1], fail[1]};
 }
 
-placement::Criterion read_criterion(ConfigReader& table,
+placement::Criterion read_criterion(ConfigReader& table, bool of_lines,
                                     const std::map<std::string, double>& parameters) {
   table.only({"metric", "unit", "good", "fail", "reason", "reason_above", "source"});
   placement::Criterion criterion;
   criterion.metric = required_text(table, "metric", "the name of a metric");
   const placement::MetricName* metric = placement::find_metric(criterion.metric);
   std::vector<std::string> names;
-  for (const placement::MetricName& m : placement::metric_vocabulary()) names.push_back(m.name);
-  if (!metric)
+  for (const placement::MetricName& m :
+       of_lines ? placement::line_vocabulary() : placement::metric_vocabulary())
+    names.push_back(m.name);
+  if (std::find(names.begin(), names.end(), criterion.metric) == names.end())
     throw table.error("metric", "the name of a metric", did_you_mean(criterion.metric, names));
   if (required_text(table, "unit", "the unit of the limits in quotes") != metric->unit)
     throw table.error("unit", "\"" + metric->unit + "\"",
@@ -121,22 +123,36 @@ placement::Criterion read_criterion(ConfigReader& table,
   return criterion;
 }
 
-}  // namespace
+std::filesystem::path scorecard_folder(bool of_lines) {
+  const std::filesystem::path all = data_directory() / "scorecards";
+  return of_lines ? all / "lines" : all;
+}
 
-std::vector<std::string> scorecard_names() {
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(data_directory() / "scorecards", error))
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-placement::Scorecard load_scorecard(const std::string& name_or_path) {
-  if (std::filesystem::path(name_or_path).extension() == ".toml")
-    return read_scorecard_file(name_or_path);
-  const std::vector<std::string> names = scorecard_names();
+}  // namespace
+
+std::vector<std::string> scorecard_names() { return names_in(scorecard_folder(false)); }
+
+std::vector<std::string> line_scorecard_names() { return names_in(scorecard_folder(true)); }
+
+placement::Scorecard load_scorecard(const std::string& name_or_path, bool of_lines) {
+  if (std::filesystem::path(name_or_path).extension() == ".toml") {
+    const placement::Scorecard card = read_scorecard_file(name_or_path);
+    if (card.of_lines != of_lines)
+      throw InvalidInput({name_or_path, 0, "judges"}, card.of_lines ? "lines" : "places",
+                         of_lines ? "lines" : "places",
+                         "places and lines have scorecards of their own (docs/scorecards.md)");
+    return card;
+  }
+  const std::vector<std::string> names = names_in(scorecard_folder(of_lines));
   if (names.empty())
     throw IoError((data_directory() / "scorecards").string() + ": found no scorecards",
                   looked_in() + "; set LOOSEFIT_DATA to the folder that holds scorecards/");
@@ -144,7 +160,7 @@ placement::Scorecard load_scorecard(const std::string& name_or_path) {
     throw InvalidInput({"", 0, "modality"}, "\"" + printable(name_or_path) + "\"",
                        "the name of a scorecard, or the path of a .toml file",
                        did_you_mean(name_or_path, names));
-  return read_scorecard_file(data_directory() / "scorecards" / (name_or_path + ".toml"));
+  return read_scorecard_file(scorecard_folder(of_lines) / (name_or_path + ".toml"));
 }
 
 placement::Scorecard read_scorecard_file(const std::filesystem::path& path) {
@@ -154,23 +170,31 @@ placement::Scorecard read_scorecard_file(const std::filesystem::path& path) {
 placement::Scorecard parse_scorecard(const std::string& text, const std::string& file) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader table(root, file);
-  table.only({"title", "about", "pass", "regions", "footprint", "sensor", "criterion"});
+  table.only({"title", "about", "judges", "pass", "regions", "footprint", "sensor", "criterion"});
   placement::Scorecard card;
   card.name = std::filesystem::path(file).stem().string();
   card.title = required_text(table, "title", "what the sensor is");
   card.about = required_text(table, "about", "what is judged, and what is not");
   card.pass = table.number("pass", card.pass, {0.01, 1, "a score"});
-  if (!table.has("footprint"))
+  card.of_lines = table.choice("judges", "places", {"places", "lines"}) == "lines";
+  if (!card.of_lines && !table.has("footprint"))
     throw table.error("footprint", "what the sensor covers",
                       "[footprint] shape = \"disc\", radius = 0.012");
+  if (card.of_lines)
+    for (const char* key : {"footprint", "regions", "sensor"})
+      if (table.has(key))
+        throw table.error(key, "no such key beside judges = \"lines\"",
+                          "a line says itself where it runs");
   for (const std::string& region : table.choices("regions", {}, body::region_names()))
     card.regions.push_back(*body::find_region(region));
-  ConfigReader footprint = table.table("footprint");
-  card.around = footprint.choice("axis", "along", {"along", "around"}) == "around";
-  card.footprint = read_footprint(footprint);
-  card.parameters = read_parameters(table.table("sensor"));
+  if (!card.of_lines) {
+    ConfigReader footprint = table.table("footprint");
+    card.around = footprint.choice("axis", "along", {"along", "around"}) == "around";
+    card.footprint = read_footprint(footprint);
+    card.parameters = read_parameters(table.table("sensor"));
+  }
   for (ConfigReader& criterion : table.tables("criterion"))
-    card.criteria.push_back(read_criterion(criterion, card.parameters));
+    card.criteria.push_back(read_criterion(criterion, card.of_lines, card.parameters));
   if (card.criteria.empty()) throw table.error("criterion", "at least one [[criterion]]");
   table.finish();
   return card;

@@ -9,10 +9,13 @@ namespace loosefit::io {
 
 /// Names of the shipped scorecards (data/scorecards/NAME.toml), sorted.
 std::vector<std::string> scorecard_names();
+/// The same of those for lines (data/scorecards/lines/NAME.toml).
+std::vector<std::string> line_scorecard_names();
 
-/// A shipped scorecard by name, or a user's by its path when it ends in ".toml".
-/// \throws InvalidInput with a did-you-mean for an unknown name; as read_scorecard_file.
-placement::Scorecard load_scorecard(const std::string& name_or_path);
+/// A shipped scorecard by name, or a user's by its path when it ends in ".toml"; of places, or of
+/// lines. \throws InvalidInput with a did-you-mean for an unknown name, for one of the other kind;
+/// as read_scorecard_file.
+placement::Scorecard load_scorecard(const std::string& name_or_path, bool of_lines = false);
 
 /// Reads a scorecard; the name is the file's without its ending. Keys: docs/scorecards.md.
 /// \throws IoError; InvalidInput with file, line and key for an unknown key or metric (with a

@@ -45,6 +45,8 @@ std::vector<std::map<std::string, double>> line_metrics_by_donning(
     m["line_elongation_most"] = elongation.second;
     m["line_elongation_least"] = elongation.first;
     m["line_part_elongation"] = range([](const LineState& s) { return s.largest_part(); }).second;
+    m["line_part_strain"] = range([](const LineState& s) { return s.largest_strain(); }).second;
+    m["line_force_N"] = range([](const LineState& s) { return s.force; }).second;
     m["line_slack"] = range([](const LineState& s) { return s.slack; }).second;
     m["line_contact"] = range([](const LineState& s) { return s.contact; }).first;
     const double radius = range([](const LineState& s) { return s.bend_radius; }).first;

@@ -1,9 +1,11 @@
 #include "loosefit/lines/line_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/fabric/band_energy.h"
 #include "loosefit/maps/gap.h"
 #include "loosefit/maps/strain.h"
 #include "loosefit/maps/surface_curvature.h"
@@ -12,6 +14,12 @@ namespace loosefit::lines {
 
 double LineState::largest_part() const {
   return parts.empty() ? elongation : *std::max_element(parts.begin(), parts.end());
+}
+
+double LineState::largest_strain() const {
+  double most = 0;
+  for (const double part : parts) most = std::max(most, std::abs(part));
+  return most;
 }
 
 LineMeter::LineMeter(const garment::Garment& garment, const fabric::Material& material,
@@ -54,6 +62,7 @@ LineState LineMeter::measure(const LineCourse& course, const LineSensor& sensor)
     found.parts.push_back(own_share * part / course.part_length() - 1);
     if (found.parts.back() < maps::kSlackStrain) ++slack;
   }
+  found.force = sensor.axial_stiffness * fabric::band_law(found.largest_part()).force;
   found.elongation = own_share * found.length / course.length - 1;
   found.slack = static_cast<double>(slack) / course.parts;
   found.contact = touching / course.length;

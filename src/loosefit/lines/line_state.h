@@ -9,8 +9,9 @@ namespace loosefit::lines {
 
 /// What of a line matters to what it sees (LineSpec).
 struct LineSensor {
-  double height = 0;       ///< of its middle above that of the cloth, outwards [m]
-  double pre_stretch = 0;  ///< by which it is longer on the flat cloth than by itself [–]
+  double height = 0;           ///< of its middle above that of the cloth, outwards [m]
+  double pre_stretch = 0;      ///< by which it is longer on the flat cloth than by itself [–]
+  double axial_stiffness = 0;  ///< EA: force per elongation [N]
 };
 
 /// A line in one posture after one donning. Elongations are of the sensor against its own length:
@@ -23,7 +24,9 @@ struct LineState {
   double slack = 0;    ///< share of its parts that are shorter than by themselves by 0.5 % or more
   double contact = 0;  ///< share of its length that touches the skin
   double bend_radius = 0;  ///< least radius to which the cloth bends along it [m]; ∞: straight
+  double force = 0;        ///< greatest tension of any part (fabric/band_energy.h) [N]
   double largest_part() const;
+  double largest_strain() const;  ///< of any part, either way [–]
 };
 
 /// Measures lines in one state. Keeps references to everything.

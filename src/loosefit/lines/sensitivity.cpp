@@ -177,4 +177,13 @@ std::vector<Sensitivity> sensitivities(const std::vector<std::string>& postures,
   return Analysis(postures, states, signals).run();
 }
 
+std::map<std::string, double> sensitivity_metrics(const Sensitivity& sensitivity) {
+  std::map<std::string, double> m;
+  m["line_gain_percent_per_deg"] = 100 * std::abs(sensitivity.gain);
+  const double swept = sensitivity.curve.back().degrees - sensitivity.curve.front().degrees;
+  m["line_monotone_share"] = (sensitivity.monotone_to - sensitivity.monotone_from) / swept;
+  if (std::isfinite(sensitivity.angle_error)) m["line_angle_error_deg"] = sensitivity.angle_error;
+  return m;
+}
+
 }  // namespace loosefit::lines

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct Sensitivity {
   double angle_error = 0;
   std::vector<CrossEffect> cross;
 };
+
+/// What a sensitivity adds to the numbers by which a line is judged: line_gain_percent_per_deg,
+/// line_monotone_share of the swept range, and line_angle_error_deg where it is known.
+std::map<std::string, double> sensitivity_metrics(const Sensitivity& sensitivity);
 
 /// For every joint of which the list of postures has at least three angles with nothing else turned
 /// (joint_postures.h). `signals`: per state, as line_metrics.h gives them; NaN is passed over.

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/csv.h"
+#include "loosefit/io/scorecard_file.h"
 #include "loosefit/lines/find_course.h"
 #include "loosefit/pipeline/wear_states.h"
 
@@ -29,6 +30,59 @@ bool has_lines(const scenario::Scenario& scenario) {
   return false;
 }
 
+lines::RouteWish route_wish(const placement::LineSpec& line, const CaseResult& mapped) {
+  lines::RouteWish wish;
+  wish.part = line.part;
+  wish.longest = line.longest;
+  wish.prices.seam = line.seam_price;
+  wish.prices.bending = line.bend_price;
+  wish.prices.slip = line.slip_price;
+  if (line.keep_out.empty()) return wish;
+  const garment::Garment& mesh = mapped.studied().mesh();
+  try {
+    placement::check_keep_out(line.keep_out, mesh.panel_names);
+  } catch (const InvalidInput& error) {
+    throw error.at({"", 0, "keep_out"});
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& uv = mesh.triangle_uv[t];
+    const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3;
+    bool kept = false;
+    for (const placement::KeepOutZone& zone : line.keep_out.zones)
+      kept |= zone.panel == mesh.panel_names[mesh.triangle_panel[t]] && zone.distance(middle) <= 0;
+    for (const body::Region region : line.keep_out.regions)
+      for (const int corner : mesh.triangles[t])
+        kept |= region == mapped.studied().maps.worn.regions[corner];
+    wish.kept_free.push_back(kept);
+  }
+  return wish;
+}
+
+/// The scorecards by which a line is judged.
+std::vector<placement::Scorecard> scorecards_of(const placement::LineSpec& line) {
+  if (!line.scorecard.empty()) return {io::load_scorecard(line.scorecard, true)};
+  std::vector<placement::Scorecard> all;
+  for (const std::string& name : io::line_scorecard_names())
+    all.push_back(io::load_scorecard(name, true));
+  return all;
+}
+
+/// A line is as good as in its worst donning; of sweeps, as in the one of most gain.
+CaseLine::Verdict judged_by(const placement::Scorecard& card, const CaseLine& line) {
+  std::map<std::string, double> of_sweep;
+  double most = -1;
+  for (const lines::Sensitivity& s : line.sensitivities)
+    if (std::abs(s.gain) > most) most = std::abs(s.gain), of_sweep = lines::sensitivity_metrics(s);
+  CaseLine::Verdict worst{card.name, card.title, {}, card.pass};
+  for (std::size_t d = 0; d < line.metrics.size(); ++d) {
+    placement::MetricValues values = line.metrics[d];
+    values.insert(of_sweep.begin(), of_sweep.end());
+    placement::Score score = placement::score(values, card);
+    if (d == 0 || score.margin < worst.score.margin) worst.score = std::move(score);
+  }
+  return worst;
+}
+
 }  // namespace
 
 void check_lines(const CaseResult& prepared) {
@@ -50,11 +104,12 @@ std::vector<CaseLine> measure_lines(const CaseResult& mapped) {
     CaseLine& line = found.emplace_back();
     line.name = site.name;
     line.course = finder.find(*site.line);
-    line.sensor = {site.line->height, site.line->pre_stretch};
+    line.sensor = {site.line->height, site.line->pre_stretch,
+                   site.line->axial_stiffness(line.course.length)};
     if (site.line->course != placement::LineSpec::Course::least_strain) return;
-    line.shortest = lines::judged(studied.mesh(), line.course, states);
+    line.shortest = lines::judged(studied.mesh(), finder.surface(), line.course, states);
     line.routes = lines::find_routes(studied.mesh(), finder.surface(), line.course.stops, states,
-                                     {.part = site.line->part});
+                                     route_wish(*site.line, mapped));
     line.course = line.routes.front().course;
   });
   for (const placement::WornState& state : states) {
@@ -67,13 +122,19 @@ std::vector<CaseLine> measure_lines(const CaseResult& mapped) {
     line.metrics = lines::line_metrics_by_donning(line.states, line.course.length);
     line.sensitivities = lines::sensitivities(mapped.wear.postures, line.states, line.signals);
   }
+  std::size_t next = 0;
+  for_lines(mapped.scenario, [&](const placement::SiteSpec& site) {
+    CaseLine& line = found[next++];
+    for (const placement::Scorecard& card : scorecards_of(*site.line))
+      line.verdicts.push_back(judged_by(card, line));
+  });
   return found;
 }
 
 std::string lines_csv(const CaseResult& result) {
-  std::string text =
-      io::csv_line({"name", "posture", "donning", "length_cut_m", "length_worn_m", "elongation",
-                    "signal", "part_elongation_largest", "slack", "contact", "bend_radius_mm"});
+  std::string text = io::csv_line({"name", "posture", "donning", "length_cut_m", "length_worn_m",
+                                   "elongation", "signal", "part_elongation_largest", "slack",
+                                   "contact", "bend_radius_mm", "force_N"});
   for (const CaseLine& line : result.lines)
     for (std::size_t s = 0; s < line.states.size(); ++s) {
       const lines::LineState& state = line.states[s];
@@ -83,7 +144,7 @@ std::string lines_csv(const CaseResult& result) {
                                       std::to_string(state.donning + 1)};
       for (const double value :
            {line.course.length, state.length, state.elongation, line.signals[s],
-            state.largest_part(), state.slack, state.contact, 1e3 * state.bend_radius})
+            state.largest_part(), state.slack, state.contact, 1e3 * state.bend_radius, state.force})
         row.push_back(std::isfinite(value) ? io::csv_field(value) : "");
       text += io::csv_line(row);
     }

@@ -13,6 +13,7 @@
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_garment.h"
 #include "loosefit/pipeline/case_state.h"
+#include "loosefit/placement/scorecard.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/scenario/scenario.h"
 
@@ -73,6 +74,14 @@ struct CaseLine {
   std::vector<double> signals;           ///< per state (lines/line_metrics.h)
   std::vector<std::map<std::string, double>> metrics;  ///< per donning
   std::vector<lines::Sensitivity> sensitivities;       ///< of joints that the postures sweep
+  /// By each of its scorecards, in their order: of the donning in which it does worst.
+  struct Verdict {
+    std::string scorecard, title;
+    placement::Score score;
+    double pass = 0.5;
+    bool passes() const { return score.q && *score.q >= pass; }
+  };
+  std::vector<Verdict> verdicts = {};
   /// Of a course of least strain: the routes, best first, the course being the first; and the
   /// shortest way, which is not taken.
   std::vector<lines::Route> routes = {};

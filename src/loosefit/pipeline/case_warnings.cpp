@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "loosefit/base/text.h"
-#include "loosefit/pipeline/case_boards.h"
 #include "loosefit/pipeline/case_ease.h"
+#include "loosefit/pipeline/case_sewn_parts.h"
 
 namespace loosefit::pipeline {
 namespace {

@@ -43,6 +43,9 @@ Json route_json(const lines::Route& route, const garment::Garment& mesh) {
   return {{"length_cut_m", route.course.length},
           {"strain", route.strain},
           {"mean_strain", route.mean_strain},
+          {"bend_radius_mm", finite(1e3 * route.bend_radius)},
+          {"slip_mm", finite(1e3 * route.slip)},
+          {"seams", route.seams},
           {"pattern", pattern_json(route.course, mesh)}};
 }
 
@@ -56,6 +59,11 @@ std::string lines_json(const CaseLine& line, const garment::Garment& mesh) {
   for (const lines::Route& route : line.routes) json["routes"].push_back(route_json(route, mesh));
   if (line.shortest) json["shortest"] = route_json(*line.shortest, mesh);
   if (!line.states.empty()) json["parts"] = line.states.front().parts;
+  json["scores"] = Json::object();
+  for (const CaseLine::Verdict& v : line.verdicts)
+    json["scores"][v.scorecard] = {{"score", v.score.q ? Json(*v.score.q) : Json(nullptr)},
+                                   {"passes", v.passes()},
+                                   {"reason", v.score.reason}};
   json["sensitivities"] = Json::array();
   for (const lines::Sensitivity& s : line.sensitivities)
     json["sensitivities"].push_back(sensitivity_json(s));

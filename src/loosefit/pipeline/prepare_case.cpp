@@ -1,6 +1,6 @@
 #include "loosefit/pipeline/prepare_case.h"
 
-#include "loosefit/pipeline/case_boards.h"
+#include "loosefit/pipeline/case_sewn_parts.h"
 #include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/garment_layers.h"
 
@@ -18,9 +18,10 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   set_fit_along(patterns, result.body.path(0).body());
 
   progress.stage("garment");
-  result.scenario.sites = place_boards(scenario, result.body, patterns, progress);
+  SewnParts sewn = place_sewn_parts(scenario, result.body, patterns, progress);
+  result.scenario.sites = std::move(sewn.sites);
   progress.stage("garment");  // after the stages of a first, coarse drape
-  result.garments = mesh_garments(scenario, patterns, all_attachments(result.scenario));
+  result.garments = mesh_garments(scenario, patterns, sewn.attachments);
   placement::check_sites(result.studied().mesh(), result.body.body,
                          scenario.sites);  // before the long part
   check_lines(result);

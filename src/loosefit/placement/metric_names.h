@@ -21,7 +21,10 @@ struct MetricName {
 /// The whole vocabulary, derived metrics (derived_metrics.h) last.
 const std::vector<MetricName>& metric_vocabulary();
 
-/// nullptr for an unknown name.
+/// The words of sensors that are lines (lines/line_metrics.h); scorecards of lines use no others.
+const std::vector<MetricName>& line_vocabulary();
+
+/// In both; nullptr for an unknown name.
 const MetricName* find_metric(const std::string& name);
 
 /// "coe_rms_deg (several postures)", or the bare name when any drape has it.

@@ -39,6 +39,7 @@ struct Scorecard {
   std::string title;  ///< "ECG with dry textile electrodes"
   std::string about;  ///< what is judged, and what is not
   double pass = 0.5;  ///< score from which a site passes
+  bool of_lines = false;  ///< judges lines (LineSpec): no footprint, metrics of line_vocabulary()
   FootprintShape footprint;
   bool around = false;  ///< its axis runs around the body segment, otherwise along it
   std::map<std::string, double> parameters;  ///< of derived_metrics.h, SI

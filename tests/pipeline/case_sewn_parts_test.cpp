@@ -1,4 +1,4 @@
-#include "loosefit/pipeline/case_boards.h"
+#include "loosefit/pipeline/case_sewn_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ scenario::Scenario scenario_with(const std::string& sites) {
                             "case.toml");
 }
 
-TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
+TEST(CaseSewnParts, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   scenario::Scenario scenario = scenario_with(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"
       "[[site]]\nname = \"arm\"\nsegment = \"upper_arm\"\nside = \"right\"\n"
@@ -25,7 +25,8 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   Progress silent;
   const CaseBody body = make_body(scenario.body);
   const std::vector<CasePattern> patterns = make_patterns(scenario, body.body);
-  const std::vector<placement::SiteSpec> sites = place_boards(scenario, body, patterns, silent);
+  const SewnParts parts = place_sewn_parts(scenario, body, patterns, silent);
+  const std::vector<placement::SiteSpec>& sites = parts.sites;
   EXPECT_EQ(sites[0].panel, "back");
   EXPECT_NEAR(sites[0].at.x(), 0, 0.005);
   // T3 is about 13 cm below the high point shoulder of this woman.
@@ -34,8 +35,7 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   EXPECT_TRUE(sites[2].panel.empty()) << "nothing to carry: found on the drape itself";
   EXPECT_EQ(sites[3].at, Vec2(0.1, -0.3));
 
-  scenario.sites = sites;
-  const std::vector<garment::Attachment> all = all_attachments(scenario);
+  const std::vector<garment::Attachment>& all = parts.attachments;
   ASSERT_EQ(all.size(), 3u);
   const garment::Garment garment =
       garment::build_hierarchy(patterns[0].pattern, 0.03, {}, all).finest();
@@ -43,7 +43,7 @@ TEST(CaseBoards, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
 }
 
-TEST(CaseBoards, MovedFarFromWhereTheyWereWantedAreTold) {
+TEST(CaseSewnParts, MovedFarFromWhereTheyWereWantedAreTold) {
   CaseResult result;
   result.scenario = scenario_with(
       "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\nboard = { mass = 0.02 }\n"

@@ -1,0 +1,171 @@
+#include "loosefit/pipeline/case_sewn_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "loosefit/base/error.h"
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/lines/find_course.h"
+#include "loosefit/pattern/outline.h"
+#include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/pipeline/simulation_options.h"
+#include "loosefit/placement/site_points.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+constexpr double kCoarseResidual = 0.01;
+constexpr double kFarOff = 0.015;  // [m]
+
+using placement::GarmentPoint;
+using placement::LinePlace;
+using placement::LineSpec;
+using placement::SiteSpec;
+
+bool is_sewn_line(const SiteSpec& site) { return site.line && site.line->is_sewn_part(); }
+
+/// Its places in the pattern are seen on a drape only.
+bool needs_drape(const SiteSpec& site) {
+  if (is_sewn_line(site))
+    return !site.line->over.empty() ||
+           std::any_of(site.line->stops.begin(), site.line->stops.end(),
+                       [](const LinePlace& place) { return place.panel.empty(); });
+  return site.board && site.panel.empty();
+}
+
+/// The mesh cuts the corners of a curved outline, at a concave one to its outside.
+Vec2 inside(const pattern::Panel& panel, const Vec2& place) {
+  const std::vector<Vec2> outline = pattern::outline_polygon(panel);
+  return pattern::inside_polygon(outline, place) ? place
+                                                 : pattern::closest_on_polygon(outline, place);
+}
+
+/// `work` on a site of the scenario; complaints get its key.
+template <class Work>
+auto for_site(std::size_t i, const Work& work) try {
+  return work();
+} catch (const InvalidInput& error) {
+  throw error.at({"", 0, "site[" + std::to_string(i) + "]." + error.place().key});
+}
+
+/// Gives sites that need it their places on the bare garment, draped on its coarsest mesh over what
+/// is worn under it.
+void place_on_drape(const scenario::Scenario& scenario, const CaseBody& body,
+                    const std::vector<CasePattern>& patterns,
+                    const std::vector<CaseGarment>& coarse, std::vector<SiteSpec>& sites,
+                    Progress& progress) {
+  const garment::Garment& bare = coarse.back().mesh();
+  placement::check_sites(bare, body.body, sites);
+  drape::DrapeOptions options = drape_options(scenario.simulation);
+  options.residual_tolerance = kCoarseResidual;
+  CaseBody wearer = clone_wearer(body);
+  drape::DrapeSession session(cloth_layers(scenario, coarse), options, progress);
+  const drape::Drape drape =
+      split_drape(put_on(session, wearer, usual_movements(scenario.donning)), scenario, coarse)
+          .back();
+
+  const maps::WornGarment worn = maps::relate(bare, drape.positions, body.body);
+  const lines::CourseFinder finder(bare, drape.positions, body.body, worn);
+  const pattern::Pattern& pattern = patterns.back().pattern;
+  const auto in_pattern = [&](const std::string& panel, const Vec2& at) {
+    return inside(pattern.panels[pattern.find_panel(panel)], at);
+  };
+  // Lines are not among those found.
+  const std::vector<placement::Site> found =
+      placement::find_sites(bare, drape.positions, body.body, worn, {}, sites, false);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    SiteSpec& site = sites[i];
+    if (!site.line) {
+      const placement::Site& at = found[next++];
+      if (!needs_drape(site)) continue;
+      site.panel = at.panel;
+      site.at = in_pattern(at.panel, at.at);
+    } else if (needs_drape(site)) {
+      const std::vector<GarmentPoint> stops = for_site(i, [&] { return finder.stops(*site.line); });
+      site.line->stops.clear();
+      for (const GarmentPoint& stop : stops) {
+        LinePlace& place = site.line->stops.emplace_back();
+        place.panel = bare.panel_names[bare.triangle_panel[stop.triangle]];
+        place.at = in_pattern(place.panel, placement::pattern_place(bare, stop));
+      }
+      site.line->over.clear();
+    }
+  }
+}
+
+/// A line as cables, one for each piece of the pattern that it runs over. \pre its stops are places
+/// of the pattern
+std::vector<garment::Attachment> line_cables(const SiteSpec& site, const garment::Garment& mesh,
+                                             const pattern::Pattern& pattern) {
+  const LineSpec& line = *site.line;
+  std::vector<GarmentPoint> stops;
+  for (std::size_t k = 0; k < line.stops.size(); ++k) try {
+      stops.push_back(placement::pattern_point(mesh, line.stops[k].panel, line.stops[k].at));
+    } catch (const InvalidInput& error) {
+      throw error.at({"", 0, lines::stop_key(k, line.stops.size())});
+    }
+  const lines::LineCourse course =
+      lines::lay_course(mesh, lines::flat_surface(mesh), stops, line.course, line.part);
+  std::vector<garment::Attachment> cables;
+  for (const lines::PanelStretch& stretch : lines::stretches(mesh, course)) {
+    garment::Cable cable;
+    const pattern::Panel& panel =
+        pattern.panels[pattern.find_panel(mesh.panel_names[stretch.panel])];
+    for (const Vec2& p : stretch.points) cable.path.push_back(inside(panel, p));
+    cable.width = line.width;
+    cable.linear_density = line.linear_density;
+    cable.bending = line.bending;
+    cable.axial_stiffness = line.axial_stiffness(course.length);
+    cable.pre_stretch = line.pre_stretch;
+    cables.push_back({site.name, panel.name, std::move(cable)});
+  }
+  return cables;
+}
+
+}  // namespace
+
+SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& body,
+                           const std::vector<CasePattern>& patterns, Progress& progress) {
+  SewnParts parts{scenario.sites, scenario.attachments};
+  const bool drapes = std::any_of(parts.sites.begin(), parts.sites.end(), needs_drape);
+  const bool lines = std::any_of(parts.sites.begin(), parts.sites.end(), is_sewn_line);
+  std::vector<CaseGarment> coarse;
+  if (drapes || lines)
+    coarse = mesh_garments(scenario, patterns, scenario.attachments, MeshLevels::coarsest);
+  if (drapes) place_on_drape(scenario, body, patterns, coarse, parts.sites, progress);
+  const std::vector<garment::Attachment> boards = placement::site_boards(parts.sites);
+  parts.attachments.insert(parts.attachments.end(), boards.begin(), boards.end());
+  for (std::size_t i = 0; i < parts.sites.size(); ++i) {
+    if (!is_sewn_line(parts.sites[i])) continue;
+    const auto cables = for_site(i, [&] {
+      return line_cables(parts.sites[i], coarse.back().mesh(), patterns.back().pattern);
+    });
+    parts.attachments.insert(parts.attachments.end(), cables.begin(), cables.end());
+  }
+  return parts;
+}
+
+std::vector<std::string> moved_board_warnings(const CaseResult& result) {
+  std::vector<std::string> warnings;
+  if (result.sites.empty()) return warnings;
+  const placement::SitePoints points(result.body.body);
+  for (const placement::SiteSpec& spec : result.scenario.sites) {
+    if (!spec.board || (spec.landmark.empty() && !spec.anatomy)) continue;
+    const auto site = std::find_if(result.sites.begin(), result.sites.end(),
+                                   [&](const placement::Site& s) { return s.name == spec.name; });
+    if (site == result.sites.end()) continue;
+    const Vec3 asked = spec.landmark.empty() ? points.addresses().skin(*spec.anatomy).point
+                                             : points.at(spec.landmark);
+    const double off = (site->body_point - asked).norm();
+    if (off > kFarOff)
+      warnings.push_back(
+          fmt::format("placement: the board of site {} lies {:.0f} mm from where it was wanted: "
+                      "give panel and at instead",
+                      spec.name, 1000 * off));
+  }
+  return warnings;
+}
+
+}  // namespace loosefit::pipeline
