@@ -39,11 +39,6 @@ lines::RouteWish route_wish(const placement::LineSpec& line, const CaseResult& m
   wish.prices.slip = line.slip_price;
   if (line.keep_out.empty()) return wish;
   const garment::Garment& mesh = mapped.studied().mesh();
-  try {
-    placement::check_keep_out(line.keep_out, mesh.panel_names);
-  } catch (const InvalidInput& error) {
-    throw error.at({"", 0, "keep_out"});
-  }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& uv = mesh.triangle_uv[t];
     const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3;
@@ -56,6 +51,25 @@ lines::RouteWish route_wish(const placement::LineSpec& line, const CaseResult& m
     wish.kept_free.push_back(kept);
   }
   return wish;
+}
+
+/// Its way and its sensor. \throws InvalidInput as CourseFinder::find and find_routes.
+void lay(CaseLine& line, const placement::LineSpec& spec, const lines::CourseFinder& finder,
+         const std::vector<placement::WornState>& states, const CaseResult& mapped) {
+  const garment::Garment& mesh = mapped.studied().mesh();
+  line.course = finder.find(spec);
+  line.sensor = {spec.height, spec.pre_stretch, spec.axial_stiffness(line.course.length)};
+  if (spec.course != placement::LineSpec::Course::least_strain) return;
+  line.shortest = lines::judged(mesh, finder.surface(), line.course, states);
+  line.routes = lines::find_routes(mesh, finder.surface(), line.course.stops, states,
+                                   route_wish(spec, mapped));
+  line.course = line.routes.front().course;
+}
+
+/// "from: \"knee_L\": the garment ends 243 mm away from it".
+std::string why_not(const InvalidInput& error) {
+  return error.place().key + ": " + error.found() +
+         (error.expected().empty() ? "" : ", expected " + error.expected());
 }
 
 /// The scorecards by which a line is judged.
@@ -90,45 +104,50 @@ void check_lines(const CaseResult& prepared) {
   const placement::SitePoints points(prepared.body.body.body());
   for_lines(prepared.scenario, [&](const placement::SiteSpec& site) {
     lines::check_stops(prepared.studied().mesh(), points, *site.line);
+    try {
+      placement::check_keep_out(site.line->keep_out, prepared.studied().mesh().panel_names);
+    } catch (const InvalidInput& error) {
+      throw error.at({"", 0, "keep_out"});
+    }
   });
 }
 
-std::vector<CaseLine> measure_lines(const CaseResult& mapped) {
-  std::vector<CaseLine> found;
-  if (!has_lines(mapped.scenario)) return found;
+LineStage measure_lines(const CaseResult& mapped) {
+  LineStage stage;
+  if (!has_lines(mapped.scenario)) return stage;
   const CaseGarment& studied = mapped.studied();
   const lines::CourseFinder finder(studied.mesh(), studied.drape.positions, mapped.body.body,
                                    studied.maps.worn);
   const std::vector<placement::WornState> states = worn_states(mapped);
-  for_lines(mapped.scenario, [&](const placement::SiteSpec& site) {
-    CaseLine& line = found.emplace_back();
+  std::vector<const placement::LineSpec*> specs;
+  for (const placement::SiteSpec& site : mapped.scenario.sites) {
+    if (!site.line) continue;
+    CaseLine line;
     line.name = site.name;
-    line.course = finder.find(*site.line);
-    line.sensor = {site.line->height, site.line->pre_stretch,
-                   site.line->axial_stiffness(line.course.length)};
-    if (site.line->course != placement::LineSpec::Course::least_strain) return;
-    line.shortest = lines::judged(studied.mesh(), finder.surface(), line.course, states);
-    line.routes = lines::find_routes(studied.mesh(), finder.surface(), line.course.stops, states,
-                                     route_wish(*site.line, mapped));
-    line.course = line.routes.front().course;
-  });
+    try {
+      lay(line, *site.line, finder, states, mapped);
+    } catch (const InvalidInput& error) {
+      stage.left_out.push_back({site.name, false, why_not(error)});
+      continue;
+    }
+    stage.lines.push_back(std::move(line));
+    specs.push_back(&*site.line);
+  }
   for (const placement::WornState& state : states) {
     const lines::LineMeter meter(studied.mesh(), mapped.scenario.studied().material.material,
                                  state);
-    for (CaseLine& line : found) line.states.push_back(meter.measure(line.course, line.sensor));
+    for (CaseLine& line : stage.lines)
+      line.states.push_back(meter.measure(line.course, line.sensor));
   }
-  for (CaseLine& line : found) {
+  for (std::size_t i = 0; i < stage.lines.size(); ++i) {
+    CaseLine& line = stage.lines[i];
     line.signals = lines::signals(line.states);
     line.metrics = lines::line_metrics_by_donning(line.states, line.course.length);
     line.sensitivities = lines::sensitivities(mapped.wear.postures, line.states, line.signals);
-  }
-  std::size_t next = 0;
-  for_lines(mapped.scenario, [&](const placement::SiteSpec& site) {
-    CaseLine& line = found[next++];
-    for (const placement::Scorecard& card : scorecards_of(*site.line))
+    for (const placement::Scorecard& card : scorecards_of(*specs[i]))
       line.verdicts.push_back(judged_by(card, line));
-  });
-  return found;
+  }
+  return stage;
 }
 
 std::string lines_csv(const CaseResult& result) {

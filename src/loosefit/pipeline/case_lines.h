@@ -6,11 +6,13 @@
 
 namespace loosefit::pipeline {
 
-/// What the sites of the scenario that are lines (SiteSpec::line) see, in all states that count.
-/// \throws InvalidInput, key `site[i].from`, `.via`, `.to`, `.over` or `.course`.
-std::vector<CaseLine> measure_lines(const CaseResult& mapped);
+/// What the sites of the scenario that are lines (SiteSpec::line) see, in all states that count. A
+/// line whose stops the garment does not cover, or to which no way leads that the scenario allows,
+/// is left out. \throws InvalidInput as load_scorecard.
+LineStage measure_lines(const CaseResult& mapped);
 
-/// The same before the long part: stops that no garment or body can have. \throws as measure_lines.
+/// Before the long part: stops that no garment or body can have. \throws InvalidInput, key
+/// `site[i].from`, `.via`, `.to` or `.keep_out`.
 void check_lines(const CaseResult& prepared);
 
 /// lines.csv: one row for each line and state.

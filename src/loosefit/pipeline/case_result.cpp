@@ -27,4 +27,9 @@ void CaseResult::take_sites(SiteStage made) {
     wear.states[s].sites = std::move(made.in_states[s]);
 }
 
+void CaseResult::take_lines(LineStage made) {
+  lines = std::move(made.lines);
+  lines_left_out = std::move(made.left_out);
+}
+
 }  // namespace loosefit::pipeline

@@ -88,6 +88,12 @@ struct CaseLine {
   std::optional<lines::Route> shortest = {};
 };
 
+/// Stage "placement" of lines.
+struct LineStage {
+  std::vector<CaseLine> lines;
+  std::vector<placement::UncoveredSite> left_out;  ///< what could not be laid, with the reason
+};
+
 /// Everything one case yields, stage by stage. A drape that is not settled or not worn is sealed:
 /// maps and `sites` stay empty unless they were asked for all the same.
 struct CaseResult {
@@ -98,6 +104,7 @@ struct CaseResult {
   std::vector<placement::Site> sites;  ///< on the studied garment
   std::vector<placement::UncoveredSite> uncovered_sites;
   std::vector<CaseLine> lines;  ///< of the sites that are lines
+  std::vector<placement::UncoveredSite> lines_left_out;
   CaseRepeats repeats;
   std::vector<StageClock::Entry> seconds;  ///< per stage, in order
   double peak_memory_mb = 0;
@@ -121,6 +128,7 @@ struct CaseResult {
   void take_drapes(std::vector<drape::Drape> drapes);
   void take_maps(MapStage made);
   void take_sites(SiteStage made);
+  void take_lines(LineStage made);
 };
 
 }  // namespace loosefit::pipeline

@@ -89,6 +89,8 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);
+  for (const placement::UncoveredSite& line : result.lines_left_out)
+    all.push_back("placement: line " + line.name + " is left out: " + line.why);
   add_certificate(all, result.certificate());
   if (const double spacing = result.studied().drape.report.coarsened_field; spacing > 0)
     all.push_back(fmt::format(

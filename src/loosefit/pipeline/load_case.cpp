@@ -129,7 +129,7 @@ CaseResult remap_case(CaseResult loaded, bool allow_unsettled, Progress& progres
   loaded.take_maps(map_case(loaded, allow_unsettled));
   clock.stage("placement");
   loaded.take_sites(make_sites(loaded));
-  loaded.lines = measure_lines(loaded);
+  loaded.take_lines(measure_lines(loaded));
   loaded.repeats = known_repeats(loaded);
   clock.stop();
   loaded.seconds.insert(loaded.seconds.end(), clock.entries().begin(), clock.entries().end());

@@ -44,7 +44,7 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
     clock.stage("placement");
     result.take_sites(make_sites(result));
-    result.lines = measure_lines(result);
+    result.take_lines(measure_lines(result));
 
     result.repeats = repeat_drapes(result, at_once, clock);  // repeats
   }

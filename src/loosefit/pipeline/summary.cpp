@@ -385,6 +385,8 @@ std::string summary_json(const CaseResult& result) {
   for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
   for (const CaseLine& line : result.lines)
     json["lines"][line.name] = Json::parse(lines_json(line, mesh));
+  for (const placement::UncoveredSite& line : result.lines_left_out)
+    json["lines_left_out"][line.name] = line.why;
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     json["uncovered_sites"][site.name] = {{"preset", site.preset}, {"why", site.why}};
   for (const auto& [key, spread] : result.repeats.spread)
