@@ -19,6 +19,19 @@ list = ["standing", "arms-forward", "arms-overhead", "forward-bend-15", "forward
 """
 
 
+# Seven angles of the elbow, and the stretch sensor that is to tell them.
+SWEEP = """[postures]
+sweep = { joint = "elbow-flexion", from = 0, to = 120, step = 20 }
+[[site]]
+name = "elbow"
+from = "forearm_L"
+to = "upper_arm_L"
+over = "back"
+height = 0.001
+"""
+STIFF_LINE = "stiffness = 60\nwidth = 0.010\npre_stretch = 0.05\n"
+
+
 class Case:
     """One scenario. `cores`: processor cores it may use, None = all. `missing`: why it cannot run."""
 
@@ -82,6 +95,13 @@ def cases():
             REFERENCE_FIT, edge_mm=14, posture="", threads=1, extra=POSTURES), cores=1),
         Case("postures-child", ["posture"], scenario(
             'size = "child-142"', "child-slim", edge_mm=14, posture="", extra=POSTURES)),
+        # What a stretch sensor over the elbow sees; then one that pulls on the sleeve itself.
+        Case("sweep", ["lines"], scenario(
+            'pattern = "long-sleeve-shirt"\nfit = { sleeve = 0.05, wrist = 0.05 }', edge_mm=14,
+            posture="", material="cotton-jersey", extra=SWEEP)),
+        Case("sweep-stiff", ["lines"], scenario(
+            'pattern = "long-sleeve-shirt"\nfit = { sleeve = 0.05, wrist = 0.05 }', edge_mm=14,
+            posture="", material="cotton-jersey", extra=SWEEP + STIFF_LINE)),
         Case("two-layer", ["layers"], scenario(
             "fit = { chest = 0.20, hip = 0.15, sleeve = 0.30, wrist = 0.30 }", edge_mm=14) + """[[under]]
 pattern = "t-shirt"
