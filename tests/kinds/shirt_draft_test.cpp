@@ -212,6 +212,23 @@ TEST(ShirtDraft, FrontIsAsMuchLongerAndWiderAsTheBodyIs) {
   EXPECT_NEAR(width_at(front, y) - width_at(back, y), 2 * 1.1 * .04, 1e-9);
 }
 
+TEST(ShirtDraft, SideSeamsFollowTheBodyOnlySoFar) {
+  // As measured on a short heavy woman, whose trunk is widest far behind.
+  for (const double fullness : {-.095, .13}) {
+    ShirtMeasures odd = kMeanFemale;
+    odd.front_fullness = fullness;
+    for (const double ease : {-.05, .1, .35}) {
+      const ShirtFit fit = fit_of(ease, ease, .15 + ease, .2);
+      const pattern::Pattern shirt = draft_shirt(odd, fit);
+      expect_sound(shirt, odd, fit);
+      const double y = -odd.hps_to_waist;
+      EXPECT_NEAR(width_at(shirt.panels[shirt.find_part("front")], y) -
+                      width_at(shirt.panels[shirt.find_part("back")], y),
+                  std::copysign(2 * (1 + ease) * .05 * odd.chest, fullness), 1e-9);
+    }
+  }
+}
+
 TEST(ShirtDraft, TorsoAndSleeveFitsAreIndependent) {
   for (const ShirtMeasures& m : {kAdult, kChild, kMeanFemale})
     for (const double torso : {-.2, 0., .2, .4})

@@ -7,6 +7,8 @@ namespace loosefit::kinds {
 
 namespace {
 
+constexpr double kMostFullness = 0.05;  ///< front_fullness that is followed, of the chest
+
 /// Quarter of a neck seam, from the centre to the shoulder seam, which it meets at a right angle:
 /// across the seam front and back go on into each other without a corner, which would stand up from
 /// the neck as a spike. `end`: where the shoulder seam begins.
@@ -81,8 +83,11 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                            bool front, double drop) {
   const NeckOpening neck = fit_neck(m, fit);
   // A bust needs its width in front: the side seams lie where the body's sides are. All levels move
-  // alike, which keeps both side seams equal.
-  const double forward = (front ? 0.5 : -0.5) * (1 + fit.chest) * m.front_fullness;
+  // alike, which keeps both side seams equal. On a trunk that is as wide in front as at the side the
+  // widest place says nothing of where a tailor would sew it.
+  const double fullness =
+      std::clamp(m.front_fullness, -kMostFullness * m.chest, kMostFullness * m.chest);
+  const double forward = (front ? 0.5 : -0.5) * (1 + fit.chest) * fullness;
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
   const double x_hem = (1 + fit.hip) * m.hip / 4 + forward;
   const double narrow = (1 + fit.chest) * m.chest / 4 - std::abs(forward);
