@@ -1,5 +1,3 @@
-#include "loosefit/report/lines_plan.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/report/run_into_folder.h"
+#include "loosefit/report/write_lines.h"
 
 namespace loosefit::report {
 namespace {
@@ -57,6 +56,24 @@ TEST(LinesPlan, ShowsEveryLineAtItsLength) {
   EXPECT_NE(svg.find("over &lt;the&gt; chest"), std::string::npos);
   EXPECT_EQ(svg.find("<the>"), std::string::npos);
   EXPECT_NE(svg.find("on the shortest way of"), std::string::npos);
+  // The same way for cutters and, as cables, for scenarios.
+  const std::string cables = io::read_text_file((folder / kLinesCables).string(), 1000000);
+  const scenario::Scenario with_cables = io::parse_scenario(cables, "cables.toml");
+  ASSERT_FALSE(with_cables.attachments.empty());
+  double length = 0;
+  for (const garment::Attachment& a : with_cables.attachments) {
+    const std::vector<Vec2>& path = std::get<garment::Cable>(a.part).path;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) length += (path[i + 1] - path[i]).norm();
+  }
+  EXPECT_NEAR(length, line["length_cut_m"].get<double>(), 1e-3);
+  const std::string dxf = io::read_text_file((folder / kLinesDxf).string(), 100000000);
+  EXPECT_NE(dxf.find("over <the> chest"), std::string::npos);
+  // And on the page: a row that leads to it, its routes, the data of its way.
+  const std::string page = io::read_text_file((folder / "report.html").string(), 100000000);
+  EXPECT_NE(page.find("data-line=\"over &lt;the&gt; chest\""), std::string::npos);
+  EXPECT_NE(page.find("shortest, not taken"), std::string::npos);
+  const std::string sites = io::read_text_file((folder / "sites.csv").string(), 1000000);
+  EXPECT_NE(sites.find(",line,"), std::string::npos);
   EXPECT_LE(line["routes"][0]["mean_strain"].get<double>(),
             line["shortest"]["mean_strain"].get<double>() + 0.01);
   fs::remove_all(folder);

@@ -65,6 +65,12 @@ export interface Site extends Place {
   values: Record<string, [number, number]>;
 }
 
+/** A stretch sensor or a lead: triangle, then two weights where it enters and two where it leaves. */
+export interface Line {
+  name: string;
+  pieces: [number, number, number, number, number][];
+}
+
 export interface RankedPlace extends Place {
   rank: string | null;
   score: number | null;
@@ -114,7 +120,7 @@ export interface CaseJson {
     bodies: { form: SurfaceJson | null; under: SurfaceJson | null }[];
     colours: { sequential: string; diverging: string };
   };
-  places: { sites: Site[]; ranking: Ranking | null };
+  places: { sites: Site[]; lines: Line[]; ranking: Ranking | null };
 }
 
 export interface MapValues {
@@ -170,6 +176,7 @@ export interface Case {
   order: string[];
   bodies: { form: Surface | null; under: Surface | null }[];
   sites: Site[];
+  lines: Line[];
   ranking: Ranking | null;
   colours: { sequential: Uint8Array; diverging: Uint8Array };
   postures: string[];
@@ -307,7 +314,7 @@ export async function readCase(json: CaseJson, arrays: string): Promise<Case> {
     },
     maps: new Map(Object.entries(maps)), order,
     bodies: bodies.map((b) => ({ form: surface(b.form), under: surface(b.under) })),
-    sites: json.places.sites, ranking: json.places.ranking,
+    sites: json.places.sites, lines: json.places.lines ?? [], ranking: json.places.ranking,
     colours: { sequential: bytesOf(colours.sequential), diverging: bytesOf(colours.diverging) },
     postures: states.reduce<string[]>((names, s) => {
       names[s.posture] = s.name;

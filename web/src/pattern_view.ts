@@ -3,6 +3,7 @@ import { BufferAttribute, BufferGeometry, LinearSRGBColorSpace, Mesh, Orthograph
          ShaderMaterial, WebGLRenderer } from "three";
 import type { Case, Place, RankedPlace, Ranking } from "./case_data";
 import { kCloth, MapAttributes, surfaceMaterial } from "./map_material";
+import { drawLine, type LineMark } from "./lines";
 import { drawCross, drawMark, type Ink, type Mark } from "./marks";
 import { findInPattern, interpolated, type SurfacePoint } from "./picking";
 
@@ -28,6 +29,7 @@ export class PatternView {
   private offset: [number, number] = [0, 0]; // CSS pixels
   private zoomed = false;
   private marks: Mark[] = [];
+  lines: LineMark[] = [];
   private probe: SurfacePoint | null = null;
   private frame = 0;
   showPlaces = true;
@@ -268,6 +270,8 @@ export class PatternView {
     const ranking = this.showPlaces ? this.data.ranking : null;
     this.data.panels.forEach((_, i) => this.drawPiece(context, i, ranking, ink));
     if (ranking) for (const place of ranking.places) this.drawPlace(context, place, ink);
+    if (this.showPlaces)
+      for (const line of this.lines) drawLine(context, line, (p) => this.screenOf(p), () => true, ink);
     if (this.showPlaces)
       for (const mark of this.marks) drawMark(context, this.screenOf(mark.point), mark, ink, true);
     if (this.probe && !this.marks.some((m) => m.chosen && m.point === this.probe)) drawCross(context, this.screenOf(this.probe), ink);

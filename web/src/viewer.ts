@@ -5,12 +5,14 @@ import { makeScale, tickText, type RangeChoice, type Scale } from "./colour_scal
 import { save, saveText, valuesCsv } from "./downloads";
 import { drawBar, Legend, titleText } from "./legend";
 import { MapAttributes, tableTexture } from "./map_material";
+import { makeLineMarks } from "./lines";
 import type { Ink, Mark } from "./marks";
 import { PatternView } from "./pattern_view";
 import { readPoint, type Reading } from "./probe";
 import type { SurfacePoint } from "./picking";
 import { WornView, type View } from "./worn_view";
 
+const kPlaceRows = "tr[data-site], tr[data-place], tr[data-line]";
 const kViews: [View, string][] = [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"]];
 
 type Attributes = Record<string, string>;
@@ -176,7 +178,8 @@ export class Viewer {
     const second = make("div", { class: "row" }, slider("cloth", "Cloth"), slider("body", "Body"),
       check("contours", "Contours", false));
     if (this.state.touching) second.append(check("contact", "Contact", false));
-    if (data.sites.length || data.ranking) second.append(check("places", data.ranking ? "Places" : "Sites", true));
+    if (data.sites.length || data.lines.length || data.ranking)
+      second.append(check("places", data.ranking ? "Places" : data.sites.length ? "Sites" : "Lines", true));
     if (data.postures.length > 1) second.append(check("arrows", "Slip arrows", true));
     second.append(files);
     return make("div", { class: "controls", role: "group", "aria-label": "What is shown" }, first, second);
@@ -448,6 +451,7 @@ export class Viewer {
     };
     for (const site of this.data.sites) add(this.siteMarks, site, null);
     for (const place of this.data.ranking?.places ?? []) add(this.placeMarks, place, place);
+    this.worn.lines = this.pattern.lines = makeLineMarks(this.data.lines);
     this.showMarks();
   }
 
@@ -461,18 +465,21 @@ export class Viewer {
 
   /** Marks one site or place in views and tables; null: none. */
   choose(name: string | null): void {
-    for (const mark of [...this.siteMarks, ...this.placeMarks]) mark.chosen = mark.name === name;
+    for (const mark of [...this.siteMarks, ...this.placeMarks, ...this.worn.lines])
+      mark.chosen = mark.name === name;
     this.showMarks();
-    for (const row of document.querySelectorAll<HTMLElement>("tr[data-site], tr[data-place]"))
-      row.classList.toggle("chosen", name !== null && (row.dataset.site ?? row.dataset.place) === name);
+    for (const row of document.querySelectorAll<HTMLElement>(kPlaceRows))
+      row.classList.toggle("chosen", name !== null &&
+        (row.dataset.site ?? row.dataset.place ?? row.dataset.line) === name);
   }
 
-  goTo(kind: "site" | "place", name: string): void {
-    const mark = (kind === "site" ? this.siteMarks : this.placeMarks).find((m) => m.name === name);
-    if (!mark) return;
+  goTo(kind: "site" | "place" | "line", name: string): void {
+    const point = kind === "line" ? this.middleOf(name)
+      : (kind === "site" ? this.siteMarks : this.placeMarks).find((m) => m.name === name)?.point;
+    if (!point) return;
     this.choose(name);
-    this.pin(mark.point);
-    this.worn.flyTo(mark.point);
+    this.pin(point);
+    this.worn.flyTo(point);
     const host = document.getElementById("viewer")!, box = host.getBoundingClientRect();
     if (box.top < 0 || box.top > window.innerHeight * 0.5) {
       const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -480,9 +487,14 @@ export class Viewer {
     }
   }
 
+  private middleOf(line: string): SurfacePoint | undefined {
+    const pieces = this.worn.lines.find((l) => l.name === line)?.pieces;
+    return pieces?.[pieces.length >> 1].middle;
+  }
+
   private linkTables(): void {
-    for (const row of document.querySelectorAll<HTMLTableRowElement>("tr[data-site], tr[data-place]")) {
-      const kind = row.dataset.site !== undefined ? "site" : "place";
+    for (const row of document.querySelectorAll<HTMLTableRowElement>(kPlaceRows)) {
+      const kind = row.dataset.site !== undefined ? "site" : row.dataset.place !== undefined ? "place" : "line";
       const name = row.dataset[kind]!, head = row.cells[0];
       const button = make("button", { type: "button", class: "fly", title: "Show it on the garment" });
       button.append(...head.childNodes);

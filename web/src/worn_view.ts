@@ -6,6 +6,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Case, State } from "./case_data";
 import { kCloth, kMannequin, kUnder, MapAttributes, setOpacity, surfaceMaterial } from "./map_material";
 import { hitSurface, interpolated, type SurfacePoint } from "./picking";
+import { drawLine, type LineMark } from "./lines";
 import { drawArrow, drawCross, drawMark, type Ink, type Mark } from "./marks";
 
 export type View = "front" | "back" | "left" | "right";
@@ -33,6 +34,8 @@ export class WornView {
   private state: State;
   private marks: Mark[] = [];
   private hidden = new Set<Mark>();
+  lines: LineMark[] = [];
+  private hiddenPieces = new Set<object>();
   private probe: SurfacePoint | null = null;
   private skinPoint: number[] | null = null;
   private arrowNormals: Float32Array | null = null;
@@ -359,16 +362,21 @@ export class WornView {
     this.camera.updateMatrixWorld();
     const along = new Vector3(0, 0, 1).transformDirection(this.camera.matrixWorld);
     const d = along.toArray() as [number, number, number];
-    const hidden = new Set<Mark>();
-    for (const mark of this.marks) {
-      const o = this.positionOf(mark.point) as [number, number, number];
-      const form = this.data.bodies[this.state.body].form;
-      if (hitSurface(this.state.positions, this.data.triangles, this.data.cornerVertex, o, d, 0.012) ||
-          (form && hitSurface(form.points, form.triangles, null, o, d, 0.012)))
-        hidden.add(mark);
-    }
-    this.hidden = hidden;
+    const form = this.data.bodies[this.state.body].form;
+    const covered = (point: SurfacePoint) => {
+      const o = this.positionOf(point) as [number, number, number];
+      return hitSurface(this.state.positions, this.data.triangles, this.data.cornerVertex, o, d, 0.012) ||
+             (form && hitSurface(form.points, form.triangles, null, o, d, 0.012));
+    };
+    this.hidden = new Set(this.marks.filter((mark) => covered(mark.point)));
+    this.hiddenPieces = new Set(this.lines.flatMap((line) => line.pieces).filter(
+      (piece) => this.facesEye(piece.middle, along) && covered(piece.middle)));
     this.drawOverlay();
+  }
+
+  private facesEye(point: SurfacePoint, toEye: Vector3): boolean {
+    const n = interpolated(point, this.data.triangles, this.data.cornerVertex, this.state.normals, 3);
+    return n[0] * toEye.x + n[1] * toEye.y + n[2] * toEye.z > 0;
   }
 
   drawOverlay(): void {
@@ -386,6 +394,10 @@ export class WornView {
         if (facing(this.arrowNormals, i) > 0.15)
           drawArrow(context, this.project(slip.from.subarray(i, i + 3)),
                     this.project(slip.to.subarray(i, i + 3)), ink);
+    if (this.showPlaces)
+      for (const line of this.lines)
+        drawLine(context, line, (p) => this.project(this.positionOf(p)),
+                 (i) => this.facesEye(line.pieces[i].middle, toEye) && !this.hiddenPieces.has(line.pieces[i]), ink);
     if (this.showPlaces)
       for (const mark of this.marks) {
         const n = interpolated(mark.point, this.data.triangles, this.data.cornerVertex, this.state.normals, 3);

@@ -56,7 +56,9 @@ Stop ClothState::how_it_ended() const {
   if (falling) return *falling;
   // A loose tolerance may have been met when time or iterations were used up: that is not why it
   // stopped.
-  if (last.residual > options.residual_tolerance) {
+  const double enough =
+      options.grade == solver::RestGrade::b ? solver::kRestToleranceB : options.residual_tolerance;
+  if (last.residual > enough) {
     if (budget.time_is_up()) return {StopReason::time_budget};
     if (budget.iterations_left() == 0) return {StopReason::iteration_limit};
     if (budget.phase_is_over())

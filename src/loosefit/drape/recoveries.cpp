@@ -33,6 +33,7 @@ bool has_left_field(ClothState& state) { return !state.body->field->covers(bound
 bool converged_but_above_tolerance(ClothState& state) {
   return state.last.reason == solver::SettleOutcome::Reason::converged && !state.given_up &&
          !state.must_stop() && !state.best_was_taken &&
+         !(state.options.grade == solver::RestGrade::b && state.certificate.is_grade_b()) &&
          (state.certificate.residual > state.options.residual_tolerance ||
           !state.certificate.is_balanced());
 }
@@ -46,15 +47,17 @@ bool rests_on_saddle(ClothState& state) {
 /// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
 bool may_be_better(ClothState& state) {
   const Certificate& c = state.certificate;
-  return !state.best_was_taken && (!c.settled() || c.residual > solver::kRestTolerance);
+  return !state.best_was_taken && (!c.settled() || (c.residual > solver::kRestTolerance &&
+                                                    state.options.grade == solver::RestGrade::a));
 }
 
 /// The soft layer frees cloth from the skin, not from other cloth, but a triangle that the skin has
 /// folded back comes free with its neighbours; a posture has no other way.
 bool may_settle_off_the_skin(ClothState& state) {
   const Certificate& c = state.certificate;
-  return !c.settled() && c.intersections_self == c.folded_edges && state.is_single() && !state.worn &&
-         !state.is_over() && state.options.integrator == IntegratorKind::quasi_static;
+  return !c.settled() && c.intersections_self == c.folded_edges && state.is_single() &&
+         !state.worn && !state.is_over() &&
+         state.options.integrator == IntegratorKind::quasi_static;
 }
 
 // Actions that are not phases of their own.

@@ -68,11 +68,11 @@ std::string part_text(const garment::Board& board) {
 std::string part_text(const garment::Cable& cable) {
   std::vector<std::string> path;
   for (const Vec2& p : cable.path) path.push_back(point_text(p));
-  return fmt::format("path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n"
-                     "axial_stiffness = {}\npre_stretch = {}\n",
-                     join(path), shortest(cable.width), shortest(cable.linear_density),
-                     shortest(cable.bending), shortest(cable.axial_stiffness),
-                     shortest(cable.pre_stretch));
+  return fmt::format(
+      "path = [{}]\nwidth = {}\nlinear_density = {}\nbending = {}\n"
+      "axial_stiffness = {}\npre_stretch = {}\n",
+      join(path), shortest(cable.width), shortest(cable.linear_density), shortest(cable.bending),
+      shortest(cable.axial_stiffness), shortest(cable.pre_stretch));
 }
 
 }  // namespace
@@ -86,7 +86,9 @@ garment::Attachment read_attachment_section(ConfigReader table) {
          {"at", "size", "radius", "angle_deg", "mass", "bending", "membrane_factor"})
       known.push_back(key);
   if (!only_board)
-    for (const char* key : {"path", "width", "linear_density", "bending", "axial_stiffness", "pre_stretch"}) known.push_back(key);
+    for (const char* key :
+         {"path", "width", "linear_density", "bending", "axial_stiffness", "pre_stretch"})
+      known.push_back(key);
   table.only(known);
   garment::Attachment a;
   a.name = required_text(table, "name", "a name");

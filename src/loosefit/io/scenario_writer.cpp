@@ -60,11 +60,12 @@ std::string body_text(const scenario::ScenarioBody& body) {
 std::string simulation_text(const scenario::ScenarioSimulation& s) {
   return fmt::format(
       "[simulation]\nedge_length = {}\nintegrator = {}\nseed = {}\nrepeats = {}\n"
-      "start_perturbation = {}\nresidual_tolerance = {}\ngravity = {}\ntime_budget = {}\n"
+      "start_perturbation = {}\nresidual_tolerance = {}\ncertificate = \"{}\"\ngravity = "
+      "{}\ntime_budget = {}\n"
       "max_iterations = {}\nthreads = {}\n",
       shortest(s.edge_length), toml_quoted(s.integrator), s.seed, s.repeats,
-      shortest(s.start_perturbation), shortest(s.residual_tolerance), shortest(s.gravity),
-      shortest(s.time_budget), s.max_iterations, s.threads);
+      shortest(s.start_perturbation), shortest(s.residual_tolerance), solver::name(s.certificate),
+      shortest(s.gravity), shortest(s.time_budget), s.max_iterations, s.threads);
 }
 
 std::string output_text(const scenario::ScenarioOutput& o) {

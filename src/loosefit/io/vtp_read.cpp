@@ -119,6 +119,10 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
         need(path, data->GetFieldData(), "folded_edges", 1, 1)->GetComponent(0, 0));
   if (data->GetFieldData()->HasArray("stable"))
     certificate.stable = need(path, data->GetFieldData(), "stable", 1, 1)->GetComponent(0, 0) != 0;
+  if (data->GetFieldData()->HasArray("left_to_go")) {
+    vtkDataArray* left = need(path, data->GetFieldData(), "left_to_go", 2, 1);
+    certificate.left = drape::LeftToGo{left->GetComponent(0, 0), left->GetComponent(0, 1)};
+  }
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();
   if (data->GetFieldData()->HasArray("worn_reasons"))  // absent in early files

@@ -64,7 +64,7 @@ void write_case_files(const std::filesystem::path& folder, const CaseResult& res
   io::write_text_file((folder / "scenario.toml").string(), io::scenario_toml(result.scenario));
   if (!maps.empty())
     io::write_text_file((folder / "sites.csv").string(),
-                        sites_csv(result.sites, result.uncovered_sites));
+                        sites_csv(result.sites, result.uncovered_sites, result.lines));
   if (!result.lines.empty())
     io::write_text_file((folder / "lines.csv").string(), lines_csv(result));
 }

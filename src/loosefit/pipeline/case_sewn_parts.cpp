@@ -95,8 +95,7 @@ void place_on_drape(const scenario::Scenario& scenario, const CaseBody& body,
   }
 }
 
-/// A line as cables, one for each piece of the pattern that it runs over. \pre its stops are places
-/// of the pattern
+/// The cables of a line. \pre its stops are places of the pattern
 std::vector<garment::Attachment> line_cables(const SiteSpec& site, const garment::Garment& mesh,
                                              const pattern::Pattern& pattern) {
   const LineSpec& line = *site.line;
@@ -108,8 +107,18 @@ std::vector<garment::Attachment> line_cables(const SiteSpec& site, const garment
     }
   const lines::LineCourse course =
       lines::lay_course(mesh, lines::flat_surface(mesh), stops, line.course, line.part);
+  return cables_along(site.name, line, course, mesh, pattern);
+}
+
+}  // namespace
+
+std::vector<garment::Attachment> cables_along(const std::string& name, const LineSpec& line,
+                                              const lines::LineCourse& course,
+                                              const garment::Garment& mesh,
+                                              const pattern::Pattern& pattern) {
   std::vector<garment::Attachment> cables;
-  for (const lines::PanelStretch& stretch : lines::stretches(mesh, course)) {
+  const std::vector<lines::PanelStretch> stretches = lines::stretches(mesh, course);
+  for (const lines::PanelStretch& stretch : stretches) {
     garment::Cable cable;
     const pattern::Panel& panel =
         pattern.panels[pattern.find_panel(mesh.panel_names[stretch.panel])];
@@ -119,12 +128,12 @@ std::vector<garment::Attachment> line_cables(const SiteSpec& site, const garment
     cable.bending = line.bending;
     cable.axial_stiffness = line.axial_stiffness(course.length);
     cable.pre_stretch = line.pre_stretch;
-    cables.push_back({site.name, panel.name, std::move(cable)});
+    const std::string part =
+        stretches.size() > 1 ? fmt::format(" {} of {}", cables.size() + 1, stretches.size()) : "";
+    cables.push_back({name + part, panel.name, std::move(cable)});
   }
   return cables;
 }
-
-}  // namespace
 
 SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& body,
                            const std::vector<CasePattern>& patterns, Progress& progress) {

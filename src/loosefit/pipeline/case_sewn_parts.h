@@ -24,6 +24,14 @@ struct SewnParts {
 SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& body,
                            const std::vector<CasePattern>& patterns, Progress& progress);
 
+/// A line as cables, one for each stretch of it in a piece of the pattern, in its order; "name 1 of
+/// 3" where there are several.
+std::vector<garment::Attachment> cables_along(const std::string& name,
+                                              const placement::LineSpec& line,
+                                              const lines::LineCourse& course,
+                                              const garment::Garment& mesh,
+                                              const pattern::Pattern& pattern);
+
 /// One line for every board that place_sewn_parts sewed on and whose skin partner in the final
 /// drape is more than 15 mm from the skin that the scenario names.
 std::vector<std::string> moved_board_warnings(const CaseResult& result);

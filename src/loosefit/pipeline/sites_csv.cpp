@@ -1,5 +1,6 @@
 #include "loosefit/pipeline/sites_csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -9,7 +10,8 @@
 namespace loosefit::pipeline {
 
 std::string sites_csv(const std::vector<placement::Site>& sites,
-                      const std::vector<placement::UncoveredSite>& uncovered) {
+                      const std::vector<placement::UncoveredSite>& uncovered,
+                      const std::vector<CaseLine>& lines) {
   // Sites may lack a map: the columns are those of all sites together.
   std::set<std::string> arrays;
   for (const placement::Site& site : sites)
@@ -23,6 +25,11 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
     row.push_back(array + "_worst");
   }
   row.insert(row.end(), {"covered", "why_not_covered"});
+  const std::size_t cover = row.size() - 2;
+  // Lines have columns of their own, which are there with lines only.
+  const std::vector<std::string> of_line = {"kind", "length_cut_m", "length_worn_m", "elongation",
+                                            "elongation_largest"};
+  if (!lines.empty()) row.insert(row.end(), of_line.begin(), of_line.end());
   const std::size_t columns = row.size();
   std::string text = io::csv_line(row);
   // Sites on the garment; a value that is missing is an empty field.
@@ -40,6 +47,8 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
     }
     row.push_back(site.not_covering.empty() ? "yes" : "no");
     row.push_back(io::csv_field(site.not_covering));
+    if (!lines.empty()) row.push_back("place");
+    row.resize(columns);
     text += io::csv_line(row);
   }
   // Sites off the garment that were asked for; presets that miss it are no news.
@@ -47,8 +56,24 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
     if (site.preset) continue;
     row.assign(columns, "");
     row.front() = io::csv_field(site.name);
-    row[columns - 2] = "no";
-    row.back() = io::csv_field(site.why);
+    row[cover] = "no";
+    row[cover + 1] = io::csv_field(site.why);
+    if (!lines.empty()) row[cover + 2] = "place";
+    text += io::csv_line(row);
+  }
+  for (const CaseLine& line : lines) {
+    row.assign(columns, "");
+    row.front() = io::csv_field(line.name);
+    row[cover] = "yes";
+    row[cover + 2] = "line";
+    row[cover + 3] = io::csv_field(line.course.length);
+    if (!line.states.empty()) {
+      double most = line.states.front().elongation;
+      for (const lines::LineState& state : line.states) most = std::max(most, state.elongation);
+      row[cover + 4] = io::csv_field(line.states.front().length);
+      row[cover + 5] = io::csv_field(line.states.front().elongation);
+      row[cover + 6] = io::csv_field(most);
+    }
     text += io::csv_line(row);
   }
   return text;

@@ -291,6 +291,13 @@ Json movements_json(const std::vector<CaseMovement>& movements) {
   return json;
 }
 
+/// Grade and how far it is from rest at most.
+void add_grade(const drape::Certificate& c, Json& json) {
+  json["grade"] = c.settled() ? Json(solver::name(c.grade())) : Json(nullptr);
+  if (c.left)
+    json["left_to_go"] = {{"move_mm", 1e3 * c.left->move}, {"turn_deg", degrees(c.left->turn)}};
+}
+
 /// Postures, donnings, and what became of each of their drapes.
 void add_wear(const CaseWear& wear, Json& json) {
   json["postures"] = wear.postures;
@@ -318,6 +325,7 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
         {"iterations", report.total().iterations}};
+    add_grade(c, entry);
     if (s.draped() && s.drape().unsettled)
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);
     if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps);
@@ -338,6 +346,7 @@ Json certificate_json(const CaseResult& result) {
   json["residual"] = certificate.residual;
   json["residual_max"] = certificate.residual_max;
   json["stable"] = stable_json(certificate);
+  add_grade(certificate, json);
   json["intersections"] = {{"body", certificate.intersections_body},
                            {"self", certificate.intersections_self},
                            {"folded_edges", certificate.folded_edges}};

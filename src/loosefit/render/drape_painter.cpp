@@ -37,6 +37,7 @@ SceneContent whole_content(const DrawnDrape& drape, const geometry::TriangleMesh
   SceneContent content = content_of(drape, form);
   content.lines = lines.boundary;
   content.seams = lines.seams;
+  content.marked = drape.marked;
   content.frame_height = frame_height;
   return content;
 }

@@ -16,6 +16,7 @@ struct DrawnDrape {
   const garment::Garment& garment;
   const std::vector<Vec3>& positions;   ///< of the garment's vertices
   const geometry::TriangleMesh& under;  ///< cloth worn under it; may be empty
+  std::vector<LineMark> marked = {};    ///< sensors and leads on it
 };
 
 /// How a painter draws.

@@ -24,7 +24,7 @@ std::vector<Picture> render_pictures(const Screen& screen, const std::filesystem
                                      const PictureOptions& options,
                                      const std::function<void(double)>& after_each) {
   const int foot = options.height / 7;
-  DrapePainter painter(screen, {body, garment, positions, options.under},
+  DrapePainter painter(screen, {body, garment, positions, options.under, options.marked},
                        {.width = options.width,
                         .height = options.height - foot,
                         .supersampling = options.supersampling,
@@ -39,7 +39,8 @@ std::vector<Picture> render_pictures(const Screen& screen, const std::filesystem
 
   std::vector<Picture> pictures;
   // Writes a picture and tells of it.
-  const auto finish = [&](const Image& image, const std::string& map, View view) {
+  const auto finish = [&](Image image, const std::string& map, View view) {
+    draw_line_names(image, options.marked);
     pictures.push_back({map, view, dir / (map + "-" + name(view) + ".png"), jpeg(image)});
     write_png(pictures.back().file, image);
     if (after_each) after_each(static_cast<double>(pictures.size()) / total);

@@ -7,6 +7,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/maps/performance_map.h"
+#include "loosefit/render/line_mark.h"
 #include "loosefit/render/screen.h"
 #include "loosefit/render/view.h"
 
@@ -20,6 +21,7 @@ struct PictureOptions {
   std::vector<View> views = {View::front, View::back};
   bool undecorated = true;       ///< also the plain drape: drape-<view>.png
   geometry::TriangleMesh under;  ///< cloth worn under the garment, in a colour of its own
+  std::vector<LineMark> marked;  ///< sensors and leads on the garment, with their names
 };
 
 /// One written picture.

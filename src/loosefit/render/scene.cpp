@@ -15,6 +15,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
@@ -27,6 +28,8 @@ namespace {
 constexpr Rgb kMannequin = {176, 176, 176};
 constexpr Rgb kUnder = {150, 166, 200};
 constexpr Rgb kLine = {35, 35, 35};
+constexpr double kMarkRadius = 0.0022, kRimRadius = 0.0034;  // of marked lines [m]
+constexpr double kRimNearer = 0.001, kMarkNearer = 0.004;    // and how far before the cloth [m]
 constexpr double kMargin = 1.06;           // picture frame over extent of garment and form
 constexpr double kOcclusionRadius = 0.05;  // [m], about the size of a fold
 
@@ -114,6 +117,7 @@ struct Scene::Window {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> key, fill_light;
   Part body, under, garment, lines, seams;
+  std::vector<std::unique_ptr<Part>> marked;  ///< a white rim, then the line, of each
   Eigen::AlignedBox3d box;
   Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of body and garment
   double frame_height = 0;    ///< as SceneContent::frame_height
@@ -132,6 +136,28 @@ struct Scene::Window {
     part.actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
     part.actor->GetProperty()->LightingOff();
     set_colour(part.actor, kLine);
+    renderer->AddActor(part.actor);
+  }
+
+  /// A line on the cloth as a tube; look() brings it before cloth and seams.
+  void add_mark(const std::vector<Vec3>& points, Rgb colour, double radius) {
+    vtkNew<vtkCellArray> cell;
+    cell->InsertNextCell(static_cast<int>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) cell->InsertCellPoint(static_cast<vtkIdType>(i));
+    vtkNew<vtkPolyData> line;
+    line->SetPoints(points_of(points));
+    line->SetLines(cell);
+    vtkNew<vtkTubeFilter> tube;
+    tube->SetInputData(line);
+    tube->SetRadius(radius);
+    tube->SetNumberOfSides(8);
+    tube->CappingOn();
+    tube->Update();
+    Part& part = *marked.emplace_back(std::make_unique<Part>());
+    part.data->ShallowCopy(tube->GetOutput());
+    part.connect();
+    part.actor->GetProperty()->LightingOff();
+    set_colour(part.actor, colour);
     renderer->AddActor(part.actor);
   }
 
@@ -183,6 +209,10 @@ Scene::Scene(const Screen& screen, const SceneContent& content, int width, int h
   w.garment.mapper->InterpolateScalarsBeforeMappingOn();
   w.add_lines(w.lines, content.positions, content.lines, 2.0 * supersampling);
   w.add_lines(w.seams, content.positions, content.seams, 1.2 * supersampling);
+  for (std::size_t i = 0; i < content.marked.size(); ++i) {
+    w.add_mark(content.marked[i].points, {255, 255, 255}, kRimRadius);
+    w.add_mark(content.marked[i].points, line_colour(i), kMarkRadius);
+  }
 
   for (vtkLight* light : {w.key.Get(), w.fill_light.Get()}) {
     light->SetLightTypeToCameraLight();
@@ -225,6 +255,11 @@ void Scene::look(const Camera& from) {
   camera->SetViewUp(0, 0, 1);
   const double fitting = fitting_height(size, static_cast<double>(w.width) / w.height, back);
   camera->SetParallelScale(0.5 * (w.frame_height > 0 ? w.frame_height : fitting));
+  // Along the line of sight, which moves nothing in the picture; each line before its rim.
+  for (std::size_t i = 0; i < w.marked.size(); ++i) {
+    const Vec3 nearer = (i % 2 == 0 ? kRimNearer : kMarkNearer) * back;
+    w.marked[i]->actor->SetPosition(nearer.x(), nearer.y(), nearer.z());
+  }
   w.renderer->ResetCameraClippingRange();
 }
 
@@ -238,6 +273,7 @@ Image Scene::light() {
   for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, true);
   w.lines.actor->VisibilityOff();
   w.seams.actor->VisibilityOff();
+  for (const auto& part : w.marked) part->actor->VisibilityOff();
   w.renderer->SetUseSSAO(w.ambient_occlusion);
   w.renderer->SetSSAORadius(kOcclusionRadius);
   w.renderer->SetSSAOBias(0.002);
@@ -252,6 +288,7 @@ Image Scene::colours(const maps::PerformanceMap* map, Rgb cloth) {
   for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, false);
   w.lines.actor->VisibilityOn();
   w.seams.actor->VisibilityOn();
+  for (const auto& part : w.marked) part->actor->VisibilityOn();
   set_colour(w.body.actor, kMannequin);
   set_colour(w.under.actor, kUnder);
   set_colour(w.garment.actor, cloth);

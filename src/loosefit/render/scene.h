@@ -6,6 +6,7 @@
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/maps/performance_map.h"
 #include "loosefit/render/image.h"
+#include "loosefit/render/line_mark.h"
 #include "loosefit/render/screen.h"
 #include "loosefit/render/view.h"
 
@@ -18,6 +19,7 @@ struct SceneContent {
   const std::vector<Triangle>& triangles;         ///< garment
   std::vector<std::array<int, 2>> lines;          ///< dark lines on the garment (vertex pairs)
   std::vector<std::array<int, 2>> seams;          ///< thinner lines
+  std::vector<LineMark> marked = {};              ///< broad lines in their colours
   const geometry::TriangleMesh* under = nullptr;  ///< cloth between body and garment
   double frame_height = 0;  ///< [m] that a picture shows from foot to top; 0: all fits in
 };

@@ -17,6 +17,7 @@
 #include "loosefit/render/animated_png.h"
 #include "loosefit/render/drape_painter.h"
 #include "loosefit/render/legend.h"
+#include "loosefit/report/case_pictures.h"
 
 namespace loosefit::report {
 namespace {
@@ -33,7 +34,8 @@ struct Subject {
   std::vector<maps::PerformanceMap> maps;  ///< no values: plain cloth
 
   render::DrawnDrape drawn() const {
-    return {*body, run->studied().mesh(), drape->positions, under};
+    return {*body, run->studied().mesh(), drape->positions, under,
+            marked_lines(*run, drape->positions)};
   }
 };
 

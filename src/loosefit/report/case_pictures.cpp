@@ -31,6 +31,7 @@ void draw_states(const render::Screen& screen, const Path& folder,
     if (!state.id.in_first_donning() || !state.draped()) continue;
     progress.check_cancelled();
     options.under = pipeline::surface_under_studied(result, &state);
+    options.marked = marked_lines(result, state.drape().positions);
     render::render_pictures(screen, folder / pipeline::state_folder(state),
                             result.body_in(state.id.posture), result.studied().mesh(),
                             state.drape().positions, {}, options);
@@ -63,6 +64,14 @@ void plan(const scenario::ScenarioOutput& output, const Path& folder, bool with_
 
 }  // namespace
 
+std::vector<render::LineMark> marked_lines(const pipeline::CaseResult& result,
+                                           const std::vector<Vec3>& positions) {
+  std::vector<render::LineMark> marks;
+  for (const pipeline::CaseLine& line : result.lines)
+    marks.push_back({line.name, lines::in_space(result.studied().mesh(), line.course, positions)});
+  return marks;
+}
+
 std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseResult& result,
                                        Progress& progress) {
   render::PictureOptions options = picture_options(result.scenario.output);
@@ -72,6 +81,7 @@ std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseR
   draw_worn_under(screen, folder, result, options, progress);
   options.under = pipeline::surface_under_studied(result);
   const pipeline::CaseGarment& studied = result.studied();
+  options.marked = marked_lines(result, studied.drape.positions);
   return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),
                                  studied.drape.positions, pipeline::plain_maps(studied.maps.maps),
                                  options, [&progress](double share) {

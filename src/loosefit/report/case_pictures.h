@@ -18,4 +18,8 @@ std::vector<render::Picture> draw_case(const std::filesystem::path& folder,
 /// Names of the files that draw_case may write for a scenario, relative to its folder.
 std::vector<std::filesystem::path> planned_pictures(const scenario::Scenario& scenario);
 
+/// The lines of a case on its garment in a drape.
+std::vector<render::LineMark> marked_lines(const pipeline::CaseResult& result,
+                                           const std::vector<Vec3>& positions);
+
 }  // namespace loosefit::report

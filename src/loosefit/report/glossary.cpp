@@ -11,16 +11,50 @@ const std::vector<GlossaryTerm>& glossary() {
       {"residual-max", "Largest on one particle",
        "Net force on the vertex where it is greatest, over the mean weight of a vertex; at most "
        "0.1 of a settled drape."},
+      {"grade", "Grade",
+       "A: the net force left is at most 0.001 of the weight. B: at most 0.1, and the rest of the "
+       "way "
+       "is known to be less than maps can mean. (docs/theory/solver.md 1.)"},
+      {"left-to-go", "Left to go",
+       "How far the next step of Newton's method with the exact Hessian would move the vertex that "
+       "it "
+       "moves farthest, and turn 99 % of the normals at most."},
       {"crossings", "Crossings",
        "Pairs of triangles that intersect, by an exact test: cloth with body, cloth with itself. "
        "Cloth that is folded flat on itself counts too. A settled drape has none."},
       {"stable", "Stable",
-       "Whether the balance is a minimum of the energy, so that a small push brings the cloth back, "
+       "Whether the balance is a minimum of the energy, so that a small push brings the cloth "
+       "back, "
        "or a saddle that it would leave. Asked by the Hessian of the energy."},
       {"worn", "Worn",
        "Every limb goes through its opening, and no opening has left its place on the body."},
       {"stopped", "Stopped", "Why the solver ended: converged, or what ran out."},
       {"iterations", "Iterations", "Newton steps of all parts of the run, on all meshes."},
+      {"line-elongation", "Elongation of a line",
+       "Length of the sensor as worn over its own length, minus 1: of the whole in the reference "
+       "posture, the greatest of all states, and the greatest of any part. (docs/theory/lines.md "
+       "2.)"},
+      {"line-strain", "Strain of a route",
+       "Stretch of the cloth along the way, either way, of parts of 10 mm: the greatest in any "
+       "state. "
+       "(docs/theory/lines.md 5.)"},
+      {"line-swing", "Swing",
+       "Greatest less least signal of all postures of one donning; the signal is the length over "
+       "that "
+       "in the reference posture, minus 1."},
+      {"line-slack", "Slack of a line",
+       "Share of the line whose parts are shorter than by themselves by 0.5 % or more, at worst."},
+      {"line-contact", "Contact of a line", "Share of its length that touches the skin, at worst."},
+      {"line-donnings", "Donnings",
+       "By how much its length in the reference posture changes from the first donning to another, "
+       "as "
+       "a share of its length as cut."},
+      {"line-bend", "Bend radius",
+       "Least radius to which the cloth bends along the line in any state."},
+      {"line-tension", "Tension", "Greatest tension of the stiffness that was told for the line."},
+      {"line-score", "Score of a line",
+       "By the scorecards of lines: the least of all its needs, from 0 (fails) to 1 (good), in its "
+       "worst donning. (docs/scorecards.md.)"},
       {"bgm", "Fit (BGM)",
        "Body-garment mobility: girth of the flat garment over girth of the body at the same level, "
        "minus 1. 0.10 is 10 % loose, a negative value is tight. (Harms, Amft and Tröster 2012.)"},
@@ -41,13 +75,16 @@ const std::vector<GlossaryTerm>& glossary() {
       {"uv", "Place in the pattern",
        "u along the weft, v along the warp of the flat piece, from its own origin [mm]."},
       {"address", "Anatomical address",
-       "Body segment and three ratios in percent of axes between palpable landmarks (UNISEP, Shirazi "
+       "Body segment and three ratios in percent of axes between palpable landmarks (UNISEP, "
+       "Shirazi "
        "et al. 2024), of the skin under the point in the reference posture. It means the same on "
        "every person."},
       {"partner", "Partner on the body",
-       "The nearest point of the skin on the same or a neighbouring limb that faces the same way as "
+       "The nearest point of the skin on the same or a neighbouring limb that faces the same way "
+       "as "
        "the cloth."},
-      {"region", "Region", "Part of the body under the cloth, left and right as the wearer has them."},
+      {"region", "Region",
+       "Part of the body under the cloth, left and right as the wearer has them."},
       {"percentiles", "5 %, median, 95 %",
        "Values that 5, 50 and 95 % of the flat area stay below. The area mean weighs every value "
        "by the flat cloth that it stands for."},
@@ -57,11 +94,13 @@ const std::vector<GlossaryTerm>& glossary() {
        "over all drapes (donnings, bodies), with few drapes the worst. "
        "(docs/theory/sensor_metrics.md 8, 12.)"},
       {"interval", "90 % interval",
-       "Where the number lies in 90 % of the bootstrap draws over the drapes (Efron 1979). With few "
+       "Where the number lies in 90 % of the bootstrap draws over the drapes (Efron 1979). With "
+       "few "
        "drapes a robust score can only be better than the worst one seen."},
       {"passing", "Passing", "Share of the drapes in which the site reaches the pass mark."},
       {"rank", "Rank",
-       "By robust score. Sites share a rank (2=) when either order comes up in more than a fifth of "
+       "By robust score. Sites share a rank (2=) when either order comes up in more than a fifth "
+       "of "
        "the bootstrap draws."},
       {"limited", "Limited by", "The need that gives the site its score: what to improve first."},
       {"tolerance", "Tolerance",

@@ -5,16 +5,19 @@
 #include <cmath>
 
 #include "loosefit/io/pattern_svg.h"
+#include "loosefit/render/line_mark.h"
 #include "loosefit/report/sewing_marks.h"
 
 namespace loosefit::report {
 namespace {
 
-/// Told apart by people who are colour-blind, and dark enough for a printer (Okabe and Ito 2008).
-const char* const kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
+std::string colour_of(std::size_t line) {
+  const render::Rgb c = render::line_colour(line);
+  return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
+}
 
 std::string polyline(const lines::PanelStretch& stretch, const io::PanelOnSheet& sheet,
-                     const char* colour, bool dashed) {
+                     const std::string& colour, bool dashed) {
   std::string points;
   for (const Vec2& p : stretch.points) {
     const Vec2 at = sheet.at(p);
@@ -28,7 +31,7 @@ std::string polyline(const lines::PanelStretch& stretch, const io::PanelOnSheet&
 }
 
 /// Two strokes at the end of a line.
-std::string arrow(const Vec2& before, const Vec2& end, const char* colour) {
+std::string arrow(const Vec2& before, const Vec2& end, const std::string& colour) {
   const Vec2 back = (before - end).normalized() * 5, aside(-0.4 * back.y(), 0.4 * back.x());
   const Vec2 a = end + back + aside, b = end + back - aside;
   return fmt::format(
@@ -38,7 +41,8 @@ std::string arrow(const Vec2& before, const Vec2& end, const char* colour) {
 }
 
 std::string line_on(const pipeline::CaseLine& line, const garment::Garment& mesh,
-                    const std::string& panel, const io::PanelOnSheet& sheet, const char* colour) {
+                    const std::string& panel, const io::PanelOnSheet& sheet,
+                    const std::string& colour) {
   std::string out;
   for (std::size_t r = 1; r < line.routes.size(); ++r)
     for (const lines::PanelStretch& stretch : lines::stretches(mesh, line.routes[r].course))
@@ -52,7 +56,7 @@ std::string line_on(const pipeline::CaseLine& line, const garment::Garment& mesh
       const Vec2 begin = sheet.at(points.front());
       out += fmt::format("    <circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1.8\" fill=\"{}\"/>\n",
                          begin.x(), begin.y(), colour);
-      out += rimmed_text(begin + Vec2(3, -2), 4, line.name, "start", colour);
+      out += rimmed_text(begin + Vec2(3, -2), 4, line.name, "start", colour.c_str());
     }
     if (i + 1 == way.size() && points.size() > 1)
       out += arrow(sheet.at(points[points.size() - 2]), sheet.at(points.back()), colour);
@@ -76,23 +80,32 @@ std::string words_of(const pipeline::CaseLine& line) {
 
 }  // namespace
 
+std::string lines_on_sheet(const pipeline::CaseResult& result, int panel,
+                           const io::PanelOnSheet& sheet) {
+  const std::string& name = result.studied().pattern.pattern.panels[panel].name;
+  std::string out;
+  for (std::size_t i = 0; i < result.lines.size(); ++i)
+    out += line_on(result.lines[i], result.studied().mesh(), name, sheet, colour_of(i));
+  return out;
+}
+
+std::vector<std::string> line_sentences(const pipeline::CaseResult& result) {
+  std::vector<std::string> sentences;
+  for (const pipeline::CaseLine& line : result.lines) sentences.push_back(words_of(line));
+  return sentences;
+}
+
 std::string lines_plan_svg(const pipeline::CaseResult& result) {
-  const pattern::Pattern& pattern = result.studied().pattern.pattern;
-  const garment::Garment& mesh = result.studied().mesh();
   io::SheetMarks marks;
   marks.title = "Where lines run";
   marks.words =
       "print at 100 %: the control square must measure 100 mm; outside of the cloth, no seam "
       "allowance; equal numbers are sewn together";
   marks.over_panel = [&](int panel, const io::PanelOnSheet& sheet) {
-    std::string out;
-    for (std::size_t i = 0; i < result.lines.size(); ++i)
-      out += line_on(result.lines[i], mesh, pattern.panels[panel].name, sheet,
-                     kColours[i % std::size(kColours)]);
-    return out;
+    return lines_on_sheet(result, panel, sheet);
   };
-  for (const pipeline::CaseLine& line : result.lines) marks.lines.push_back(words_of(line));
-  return io::pattern_svg(pattern, marks);
+  marks.lines = line_sentences(result);
+  return io::pattern_svg(result.studied().pattern.pattern, marks);
 }
 
 }  // namespace loosefit::report

@@ -1,12 +1,16 @@
 #pragma once
 #include <string>
+#include <vector>
 
+#include "loosefit/io/pattern_svg.h"
 #include "loosefit/pipeline/case_result.h"
 
 namespace loosefit::report {
 
-/// Name of the plan in the folder of a run.
-inline constexpr const char* kLinesPlan = "lines.svg";
+/// The lines of a case on one piece of a sheet, as SVG, and a sentence for each of them.
+std::string lines_on_sheet(const pipeline::CaseResult& result, int panel,
+                           const io::PanelOnSheet& sheet);
+std::vector<std::string> line_sentences(const pipeline::CaseResult& result);
 
 /// Where lines run: the pattern at 1:1 as an SVG, seen from the outside, with every sensor that is
 /// a line in a colour of its own, a dot at its begin, an arrow at its end, and its length; of lines

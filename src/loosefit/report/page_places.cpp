@@ -1,5 +1,6 @@
 #include "loosefit/report/page_places.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/report/map_texts.h"
@@ -62,12 +63,24 @@ Json ranked_json(const placement::RankingTable& table, const placement::RankedSi
   return all;
 }
 
+/// What of a line lies in each triangle: the triangle, where it enters and where it leaves
+/// (barycentric, the first two weights).
+Json line_json(const pipeline::CaseLine& line) {
+  const auto rounded = [](double weight) { return std::round(1e5 * weight) / 1e5; };
+  Json pieces = Json::array();
+  for (const lines::CoursePiece& piece : line.course.pieces)
+    pieces.push_back({piece.triangle, rounded(piece.from[0]), rounded(piece.from[1]),
+                      rounded(piece.to[0]), rounded(piece.to[1])});
+  return {{"name", spaced(line.name)}, {"pieces", pieces}};
+}
+
 }  // namespace
 
 std::string places_json(const pipeline::CaseResult& result, const placement::RankingTable* table) {
-  Json all = {{"sites", Json::array()}, {"ranking", nullptr}};
+  Json all = {{"sites", Json::array()}, {"lines", Json::array()}, {"ranking", nullptr}};
   if (!result.studied().maps.maps.empty())
     for (const placement::Site& site : result.sites) all["sites"].push_back(site_json(site));
+  for (const pipeline::CaseLine& line : result.lines) all["lines"].push_back(line_json(line));
   if (table && !table->ranking.sites.empty()) {
     Json places = Json::array();
     for (const placement::RankedSite& site : table->ranking.sites)

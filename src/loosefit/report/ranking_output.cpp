@@ -311,11 +311,11 @@ std::vector<std::string> ranking_files(const std::string& scorecard) {
 }
 
 void write_ranking(const std::filesystem::path& folder, const placement::RankingTable& table,
-                   const pattern::Pattern& pattern) {
+                   const pattern::Pattern& pattern, const pipeline::CaseResult* lines) {
   const std::vector<std::string> files = ranking_files(table.scorecard.name);
   io::write_text_file((folder / files[0]).string(), ranking_csv(table));
   io::write_text_file((folder / files[1]).string(), ranking_json(table));
-  io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern));
+  io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern, lines));
   io::write_dxf(folder / files[3], pattern, {}, pipeline::ranking_marks(table));
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loosefit/pattern/pattern.h"
+#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
 
 namespace loosefit::report {
@@ -35,8 +36,9 @@ std::string ranking_json(const placement::RankingTable& table);
 std::vector<std::string> ranking_files(const std::string& scorecard);
 
 /// Writes ranking-NAME.csv, ranking-NAME.json and sewing-plan-NAME.svg, NAME that of the scorecard,
-/// so that the rankings for several sensors lie beside each other. \throws IoError.
+/// so that the rankings for several sensors lie beside each other. `lines`: as sewing_plan_svg.
+/// \throws IoError.
 void write_ranking(const std::filesystem::path& folder, const placement::RankingTable& table,
-                   const pattern::Pattern& pattern);
+                   const pattern::Pattern& pattern, const pipeline::CaseResult* lines = nullptr);
 
 }  // namespace loosefit::report

@@ -33,20 +33,22 @@ std::string run_document(const FolderOutput& made, const std::string& folder) {
       if (file == name) return Json((std::filesystem::path(folder) / name).string());
     return Json(nullptr);
   };
-  return text_of({{"folder", folder},
-                  {"summary", path_if_there("summary.json")},
-                  {"report", path_if_there("report.html")},
-                  {"holds", certificate.holds()},
-                  {"settled", certificate.settled()},
-                  {"worn", certificate.worn()},
-                  {"worn_reasons", certificate.worn_reasons},
-                  {"stable", certificate.stable ? Json(*certificate.stable) : Json(nullptr)},
-                  {"residual", certificate.residual},
-                  {"stop_reason", certificate.stop_reason},
-                  {"sealed", made.result.sealed()},
-                  {"warnings", made.result.warnings},
-                  {"files", files},
-                  {"set_aside", made.set_aside.empty() ? Json(nullptr) : Json(made.set_aside)}});
+  return text_of(
+      {{"folder", folder},
+       {"summary", path_if_there("summary.json")},
+       {"report", path_if_there("report.html")},
+       {"holds", certificate.holds()},
+       {"settled", certificate.settled()},
+       {"worn", certificate.worn()},
+       {"worn_reasons", certificate.worn_reasons},
+       {"stable", certificate.stable ? Json(*certificate.stable) : Json(nullptr)},
+       {"grade", certificate.settled() ? Json(solver::name(certificate.grade())) : Json(nullptr)},
+       {"residual", certificate.residual},
+       {"stop_reason", certificate.stop_reason},
+       {"sealed", made.result.sealed()},
+       {"warnings", made.result.warnings},
+       {"files", files},
+       {"set_aside", made.set_aside.empty() ? Json(nullptr) : Json(made.set_aside)}});
 }
 
 std::string rank_document(const RankedRuns& ranked) {

@@ -32,6 +32,8 @@ std::string fit_check_section(const pipeline::CaseResult& result);
 std::string wrinkle_section(const pipeline::CaseResult& result);
 /// The quantities of the maps at every site.
 std::string site_section(const pipeline::CaseResult& result);
+/// What every line sees, its routes, and its curves against swept joints; empty without lines.
+std::string line_section(const pipeline::CaseResult& result);
 /// How maps and sites vary over drapes from other starts; empty without repeats.
 std::string repeat_section(const pipeline::CaseResult& result);
 /// What is worn over each other, the innermost first; empty for one garment.

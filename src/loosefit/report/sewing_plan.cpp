@@ -9,6 +9,7 @@
 
 #include "loosefit/io/pattern_svg.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/report/lines_plan.h"
 #include "loosefit/report/sewing_labels.h"
 #include "loosefit/report/sewing_marks.h"
 
@@ -114,14 +115,16 @@ std::string panel_marks(const placement::RankingTable& table, const pattern::Pat
 
 }  // namespace
 
-std::string sewing_plan_svg(const placement::RankingTable& table, const pattern::Pattern& pattern) {
+std::string sewing_plan_svg(const placement::RankingTable& table, const pattern::Pattern& pattern,
+                            const pipeline::CaseResult* lines) {
   io::SheetMarks marks;
   marks.title = "Where to sew: " + table.scorecard.title;
   marks.words =
       "print at 100 %: the control square must measure 100 mm; outside of the cloth, no seam "
       "allowance; equal numbers are sewn together";
   marks.over_panel = [&](int panel, const io::PanelOnSheet& sheet) {
-    return panel_marks(table, pattern, panel, sheet);
+    return (lines ? lines_on_sheet(*lines, panel, sheet) : std::string()) +
+           panel_marks(table, pattern, panel, sheet);
   };
   marks.lines = {
       "outline: the sensor (green passes, orange does not); arrow: its axis; dashed ellipse: its "
@@ -133,6 +136,8 @@ std::string sewing_plan_svg(const placement::RankingTable& table, const pattern:
   for (const placement::RankedSite& site : table.ranking.sites)
     if (recommended(site)) marks.lines.push_back(site_line(table, site));
   if (marks.lines.size() == 2) marks.lines.push_back("no place is recommended");
+  if (lines)
+    for (const std::string& sentence : line_sentences(*lines)) marks.lines.push_back(sentence);
   if (!table.scorecard.left_out.empty()) {
     std::string words = "scores are upper bounds, not looked at:";
     for (const std::string& metric : table.scorecard.left_out)

@@ -9,8 +9,8 @@
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/pipeline/wear_states.h"
 #include "loosefit/report/case_pictures.h"
-#include "loosefit/report/lines_plan.h"
 #include "loosefit/report/ranking_output.h"
+#include "loosefit/report/write_lines.h"
 #include "loosefit/report/write_model.h"
 #include "loosefit/report/write_report.h"
 
@@ -57,7 +57,7 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   if (parts.sites)
     for (const placement::SiteSpec& site : scenario.sites)
       if (site.line) {
-        append(files, {"lines.csv", kLinesPlan});
+        append(files, {"lines.csv", kLinesPlan, kLinesDxf, kLinesCables});
         break;
       }
   if (parts.report) files.push_back("report.html");
@@ -92,14 +92,14 @@ pipeline::CaseResult write_output(const Path& folder, pipeline::CaseResult resul
   StageClock clock(progress);
   clock.stage("report");
   if (ranking) {
-    write_ranking(folder, ranking->table, result.studied().pattern.pattern);
+    write_ranking(folder, ranking->table, result.studied().pattern.pattern,
+                  result.lines.empty() ? nullptr : &result);
     for (StageClock::Entry& entry : result.seconds)
       if (entry.stage == "placement") entry.seconds += ranking->seconds;
   }
   pipeline::write_case_files(folder, result);
   write_model(folder, result);
-  if (!result.lines.empty())
-    io::write_text_file((folder / kLinesPlan).string(), lines_plan_svg(result));
+  if (!result.lines.empty()) write_lines(folder, result);
   std::vector<render::Picture> pictures;
   if (parts.pictures) {
     try {

@@ -20,7 +20,7 @@ std::string report_html(const pipeline::CaseResult& result,
          "<title>Loosefit report</title>\n<style>" +
          std::string(kReportStyle) + "</style>\n" + viewer_head() + "</head>\n<body>\n" +
          headline_section(result) + (holds ? "" : proof) + viewer_section(result) +
-         picture_section(result, pictures) + ranking_section(ranking) + site_section(result) +
+         picture_section(result, pictures) + ranking_section(ranking) + site_section(result) + line_section(result) +
          (holds ? proof : "") + wear_section(result) + fit_check_section(result) +
          layer_section(result) + map_section(result) + wrinkle_section(result) +
          pressure_section(result) + repeat_section(result) + fit_section(result) +

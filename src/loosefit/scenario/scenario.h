@@ -62,8 +62,9 @@ struct ScenarioSimulation {
   std::uint64_t seed = 1;
   int repeats = 1;                ///< drapes from perturbed starts: folds are not unique
   double start_perturbation = 0;  ///< rms shift of the dressed start [m]
-  /// These four as in DrapeOptions, which has the defaults.
+  /// These five as in DrapeOptions, which has the defaults.
   double residual_tolerance = drape::DrapeOptions{}.residual_tolerance;
+  solver::RestGrade certificate = solver::RestGrade::a;  ///< grade that is enough
   double gravity = drape::DrapeOptions{}.gravity;
   double time_budget = drape::DrapeOptions{}.time_budget;
   int max_iterations = drape::DrapeOptions{}.max_iterations;

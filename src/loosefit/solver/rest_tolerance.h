@@ -11,4 +11,23 @@ inline constexpr double kRestTolerance = 1e-3;
 /// mesh is (1e-3 √n).
 inline constexpr double kRestLargest = 0.1;
 
+/// How near to rest a drape is to end, and how near it has come.
+enum class RestGrade {
+  /// The forces balance to kRestTolerance and kRestLargest.
+  a,
+  /// They balance to kRestToleranceB, and what is left to go is known to be less than maps can
+  /// mean:
+  /// kLeftToMove, kLeftToTurn.
+  b,
+};
+
+inline const char* name(RestGrade grade) { return grade == RestGrade::a ? "A" : "B"; }
+
+/// ‖F‖₂/‖W‖₂ of grade B [–].
+inline constexpr double kRestToleranceB = 0.1;
+/// Largest length of the exact Newton step, over particles [m], and largest turn of a normal by it,
+/// at the 99th percentile of particles [rad]: a fiftieth of what the mesh and the choice of folds
+/// leave open (docs/accuracy.md).
+inline constexpr double kLeftToMove = 1e-4, kLeftToTurn = 0.2 * 3.14159265358979323846 / 180;
+
 }  // namespace loosefit::solver

@@ -22,7 +22,8 @@ bool better(const Certificate& a, const Certificate& b) {
 
 Certificate certified(ClothState& state, const Stop& stop) {
   return certify(*state.model, state.x, state.body->body, stop,
-                 std::max(state.options.residual_tolerance, solver::kRestTolerance));
+                 std::max(state.options.residual_tolerance, solver::kRestTolerance),
+                 state.options.grade);
 }
 
 /// Goes back to a kept state.
