@@ -235,6 +235,28 @@ const tests = {
                  1 + await page.locator("tr[data-site]").count());
   },
 
+  "shows lines and leads to them": async ({ page }) => {
+    const course = summary.lines.lead;
+    const row = page.locator("tr[data-line=lead]");
+    const cells = await row.locator("td").allTextContents();
+    assert.equal(Number(cells[0]), Math.round(1000 * course.length_cut_m));
+    await row.locator("button.fly").click();
+    assert.equal(await page.locator("tr.chosen").first().getAttribute("data-line"), "lead");
+    assert.match(await probeText(page, "place"), /front/);
+    // As long in the views as the run says: flat, and as worn.
+    const lengths = await page.evaluate(() => {
+      const { worn, pattern } = window.loosefit, [line] = worn.lines;
+      const between = (p, q) => Math.hypot(...p.map((x, i) => x - q[i]));
+      const flat = (p) => { const { u, v } = pattern.placeOf(p); return [u, v]; };
+      const space = (p) => [...worn.positionOf(p)];
+      const sum = (at) => line.pieces.reduce((all, piece) => all + between(at(piece.from), at(piece.to)), 0);
+      return [sum(flat), sum(space)];
+    });
+    assert.ok(Math.abs(lengths[0] - course.length_cut_m) < 5e-4, `${lengths[0]} ${course.length_cut_m}`);
+    assert.ok(Math.abs(lengths[1] - course.length_worn_m) < 1e-3, `${lengths[1]} ${course.length_worn_m}`);
+    await page.click("#unpin");
+  },
+
   "works by keyboard": async ({ page }) => {
     const flat = page.locator(".pane.flat canvas").first();
     await page.click("#unpin", { force: true }).catch(() => {});
