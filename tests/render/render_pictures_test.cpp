@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "loosefit/base/error.h"
+#include "loosefit/render/drape_painter.h"
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 #include "loosefit/render/screen.h"
@@ -53,6 +54,22 @@ class Pictures : public ::testing::Test {
   std::filesystem::path dir_;
 };
 Screen* Pictures::screen_ = nullptr;
+
+TEST_F(Pictures, ShowALineWhereTheClothIsSeenAndHideItElsewhere) {
+  LineMark line{"lead", {}};
+  for (int i = 0; i <= 20; ++i) line.points.emplace_back(0, -kTube, 1.0 + 0.015 * i);
+  const geometry::TriangleMesh nothing;
+  DrapePainter painter(*screen_, {body_, garment_, positions_, nothing, {line}},
+                       {.width = 300, .height = 320, .ambient_occlusion = false});
+  const auto blue = [&](View view) {
+    painter.look(camera(view));
+    int count = 0;
+    for (const Rgb& p : painter.cloth().pixels) count += p[2] > p[0] + 80;
+    return count;
+  };
+  EXPECT_GT(blue(View::front), 150);  // some 0.3 m of it
+  EXPECT_EQ(blue(View::back), 0);
+}
 
 TEST_F(Pictures, AreNamedByMapAndView) {
   options_.views = {View::front, View::back, View::left, View::right};
