@@ -64,6 +64,11 @@ TEST_F(Vtp, DrapeComesBackToTheLastBit) {
 TEST_F(Vtp, StabilityAndFoldedEdgesComeBackAndMayBeUnknown) {
   write_drape_vtp(dir_ / "d.vtp", garment_, drape_);
   EXPECT_FALSE(read_drape_vtp(dir_ / "d.vtp").drape.certificate.stable.has_value());
+  EXPECT_FALSE(read_drape_vtp(dir_ / "d.vtp").drape.certificate.left.has_value());
+  drape_.certificate.left = drape::LeftToGo{3e-5, 1e-3};
+  write_drape_vtp(dir_ / "d.vtp", garment_, drape_);
+  EXPECT_EQ(read_drape_vtp(dir_ / "d.vtp").drape.certificate.left->move, 3e-5);
+  EXPECT_EQ(read_drape_vtp(dir_ / "d.vtp").drape.certificate.left->turn, 1e-3);
   drape_.certificate.folded_edges = 3;
   for (const bool stable : {true, false}) {
     drape_.certificate.stable = stable;

@@ -42,6 +42,8 @@ struct SettleGoal {
   double first_dt;     ///< first pseudo-step [s]
   /// On the way to a posture: always quasi-static, and no state of it is kept.
   bool preparing = false;
+  /// Ends where it is near enough to rest for the grade that is wanted (DrapeOptions::grade).
+  bool last_of_all = false;
 };
 inline constexpr int kNoLimit = std::numeric_limits<int>::max();
 
@@ -148,7 +150,11 @@ struct ClothState {
   bool recover(RecoveryPoint point);
 
  private:
+  /// Whether a place of residual below the next of CertifyTuning::ask_tolerances will do as it is.
+  bool is_near_enough(double residual);
+
   double fraction_ = 0;                             ///< that progress was told last
+  std::size_t asked_ = 0;                           ///< of the tolerances, in this settling
   std::optional<FreeFall> free_fall_;               ///< of the garments of this level
   std::unique_ptr<solver::Integrator> integrator_;  ///< of `model`
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;

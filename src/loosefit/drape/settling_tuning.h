@@ -223,7 +223,7 @@ struct CertifyTuning {
   int attempts = 3;  ///< [–]; chosen by experiment
   /// Residuals at which a drape that may end with grade B is asked how far it has to go [–]: the
   /// answer costs what an iteration costs.
-  std::array<double, 4> ask_tolerances = {0.1, 0.03, 0.01, 0.003};
+  std::array<double, 3> ask_tolerances = {0.1, 0.02, 0.005};
   /// How often a saddle is left [–], and how far the particle that goes farthest goes then [m]:
   /// two thicknesses of a fabric, so that it comes clear of what held it.
   int saddle_attempts = 3;

@@ -87,6 +87,7 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
   const CaseResult& reference = start.reference;
   const CaseDonning& how = start.wear.donnings[task.state.id.donning];
   drape::DrapeOptions options = drape_options(reference.scenario.simulation);
+  options.others_follow = start.wear.postures.size() > 1;
   options.drapes_at_once = sharing;
   options.start_shift = how.shift;
   options.start_twist = how.twist;

@@ -15,6 +15,7 @@
 #include "loosefit/pipeline/prepare_case.h"
 #include "loosefit/pipeline/repeat_drapes.h"
 #include "loosefit/pipeline/simulation_options.h"
+#include "loosefit/pipeline/wear_states.h"
 
 namespace loosefit::pipeline {
 
@@ -27,8 +28,10 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
   int at_once = 1;
   {
+    drape::DrapeOptions settling = drape_options(scenario.simulation);
+    settling.others_follow = plan_wear(result.scenario).postures.size() > 1;
     const auto session = std::make_shared<drape::DrapeSession>(
-        cloth_layers(result.scenario, result.garments), drape_options(scenario.simulation), clock);
+        cloth_layers(result.scenario, result.garments), settling, clock);
     const drape::Drape drape =
         put_on(*session, result.body, usual_movements(scenario.donning));  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),

@@ -100,6 +100,8 @@ Json result_json(const CaseRecord& r) {
                 {{"seconds", number(r.execution.seconds)},
                  {"peak_memory_mb", number(r.execution.peak_memory_mb)},
                  {"host", r.execution.host}}}};
+  if (r.control.ran)
+    json["control"] = {{"failed", r.control.failed}, {"largest", numbers(r.control.largest)}};
   for (const auto& [array, values] : r.maps) json["maps"][array] = numbers(values);
   for (const SiteRecord& s : r.sites) json["sites"].push_back(site_json(s));
   for (const SampleRecord& s : r.samples) json["samples"].push_back(sample_json(s));
@@ -120,6 +122,11 @@ CaseRecord result_of(const Json& j) {
   r.reason = j.at("reason");
   r.grade = j.at("grade");
   r.residual = number(j.at("residual"));
+  if (j.contains("control")) {
+    r.control.ran = true;
+    r.control.failed = j.at("control").at("failed");
+    r.control.largest = numbers(j.at("control").at("largest"));
+  }
   r.vertices = j.at("vertices");
   r.triangles = j.at("triangles");
   r.drapes_asked = j.at("drapes_asked");

@@ -40,6 +40,14 @@ enum class CaseStatus {
 };
 const char* name(CaseStatus status);
 
+/// A case that was content with grade B, run once more to grade A (controls.h).
+struct Control {
+  bool ran = false;
+  std::string failed;  ///< why it came to no result at grade A; empty: it did
+  /// Greatest difference of each metric, of any site, donning and modality, and of "score".
+  std::map<std::string, double> largest;
+};
+
 /// What has no influence on results.
 struct Execution {
   double seconds = 0;
@@ -53,6 +61,7 @@ struct CaseRecord {
   std::string reason;       ///< of sealed and failed cases
   std::string grade = "A";  ///< of the certificate; empty without one
   double residual = kNotKnown;
+  Control control;
   int vertices = 0, triangles = 0;
   int drapes_asked = 0, drapes_counted = 0;  ///< states: postures × donnings
   std::vector<std::string> left_out;         ///< states that do not count, and why

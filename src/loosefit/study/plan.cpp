@@ -212,6 +212,7 @@ Plan make_plan(const StudyFile& study) {
       one.address = case_address(scenario, study.modalities);
       one.drapes = drapes_of(scenario);
       one.edge_length = scenario.simulation.edge_length;
+      one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
     } catch (const InvalidInput& error) {
       throw InvalidInput(fmt::format("{}: case {} ({}): {}", study.file, one.number,
                                      plan.label(one), error.what()),

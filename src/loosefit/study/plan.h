@@ -16,6 +16,7 @@ struct PlannedCase {
   std::string toml;         ///< the resolved scenario
   int drapes = 1;           ///< postures × donnings (or repeats)
   double edge_length = 0;   ///< [m]
+  bool grade_b = false;     ///< is content with certificate grade B
 };
 
 /// All cases of a study, made before anything runs.

@@ -47,6 +47,8 @@ CREATE TABLE IF NOT EXISTS samples (number INTEGER NOT NULL, modality TEXT NOT N
 CREATE TABLE IF NOT EXISTS metrics (number INTEGER NOT NULL, modality TEXT NOT NULL,
   site TEXT NOT NULL, donning INTEGER NOT NULL, metric TEXT NOT NULL, value REAL,
   PRIMARY KEY (number, modality, site, donning, metric)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS controls (number INTEGER NOT NULL, metric TEXT NOT NULL,
+  largest REAL, PRIMARY KEY (number, metric)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS notes (number INTEGER NOT NULL, kind TEXT NOT NULL,
   position INTEGER NOT NULL, text TEXT NOT NULL, PRIMARY KEY (number, kind, position)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS versions (number INTEGER NOT NULL, library TEXT NOT NULL,
@@ -57,9 +59,9 @@ CREATE TABLE IF NOT EXISTS execution (number INTEGER PRIMARY KEY, seconds REAL,
 
 /// Those that hold what a case has yielded, with its number.
 const std::vector<std::string>& result_tables() {
-  static const std::vector<std::string> kNames = {"body",     "fit",      "garment", "maps",
-                                                  "sites",    "samples",  "metrics", "notes",
-                                                  "versions", "execution"};
+  static const std::vector<std::string> kNames = {"body",  "fit",      "garment",  "maps",
+                                                  "sites", "samples",  "metrics",  "controls",
+                                                  "notes", "versions", "execution"};
   return kNames;
 }
 
@@ -95,6 +97,7 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   put_pairs(database, "INSERT INTO body VALUES (?1, ?2, ?3)", number, r.body);
   put_pairs(database, "INSERT INTO fit VALUES (?1, ?2, ?3)", number, r.fit);
   put_pairs(database, "INSERT INTO garment VALUES (?1, ?2, ?3)", number, r.garment);
+  put_pairs(database, "INSERT INTO controls VALUES (?1, ?2, ?3)", number, r.control.largest);
   Statement maps = database.prepare("INSERT INTO maps VALUES (?1, ?2, ?3, ?4)");
   for (const auto& [array, values] : r.maps)
     for (const auto& [statistic, value] : values)
@@ -145,6 +148,7 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   };
   note("left out", r.left_out);
   note("warning", r.warnings);
+  if (!r.control.failed.empty()) note("control", {r.control.failed});
   for (const auto& [modality, criteria] : r.untold) note("not told of " + modality, criteria);
   Statement versions = database.prepare("INSERT INTO versions VALUES (?1, ?2, ?3)");
   for (const auto& [library, version] : r.versions)

@@ -100,6 +100,8 @@ class Collector {
       return;
     }
     data_.core_seconds += record->execution.seconds;
+    data_.grade_b += record->grade == "B";
+    study::add(record->control, data_.controls);
     data_.drapes_counted += record->drapes_counted;
     if (record->status != CaseStatus::done) {
       data_.troubles.push_back(

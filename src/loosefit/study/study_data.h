@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/study/controls.h"
 #include "loosefit/study/study_folder.h"
 
 namespace loosefit::study {
@@ -39,6 +40,8 @@ struct StudyData {
   std::vector<CaseTrouble> troubles;
   int done = 0;             ///< cases
   double core_seconds = 0;  ///< that they have taken
+  int grade_b = 0;          ///< cases with a drape of certificate grade B
+  ControlSummary controls;
   int drapes = 0, drapes_counted = 0;
 };
 

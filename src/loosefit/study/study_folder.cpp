@@ -14,6 +14,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/study/controls.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -23,6 +24,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kFormat = "loosefit-study 1";
 constexpr std::size_t kLargestPlan = 2000000000;
+const char* const kControls = "controls.txt";
 
 IoError failed(const fs::path& path, const char* what) {
   return IoError(path.string() + ": " + what + ": " + std::strerror(errno));
@@ -137,8 +139,21 @@ void StudyFolder::write_plan(const Plan& plan) const {
     make_folders(file.parent_path());
     write_whole(file, one.toml);
   }
+  std::vector<std::string> of_grade_b;
+  for (const PlannedCase& one : plan.cases)
+    if (one.grade_b) of_grade_b.push_back(one.address);
+  std::string controls;
+  for (const std::string& address : control_addresses(of_grade_b)) controls += address + "\n";
+  write_whole(path_ / kControls, controls);
   write_whole(path_ / "study.toml", plan.study.text);
   write_whole(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
+}
+
+bool StudyFolder::is_control(const std::string& address) const {
+  std::error_code error;
+  if (!fs::exists(path_ / kControls, error)) return false;
+  const std::string all = io::read_text_file((path_ / kControls).string(), kLargestPlan);
+  return all.find(address + "\n") != std::string::npos;
 }
 
 FolderPlan StudyFolder::read_plan() const {

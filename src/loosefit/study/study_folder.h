@@ -12,6 +12,7 @@
 //
 //   study.toml                the study file as it was
 //   plan.json                 axes with their levels, and the cases in their order
+//   controls.txt              addresses of cases that are run to grade A besides
 //   cases/ab/<address>/       scenario.toml, and result.json once the case has run
 //   study.sqlite              everything in tables (store.h), made from the above
 //   study-report.html, …      what is made from that
@@ -61,6 +62,8 @@ class StudyFolder {
   /// Writes study.toml, plan.json and the scenarios that are not there yet; a folder that is there
   /// must be empty or a study. Results of earlier plans stay. \throws IoError, InvalidInput.
   void write_plan(const Plan& plan) const;
+  /// Whether a case is one of those that are run to grade A besides (controls.h).
+  bool is_control(const std::string& address) const;
   /// \throws InvalidInput when the folder is no study.
   FolderPlan read_plan() const;
   /// The record of a case; nothing when it has not run.

@@ -11,17 +11,19 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/report/run_into_folder.h"
+#include "loosefit/study/controls.h"
 #include "loosefit/study/measure_case.h"
 
 namespace loosefit::study {
 namespace {
 
 pipeline::CaseResult run(const StudyFolder& folder, const std::string& address,
-                         const WorkOptions& options, Progress& progress) {
+                         const WorkOptions& options, Progress& progress, bool to_grade_a = false) {
   scenario::Scenario scenario = io::read_scenario(folder.scenario_file(address).string());
   scenario.file = "scenario.toml";  // in messages, which are the same wherever the study lies
   scenario.simulation.threads = options.threads;
-  if (!options.keep_output) return pipeline::run_case(scenario, progress);
+  if (to_grade_a) scenario.simulation.certificate = solver::RestGrade::a;
+  if (!options.keep_output || to_grade_a) return pipeline::run_case(scenario, progress);
   return report::run_into_folder(scenario, folder.case_folder(address) / "output", {}, true,
                                  progress)
       .result;
@@ -33,6 +35,17 @@ CaseRecord failed(const std::string& reason) {
   record.grade.clear();
   record.versions = versions();
   return record;
+}
+
+/// A control. An error is its result.
+CaseRecord to_grade_a(const StudyFolder& folder, const std::string& address,
+                      const std::vector<placement::Scorecard>& cards, const WorkOptions& options,
+                      Progress& progress) {
+  try {
+    return measure_case(run(folder, address, options, progress, true), cards);
+  } catch (const SolverFailure& error) {
+    return failed(error.what());
+  }
 }
 
 }  // namespace
@@ -47,6 +60,8 @@ CaseRecord work_case(const StudyFolder& folder, const std::vector<std::string>& 
     const pipeline::CaseResult result = run(folder, address, options, progress);
     const ThreadLimit threads(options.threads);
     record = measure_case(result, cards);
+    if (record.status == CaseStatus::done && folder.is_control(address))
+      record.control = compared(record, to_grade_a(folder, address, cards, options, progress));
   } catch (const InvalidInput& error) {
     record = failed(error.what());
   } catch (const SolverFailure& error) {

@@ -1,9 +1,7 @@
 #include "loosefit/drape/phases/free_penetrations.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "loosefit/drape/left_to_go.h"
 #include "loosefit/drape/raise_offsets.h"
 #include "loosefit/drape/refine_contact.h"
 
@@ -64,40 +62,19 @@ void free_penetrations(ClothState& state) {
   settle_without_penetrations(state, tuning.first_dt);
 }
 
-namespace {
-
-/// Whether it is near enough to rest for grade B.
-bool is_near_enough(ClothState& state) {
-  state.model->system().begin_step(state.x, std::numeric_limits<double>::infinity());
-  const auto left = left_to_go(state.model->system(), state.model->mesh().triangles, state.x);
-  return left && left->is_grade_b();
-}
-
-/// Settles to that residual and frees what cuts then, in turn. A round for the last digits, while
-/// there are still penetrations, would be thrown away.
-void settle_free(ClothState& state, double wanted, double first_dt) {
+void settle_without_penetrations(ClothState& state, double first_dt) {
   const PenetrationTuning& tuning = state.tuning.penetrations;
+  const double wanted = state.options.residual_tolerance;
   const auto freed = [&] { return state.recover(RecoveryPoint::at_rest); };
+  // A round for the last digits, while there are still penetrations, would be thrown away.
   for (;; first_dt = tuning.near_rest_dt) {
     state.settle({std::max(tuning.tolerance, wanted), kNoLimit, first_dt});
     if (state.is_over()) return;
     if (freed()) continue;
-    if (wanted < state.last.residual) state.settle({wanted, kNoLimit, tuning.near_rest_dt});
+    if (wanted < state.last.residual)
+      state.settle({wanted, kNoLimit, tuning.near_rest_dt, false, true});
     if (state.is_over() || !freed()) return;
   }
-}
-
-}  // namespace
-
-void settle_without_penetrations(ClothState& state, double first_dt) {
-  if (state.options.grade == solver::RestGrade::b &&
-      state.options.integrator == IntegratorKind::quasi_static)
-    for (const double tolerance : state.tuning.certify.ask_tolerances) {
-      settle_free(state, tolerance, first_dt);
-      if (state.is_over() || is_near_enough(state)) return;
-      first_dt = state.tuning.penetrations.near_rest_dt;
-    }
-  settle_free(state, state.options.residual_tolerance, first_dt);
 }
 
 }  // namespace loosefit::drape
