@@ -77,8 +77,8 @@ void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t
   fmt::print("sensors  {}\ncases    {} ({} drapes){}\n", join(plan.study.modalities),
              plan.cases.size(), plan.drapes(),
              open < plan.cases.size() ? fmt::format(", {} of them still to run", open) : "");
-  fmt::print("time     about {} on {} workers of this machine ({:.1f} core hours)\n",
-             study::duration_text(work / workers), workers, work / 3600);
+  fmt::print("time     about {} on {} workers of this machine, {} of one core\n",
+             study::duration_text(work / workers), workers, study::duration_text(work));
 }
 
 void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments) {

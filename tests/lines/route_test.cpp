@@ -172,7 +172,8 @@ TEST_F(SheetWithACone, BendingIsPaidForAtItsRadius) {
   const Route round = judged(garment_, surface_, shortest(across()), {state(bent)});
   EXPECT_NEAR(round.bend_radius, radius, 0.02 * radius);
   EXPECT_LT(round.strain, 0.002);
-  const RouteCost priced(garment_, {state(bent)}, {.own_strain = 0.01, .bending = 0.001});
+  const std::vector<placement::WornState> states = {state(bent)};
+  const RouteCost priced(garment_, states, {.own_strain = 0.01, .bending = 0.001});
   double sum = 0;
   for (const CoursePiece& piece : round.course.pieces) sum += priced.of(piece);
   EXPECT_NEAR(sum, 2 * kAside * (0.01 + 0.001 / radius), 0.02 * sum);

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""How many drapes an hour a study yields on this machine, and what a second worker brings.
+
+usage: throughput.py [--binary FILE] [--people N] [--edges-mm 14 10] [--grade A] [--json FILE]
+
+Shirts in two postures after two donnings, worn in, on people of the shipped statistics: a study with one
+worker and one thread, then the same with a worker per core (as `study run` does). Drapes that do not
+settle count as failed, not as drapes. Run it on a quiet machine.
+"""
+import argparse
+import json
+import os
+import pathlib
+import sqlite3
+import subprocess
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+
+def study(people, edge_mm, grade):
+    return f"""[study]
+name = "throughput"
+seed = 5
+modalities = ["imu-inclination"]
+[scenario.garment]
+pattern = "long-sleeve-shirt"
+fit = {{ chest = 0.12, hip = 0.12, sleeve = 0.2 }}
+[scenario.material]
+name = "cotton-jersey"
+[scenario.postures]
+list = ["standing", "forward-bend-15"]
+[scenario.donning]
+repeats = 2
+[scenario.simulation]
+edge_length = {edge_mm / 1000:g}
+certificate = "{grade}"
+[[axis]]
+name = "person"
+people = {{ statistics = "ansur-2012", sex = "both", count = {people} }}
+"""
+
+
+def timed(binary, text, jobs):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "study.toml"
+        file.write_text(text)
+        begun = time.monotonic()
+        subprocess.run([binary, "study", "run", str(file), "-o", f"{folder}/out", "--jobs", str(jobs)],
+                       check=True, capture_output=True)
+        seconds = time.monotonic() - begun
+        database = sqlite3.connect(f"{folder}/out/study.sqlite")
+        asked, counted = database.execute(
+            "SELECT SUM(drapes), SUM(COALESCE(drapes_counted, 0)) FROM cases").fetchone()
+        return {"jobs": jobs, "seconds": seconds, "asked": asked, "drapes": counted,
+                "per_hour": 3600 * counted / seconds}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--binary", default=str(ROOT / "build" / "bin" / "loosefit"))
+    parser.add_argument("--people", type=int, default=8)
+    parser.add_argument("--edges-mm", type=float, nargs="+", default=[14, 10])
+    parser.add_argument("--grade", default="B", choices=["A", "B"])
+    parser.add_argument("--json", type=pathlib.Path)
+    options = parser.parse_args()
+    cores = len(os.sched_getaffinity(0))
+    rows = []
+    print(f"{'edge mm':>8}{'workers':>9}{'drapes':>8}{'of':>5}{'seconds':>9}{'an hour':>9}{'scaling':>9}")
+    for edge in options.edges_mm:
+        alone = None
+        for jobs in sorted({1, cores}):
+            row = timed(options.binary, study(options.people, edge, options.grade), jobs)
+            alone = alone or row["per_hour"]
+            row |= {"edge_mm": edge, "scaling": row["per_hour"] / alone}
+            rows.append(row)
+            print(f"{edge:8g}{jobs:9}{row['drapes']:8}{row['asked']:5}{row['seconds']:9.0f}"
+                  f"{row['per_hour']:9.0f}{row['scaling']:9.2f}", flush=True)
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
