@@ -40,7 +40,7 @@ class Certificate:
     folded_edges: int
     #: Whether the balance is a minimum of the energy; None: not tested.
     stable: Optional[bool]
-    #: "A": residual <= 1e-3, residual_max <= 0.1; "B": residual <= 0.1, and no vertex has more than
+    #: "A": residual <= 1e-3, residual_max <= 0.1; "B": residual <= 0.02, and no vertex has more than
     #: 0.1 mm to go, 99 % of normals no more than 0.2 degrees to turn; None: not settled.
     grade: Optional[str]
     #: How far it is from rest at most, vertex and normal; None: not asked.

@@ -9,7 +9,7 @@ namespace {
 TEST(Grades, ACertificateIsOfTheGradeThatItReaches) {
   Certificate c;
   c.intersections_body = c.intersections_self = 0;
-  c.residual = 0.05;
+  c.residual = 0.019;
   EXPECT_FALSE(c.settled()) << "nobody has asked how far it is to go";
   c.left = LeftToGo{0.9e-4, radians(0.19)};
   EXPECT_TRUE(c.settled());
@@ -19,7 +19,7 @@ TEST(Grades, ACertificateIsOfTheGradeThatItReaches) {
   c.left = LeftToGo{0.9e-4, radians(0.21)};
   EXPECT_FALSE(c.settled());
   c.left = LeftToGo{0.9e-4, radians(0.19)};
-  c.residual = 0.11;
+  c.residual = 0.021;
   EXPECT_FALSE(c.settled());
   c.residual = 0.9e-3, c.residual_max = 0.05;
   c.left.reset();

@@ -12,7 +12,7 @@ const std::vector<GlossaryTerm>& glossary() {
        "Net force on the vertex where it is greatest, over the mean weight of a vertex; at most "
        "0.1 of a settled drape."},
       {"grade", "Grade",
-       "A: the net force left is at most 0.001 of the weight. B: at most 0.1, and the rest of the "
+       "A: the net force left is at most 0.001 of the weight. B: at most 0.02, and the rest of the "
        "way "
        "is known to be less than maps can mean. (docs/theory/solver.md 1.)"},
       {"left-to-go", "Left to go",

@@ -24,7 +24,7 @@ enum class RestGrade {
 inline const char* name(RestGrade grade) { return grade == RestGrade::a ? "A" : "B"; }
 
 /// ‖F‖₂/‖W‖₂ of grade B [–].
-inline constexpr double kRestToleranceB = 0.1;
+inline constexpr double kRestToleranceB = 0.02;
 /// Largest length of the exact Newton step, over particles [m], and largest turn of a normal by it,
 /// at the 99th percentile of particles [rad]: a fiftieth of what the mesh and the choice of folds
 /// leave open (docs/accuracy.md).
