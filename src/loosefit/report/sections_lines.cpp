@@ -105,13 +105,16 @@ std::string route_text(const pipeline::CaseLine& line) {
   add("shortest, not taken", *line.shortest);
   const lines::Route &best = line.routes.front(), &straight = *line.shortest;
   const double longer = best.course.length / straight.course.length - 1;
+  // In the mean where the greatest strains read alike.
+  const bool alike = percent(straight.strain) == percent(best.strain);
   const std::string why =
-      longer < 5e-4
-          ? "The shortest way is the one that is stretched least."
-          : fmt::format(
-                "The shortest way is {} % shorter, but would be stretched by up to {} % where "
-                "this one is by {} %.",
-                percent(longer / (1 + longer)), percent(straight.strain), percent(best.strain));
+      longer < 5e-4 ? "The shortest way is the one that is stretched least."
+                    : fmt::format(
+                          "The shortest way is {} % shorter, but would be stretched {} {} % "
+                          "where this one is by {} %.",
+                          percent(longer / (1 + longer)), alike ? "in the mean by" : "by up to",
+                          percent(alike ? straight.mean_strain : straight.strain, 2),
+                          percent(alike ? best.mean_strain : best.strain, 2));
   return table.html() + element("p", escaped(why));
 }
 
