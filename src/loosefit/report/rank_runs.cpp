@@ -11,6 +11,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/map_case.h"
 #include "loosefit/pipeline/rank_case.h"
@@ -108,7 +109,10 @@ RankedRuns rank_runs(const RankRuns& asked, Progress& progress,
 
   if (before_writing) before_writing(ranked.table);
   if (files) {
-    write_ranking(files->path(), ranked.table, results.front().studied().pattern.pattern);
+    pipeline::CaseResult& first = results.front();
+    first.take_lines(pipeline::measure_lines(first));
+    write_ranking(files->path(), ranked.table, first.studied().pattern.pattern,
+                  first.lines.empty() ? nullptr : &first);
     files->commit();
     ranked.set_aside = files->aside();
   }

@@ -15,6 +15,7 @@
 #include "loosefit/pipeline/pattern_marks.h"
 #include "loosefit/placement/derived_metrics.h"
 #include "loosefit/report/sewing_plan.h"
+#include "loosefit/report/write_lines.h"
 
 namespace loosefit::report {
 namespace {
@@ -316,7 +317,10 @@ void write_ranking(const std::filesystem::path& folder, const placement::Ranking
   io::write_text_file((folder / files[0]).string(), ranking_csv(table));
   io::write_text_file((folder / files[1]).string(), ranking_json(table));
   io::write_text_file((folder / files[2]).string(), sewing_plan_svg(table, pattern, lines));
-  io::write_dxf(folder / files[3], pattern, {}, pipeline::ranking_marks(table));
+  std::vector<io::PatternMark> marks = pipeline::ranking_marks(table);
+  if (lines)
+    for (io::PatternMark& mark : line_marks_of(*lines)) marks.push_back(std::move(mark));
+  io::write_dxf(folder / files[3], pattern, {}, marks);
 }
 
 }  // namespace loosefit::report

@@ -1,6 +1,5 @@
 #include "loosefit/report/write_lines.h"
 
-#include "loosefit/io/dxf/dxf_write.h"
 #include "loosefit/io/scenario_attachment.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pattern/notch.h"
@@ -25,19 +24,23 @@ std::vector<garment::Attachment> cables_of(const pipeline::CaseResult& result) {
 
 }  // namespace
 
+std::vector<io::PatternMark> line_marks_of(const pipeline::CaseResult& result) {
+  std::vector<io::PatternMark> marks;
+  for (const garment::Attachment& cable : cables_of(result))
+    marks.push_back({cable.name, cable.panel, std::get<garment::Cable>(cable.part).path, false});
+  return marks;
+}
+
 void write_lines(const std::filesystem::path& folder, const pipeline::CaseResult& result) {
   io::write_text_file((folder / kLinesPlan).string(), lines_plan_svg(result));
-  std::vector<io::PatternMark> marks;
   std::string toml =
       "# The lines of this run as cables, for a scenario with the same pattern. A cable that "
       "stands for a\n"
       "# line with a stiffness of its own takes the place of that [[site]], or it would be sewn on "
       "twice.\n";
-  for (const garment::Attachment& cable : cables_of(result)) {
-    marks.push_back({cable.name, cable.panel, std::get<garment::Cable>(cable.part).path, false});
+  for (const garment::Attachment& cable : cables_of(result))
     toml += "\n" + io::attachment_toml(cable);
-  }
-  io::write_dxf(folder / kLinesDxf, result.studied().pattern.pattern, {}, marks);
+  io::write_dxf(folder / kLinesDxf, result.studied().pattern.pattern, {}, line_marks_of(result));
   io::write_text_file((folder / kLinesCables).string(), toml);
 }
 
