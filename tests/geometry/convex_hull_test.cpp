@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <random>
 
 #include "loosefit/geometry/closest_point_tree.h"
 #include "support/shapes.h"
@@ -28,6 +30,23 @@ TEST(ConvexHull, OfABoxWithThingsInItIsTheBoxOrientedOutwards) {
 TEST(ConvexHull, OfASphereIsTheSphere) {
   const TriangleMesh ball = support::sphere(0.1, 12, 24);
   EXPECT_EQ(convex_hull(ball.vertices).vertices.size(), ball.vertices.size());
+}
+
+// A hull whose triangles come in another order gives distances with other last bits, from which
+// drapes part ways.
+TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> along;
+  std::vector<Vec3> points(300);
+  for (Vec3& p : points) p = Vec3(along(random), along(random), along(random)).normalized();
+  const TriangleMesh hull = convex_hull(points);
+  ASSERT_EQ(hull.vertices.size(), points.size());
+  for (int k = 0; k < 5; ++k) {
+    std::shuffle(points.begin(), points.end(), random);
+    const TriangleMesh again = convex_hull(points);
+    EXPECT_TRUE(again.vertices == hull.vertices);
+    EXPECT_TRUE(again.triangles == hull.triangles);
+  }
 }
 
 TEST(ConvexHull, OfFewOrFlatPointsIsEmpty) {

@@ -5,7 +5,38 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace loosefit::geometry {
+namespace {
+
+/// The same surface with vertices in lexicographic order, triangles that begin at their first
+/// vertex, and triangles in order.
+TriangleMesh in_order(const TriangleMesh& mesh) {
+  const auto before = [&](int a, int b) {
+    const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::vector<int> old(mesh.vertices.size()), now(old.size());
+  std::iota(old.begin(), old.end(), 0);
+  std::sort(old.begin(), old.end(), before);
+  TriangleMesh ordered;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    now[old[i]] = static_cast<int>(i);
+    ordered.vertices.push_back(mesh.vertices[old[i]]);
+  }
+  for (Triangle t : mesh.triangles) {
+    for (int& v : t) v = now[v];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    ordered.triangles.push_back(t);
+  }
+  std::sort(ordered.triangles.begin(), ordered.triangles.end());
+  return ordered;
+}
+
+}  // namespace
 
 TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -25,7 +56,8 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
     for (const auto v : hull.vertices_around_face(hull.halfedge(f))) t[k++] = static_cast<int>(v);
     mesh.triangles.push_back(t);
   }
-  return mesh;
+  // CGAL goes round the horizon in the order of addresses in memory, which no run repeats.
+  return in_order(mesh);
 }
 
 }  // namespace loosefit::geometry
