@@ -117,6 +117,8 @@ struct ClothState {
   int level_count() const { return static_cast<int>(layers.front().garment->levels.size()); }
   bool is_finest() const { return level + 1 == level_count(); }
   bool is_single() const { return layers.size() == 1; }
+  /// Whether it is worn cloth that nothing has moved yet.
+  bool is_as_worn() const { return worn && body == worn->body; }
   const garment::Garment& garment(int layer) const { return layers[layer].garment->levels[level]; }
   std::vector<const garment::Garment*> garments() const;
   const std::vector<Triangle>& triangles() const { return model->mesh().triangles; }

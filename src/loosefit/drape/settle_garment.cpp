@@ -47,6 +47,9 @@ void take_up(ClothState& state, std::shared_ptr<const WornCloth> worn) {
 bool is_caught(ClothState& state, double deepest) {
   const FollowTuning& tuning = state.tuning.follow;
   if (deepest < tuning.caught_depth) {
+    // What was carried lies deep in the layer here and there: all of it would throw the cloth off.
+    if (!state.is_as_worn())
+      state.model->set_hardening(state.tuning.penetrations.look_hardening.front());
     state.settle({tuning.one_layer.tolerance, tuning.longer * tuning.one_layer.iterations,
                   tuning.finest_first_dt, true});
     deepest = depth_in_skin(state.x, state.body->body);

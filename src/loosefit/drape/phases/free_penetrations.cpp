@@ -18,8 +18,8 @@ void see_skin(ClothState& state, const std::set<int>& cut = {}) {
 void look_on_the_way(ClothState& state) {
   const PenetrationTuning& tuning = state.tuning.penetrations;
   for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
-    // Worn cloth has its points and lies at rest already: softer, it would sink and slide.
-    state.model->set_hardening(state.worn ? 1 : tuning.look_hardening[i]);
+    // Cloth as worn has its points and lies at rest already: softer, it would sink and slide.
+    state.model->set_hardening(state.is_as_worn() ? 1 : tuning.look_hardening[i]);
     state.settle({std::max(tuning.look_tolerances[i], state.options.residual_tolerance),
                   tuning.look_iterations, tuning.look_first_dt[i]});
     if (state.is_over()) break;
