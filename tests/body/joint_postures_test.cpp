@@ -83,6 +83,26 @@ TEST(JointPostures, HipAndKneeTurnByTheirAngle) {
   EXPECT_GT(shank(knee).y(), 0.5);
 }
 
+TEST(JointPostures, OneLegTurnsAlone) {
+  const Body stands = in("standing"),
+             steps = in("left-hip-flexion-50+left-knee-flexion-40+right-hip-flexion--10");
+  const auto turned = [&](const char* from, const char* to) {
+    return angle(between(stands, from, to), between(steps, from, to));
+  };
+  EXPECT_NEAR(turned("hip_L", "knee_L"), 50, 1);
+  EXPECT_NEAR(turned("knee_L", "ankle_L"), 10, 1);
+  EXPECT_NEAR(turned("hip_R", "knee_R"), 10, 1);
+  EXPECT_GT(between(steps, "hip_R", "knee_R").y(), between(stands, "hip_R", "knee_R").y());
+  EXPECT_NEAR(turned("knee_R", "ankle_R"), 10, 1);
+}
+
+TEST(JointPostures, BothLegsAndOneAddUp) {
+  EXPECT_NEAR(angle(between(in("hip-flexion-60"), "hip_L", "knee_L"),
+                    between(in("hip-flexion-40+left-hip-flexion-20"), "hip_L", "knee_L")),
+              0, 0.01);
+  EXPECT_THROW(in("hip-flexion-90+left-hip-flexion-60"), InvalidInput);
+}
+
 TEST(JointPostures, TheTrunkTurnsAndBendsToTheLeft) {
   const Body turned = in("trunk-rotation-30"), bent = in("side-bend-20");
   const Vec3 shoulders = between(turned, "shoulder_R", "shoulder_L"),

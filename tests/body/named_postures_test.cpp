@@ -168,6 +168,19 @@ TEST(NamedPostures, ASlouchRoundsTheBackAndLowersTheHead) {
   EXPECT_LT(slumped.landmarks.at("c7").z(), upright.landmarks.at("c7").z() - 0.02);
 }
 
+TEST(NamedPostures, LegsWalkClimbAndSquat) {
+  const auto thigh = [](const Body& b, const std::string& side) -> Vec3 {
+    return (b.joints.at("knee_" + side) - b.joints.at("hip_" + side)).normalized();
+  };
+  const Body stride = in("stride"), stair = in("stair-climb"), squat = in("squat");
+  EXPECT_LT(thigh(stride, "L").y(), thigh(stride, "R").y() - 0.5);  // 35° between them
+  EXPECT_LT(stride.joints.at("ankle_L").y(), stride.joints.at("ankle_R").y() - 0.2);
+  // The foot is about a step of stairs, some 17 cm and more, above the other.
+  EXPECT_GT(stair.joints.at("ankle_L").z(), stair.joints.at("ankle_R").z() + 0.17);
+  EXPECT_NEAR(thigh(squat, "L").z(), 0, 0.2);  // level
+  EXPECT_LT(squat.joints.at("hip_L").z(), 0.6 * in("standing").joints.at("hip_L").z());
+}
+
 TEST(NamedPostures, AreMirrorSymmetric) {
   for (const auto& [name, posture] : named_postures()) {
     const Body body = body_model().build({}, posture);

@@ -73,6 +73,18 @@ TEST(CaseEase, AGarmentThatWasAskedToBeTightMayPress) {
   EXPECT_TRUE(ease_warnings(nobody_asked, pressing(200)).empty());
 }
 
+// Elastic waistbands hold trousers up by pressing.
+TEST(CaseEase, ALevelThatTheDraftMakesTightMayPress) {
+  CasePattern pattern;
+  pattern.levels = {{"hip", 1.08, 1.0}, {"waistband", 0.66, 0.70}};
+  pattern.fit = {{"hip", 0.08}, {"waistband", -0.06}};
+  scenario::GarmentSpec spec;
+  spec.fit["hip"] = 0.08;
+  EXPECT_FALSE(is_asked_loose(station_eases(pattern, spec)));
+  pattern.fit["waistband"] = 0.02;
+  EXPECT_TRUE(is_asked_loose(station_eases(pattern, spec)));
+}
+
 TEST(CaseEase, StrainBeyondItsRangeIsToldWithShareLargestAndRange) {
   maps::StrainRange range;
   range.warp = {0.167, 1.1, 0.34};

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct Posture {
   double knee_flexion = 0;    ///< shanks back, beyond `sitting`
   double trunk_rotation = 0;  ///< shoulders against pelvis, to the wearer's left
   double side_bend = 0;       ///< to the wearer's left
+  // Of one leg, beyond what both do.
+  double left_hip_flexion = 0, right_hip_flexion = 0;
+  double left_knee_flexion = 0, right_knee_flexion = 0;
   bool operator==(const Posture&) const = default;
 };
 
@@ -46,7 +50,7 @@ struct Body {
   std::map<std::string, int> landmark_vertex;  ///< the same as surface vertex indices
   /// Measured on this surface in rest posture [m] (slopes in rad): height, chest, underbust, waist,
   /// hip, neck, upper_arm, wrist, shoulder_breadth, shoulder_slope, scye_depth (shoulder point to
-  /// armpit, vertical), hps_to_waist, hps_to_hip, arm_length, …
+  /// armpit, vertical), hps_to_waist, hps_to_hip, hps_to_crown, arm_length, …
   std::map<std::string, double> measured;
   /// Rest → posed affine map of each surface vertex (linear blend skinning); empty for scans.
   std::vector<Eigen::Matrix<double, 3, 4>> pose_from_rest;
@@ -55,14 +59,20 @@ struct Body {
   RigidMotion from_world = RigidMotion::Identity();
 };
 
+/// All that a posture is made of.
+inline constexpr double Posture::*kPostureNumbers[] = {
+    &Posture::arm_abduction,     &Posture::forward_bend,      &Posture::sitting,
+    &Posture::arm_flexion,       &Posture::elbow_extension,   &Posture::slouch,
+    &Posture::relaxed_arms,      &Posture::elbow_flexion,     &Posture::wrist_flexion,
+    &Posture::hip_flexion,       &Posture::knee_flexion,      &Posture::trunk_rotation,
+    &Posture::side_bend,         &Posture::left_hip_flexion,  &Posture::right_hip_flexion,
+    &Posture::left_knee_flexion, &Posture::right_knee_flexion};
+static_assert(sizeof(Posture) == std::size(kPostureNumbers) * sizeof(double));
+
 /// Linear blend of two postures: share 0 gives `from`, 1 gives `to`.
 inline Posture blend(const Posture& from, const Posture& to, double share) {
   Posture posture;
-  for (double Posture::*number :
-       {&Posture::arm_abduction, &Posture::forward_bend, &Posture::sitting, &Posture::arm_flexion,
-        &Posture::elbow_extension, &Posture::slouch, &Posture::relaxed_arms,
-        &Posture::elbow_flexion, &Posture::wrist_flexion, &Posture::hip_flexion,
-        &Posture::knee_flexion, &Posture::trunk_rotation, &Posture::side_bend})
+  for (double Posture::*number : kPostureNumbers)
     posture.*number = from.*number + share * (to.*number - from.*number);
   return posture;
 }
@@ -83,6 +93,7 @@ inline Posture default_dress_posture(const Posture& wanted) {
   const bool open = wanted.arm_abduction >= radians(35.0) && wanted.arm_abduction <= radians(60.0);
   const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
                        wanted.slouch == 0 && wanted.hip_flexion == 0 &&
+                       wanted.left_hip_flexion == 0 && wanted.right_hip_flexion == 0 &&
                        wanted.trunk_rotation == 0 && wanted.side_bend == 0;
   return open && upright ? wanted : kArmsApart;
 }

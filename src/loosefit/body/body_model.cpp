@@ -51,8 +51,10 @@ void check_posture(const Posture& posture) {
   check("relaxed_arms", posture.relaxed_arms, 0, 1, "");
   check("elbow_flexion", degrees(posture.elbow_flexion), 0, 150, "°");
   check("wrist_flexion", degrees(posture.wrist_flexion), -90, 90, "°");
-  check("hip_flexion", degrees(posture.hip_flexion), -30, 120, "°");
-  check("knee_flexion", degrees(posture.knee_flexion), 0, 140, "°");
+  for (const double one : {posture.left_hip_flexion, posture.right_hip_flexion})
+    check("hip_flexion", degrees(posture.hip_flexion + one), -30, 120, "°");
+  for (const double one : {posture.left_knee_flexion, posture.right_knee_flexion})
+    check("knee_flexion", degrees(posture.knee_flexion + one), 0, 140, "°");
   check("trunk_rotation", degrees(posture.trunk_rotation), -60, 60, "°");
   check("side_bend", degrees(posture.side_bend), -45, 45, "°");
 }

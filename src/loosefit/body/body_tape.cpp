@@ -164,6 +164,7 @@ std::map<std::string, double> BodyTape::all() const {
   found["shoulder_slope"] = std::atan2(hps.z() - shoulder, acromion.x() - hps.x());
   found["shoulder_length"] = (acromion - hps).norm();
   found["neck_width"] = 2 * hps.x();
+  found["hps_to_crown"] = measure("height") - (hps.z() - ground);
   found["front_fullness"] =
       trunk_girth_front(rest_.surface, found["chest_level"] + ground) - measure("chest") / 2;
   found["neck_drop_back"] = hps.z() - vertex(kC7).z();

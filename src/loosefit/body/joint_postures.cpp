@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -12,26 +13,27 @@
 namespace loosefit::body {
 namespace {
 
+double Posture::*turned_by(const std::string& joint) {
+  static const std::map<std::string, double Posture::*> kOf = {
+      {"elbow-flexion", &Posture::elbow_flexion},
+      {"shoulder-flexion", &Posture::arm_flexion},
+      {"shoulder-abduction", &Posture::arm_abduction},
+      {"wrist-flexion", &Posture::wrist_flexion},
+      {"hip-flexion", &Posture::hip_flexion},
+      {"knee-flexion", &Posture::knee_flexion},
+      {"left-hip-flexion", &Posture::left_hip_flexion},
+      {"right-hip-flexion", &Posture::right_hip_flexion},
+      {"left-knee-flexion", &Posture::left_knee_flexion},
+      {"right-knee-flexion", &Posture::right_knee_flexion},
+      {"trunk-rotation", &Posture::trunk_rotation},
+      {"side-bend", &Posture::side_bend},
+  };
+  return kOf.at(joint);
+}
+
 void turn(Posture& posture, const JointAngle& angle) {
-  const double turn = radians(angle.degrees);
-  if (angle.joint == "elbow-flexion") {
-    posture.elbow_extension = 1;
-    posture.elbow_flexion = turn;
-  } else if (angle.joint == "shoulder-flexion") {
-    posture.arm_flexion = turn;
-  } else if (angle.joint == "shoulder-abduction") {
-    posture.arm_abduction = turn;
-  } else if (angle.joint == "wrist-flexion") {
-    posture.wrist_flexion = turn;
-  } else if (angle.joint == "hip-flexion") {
-    posture.hip_flexion = turn;
-  } else if (angle.joint == "knee-flexion") {
-    posture.knee_flexion = turn;
-  } else if (angle.joint == "trunk-rotation") {
-    posture.trunk_rotation = turn;
-  } else if (angle.joint == "side-bend") {
-    posture.side_bend = turn;
-  }
+  posture.*turned_by(angle.joint) = radians(angle.degrees);
+  if (angle.joint == "elbow-flexion") posture.elbow_extension = 1;
 }
 
 /// The joint that a text begins with, followed by "-"; nullptr for none.
@@ -72,6 +74,10 @@ const std::vector<JointMotion>& joint_motions() {
       {"wrist-flexion", -70, 80, "hand to the palm"},
       {"hip-flexion", -15, 100, "thighs forward"},
       {"knee-flexion", 0, 120, "heels back"},
+      {"left-hip-flexion", -15, 100, "the left thigh forward"},
+      {"right-hip-flexion", -15, 100, "the right thigh forward"},
+      {"left-knee-flexion", 0, 120, "the left heel back"},
+      {"right-knee-flexion", 0, 120, "the right heel back"},
       {"trunk-rotation", -45, 45, "shoulders to the wearer's left"},
       {"side-bend", -35, 35, "to the wearer's left"},
   };

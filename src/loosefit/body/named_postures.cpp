@@ -44,6 +44,32 @@ Posture slouch() {
   return posture;
 }
 
+// The left heel strikes.
+Posture stride() {
+  Posture posture = kStanding;
+  posture.left_hip_flexion = radians(25);
+  posture.right_hip_flexion = radians(-10);
+  posture.right_knee_flexion = radians(15);
+  return posture;
+}
+
+// The left foot is on the next step.
+Posture stair_climb() {
+  Posture posture = kStanding;
+  posture.left_hip_flexion = radians(65);
+  posture.left_knee_flexion = radians(85);
+  return posture;
+}
+
+// The arms keep the balance: level, though the trunk leans.
+Posture squat() {
+  Posture posture = arms(10, 120);
+  posture.forward_bend = radians(30);
+  posture.hip_flexion = radians(90);
+  posture.knee_flexion = radians(100);
+  return posture;
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, Posture>>& named_postures() {
@@ -59,6 +85,9 @@ const std::vector<std::pair<std::string, Posture>>& named_postures() {
       {"forward-bend-45", bend(45)},
       {"sitting", sitting()},
       {"slouch", slouch()},
+      {"stride", stride()},
+      {"stair-climb", stair_climb()},
+      {"squat", squat()},
   };
   return kTable;
 }

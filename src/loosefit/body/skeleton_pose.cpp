@@ -176,12 +176,14 @@ BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& j
       bone = about(Vec3::UnitZ(), kSpineTurn[i] * posture.trunk_rotation) * bone;
   }
   if (posture.slouch != 0) slump(posture.slouch, rotations);
-  for (const char* side : {".L", ".R"}) {
+  const auto bend_leg = [&](const char* side, double hip, double knee) {
     rotations[std::string("upperleg01") + side] =
-        about(Vec3::UnitX(), -posture.sitting * kPi / 2 - posture.hip_flexion);
+        about(Vec3::UnitX(), -posture.sitting * kPi / 2 - posture.hip_flexion - hip);
     rotations[std::string("lowerleg01") + side] =
-        about(Vec3::UnitX(), posture.sitting * kPi / 2 + posture.knee_flexion);
-  }
+        about(Vec3::UnitX(), posture.sitting * kPi / 2 + posture.knee_flexion + knee);
+  };
+  bend_leg(".L", posture.left_hip_flexion, posture.left_knee_flexion);
+  bend_leg(".R", posture.right_hip_flexion, posture.right_knee_flexion);
   return rotations;
 }
 

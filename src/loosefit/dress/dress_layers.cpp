@@ -18,6 +18,8 @@ constexpr double kMostClearance = 0.08;
 constexpr double kStep = 1.1, kFirstStep = 1.35;  ///< of the clearance, and beyond the layer below
 constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
 constexpr double kDepthShares[] = {1.0, 1.5};
+/// Tries for a garment that is placed over others: how much farther from the skin [m].
+constexpr double kThicker[] = {0, 0.02, 0.03, 0.045, 0.06, 0.08, 0.11};
 
 /// Everything that is on already.
 struct Dressed {
@@ -57,19 +59,33 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
   return {};
 }
 
+/// The same person with so much more round it [m]. Folds of its skin may pass through each other.
+body::PosedBody thicker(const body::Body& body, double by) {
+  body::Body more = body;
+  for (std::size_t v = 0; v < more.surface.vertices.size(); ++v)
+    more.surface.vertices[v] += by * more.normals[v];
+  return more;
+}
+
+/// As if the wearer were thicker by the least that encloses what is under it.
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
                              const body::PosedBody& body) {
   const garment::Garment& garment = *layer.garment;
-  std::vector<Vec3> x = layer.place(body);
-  const auto cuts =
-      geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
-  if (!cuts.empty())
-    throw GeometryError(
-        fmt::format("pattern: the placed panels cut through the garments under them, {} triangle "
-                    "pairs, the first in panel {}",
-                    cuts.size(), garment.panel_names[garment.triangle_panel[cuts.front().first]]),
-        "place the panels farther out (translation), so that they enclose what is under them");
-  return x;
+  std::string why;
+  for (const double by : kThicker) try {
+      std::vector<Vec3> x = layer.place(by > 0 ? thicker(body, by) : body);
+      const auto cuts =
+          geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
+      if (cuts.empty()) return x;
+      why = fmt::format("{} triangle pairs, the first in panel {}", cuts.size(),
+                        garment.panel_names[garment.triangle_panel[cuts.front().first]]);
+      if (under.positions.empty()) break;
+    } catch (const NoRoom&) {
+      if (by == 0) throw;
+    }
+  throw GeometryError(
+      "pattern: the placed panels cut through the garments under them, " + why,
+      "place the panels farther out (translation), so that they enclose what is under them");
 }
 
 }  // namespace

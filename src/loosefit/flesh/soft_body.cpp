@@ -36,14 +36,12 @@ std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
 }  // namespace
 
 double turn_between(const body::Posture& a, const body::Posture& b) {
-  return std::max(
-      {std::abs(a.arm_abduction - b.arm_abduction), std::abs(a.forward_bend - b.forward_bend),
-       std::abs(a.sitting - b.sitting) * kPi / 2, std::abs(a.arm_flexion - b.arm_flexion),
-       std::abs(a.elbow_extension - b.elbow_extension), std::abs(a.slouch - b.slouch),
-       std::abs(a.relaxed_arms - b.relaxed_arms), std::abs(a.elbow_flexion - b.elbow_flexion),
-       std::abs(a.wrist_flexion - b.wrist_flexion), std::abs(a.hip_flexion - b.hip_flexion),
-       std::abs(a.knee_flexion - b.knee_flexion), std::abs(a.trunk_rotation - b.trunk_rotation),
-       std::abs(a.side_bend - b.side_bend)});
+  double most = 0;
+  for (double body::Posture::*number : body::kPostureNumbers) {
+    const double turn = number == &body::Posture::sitting ? kPi / 2 : 1;  // of hips and knees
+    most = std::max(most, turn * std::abs(a.*number - b.*number));
+  }
+  return most;
 }
 
 body::Body displaced(body::Body body, const std::vector<Vec3>& moved) {

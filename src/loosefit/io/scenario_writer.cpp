@@ -25,6 +25,10 @@ std::string posture_text(const body::Posture& p) {
   for (const auto& [key, turn] :
        {std::pair("elbow_flexion", p.elbow_flexion), std::pair("wrist_flexion", p.wrist_flexion),
         std::pair("hip_flexion", p.hip_flexion), std::pair("knee_flexion", p.knee_flexion),
+        std::pair("left_hip_flexion", p.left_hip_flexion),
+        std::pair("right_hip_flexion", p.right_hip_flexion),
+        std::pair("left_knee_flexion", p.left_knee_flexion),
+        std::pair("right_knee_flexion", p.right_knee_flexion),
         std::pair("trunk_rotation", p.trunk_rotation), std::pair("side_bend", p.side_bend)})
     if (turn != 0) text += fmt::format(", {}_deg = {}", key, degrees_text(turn));
   return "{ " + text + " }";

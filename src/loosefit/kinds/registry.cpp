@@ -2,6 +2,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/kinds/hoodie/hoodie.h"
 #include "loosefit/kinds/pattern_file.h"
 #include "loosefit/kinds/shirt/shirt.h"
 #include "loosefit/kinds/tank_top/tank_top.h"
@@ -10,8 +11,8 @@
 namespace loosefit::kinds {
 
 const std::vector<GarmentKind>& garment_kinds() {
-  static const std::vector<GarmentKind> kKinds = {long_sleeve_shirt(), t_shirt(),  tank_top(),
-                                                  trousers(),          leggings(), pattern_file()};
+  static const std::vector<GarmentKind> kKinds = {
+      long_sleeve_shirt(), t_shirt(), tank_top(), hoodie(), trousers(), leggings(), pattern_file()};
   return kKinds;
 }
 

@@ -47,8 +47,12 @@ std::vector<StationEase> station_eases(const CasePattern& pattern,
                                        const scenario::GarmentSpec& spec) {
   std::vector<StationEase> stations;
   for (const kinds::FitLevel& level : pattern.levels)
-    if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
-      stations.push_back({level.name, cut->second, asked_ease(level.name, spec)});
+    if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end()) {
+      std::optional<double> asked = asked_ease(level.name, spec);
+      // A level that the draft makes tight, as a waistband, is meant to press.
+      if (!asked && cut->second < 0) asked = cut->second;
+      stations.push_back({level.name, cut->second, asked});
+    }
   // Along trunk and arm, the tightest of each place.
   std::map<std::string, StationEase> tightest;
   for (const StationFit& s : pattern.fit_along) {

@@ -115,6 +115,8 @@ DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const Draft
           details_of(shirt.report)};
 }
 
+}  // namespace
+
 GarmentKind shirt_kind(const std::string& name, const std::string& title, const ShirtFit& usual) {
   GarmentKind kind;
   kind.name = name;
@@ -148,8 +150,6 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
   };
   return kind;
 }
-
-}  // namespace
 
 GarmentKind long_sleeve_shirt() {
   return shirt_kind("long-sleeve-shirt", "long-sleeve shirt", usual_shirt_fit());

@@ -1,5 +1,6 @@
 #pragma once
 #include "loosefit/kinds/kind.h"
+#include "loosefit/kinds/shirt/shirt_values.h"
 
 namespace loosefit::kinds {
 
@@ -7,5 +8,8 @@ namespace loosefit::kinds {
 GarmentKind long_sleeve_shirt();
 /// The same draft with sleeves that end above the elbow.
 GarmentKind t_shirt();
+
+/// Of the same draft with another usual fit.
+GarmentKind shirt_kind(const std::string& name, const std::string& title, const ShirtFit& usual);
 
 }  // namespace loosefit::kinds

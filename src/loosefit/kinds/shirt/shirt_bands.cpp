@@ -11,11 +11,6 @@
 namespace loosefit::kinds {
 namespace {
 
-/// Names of the edges of a strip, counter-clockwise from the corner at the lowest x and y.
-struct StripEdges {
-  const char *below, *right, *above, *left;
-};
-
 pattern::Panel strip(const std::string& name, const std::string& label,
                      const std::array<pattern::CurveChain, 4>& sides, const StripEdges& edges,
                      double stiffness) {
@@ -102,6 +97,12 @@ void add_cuffs(pattern::Pattern& shirt, const ShirtFit& fit) {
 }
 
 }  // namespace
+
+pattern::Panel folded_strip(const std::string& name, const std::string& label,
+                            const StripPlace& place, const StripEdges& edges, double stiffness) {
+  return strip(name, label, rectangle(place.x, place.length, place.low, place.high), edges,
+               stiffness);
+}
 
 void add_bands(pattern::Pattern& shirt, const ShirtMeasures& m, const ShirtFit& fit) {
   if (fit.neckband > 0) add_neckband(shirt, m, fit);

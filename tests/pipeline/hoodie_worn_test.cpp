@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/run_case.h"
+
+namespace loosefit::pipeline {
+namespace {
+
+TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
+  for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
+                           "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
+    SCOPED_TRACE(body);
+    const scenario::Scenario scenario =
+        io::parse_scenario("[body]\n" + std::string(body) +
+                               "[garment]\npattern = \"hoodie\"\n[simulation]\nedge_length = "
+                               "0.025\n[donning]\nmovements = []\n",
+                           "case.toml");
+    Progress silent;
+    RunOptions options;
+    options.only_drape = true;
+    const CaseResult result = run_case(scenario, silent, options);
+    EXPECT_TRUE(result.certificate().holds()) << result.certificate().stop_reason;
+    EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
+    const garment::Garment& hoodie = result.studied().mesh();
+    const auto& x = result.studied().drape.positions;
+    const auto highest = [&](const char* part, const char* edge) {
+      double z = 0;
+      for (const int v : hoodie.find_part(part, edge)->vertices) z = std::max(z, x[v].z());
+      return z;
+    };
+    // Over the crown, and the bands at the wrists and round the hips.
+    const auto& marks = result.body.body->landmarks;
+    const double neck = marks.at("hps_L").z();
+    EXPECT_GT(highest("hood_L", "back"), neck + result.body.body->measured.at("hps_to_crown") - 0.02);
+    EXPECT_LT(highest("hem_band_back", "rim"), marks.at("back_waist").z());
+    EXPECT_LT(highest("cuff_L_front", "rim"), result.body.body->joints.at("elbow_L").z());
+  }
+}
+
+}  // namespace
+}  // namespace loosefit::pipeline
