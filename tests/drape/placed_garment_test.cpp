@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/drape/drape_session.h"
+#include "loosefit/drape/phases/sew_on.h"
+#include "loosefit/dress/dress_layers.h"
+#include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/closest_point.h"
 #include "loosefit/geometry/exact_intersection.h"
+#include "loosefit/kinds/body_measures.h"
+#include "loosefit/kinds/registry.h"
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
 
@@ -58,6 +63,25 @@ TEST(PlacedGarment, SettlesFromPanelsThatCrossEachOtherWithinTheTorso) {
       (g.panel_names[g.vertex_panel[v]] == "front" ? front : back) += d.positions[v].y();
   EXPECT_LT(front, -0.05);
   EXPECT_GT(back, 0.05);
+}
+
+TEST(PlacedGarment, AHoodieIsSewnRoundATShirt) {
+  const body::PosedBody body = support::standing(support::adult_parameters(), 40);
+  const auto drafted = [&](const char* name) {
+    const kinds::GarmentKind& kind = kinds::garment_kind(name);
+    return kind.draft({kinds::draft_measures(kind, body->measured), "", {}, {}}).pattern;
+  };
+  const pattern::Pattern over = drafted("hoodie");
+  const garment::Garment tee = garment::assemble(drafted("t-shirt"), 0.03, fabric::Material{}),
+                         hoodie = garment::assemble(over, 0.03, fabric::Material{});
+  const auto sew = [&](const body::PosedBody& wearer) { return sew_on(hoodie, over, wearer); };
+  const std::vector<Vec3> all =
+      dress::dress_layers({{&tee, kinds::garment_kind("t-shirt").lay}, {&hoodie, {}, sew}}, body);
+  const std::vector<Vec3> x(all.begin(), all.begin() + tee.vertex_count),
+      y(all.begin() + tee.vertex_count, all.end());
+  EXPECT_TRUE(geometry::mesh_intersections(x, tee.triangles, y, hoodie.triangles).empty());
+  EXPECT_TRUE(geometry::self_intersections(y, hoodie.triangles).empty());
+  EXPECT_TRUE(geometry::mesh_intersections(y, hoodie.triangles, body.tree()).empty());
 }
 
 }  // namespace

@@ -53,8 +53,9 @@ TEST(Hoodie, TheHoodReachesOverTheHead) {
     EXPECT_GT(length_of(hoodie, "hood_L", "face"), body.measured.at("hps_to_crown") + 0.05);
     // From front edge to nape over the crown: farther than straight up.
     EXPECT_GT(length_of(hoodie, "hood_L", "back"), length_of(hoodie, "hood_L", "face"));
-    EXPECT_NEAR(length_of(hoodie, "hood_L", "neck_front") + length_of(hoodie, "hood_L", "neck_back"),
-                length_of(hoodie, "front", "neck_L") + length_of(hoodie, "back", "neck_L"), 1e-9);
+    EXPECT_NEAR(
+        length_of(hoodie, "hood_L", "neck_front") + length_of(hoodie, "hood_L", "neck_back"),
+        length_of(hoodie, "front", "neck_L") + length_of(hoodie, "back", "neck_L"), 1e-9);
   }
 }
 

@@ -33,7 +33,8 @@ TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
     // Over the crown, and the bands at the wrists and round the hips.
     const auto& marks = result.body.body->landmarks;
     const double neck = marks.at("hps_L").z();
-    EXPECT_GT(highest("hood_L", "back"), neck + result.body.body->measured.at("hps_to_crown") - 0.02);
+    EXPECT_GT(highest("hood_L", "back"),
+              neck + result.body.body->measured.at("hps_to_crown") - 0.02);
     EXPECT_LT(highest("hem_band_back", "rim"), marks.at("back_waist").z());
     EXPECT_LT(highest("cuff_L_front", "rim"), result.body.body->joints.at("elbow_L").z());
   }

@@ -10,16 +10,18 @@ namespace loosefit::body {
 /// A joint that can be turned by itself, both sides alike unless it is of one side; all else stands
 /// as in kStanding.
 ///
-/// | joint                               | degrees   | 0 is           | positive                     |
-/// |-------------------------------------|-----------|----------------|------------------------------|
-/// | elbow-flexion                       | 0 … 130   | a straight arm | forearm to the upper arm     |
-/// | shoulder-flexion                    | −40 … 170 | the arm hangs  | arms forward and up          |
-/// | shoulder-abduction                  | 5 … 110   | the arm hangs  | arms aside and up            |
-/// | wrist-flexion                       | −70 … 80  | hand in line   | hand to the palm             |
-/// | hip-flexion, left- and right- alone | −15 … 100 | standing       | thighs forward               |
-/// | knee-flexion, left- and right- alone| 0 … 120   | standing       | heels back                   |
-/// | trunk-rotation                      | −45 … 45  | face ahead     | shoulders to the wearer's left |
-/// | side-bend                           | −35 … 35  | upright        | to the wearer's left         |
+/// | joint                     | degrees   | 0 is           | positive                       |
+/// |---------------------------|-----------|----------------|--------------------------------|
+/// | elbow-flexion             | 0 … 130   | a straight arm | forearm to the upper arm       |
+/// | shoulder-flexion          | −40 … 170 | the arm hangs  | arms forward and up            |
+/// | shoulder-abduction        | 5 … 110   | the arm hangs  | arms aside and up              |
+/// | wrist-flexion             | −70 … 80  | hand in line   | hand to the palm               |
+/// | hip-flexion               | −15 … 100 | standing       | thighs forward                 |
+/// | knee-flexion              | 0 … 120   | standing       | heels back                     |
+/// | left-, right-hip-flexion  | as both   | standing       | that thigh                     |
+/// | left-, right-knee-flexion | as both   | standing       | that heel                      |
+/// | trunk-rotation            | −45 … 45  | face ahead     | shoulders to the wearer's left |
+/// | side-bend                 | −35 … 35  | upright        | to the wearer's left           |
 ///
 /// Limits lie within what healthy adults reach (Soucie et al. 2011, recalled), those of the elbow
 /// and the knee where linear blend skinning pinches the skin too much to go on. Hip and knee of the

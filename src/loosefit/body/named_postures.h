@@ -9,30 +9,31 @@ namespace loosefit::body {
 
 /// Postures by name, in the order in which they are offered:
 ///
-/// | name            | arms from the trunk     | elbows   | trunk        | legs                          |
-/// |-----------------|-------------------------|----------|--------------|-------------------------------|
-/// | standing        | 8° aside, relaxed       | 15°      | upright      | standing                      |
-/// | model-standing  | 25° aside               | 46°      | upright      | standing                      |
-/// | a-pose          | 40° aside               | 46°      | upright      | standing                      |
-/// | arms-forward    | 90° forward, 10° aside  | straight | upright      | standing                      |
-/// | arms-overhead   | 160° forward, 20° aside | straight | upright      | standing                      |
-/// | forward-bend    | along the trunk         | 15°      | leans by 30° | standing                      |
-/// | forward-bend-15 | hanging down            | 15°      | leans by 15° | standing                      |
-/// | forward-bend-30 | hanging down            | 15°      | leans by 30° | standing                      |
-/// | forward-bend-45 | hanging down            | 15°      | leans by 45° | standing                      |
-/// | sitting         | 15° forward             | 46°      | upright      | hips 90°; knees 90°           |
-/// | slouch          | hanging down            | 15°      | slumped      | standing                      |
-/// | stride          | 8° aside, relaxed       | 15°      | upright      | hips 25°, −10°; knees 0°, 15° |
-/// | stair-climb     | 8° aside, relaxed       | 15°      | upright      | hips 65°, 0°; knees 85°, 0°   |
-/// | squat           | level, 10° aside        | straight | leans by 30° | hips 90°; knees 100°          |
+/// | name            | arms from the trunk     | elbows   | trunk        | legs             |
+/// |-----------------|-------------------------|----------|--------------|------------------|
+/// | standing        | 8° aside, relaxed       | 15°      | upright      | standing         |
+/// | model-standing  | 25° aside               | 46°      | upright      | standing         |
+/// | a-pose          | 40° aside               | 46°      | upright      | standing         |
+/// | arms-forward    | 90° forward, 10° aside  | straight | upright      | standing         |
+/// | arms-overhead   | 160° forward, 20° aside | straight | upright      | standing         |
+/// | forward-bend    | along the trunk         | 15°      | leans by 30° | standing         |
+/// | forward-bend-15 | hanging down            | 15°      | leans by 15° | standing         |
+/// | forward-bend-30 | hanging down            | 15°      | leans by 30° | standing         |
+/// | forward-bend-45 | hanging down            | 15°      | leans by 45° | standing         |
+/// | sitting         | 15° forward             | 46°      | upright      | hips, knees 90°  |
+/// | slouch          | hanging down            | 15°      | slumped      | standing         |
+/// | stride          | 8° aside, relaxed       | 15°      | upright      | heel strike      |
+/// | stair-climb     | 8° aside, relaxed       | 15°      | upright      | left on the step |
+/// | squat           | level, 10° aside        | straight | leans by 30° | thighs level     |
 ///
-/// Two angles: left, right. Where no angle aside is told, arms are 8° aside and relaxed as in `standing`.
+/// Where no angle aside is told, arms are 8° aside and relaxed as in `standing`.
 /// Relaxed arms bend forward at the elbow, palms to the thighs; where trunk or thighs leave them no
 /// room they hang farther aside (hanging_arms.h). The others are turned as the model has them, with
 /// the palms back. 160° is what healthy adults reach forward without the trunk leaning back (Soucie
-/// et al. 2011: about 170° in all, passive; recalled). A full slouch: skeleton_pose.h. The stride is
-/// that of level walking when the heel strikes (Winter 1991, recalled), the stair that of the
-/// leading leg (Protopapadaki et al. 2007: hip 65°, knee 94° at most; recalled).
+/// et al. 2011: about 170° in all, passive; recalled). A full slouch: skeleton_pose.h. Heel
+/// strike: the left hip at 25°, the right at −10° with its knee at 15° (level walking, Winter 1991,
+/// recalled). On the step: the left hip at 65°, its knee at 85° (Protopapadaki et al. 2007: 65° and
+/// 94° at most; recalled). Squat: hips at 90°, knees at 100°.
 const std::vector<std::pair<std::string, Posture>>& named_postures();
 
 /// Names of the table.

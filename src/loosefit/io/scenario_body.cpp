@@ -52,7 +52,8 @@ body::Posture read_posture(ConfigReader& body, const std::string& key,
   posture.wrist_flexion = turned("wrist_flexion_deg", -70, 80, "hand to the palm");
   posture.hip_flexion = turned("hip_flexion_deg", -15, 100, "thighs forward");
   posture.knee_flexion = turned("knee_flexion_deg", 0, 120, "heels back");
-  posture.left_hip_flexion = turned("left_hip_flexion_deg", -15, 100, "the left thigh, beyond both");
+  posture.left_hip_flexion =
+      turned("left_hip_flexion_deg", -15, 100, "the left thigh, beyond both");
   posture.right_hip_flexion =
       turned("right_hip_flexion_deg", -15, 100, "the right thigh, beyond both");
   posture.left_knee_flexion =

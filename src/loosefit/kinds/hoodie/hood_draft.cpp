@@ -15,10 +15,10 @@
 namespace loosefit::kinds {
 namespace {
 
-constexpr double kRise = radians(12);   ///< of the hood's neck edge, down to its middle and up again
-constexpr double kFullest = 0.55;       ///< of the height, where the hood is deepest
-constexpr double kBehindNeck = 0.01;    ///< the hood, over the end of its neck edge [m]
-constexpr double kBeside = 0.14;        ///< a piece, from the middle of the body [m]
+constexpr double kRise = radians(12);  ///< of the hood's neck edge, down to its middle and up again
+constexpr double kFullest = 0.55;      ///< of the height, where the hood is deepest
+constexpr double kBehindNeck = 0.01;   ///< the hood, over the end of its neck edge [m]
+constexpr double kBeside = 0.14;       ///< a piece, from the middle of the body [m]
 constexpr double kBeforeMiddle = 0.08;  ///< the front edge [m]
 
 double length_of(const pattern::Pattern& shirt, const std::string& panel, const std::string& edge) {
@@ -70,9 +70,9 @@ std::vector<std::pair<std::string, pattern::CurveChain>> hood_half(const HoodSha
   const Vec2 start(0, 0), shoulder(front * std::cos(kRise), -front * std::sin(kRise)),
       nape = shoulder + back * Vec2(std::cos(kRise), std::sin(kRise));
   if (shape.depth < nape.x() + kBehindNeck)
-    throw InvalidInput({{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
-                       fmt::format("at least {:.3f} m, over the back of the neckline",
-                                   nape.x() + kBehindNeck));
+    throw InvalidInput(
+        {{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
+        fmt::format("at least {:.3f} m, over the back of the neckline", nape.x() + kBehindNeck));
   const double h = shape.height, d = shape.depth;
   const Vec2 top(0, h), fullest(d, kFullest * h);
   pattern::CurveChain to_shoulder, on_back, over, face;
@@ -134,10 +134,9 @@ void add_hem_band(pattern::Pattern& shirt, const HemBand& band) {
       for (const Vec2& v : body.vertices) y = std::min(y, v.y());
       return y;
     }();
-    pattern::Panel strip =
-        folded_strip("hem_band_" + half, "body", {-length / 2, length, low - band.width, low},
-                     {"rim", front ? "end_L" : "end_R", "seam", front ? "end_R" : "end_L"},
-                     band.stiffness);
+    pattern::Panel strip = folded_strip(
+        "hem_band_" + half, "body", {-length / 2, length, low - band.width, low},
+        {"rim", front ? "end_L" : "end_R", "seam", front ? "end_R" : "end_L"}, band.stiffness);
     strip.rotation = body.rotation;
     strip.translation = body.translation - Vec3(0, 0, 0.01);
     shirt.panel_order.push_back(static_cast<int>(shirt.panels.size()));

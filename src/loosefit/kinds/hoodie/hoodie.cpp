@@ -34,15 +34,25 @@ GarmentKind roomy_shirt() { return shirt_kind("hoodie", "hooded sweatshirt", usu
 /// Keys of the hood and of the band at the hem.
 std::vector<KindKey> own_keys() {
   const char* const kFraction = "a fraction";
-  return {{"hood_height", {}, 0.15, 0.6, "metres",
-           "front edge of the hood, from the neckline up; without it 10 cm more than from neck to crown"},
-          {"hood_depth", {}, 0.15, 0.5, "metres",
-           "from the front edge of the hood to the back of the head; without it 0.72 of hood_height, "
-           "and over the back of the neckline"},
-          {"hem_band_width", 0.06, 0, 0.15, "metres", "folded strip round the hem; 0: none", false,
-           true},
-          {"hem_band_stretch", 0.12, 0, 0.5, kFraction,
-           "that strip shorter than the hem, which it is sewn to stretched", false, true}};
+  return {
+      {"hood_height",
+       {},
+       0.15,
+       0.6,
+       "metres",
+       "front edge of the hood, from the neckline up; without it 10 cm more than from neck to "
+       "crown"},
+      {"hood_depth",
+       {},
+       0.15,
+       0.5,
+       "metres",
+       "from the front edge of the hood to the back of the head; without it 0.72 of hood_height, "
+       "and over the back of the neckline"},
+      {"hem_band_width", 0.06, 0, 0.15, "metres", "folded strip round the hem; 0: none", false,
+       true},
+      {"hem_band_stretch", 0.12, 0, 0.5, kFraction,
+       "that strip shorter than the hem, which it is sewn to stretched", false, true}};
 }
 
 std::vector<KindKey> keys() {
@@ -108,17 +118,15 @@ GarmentKind hoodie() {
   kind.draft = draft;
   kind.lay = {};  // sewn together round the body, as hoods of pattern files are
   for (KindOpening& opening : kind.openings) {
-    if (opening.use == OpeningUse::neck)
-      opening.edges = {{"hood_L", "face"}, {"hood_R", "face"}};
+    if (opening.use == OpeningUse::neck) opening.edges = {{"hood_L", "face"}, {"hood_R", "face"}};
     if (opening.use == OpeningUse::hem)
       for (const char* part : {"hem_band_front", "hem_band_back"})
         opening.edges.emplace_back(part, "rim");
   }
   kind.mark = "hoodie 1";
   kind.note_parts = [](pattern::Pattern& pattern) {
-    return std::any_of(variants().begin(), variants().end(), [&](const pattern::Pattern& draft) {
-      return match_parts(draft, pattern);
-    });
+    return std::any_of(variants().begin(), variants().end(),
+                       [&](const pattern::Pattern& draft) { return match_parts(draft, pattern); });
   };
   return kind;
 }
