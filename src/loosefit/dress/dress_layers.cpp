@@ -62,8 +62,8 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
 /// The same person with so much more round it [m]. Folds of its skin may pass through each other.
 body::PosedBody thicker(const body::Body& body, double by) {
   body::Body more = body;
-  for (std::size_t v = 0; v < more.surface.vertices.size(); ++v)
-    more.surface.vertices[v] += by * more.normals[v];
+  const auto normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
+  for (std::size_t v = 0; v < normals.size(); ++v) more.surface.vertices[v] += by * normals[v];
   return more;
 }
 
