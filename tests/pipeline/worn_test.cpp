@@ -200,6 +200,17 @@ TEST(Worn, APonchoOnTheShouldersButNotBelowThem) {
   EXPECT_FALSE(poncho.on(moved(x, {0.6, 0, 0})).empty()) << "beside the head";
 }
 
+// Its waist is placed where this wearer has her neck, as a poncho's neck opening would be.
+TEST(Worn, ASkirtThatWasPlacedForSomebodyTallerHangsAtTheWaist) {
+  const double waist = woman()->measured.at("waist_level");
+  pattern::Pattern cut = two_panels(0.38, 0.60, 0.5, 0, neck_height(woman()) + 0.02);
+  for (pattern::Panel& panel : cut.panels) panel.label = "leg";
+  const Sewn skirt(cut);
+  const std::vector<Vec3> x = round_the_body(skirt, neck_height(woman()) + 0.02 - waist);
+  EXPECT_EQ(skirt.on(x), Reasons{});
+  EXPECT_FALSE(skirt.on(moved(x, {0, 0, -0.3})).empty());
+}
+
 TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
   const body::Body& body = woman();
   const Vec3 knee = body.joints.at("knee_L"), hip = body.joints.at("hip_L");

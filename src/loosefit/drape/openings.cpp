@@ -13,6 +13,7 @@
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/kinds/registry.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::drape {
 namespace {
@@ -48,6 +49,24 @@ std::string panel_label(const std::vector<int>& loop, const garment::Garment& ga
   const auto most = std::max_element(
       votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == votes.end() ? std::string() : most->first;
+}
+
+/// Whether all panels of each piece of cloth, by its number, are of legs, skirts or waistbands.
+std::map<int, bool> pieces_of_legs(const std::vector<int>& piece, const garment::Garment& garment,
+                                   const pattern::Pattern& pattern) {
+  std::vector<char> legs;
+  for (const std::string& name : garment.panel_names) {
+    const int panel = pattern.find_panel(name);
+    const pattern::PieceWords words = pattern::words_of(name);
+    legs.push_back((panel >= 0 && pattern.panels[panel].label == "leg") || words.leg ||
+                   words.skirt || words.waist);
+  }
+  std::map<int, bool> all;
+  for (std::size_t v = 0; v < piece.size(); ++v) {
+    bool& of = all.try_emplace(piece[v], true).first->second;
+    of = of && legs[garment.vertex_panel[v]];
+  }
+  return all;
 }
 
 /// Tells what the openings `of` one piece of cloth are for.
@@ -222,6 +241,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   const geometry::MeshTopology topology(garment.triangles);
   const std::vector<double> lengths = garment::flat_lengths(garment, topology);
   const std::vector<int> piece = pieces(garment);
+  const std::map<int, bool> of_legs = pieces_of_legs(piece, garment, pattern);
   const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
                          chest = labelled_vertices(garment, pattern, "strapless_top");
   std::vector<Opening> openings;
@@ -247,6 +267,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     opening.at_chest = on(chest);
     labels.push_back(panel_label(loop, garment, pattern));
     opening.piece = piece[loop.front()];
+    opening.of_legs = of_legs.at(opening.piece);
     of_piece[opening.piece].push_back(static_cast<int>(openings.size()));
     opening.loop = std::move(loop);
     openings.push_back(std::move(opening));
@@ -272,7 +293,7 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
     const LimbNumbers round = limbs_through_openings(upper.loop, placed, lines);
     const bool one_limb =
         round != kRoundNeck && std::count(round.begin(), round.end(), 0) == kLimbs - 1;
-    if (round == kRoundTrunk) {
+    if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
       upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape) {
       upper.use = kinds::OpeningUse::neck, lower.use = kinds::OpeningUse::cape_hem;

@@ -19,6 +19,8 @@ struct Opening {
   LimbNumbers round = kRoundNothing;  ///< for a limb: which
   bool at_waist = false;              ///< an edge is labelled "lower_interface"
   bool at_chest = false;              ///< an edge is labelled "strapless_top"
+  /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
+  bool of_legs = false;
 };
 
 /// The openings, in the order of their first vertices. What each was made for is told by the kind
@@ -34,8 +36,9 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
 /// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the
 /// pattern is placed (`placed`, [m]) on a wearer with these lines in rest posture. The trunk: a
 /// skirt or a strapless dress; the neck: a cape or a poncho, unless it is too wide for one
-/// (`cape`, widest girth [m]); one limb: a stocking; anything else, as of a pattern that was placed
-/// for another wearer: what goes through both ends. Labels of edges come before.
+/// (`cape`, widest girth [m]) or of legs, a skirt that was placed for somebody taller; one limb: a
+/// stocking; anything else, as of a pattern that was placed for another wearer: what goes through
+/// both ends. Labels of edges come before.
 void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
                 const LimbLines& lines, double cape);
 

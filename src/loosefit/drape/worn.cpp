@@ -272,7 +272,8 @@ class Verdict {
 
   void check_trunk(const Opening& o, const std::string& name) {
     if (!edge_goes_round_trunk(o, name)) return;
-    const double highest = name == "waistband" ? levels_.waist : levels_.chest;
+    const bool of_waist = name == "waistband" || o.of_legs;
+    const double highest = of_waist ? levels_.waist : levels_.chest;
     const double upper_hips = levels_.waist - kSlip * way_;
     double made = std::clamp(made_for(o), upper_hips, highest);
     if (o.at_waist) made = levels_.waist;
