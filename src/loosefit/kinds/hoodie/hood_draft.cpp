@@ -52,7 +52,7 @@ void part_neck(pattern::Pattern& shirt, const std::string& part, const std::stri
       if (side->panel == index && side->edge > at) ++side->edge;
 }
 
-/// Ends of a free edge's hem where something is sewn on.
+/// Sews a piece to an edge that was free, and so was hemmed.
 void sew_on(pattern::Pattern& shirt, const std::string& name, const std::string& panel,
             const std::string& edge, const std::string& piece, const std::string& own) {
   pattern::Panel& of = shirt.panels[shirt.find_panel(panel)];
@@ -60,8 +60,10 @@ void sew_on(pattern::Pattern& shirt, const std::string& name, const std::string&
   pattern::sew_edges(shirt, name, panel, edge, piece, own);
 }
 
-/// Along the hood, from the middle of the neckline in front to the nape.
-double to_nape(double front, double back) { return (front + back) * std::cos(kRise); }
+/// Depth that reaches over the back of the neckline, by its halves in front and behind [m].
+double least_depth(double front, double back) {
+  return (front + back) * std::cos(kRise) + kBehindNeck;
+}
 
 /// The wearer's left half seen from outside: x to the back, y up, from the middle of the neckline
 /// in front.
@@ -69,10 +71,9 @@ std::vector<std::pair<std::string, pattern::CurveChain>> hood_half(const HoodSha
                                                                    double front, double back) {
   const Vec2 start(0, 0), shoulder(front * std::cos(kRise), -front * std::sin(kRise)),
       nape = shoulder + back * Vec2(std::cos(kRise), std::sin(kRise));
-  if (shape.depth < nape.x() + kBehindNeck)
-    throw InvalidInput(
-        {{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
-        fmt::format("at least {:.3f} m, over the back of the neckline", nape.x() + kBehindNeck));
+  if (const double least = least_depth(front, back); shape.depth < least)
+    throw InvalidInput({{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
+                       fmt::format("at least {:.3f} m, over the back of the neckline", least));
   const double h = shape.height, d = shape.depth;
   const Vec2 top(0, h), fullest(d, kFullest * h);
   pattern::CurveChain to_shoulder, on_back, over, face;
@@ -91,8 +92,9 @@ std::vector<std::pair<std::string, pattern::CurveChain>> hood_half(const HoodSha
 }  // namespace
 
 double least_hood_depth(const pattern::Pattern& shirt) {
-  return to_nape(length_of(shirt, "front", "neck") / 2, length_of(shirt, "back", "neck") / 2) +
-         2 * kBehindNeck;
+  constexpr double kRounding = 1e-9;  // [m], of an edge and its halves
+  return least_depth(length_of(shirt, "front", "neck") / 2, length_of(shirt, "back", "neck") / 2) +
+         kRounding;
 }
 
 void add_hood(pattern::Pattern& shirt, const HoodShape& shape) {
