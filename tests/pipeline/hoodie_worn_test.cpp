@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "loosefit/io/scenario.h"
-#include "loosefit/pipeline/run_case.h"
+#include "support/only_draped.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -12,17 +11,10 @@ TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
   for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
                            "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
     SCOPED_TRACE(body);
-    const scenario::Scenario scenario =
-        io::parse_scenario("[body]\n" + std::string(body) +
-                               "[garment]\npattern = \"hoodie\"\n[simulation]\nedge_length = "
-                               "0.025\n[donning]\nmovements = []\n",
-                           "case.toml");
-    Progress silent;
-    RunOptions options;
-    options.only_drape = true;
-    const CaseResult result = run_case(scenario, silent, options);
-    EXPECT_TRUE(result.certificate().holds()) << result.certificate().stop_reason;
-    EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
+    const CaseResult result =
+        support::only_draped("[body]\n" + std::string(body) +
+                             "[garment]\npattern = \"hoodie\"\n[simulation]\nedge_length = "
+                             "0.025\n[donning]\nmovements = []\n");
     const garment::Garment& hoodie = result.studied().mesh();
     const auto& x = result.studied().drape.positions;
     const auto highest = [&](const char* part, const char* edge) {

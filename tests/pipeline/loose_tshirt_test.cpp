@@ -2,25 +2,17 @@
 
 #include <algorithm>
 
-#include "loosefit/io/scenario.h"
-#include "loosefit/pipeline/run_case.h"
+#include "support/only_draped.h"
 
 namespace loosefit::pipeline {
 namespace {
 
 /// Highest point of the drape above the side of the neck [m].
 double above_neck(const std::string& garment) {
-  const scenario::Scenario scenario = io::parse_scenario(
+  const CaseResult result = support::only_draped(
       "[body]\nsex = 0.4\nage = 9\nheight = 1.35\n"
       "measurements = { chest = 0.64, waist = 0.57, hip = 0.68 }\n[garment]\n" +
-          garment + "\n[material]\nname = \"cotton-jersey\"\n[simulation]\nedge_length = 0.03\n",
-      "case.toml");
-  Progress silent;
-  RunOptions options;
-  options.only_drape = true;
-  const CaseResult result = run_case(scenario, silent, options);
-  EXPECT_TRUE(result.certificate().settled()) << result.certificate().stop_reason;
-  EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
+      garment + "\n[material]\nname = \"cotton-jersey\"\n[simulation]\nedge_length = 0.03\n");
   double highest = 0;
   for (const Vec3& p : result.studied().drape.positions) highest = std::max(highest, p.z());
   return highest - result.body.body->landmarks.at("hps_L").z();

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "loosefit/io/scenario.h"
-#include "loosefit/pipeline/run_case.h"
+#include "support/only_draped.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -12,16 +11,9 @@ TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
   for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
                            "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
     SCOPED_TRACE(body);
-    const scenario::Scenario scenario = io::parse_scenario(
+    const CaseResult result = support::only_draped(
         "[body]\n" + std::string(body) +
-            "[garment]\npattern = \"tank-top\"\n[simulation]\nedge_length = 0.02\n",
-        "case.toml");
-    Progress silent;
-    RunOptions options;
-    options.only_drape = true;
-    const CaseResult result = run_case(scenario, silent, options);
-    EXPECT_TRUE(result.certificate().holds()) << result.certificate().stop_reason;
-    EXPECT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
+        "[garment]\npattern = \"tank-top\"\n[simulation]\nedge_length = 0.02\n");
     // The straps lie on the shoulders, beside the neck.
     const garment::Garment::EdgeChain* strap =
         result.studied().mesh().find_part("front", "shoulder_L");
