@@ -3,10 +3,12 @@
 
 usage: corpus.py [--patterns DIR_OR_FILE ...] [--bodies DIR_OR_FILE ...] [--json FILE] [--csv FILE] [--binary FILE]
                  [--edge METRES] [--budget SECONDS] [--only WORD ...] [-j N] [--out DIR] [--list] [--write-patterns DIR]
+                 [--twins] [--sample N] [--seed N]
 
 Garments: those of corpus/garments.py, written anew in GarmentCode's grammar, and the JSON files given. People: those of
 corpus/people.py, for whom garments are cut to their girths and height but placed as for somebody of 1.72 m, and the meshes given, who
-get what an average adult wears. Each pair is one run at the given edge length without movements of the wearer. With --json the
+get what an average adult wears. With --twins also the scans of corpus/twins.py, which wear what their parametric twins do. With
+--sample each garment is worn by N people drawn at random, so that a part of the corpus stands for all. Each pair is one run at the given edge length without movements of the wearer. With --json the
 record is written after every run, and pairs that it holds already are not run again unless --only names them.
 """
 import argparse
@@ -15,6 +17,7 @@ import concurrent.futures
 import csv
 import json
 import pathlib
+import random
 import shutil
 import sys
 import tempfile
@@ -108,6 +111,9 @@ def main():
     parser.add_argument("--only", nargs="*", help="names of runs (GARMENT@PERSON) must have one of these words in them")
     parser.add_argument("--no-own", action="store_true", help="leave out the garments of corpus/garments.py")
     parser.add_argument("--no-people", action="store_true", help="leave out the people of corpus/people.py")
+    parser.add_argument("--twins", action="store_true", help="also scans made from twins (needs numpy)")
+    parser.add_argument("--sample", type=int, default=0, help="people per garment, drawn at random; 0: all")
+    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out")
     parser.add_argument("--write-patterns", help="only write the garments there")
     parser.add_argument("--list", action="store_true")
@@ -123,6 +129,11 @@ def main():
     folder = pathlib.Path(options.out or tempfile.mkdtemp(prefix="corpus-"))
     folder.mkdir(parents=True, exist_ok=True)
     bodies = {} if options.no_people else {name: (p["body"], p["make"]) for name, p in people.PEOPLE.items()}
+    if options.twins:
+        import twins
+        for name, (who, _) in twins.TWINS.items():
+            scan = twins.make(name, folder, options.binary, twins.NOISE, 1)
+            bodies[name] = (f'file = "{scan.resolve()}"', people.PEOPLE[who]["make"])
     for file in files(options.bodies, {".obj", ".ply", ".stl"}):
         bodies[file.stem] = (f'file = "{file.resolve()}"', None)
     record = pathlib.Path(options.json) if options.json else None
@@ -135,6 +146,12 @@ def main():
             wanted.append((f"{name}@{b}", kind, file, body))
         for file in files(options.patterns, {".json"}):
             wanted.append((f"{file.stem.replace('_specification', '')}@{b}", "file", file.resolve(), body))
+    if options.sample:
+        draw = random.Random(options.seed)
+        by_garment = collections.defaultdict(list)
+        for w in wanted:
+            by_garment[w[0].split("@")[0]].append(w)
+        wanted = [w for of in by_garment.values() for w in draw.sample(of, min(options.sample, len(of)))]
     if options.only:
         wanted = [w for w in wanted if any(word in w[0] for word in options.only)]
     else:

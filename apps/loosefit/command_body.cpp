@@ -12,9 +12,8 @@
 #include "loosefit/body/body_model.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
-#include "loosefit/body/scan_body.h"
 #include "loosefit/flesh/soft_body.h"
-#include "loosefit/io/mesh_file.h"
+#include "loosefit/pipeline/case_body.h"
 #include "loosefit/report/fact_documents.h"
 #include "loosefit/report/write_body.h"
 #include "print_document.h"
@@ -26,7 +25,7 @@ struct Wish {
   std::string sex = "female";
   body::BodySpec spec;
   std::map<std::string, std::optional<double>> measures;
-  std::string posture = "standing";
+  std::optional<std::string> posture;
   std::optional<double> arm_abduction_deg, forward_bend_deg, sitting, arm_flexion_deg,
       elbow_extension, slouch, relaxed_arms;
   std::string file, units, up;
@@ -51,12 +50,17 @@ double sex_of(const std::string& text) {
   return value;
 }
 
+bool asks_for_a_posture(const Wish& wish) {
+  return wish.posture || wish.arm_abduction_deg || wish.forward_bend_deg || wish.sitting ||
+         wish.arm_flexion_deg || wish.elbow_extension || wish.slouch || wish.relaxed_arms;
+}
+
 body::Posture posture_of(const Wish& wish) {
   body::Posture posture;
   try {
-    posture = body::named_posture(wish.posture);
+    posture = body::named_posture(wish.posture.value_or("standing"));
   } catch (const InvalidInput& error) {
-    throw InvalidInput({"", 0, "--posture"}, "\"" + printable(wish.posture) + "\"",
+    throw InvalidInput({"", 0, "--posture"}, "\"" + printable(*wish.posture) + "\"",
                        error.expected(), error.hint());
   }
   if (wish.arm_abduction_deg) posture.arm_abduction = radians(*wish.arm_abduction_deg);
@@ -84,15 +88,18 @@ void run(Wish wish) {
   body::Body body;
   body::BodyFit fit;
   if (!wish.file.empty()) {
-    io::MeshFile scan = io::read_mesh(wish.file);
-    body::ScanBody made =
-        body::body_from_scan(std::move(scan.mesh), {wish.file, wish.units, wish.up});
-    body = std::move(made.body);
-    fit.warnings = std::move(scan.warnings);
-    fit.warnings.insert(fit.warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const auto& [name, asked] : wish.measures) {
       if (asked) throw InvalidInput({"", 0, "--" + name}, "a wish beside --file", "one of the two");
     }
+    scenario::ScenarioBody wished;
+    wished.file = wish.file, wished.units = wish.units, wished.up = wish.up;
+    wished.as_scanned = !asks_for_a_posture(wish);
+    wished.posture = posture_of(wish);
+    wished.dress_posture = body::default_dress_posture(wished.posture);
+    const pipeline::CaseBody made = pipeline::make_body(wished);
+    body = made.body.body();
+    fit.warnings = made.warnings;
+    fit.parameters = made.parameters;
   } else {
     if (!wish.units.empty() || !wish.up.empty())
       throw InvalidInput({"", 0, wish.units.empty() ? "--up" : "--units"}, "it without --file",

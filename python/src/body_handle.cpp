@@ -58,7 +58,7 @@ BodyHandle make_body(const scenario::Scenario& scenario, const py::object& progr
       made.body = shared_body(of_case.body);
       made.fit.table = std::move(of_case.asked);
       made.fit.warnings = std::move(of_case.warnings);
-      if (of_case.person) made.fit.parameters = of_case.person->parameters();
+      made.fit.parameters = std::move(of_case.parameters);
     } catch (const InvalidInput& error) {
       throw io::in_scenario(error, scenario);
     }

@@ -144,7 +144,7 @@ BodyHandle body_of(Self self) {
   BodyHandle handle{shared_body(body.body), {}};
   handle.fit.table = body.asked;
   handle.fit.warnings = body.warnings;
-  if (body.person) handle.fit.parameters = body.person->parameters();
+  handle.fit.parameters = body.parameters;
   return handle;
 }
 

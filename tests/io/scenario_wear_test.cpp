@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "loosefit/body/named_postures.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
@@ -48,6 +51,26 @@ TEST(ScenarioWear, MovementsAreMadeUnlessSwitchedOffAndAskForNoRepeats) {
   EXPECT_EQ(own.donning.movement_spread, 0.1);
   EXPECT_EQ(own.donning.repeats, 4);
   EXPECT_EQ(scenario_toml(parse_scenario(scenario_toml(own), "again.toml")), scenario_toml(own));
+}
+
+TEST(ScenarioWear, AScanKeepsItsPostureUnlessOneIsAskedFor) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "scan.obj";
+  std::ofstream(file) << "v 0 0 0\n";
+  const std::string body = "[body]\nfile = \"" + file.string() + "\"\n";
+  EXPECT_TRUE(parse_scenario(body, "case.toml").body.as_scanned);
+  for (const std::string& more : {std::string("posture = \"sitting\"\n"),
+                                  std::string("[postures]\nlist = [\"sitting\", \"a-pose\"]\n")}) {
+    const scenario::Scenario s = parse_scenario(body + more, "case.toml");
+    EXPECT_FALSE(s.body.as_scanned) << more;
+    EXPECT_EQ(s.body.posture, body::named_posture("sitting")) << more;
+    const scenario::Scenario again = parse_scenario(scenario_toml(s), "again.toml");
+    EXPECT_EQ(again.body.posture, s.body.posture);
+    EXPECT_FALSE(again.body.as_scanned);
+    EXPECT_EQ(again.postures, s.postures);
+    EXPECT_EQ(scenario_toml(again), scenario_toml(s));
+  }
+  expect_refused(body + "dress_posture = \"a-pose\"\n", {"body.dress_posture", "beside posture"});
+  expect_refused(body + "height = 1.7\n", {"body.height", "brings its own size"});
 }
 
 TEST(ScenarioWear, EveryNamedPostureReadsBackFromTheResolvedText) {

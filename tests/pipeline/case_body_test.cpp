@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/pipeline/simulation_options.h"
@@ -37,6 +42,66 @@ TEST(MakeBody, PathLeadsFromDressingToWantedPostureOnOneTopology) {
 TEST(MakeBody, MissingScanIsAnError) {
   scenario::ScenarioBody wished;
   wished.file = "/nowhere/scan.obj";
+  EXPECT_THROW(make_body(wished), Error);
+}
+
+/// A file with the surface of a person in a posture, metres, z up.
+std::string scan_file(const body::Posture& posture, const char* name) {
+  const body::BodyModel model = body::BodyModel::load();
+  body::BodySpec spec;
+  spec.sex = 0, spec.age = 30, spec.height = 1.68;
+  const body::Body person = model.build(body::fit_body(model, spec).parameters, posture);
+  const auto file = std::filesystem::path(::testing::TempDir()) / name;
+  std::ofstream out(file);
+  for (const Vec3& p : person.surface.vertices)
+    out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const Triangle& t : person.surface.triangles)
+    out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  return file.string();
+}
+
+bool warned(const CaseBody& body, const std::string& words) {
+  return std::ranges::any_of(body.warnings, [&](const std::string& warning) {
+    return warning.find(words) != std::string::npos;
+  });
+}
+
+TEST(MakeBody, AScanWithOpenArmsStaysAsItIs) {
+  scenario::ScenarioBody wished;
+  wished.file = scan_file(body::kArmsApart, "apart.obj"), wished.units = "m", wished.up = "z";
+  const CaseBody made = make_body(wished);
+  EXPECT_FALSE(made.person);
+  EXPECT_NEAR(arm_angle(made.body), 40, 2);
+  EXPECT_EQ(made.path(0).body().surface.vertices, made.body->surface.vertices);
+  EXPECT_TRUE(warned(made, "the body model lies on the scan"));
+}
+
+TEST(MakeBody, AScanWithHangingArmsIsDressedWithThemApart) {
+  scenario::ScenarioBody wished;
+  wished.file = scan_file(body::kStanding, "hanging.obj"), wished.units = "m", wished.up = "z";
+  const CaseBody made = make_body(wished);
+  ASSERT_TRUE(made.person);
+  EXPECT_NEAR(arm_angle(made.body), 8, 4);
+  EXPECT_NEAR(arm_angle(made.path(0)), 40, 2);
+  EXPECT_TRUE(warned(made, "posed by a fitted skeleton"));
+}
+
+TEST(MakeBody, AScanTakesThePostureThatIsAskedFor) {
+  scenario::ScenarioBody wished;
+  wished.file = scan_file(body::kArmsApart, "apart.obj"), wished.units = "m", wished.up = "z";
+  wished.as_scanned = false;
+  wished.posture = body::kStanding;
+  const CaseBody made = make_body(wished);
+  ASSERT_TRUE(made.person);
+  EXPECT_NEAR(arm_angle(made.body), 8, 4);
+}
+
+TEST(MakeBody, APostureNeedsAPersonInTheScan) {
+  scenario::ScenarioBody wished;
+  wished.as_scanned = false;
+  wished.file = (std::filesystem::path(::testing::TempDir()) / "tube.obj").string();
+  std::ofstream(wished.file) << "v 0 0 0\nv 0.3 0 0\nv 0 0.3 0\nv 0 0 1.7\n"
+                                "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   EXPECT_THROW(make_body(wished), Error);
 }
 

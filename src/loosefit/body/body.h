@@ -87,10 +87,13 @@ inline constexpr Posture kArmsApart{radians(40.0), 0, 0};
 /// The arms farther apart: for garments that find no room in a-pose.
 inline constexpr Posture kArmsWide{radians(55.0), 0, 0};
 
+/// Arms between these are apart as a garment needs them to be put on.
+inline constexpr double kLeastOpen = radians(35.0), kMostOpen = radians(60.0);
+
 /// Where a garment is put on when nothing is said: in the wanted posture itself if the arms are
 /// apart and the person is upright, otherwise with the arms apart; they are then lowered.
 inline Posture default_dress_posture(const Posture& wanted) {
-  const bool open = wanted.arm_abduction >= radians(35.0) && wanted.arm_abduction <= radians(60.0);
+  const bool open = wanted.arm_abduction >= kLeastOpen && wanted.arm_abduction <= kMostOpen;
   const bool upright = wanted.forward_bend == 0 && wanted.sitting == 0 && wanted.arm_flexion == 0 &&
                        wanted.slouch == 0 && wanted.hip_flexion == 0 &&
                        wanted.left_hip_flexion == 0 && wanted.right_hip_flexion == 0 &&

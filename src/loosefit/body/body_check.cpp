@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kWeldDistance = 1e-6;  // share of the longest extent
 constexpr double kSmallPiece = 0.05;    // share of the area that may be dropped
-constexpr double kMostFilled = 0.01;    // share of the area that may be a guess
 constexpr std::size_t kMostHoles = 20;
 
 double longest_extent(const geometry::TriangleMesh& mesh) {
@@ -106,7 +105,7 @@ void fill_small_holes(geometry::TriangleMesh& mesh, const ScanOptions& options,
                       std::vector<std::string>& warnings) {
   const std::vector<Hole> holes = find_holes(mesh);
   if (holes.empty()) return;
-  const double widest = kWidestHole * stature(mesh, options);
+  const double widest = options.widest_hole * stature(mesh, options);
   const auto too_wide =
       std::count_if(holes.begin(), holes.end(), [&](const Hole& h) { return h.width > widest; });
   // Holes that are too wide to be guessed: refused with where they are.
@@ -120,9 +119,9 @@ void fill_small_holes(geometry::TriangleMesh& mesh, const ScanOptions& options,
                                     "of the file: {}",
                                     counted(std::size_t(too_wide), "hole", "holes"),
                                     too_wide == 1 ? "is" : "are", places),
-                        fmt::format("a closed surface, or holes of at most {:.3g} (3 % of the "
+                        fmt::format("a closed surface, or holes of at most {:.3g} ({:g} % of the "
                                     "height)",
-                                    widest),
+                                    widest, 100 * options.widest_hole),
                         "close them in the program that the scan came from; soles, crotch, armpits "
                         "and the crown are usual places");
   }
@@ -132,14 +131,14 @@ void fill_small_holes(geometry::TriangleMesh& mesh, const ScanOptions& options,
   const auto first = mesh.triangles.begin();
   const double guessed = area_of(mesh.vertices, first + scanned, mesh.triangles.end()) /
                          area_of(mesh.vertices, first, mesh.triangles.end());
-  if (holes.size() > kMostHoles || guessed > kMostFilled)
+  if (holes.size() > kMostHoles || guessed > options.most_filled)
     throw GeometryError(
         {options.file, 0, ""},
         fmt::format("an open surface: {} with {:.1f} % of the skin, the widest {:.3g} wide near {}",
                     counted(holes.size(), "hole", "holes"), 100 * guessed, holes[0].width,
                     in_file(holes[0].centre)),
         fmt::format("a closed surface, or at most {} holes with at most {:g} % of the skin",
-                    kMostHoles, 100 * kMostFilled),
+                    kMostHoles, 100 * options.most_filled),
         "close them in the program that the scan came from, which knows more of the skin than "
         "their rims");
   // What was filled is said.
@@ -183,7 +182,7 @@ CheckedSurface check_surface(geometry::TriangleMesh mesh, const ScanOptions& opt
   }
   checked.from_world = stand_in_our_frame(mesh, options, warnings);
   checked.mesh = std::move(mesh);
-  warn_of_crossings(checked);
+  if (options.tell_crossings) warn_of_crossings(checked);
   return checked;
 }
 

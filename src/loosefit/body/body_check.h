@@ -16,11 +16,6 @@ struct CheckedSurface {
   std::vector<std::string> warnings;
 };
 
-/// The widest hole that is filled, as a share of the stature (50 mm of an adult). A flat patch of
-/// width d on a trunk of radius R misses the skin by d²/8R, here by 3 mm, which is what a tape can
-/// tell; wider holes hide shape that nobody has measured.
-inline constexpr double kWidestHole = 0.03;
-
 /// Drops what is not skin (repeated faces, loose vertices, specks), closes seams and small holes,
 /// orients, scales, turns and checks a scan. What it changes is told in warnings.
 /// \throws GeometryError when it has a wide hole, is not orientable or not manifold, or is more

@@ -142,6 +142,19 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   const Posture clear = with_clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
   const auto bones = pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, clear));
 
+  return carry(rest, bones, Floor::under_the_feet);
+}
+
+Body BodyModel::build(const PosedPerson& person) const {
+  check_parameters(person.parameters);
+  const RestBody rest = this->rest(person.parameters);
+  auto bones = pose_bones(*data_, rest.joints, person.rotations);
+  for (Eigen::Affine3d& bone : bones) bone = Eigen::Affine3d(person.place.matrix()) * bone;
+  return carry(rest, bones, Floor::as_placed);
+}
+
+Body BodyModel::carry(const RestBody& rest, const std::vector<Eigen::Affine3d>& bones,
+                      Floor floor) const {
   // Measures belong to the shape, not to the posture.
   Body body;
   body.segment = segment_;
@@ -153,7 +166,7 @@ Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) 
   body.surface.vertices = carried(body.pose_from_rest, rest.surface.vertices);
 
   // Both ends of the map stand on the floor.
-  const Vec3 drop(0, 0, lowest(body.surface.vertices));
+  const Vec3 drop(0, 0, floor == Floor::as_placed ? 0 : lowest(body.surface.vertices));
   const Vec3 rest_drop(0, 0, lowest(rest.surface.vertices));
   for (auto& p : body.surface.vertices) p -= drop;
   for (auto& map : body.pose_from_rest) map.col(3) += map.leftCols<3>() * rest_drop - drop;

@@ -8,6 +8,7 @@
 #include "loosefit/body/body_parameters.h"
 #include "loosefit/body/catmull_clark.h"
 #include "loosefit/body/morph.h"
+#include "loosefit/body/posed_person.h"
 #include "loosefit/body/rest_body.h"
 
 namespace loosefit::body {
@@ -26,6 +27,9 @@ class BodyModel {
   /// or angles out of range.
   Body build(const BodyParameters& parameters, const Posture& posture) const;
 
+  /// The same in any pose and place, which decides where the floor is.
+  Body build(const PosedPerson& person) const;
+
   /// The model's own A-pose for these parameters: arms about 41° from the vertical.
   Posture rest_posture(const BodyParameters& parameters) const;
 
@@ -33,9 +37,15 @@ class BodyModel {
   RestBody rest(const BodyParameters& parameters, BodyDetail detail = BodyDetail::subdivided) const;
 
   const BodyData& data() const { return *data_; }
+  /// (bone, weight) of each vertex of the subdivided surface, sum 1; and its body part.
+  const std::vector<std::vector<std::pair<int, double>>>& skin() const { return fine_skin_; }
+  const std::vector<Segment>& segments() const { return segment_; }
 
  private:
   double scye_depth(const RestBody& rest) const;
+  enum class Floor { under_the_feet, as_placed };
+  /// The body of a surface in rest posture, carried along by its bones.
+  Body carry(const RestBody& rest, const std::vector<Eigen::Affine3d>& bones, Floor floor) const;
 
   std::shared_ptr<const BodyData> data_;
   Morph morph_;

@@ -1,9 +1,12 @@
 #pragma once
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "loosefit/base/types.h"
 
 namespace loosefit::body {
 
@@ -21,6 +24,9 @@ struct BodyParameters {
   std::array<double, 3> ancestry = {1. / 3, 1. / 3, 1. / 3};  ///< african, asian, caucasian; sum 1
   /// Signed local changes in [-1,1] by the keys of detail_targets(): "bust", "waist", "belly", …
   std::map<std::string, double> details;
+  /// What a scan has beyond the model: added to the body vertices of the data in the rest posture
+  /// [m]. Null: nothing.
+  std::shared_ptr<const std::vector<Vec3>> shift;
 };
 
 /// Factor of every word that macro target names are made of: "female", "child", "maxweight", …

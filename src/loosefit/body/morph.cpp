@@ -85,6 +85,9 @@ std::vector<Vec3> Morph::rows(const BodyParameters& parameters) const {
       position[field.rows[i]] += scale * Vec3(s[0], s[1], s[2]);
     }
   }
+  if (parameters.shift)
+    for (std::size_t v = 0; v < parameters.shift->size(); ++v)
+      position[v] += (*parameters.shift)[v];
   return position;
 }
 

@@ -12,6 +12,12 @@ struct ScanOptions {
   std::string file;   ///< for messages
   std::string units;  ///< "m", "cm", "mm", "in" or empty
   std::string up;     ///< "z", "y" or empty
+  /// Widest hole that is filled, as a share of the stature. The default is 50 mm of an adult: a
+  /// flat patch of width d on a trunk of radius R misses the skin by d²/8R, here by 3 mm, which is
+  /// what a tape can tell; wider holes hide shape that nobody has measured.
+  double widest_hole = 0.03;
+  double most_filled = 0.01;   ///< share of the skin that may be filled holes
+  bool tell_crossings = true;  ///< warn of faces that pass through each other
 };
 
 /// Brings a closed, outward oriented surface in file units and file axes into metres and our frame:

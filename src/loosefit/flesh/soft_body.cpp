@@ -19,6 +19,8 @@ bool is_dressed(body::Segment s) {
          s == body::Segment::forearm || s == body::Segment::thigh;
 }
 
+}  // namespace
+
 std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
   const auto& triangles = body.surface.triangles;
   std::vector<int> number;  // of the dressed triangles: most of a body's are hands, feet and face
@@ -32,8 +34,6 @@ std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
   for (auto& [a, b] : overlaps) a = number[a], b = number[b];
   return overlaps;
 }
-
-}  // namespace
 
 double turn_between(const body::Posture& a, const body::Posture& b) {
   double most = 0;

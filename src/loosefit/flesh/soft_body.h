@@ -13,6 +13,10 @@ namespace loosefit::flesh {
 /// Largest angle by which a joint turns from one posture to the other [rad].
 double turn_between(const body::Posture& a, const body::Posture& b);
 
+/// Pairs of triangles of the skin that a garment can get between (trunk, neck, arms, thighs) that
+/// pass through each other.
+std::vector<std::pair<int, int>> overlaps_of(const body::Body& body);
+
 /// The body with its skin moved by so much at every vertex [m]; pose_from_rest tells the same
 /// place.
 body::Body displaced(body::Body body, const std::vector<Vec3>& moved);

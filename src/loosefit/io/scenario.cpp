@@ -39,8 +39,8 @@ void note_lines(const ConfigNode& node, const std::string& key, std::map<std::st
 
 scenario::Scenario read_scenario_root(ConfigReader& root) {
   scenario::Scenario scenario;
-  scenario.postures = read_postures_section(
-      root.table("postures", "postures beside that of the maps"), root.table("body"));
+  scenario.postures =
+      read_postures_section(root.table("postures", "postures beside that of the maps"));
   scenario.body = read_body_section(
       root.table("body", "who wears it: a parametric person or a scan"), scenario.postures);
   scenario.studied().spec =

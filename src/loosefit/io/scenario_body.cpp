@@ -1,6 +1,8 @@
 #include "loosefit/io/scenario_body.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
@@ -74,7 +76,27 @@ double read_sex(ConfigReader& body) {
   return body.optional_number("sex", {0, 1, "\"female\", \"male\" or a number"}).value_or(0);
 }
 
-scenario::ScenarioBody read_body_file(ConfigReader& table) {
+/// posture and dress_posture; `postures`: of [postures], the first of which is that of the maps.
+void read_stance(ConfigReader& table, const std::vector<std::string>& postures,
+                 scenario::ScenarioBody& body) {
+  const body::Posture listed =
+      postures.empty() ? body.posture : body::named_posture(postures.front());
+  table.declare("posture",
+                "in which the maps are made: a name or a table of angles; of a file its own where "
+                "absent",
+                "standing");
+  body.posture = read_posture(table, "posture", listed);
+  if (!postures.empty() && !(body.posture == listed))
+    throw table.error("posture", "another posture than that of [postures]",
+                      "\"" + postures.front() + "\", the reference of [postures]",
+                      "leave it out: the reference posture is that of the maps");
+  table.declare("dress_posture", "in which the garment is put on: a name or a table of angles");
+  body.dress_posture =
+      read_posture(table, "dress_posture", body::default_dress_posture(body.posture));
+}
+
+scenario::ScenarioBody read_body_file(ConfigReader& table,
+                                      const std::vector<std::string>& postures) {
   scenario::ScenarioBody body;
   body.file = existing_file(table, "file", "scanned surface of one person: OBJ, PLY or STL");
   table.require("file", "a file");
@@ -82,10 +104,16 @@ scenario::ScenarioBody read_body_file(ConfigReader& table) {
                             "of the file; inferred, with a warning, where absent");
   body.up = table.choice("up", "", {"z", "y"},
                          "axis of the file; inferred, with a warning, where absent");
+  constexpr const char* kKnown[] = {"file", "units", "up", "posture", "dress_posture"};
   for (const std::string& key : table.keys())
-    if (key != "file" && key != "units" && key != "up")
-      throw table.error(key, "only file, units and up for a body file",
-                        "a scan brings its own size and posture");
+    if (std::ranges::find(kKnown, key) == std::end(kKnown))
+      throw table.error(key, "only file, units, up, posture and dress_posture for a body file",
+                        "a scan brings its own size");
+  body.as_scanned = postures.empty() && !table.has("posture");
+  if (body.as_scanned && table.has("dress_posture"))
+    throw table.error("dress_posture", "it beside posture",
+                      "a scan without a posture keeps that in which it was taken");
+  if (!body.as_scanned) read_stance(table, postures, body);
   table.finish();
   return body;
 }
@@ -94,7 +122,7 @@ scenario::ScenarioBody read_body_file(ConfigReader& table) {
 
 scenario::ScenarioBody read_body_section(ConfigReader table,
                                          const std::vector<std::string>& postures) {
-  if (table.has("file")) return read_body_file(table);
+  if (table.has("file")) return read_body_file(table, postures);
   for (const char* key : {"units", "up"})
     if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
   scenario::ScenarioBody body;
@@ -117,17 +145,7 @@ scenario::ScenarioBody read_body_section(ConfigReader table,
   body.cup = table.number("cup", body.cup, kFraction, "shape that no tape measure fixes");
   body.firmness =
       table.number("firmness", body.firmness, kFraction, "shape that no tape measure fixes");
-  const body::Posture listed =
-      postures.empty() ? body.posture : body::named_posture(postures.front());
-  table.declare("posture", "in which the maps are made: a name or a table of angles", "standing");
-  body.posture = read_posture(table, "posture", listed);
-  if (!postures.empty() && !(body.posture == listed))
-    throw table.error("posture", "another posture than that of [postures]",
-                      "\"" + postures.front() + "\", the reference of [postures]",
-                      "leave it out: the reference posture is that of the maps");
-  table.declare("dress_posture", "in which the garment is put on: a name or a table of angles");
-  body.dress_posture =
-      read_posture(table, "dress_posture", body::default_dress_posture(body.posture));
+  read_stance(table, postures, body);
   table.finish();
   return body;
 }

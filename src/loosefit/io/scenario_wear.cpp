@@ -66,7 +66,7 @@ std::string posture_pattern() {
   return "^(" + join(body::posture_names(), "|") + "|" + body::joint_posture_pattern() + ")$";
 }
 
-std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body) {
+std::vector<std::string> read_postures_section(ConfigReader table) {
   table.only({"list", "sweep", "reference"});
   std::vector<std::string> list =
       table.texts("list", posture_pattern(), "postures that the garment follows", 1);
@@ -84,9 +84,6 @@ std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader 
                       closest_match(reference, list).empty() ? "" : did_you_mean(reference, list));
   table.finish();
   if (list.empty()) return list;
-  if (body.has("file"))
-    throw table.error("list", "postures of a scanned body", "a parametric person",
-                      "a scan keeps the posture it was taken in");
   if (!reference.empty())
     std::rotate(list.begin(), std::find(list.begin(), list.end(), reference), list.end());
   return list;

@@ -12,8 +12,8 @@ body::Posture posture_by_name(const std::string& name, const ConfigReader& table
                               const std::string& key);
 /// Regular expression of all such names, for the record.
 std::string posture_pattern();
-/// [postures]: list and sweep as one list with the reference posture first; `body` is [body].
-std::vector<std::string> read_postures_section(ConfigReader table, ConfigReader body);
+/// [postures]: list and sweep as one list with the reference posture first.
+std::vector<std::string> read_postures_section(ConfigReader table);
 /// [donning]; `given`: the section stands in the file. [simulation] must have been read.
 scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
                                                const scenario::ScenarioSimulation& simulation);

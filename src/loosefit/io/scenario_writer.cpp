@@ -40,13 +40,18 @@ std::string list_text(const std::vector<std::string>& words) {
   return "[" + join(quoted) + "]";
 }
 
+std::string stance_text(const scenario::ScenarioBody& body) {
+  return "posture = " + posture_text(body.posture) +
+         "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
+}
+
 std::string body_text(const scenario::ScenarioBody& body) {
   std::string text = "[body]\n";
   if (!body.file.empty()) {
     text += "file = " + toml_quoted(body.file) + "\n";
     if (!body.units.empty()) text += "units = " + toml_quoted(body.units) + "\n";
     if (!body.up.empty()) text += "up = " + toml_quoted(body.up) + "\n";
-    return text;
+    return body.as_scanned ? text : text + stance_text(body);
   }
   std::vector<std::string> wishes;
   for (const auto& [name, value] : body.measurements)
@@ -57,8 +62,7 @@ std::string body_text(const scenario::ScenarioBody& body) {
   text +=
       fmt::format("muscle = {}\nproportions = {}\ncup = {}\nfirmness = {}\n", shortest(body.muscle),
                   shortest(body.proportions), shortest(body.cup), shortest(body.firmness));
-  return text + "posture = " + posture_text(body.posture) +
-         "\ndress_posture = " + posture_text(body.dress_posture) + "\n";
+  return text + stance_text(body);
 }
 
 std::string simulation_text(const scenario::ScenarioSimulation& s) {

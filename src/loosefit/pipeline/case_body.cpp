@@ -1,10 +1,14 @@
 #include "loosefit/pipeline/case_body.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/scan_body.h"
+#include "loosefit/body/scan_person.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
@@ -15,7 +19,10 @@ namespace {
 constexpr char kOtherPosture[] =
     "another body.dress_posture may do: most room is where the arms are 55 degrees apart from the "
     "trunk (arm_abduction_deg = 55)";
-constexpr char kOtherScan[] = "scan the person with the arms farther from the trunk";
+constexpr char kOtherScan[] =
+    "body.posture = \"standing\" puts it on with the arms apart, where the body model can be laid "
+    "on "
+    "the scan; or scan the person with the arms farther from the trunk";
 
 const body::BodyModel& shared_model() {
   static const body::BodyModel kModel = body::BodyModel::load();
@@ -45,32 +52,84 @@ void ask_of(CaseBody& body, std::shared_ptr<flesh::SoftBody> person, bool offer_
   body.wide_path = offer_wide ? way(body.person, body::kArmsWide, body.to) : body::BodyPath{};
 }
 
-// A scan stands as it stands: the garment is put on in that posture.
-CaseBody body_from_file(const scenario::ScenarioBody& wished) {
-  io::MeshFile file = io::read_mesh(wished.file);
-  body::ScanBody scan = body::body_from_scan(
-      std::move(file.mesh), {.file = wished.file, .units = wished.units, .up = wished.up});
+/// The person as scanned: put on in that posture, without movements of the arms.
+CaseBody as_scanned(body::Body body, std::vector<std::string> warnings) {
   CaseBody result;
-  result.warnings = std::move(file.warnings);
-  result.warnings.insert(result.warnings.end(), scan.warnings.begin(), scan.warnings.end());
-  result.body = std::move(scan.body);
-  result.path = [body = result.body](double) { return body; };
+  result.warnings = std::move(warnings);
+  result.body = std::move(body);
+  result.path = [posed = result.body](double) { return posed; };
+  return result;
+}
+
+CaseBody posed_person(const body::BodyParameters& parameters, const body::Posture& posture,
+                      const body::Posture& dress_posture, Progress* progress) {
+  CaseBody result;
+  result.from = dress_posture, result.to = posture;
+  result.parameters = parameters;
+  ask_of(result, std::make_shared<flesh::SoftBody>(shared_model(), parameters),
+         dress_posture == body::default_dress_posture(posture) &&
+             dress_posture.arm_abduction < body::kArmsWide.arm_abduction);
+  if (progress) progress->check_cancelled();
+  result.body = result.person->in(body::blend(result.from, result.to, 1), progress);  // path(1)
+  return result;
+}
+
+/// The model on the scan, or nothing where it cannot be laid on, or is not there.
+std::optional<body::ScanPerson> registered(const geometry::TriangleMesh& mesh,
+                                           const body::ScanOptions& options) try {
+  return body::person_from_scan(shared_model(), mesh, options);
+} catch (const IoError&) {  // no body data
+  return std::nullopt;
+}
+
+CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress) {
+  io::MeshFile file = io::read_mesh(wished.file);
+  const body::ScanOptions options{.file = wished.file, .units = wished.units, .up = wished.up};
+  std::optional<body::ScanPerson> person = registered(file.mesh, options);
+  std::vector<std::string> warnings = std::move(file.warnings);
+  const auto add = [&](const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  if (!person) {
+    // The surface itself, which keeps its posture; or what is wrong with it.
+    body::ScanBody scan = body::body_from_scan(std::move(file.mesh), options);
+    if (!wished.as_scanned)
+      throw GeometryError({wished.file, 0, ""}, "a surface on which the body model cannot be laid",
+                          "one standing person, scanned in tight clothes",
+                          "without body.posture and [postures] it is dressed as scanned");
+    add(scan.warnings);
+    return as_scanned(std::move(scan.body), std::move(warnings));
+  }
+  add(person->warnings);
+  const double aside = person->posture.arm_abduction;
+  const bool open = aside >= body::kLeastOpen && aside <= body::kMostOpen;
+  CaseBody result;
+  if (wished.as_scanned && open && flesh::overlaps_of(person->body).empty()) {
+    result = as_scanned(std::move(person->body), std::move(warnings));
+    result.parameters = std::move(person->parameters);
+    return result;
+  }
+  if (wished.as_scanned) {
+    warnings.push_back(fmt::format(
+        "the arms of the scan are {:.0f} degrees from the trunk, where a garment cannot be put on: "
+        "the person is posed by a fitted skeleton and ends with both arms so far aside; "
+        "body.posture asks for another posture",
+        degrees(aside)));
+    result = posed_person(person->parameters, person->posture,
+                          body::default_dress_posture(person->posture), progress);
+  } else {
+    result = posed_person(person->parameters, wished.posture, wished.dress_posture, progress);
+  }
+  result.warnings = std::move(warnings);
   return result;
 }
 
 }  // namespace
 
 CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress) {
-  if (!wished.file.empty()) return body_from_file(wished);
-  const body::BodyModel& model = shared_model();
-  const body::BodyFit fit = body::fit_body(model, spec_of(wished));
-  CaseBody result;
-  result.from = wished.dress_posture, result.to = wished.posture;
-  ask_of(result, std::make_shared<flesh::SoftBody>(model, fit.parameters),
-         wished.dress_posture == body::default_dress_posture(wished.posture) &&
-             wished.dress_posture.arm_abduction < body::kArmsWide.arm_abduction);
-  if (progress) progress->check_cancelled();
-  result.body = result.person->in(body::blend(result.from, result.to, 1), progress);  // path(1)
+  if (!wished.file.empty()) return body_from_file(wished, progress);
+  const body::BodyFit fit = body::fit_body(shared_model(), spec_of(wished));
+  CaseBody result = posed_person(fit.parameters, wished.posture, wished.dress_posture, progress);
   result.asked = fit.table;
   result.warnings = fit.warnings;
   return result;

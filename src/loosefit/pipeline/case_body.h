@@ -25,14 +25,17 @@ struct CaseBody {
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   body::BodyPath wide_path;
-  body::Posture from, to;                   ///< of the path, unless it is a scan's
-  std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null for a scan
-  std::vector<CaseMovement> movements;      ///< that were made once the garments were on
-  std::vector<body::MeasureRow> asked;      ///< wishes against what the surface measures [m]
-  std::vector<std::string> warnings;        ///< from the fit or the scan's check
+  body::Posture from, to;                   ///< of the path, unless as scanned
+  std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null as scanned
+  body::BodyParameters parameters;      ///< of the model; of a surface that it is not laid on: none
+  std::vector<CaseMovement> movements;  ///< that were made once the garments were on
+  std::vector<body::MeasureRow> asked;  ///< wishes against what the surface measures [m]
+  std::vector<std::string> warnings;    ///< from the fit or the scan's check
 };
 
-/// The parametric person, or the scan when the scenario names a file (which keeps its posture).
+/// The parametric person, or the one of a file: the body model laid on the scan where it can be
+/// (scan_person.h), the surface itself otherwise. As scanned, where nobody asks for a posture and
+/// the arms are apart as far as a garment needs; then there is no person to ask.
 /// The baked body data are loaded once per process. `progress` is asked whether to go on, and hears
 /// of the way of flesh to the posture.
 /// \throws InvalidInput for impossible wishes or a broken scan; IoError without body data;

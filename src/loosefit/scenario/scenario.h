@@ -27,6 +27,7 @@ struct ScenarioBody {
   body::Posture posture = body::kStanding;         ///< in which the maps are made
   body::Posture dress_posture = body::kArmsApart;  ///< in which the garment is put on
   std::string file;   ///< mesh file instead of the parametric person; absolute
+  bool as_scanned = true;  ///< the person of a file stands as in it, not in `posture`
   std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
   std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
 };

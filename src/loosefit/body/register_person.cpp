@@ -1,0 +1,277 @@
+#include "loosefit/body/register_person.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "loosefit/body/morph.h"
+#include "loosefit/body/person_variables.h"
+#include "loosefit/body/rest_body.h"
+#include "loosefit/body/surface_shift.h"
+#include "loosefit/geometry/closest_point_tree.h"
+
+namespace loosefit::body {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using geometry::ClosestPoint;
+using geometry::ClosestPointTree;
+using geometry::TriangleMesh;
+
+constexpr int kSamples = 2500;        // of the model's skin, and as many of the scan's
+constexpr double kNoise = 0.006;      // what one sample is worth [m]
+constexpr double kVague = 0.15;       // noise as a share of where outliers begin
+constexpr double kPeers = 300;        // samples that know something of their own
+constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
+constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
+constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps with the best start, with each
+constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
+
+/// One point-to-plane distance: a vertex of the model against a point of the scan.
+struct Match {
+  int vertex = 0;
+  Vec3 point, normal;
+  double weight = 1;
+};
+
+/// Points of the scan's skin, evenly spread, with their normals.
+struct SkinSamples {
+  std::vector<Vec3> point, normal;
+};
+
+SkinSamples spread_samples(const TriangleMesh& mesh, int count) {
+  std::vector<double> area;
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles)
+    area.push_back(sum += geometry::triangle_area(mesh.vertices[std::size_t(t[0])],
+                                                  mesh.vertices[std::size_t(t[1])],
+                                                  mesh.vertices[std::size_t(t[2])]));
+  SkinSamples samples;
+  for (int i = 0; i < count; ++i) {
+    const auto t =
+        std::size_t(std::ranges::lower_bound(area, sum * (i + 0.5) / count) - area.begin());
+    const auto& [a, b, c] = mesh.triangles[std::min(t, area.size() - 1)];
+    const Vec3 &p = mesh.vertices[std::size_t(a)], &q = mesh.vertices[std::size_t(b)],
+               &r = mesh.vertices[std::size_t(c)];
+    samples.point.push_back((p + q + r) / 3);
+    samples.normal.push_back(geometry::triangle_normal(p, q, r));
+  }
+  return samples;
+}
+
+double robust_cost(double r, double scale) { return r * r / (r * r + scale * scale); }
+double robust_weight(double r, double scale) {
+  const double s = scale * scale / (r * r + scale * scale);
+  return s * s;
+}
+
+class Registration {
+ public:
+  Registration(const BodyModel& model, const TriangleMesh& scan)
+      : model_(model),
+        data_(model.data()),
+        morph_(data_),
+        scan_(scan),
+        tree_(scan_),
+        normals_(geometry::vertex_normals(scan.vertices, scan.triangles)),
+        samples_(spread_samples(scan, kSamples)) {
+    coarse_ = model.rest({}, BodyDetail::coarse).surface.triangles;
+    const int step = std::max(1, data_.body_vertices / kSamples);
+    for (int v = 0; v < data_.body_vertices; v += step) sampled_.push_back(v);
+    for (const Vec3& p : scan.vertices) height_ = std::max(height_, p.z());
+  }
+
+  /// An upright person of the scan's stature with the arms so far aside.
+  PosedPerson start(double abduction, double sex) const {
+    PosedPerson person;
+    BodyParameters& p = person.parameters;
+    p.sex = sex;
+    // Statures of children by age, roughly (5 years 1.10 m, 11 years 1.45 m).
+    p.age = height_ < 1.50 ? std::clamp(5 + (height_ - 1.10) / 0.058, 3.0, 14.0) : 30;
+    for (double low = 0, high = 1; high - low > 0.01;) {
+      p.height = (low + high) / 2;
+      double bottom = std::numeric_limits<double>::infinity(), top = -bottom;
+      const auto rows = morph_.rows(p);
+      for (int v = 0; v < data_.body_vertices; ++v) {
+        bottom = std::min(bottom, rows[std::size_t(v)].z());
+        top = std::max(top, rows[std::size_t(v)].z());
+      }
+      (top - bottom < height_ ? low : high) = p.height;
+    }
+    const auto rows = morph_.rows(p);
+    const auto joints = joint_positions(data_, rows);
+    Posture posture;
+    posture.arm_abduction = abduction;
+    posture.relaxed_arms = abduction < radians(25) ? 1 : 0;
+    posture.elbow_extension = abduction > radians(60) ? 0.9 : 0.3;
+    person.rotations = posture_rotations(data_, joints, posture);
+    // Feet on the floor, middle of the trunk on that of the scan.
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    for (int v = 0; v < data_.body_vertices; ++v) low = low.cwiseMin(rows[std::size_t(v)]);
+    std::vector<Vec3> model_rows(rows.begin(), rows.begin() + data_.body_vertices);
+    const auto middle = [&](const std::vector<Vec3>& points, double floor) {
+      double left = 1e9, right = -1e9, front = 1e9, back = -1e9;
+      for (const Vec3& q : points) {
+        const double z = (q.z() - floor) / height_;
+        if (z > 0.50 && z < 0.56) front = std::min(front, q.y()), back = std::max(back, q.y());
+        if (z > 0.90) left = std::min(left, q.x()), right = std::max(right, q.x());
+      }
+      return Vec3((left + right) / 2, (front + back) / 2, floor);
+    };
+    person.place.translation() = middle(scan_.vertices, 0) - middle(model_rows, low.z());
+    return person;
+  }
+
+  /// Takes `steps` Gauss-Newton steps; the cost of the last.
+  double improve(PosedPerson& person, int steps, bool shape, double first, double last) const {
+    PersonVariables variables(data_, person);
+    VectorXd x = VectorXd::Zero(variables.size());
+    double cost = 0;
+    for (int k = 0; k < steps; ++k) {
+      const double share = steps > 1 ? double(k) / (steps - 1) : 1;
+      const double scale = first * std::pow(last / first, std::min(1.0, 1.3 * share));
+      cost = step(variables, x, shape, scale);
+    }
+    person = variables.at(x);
+    return cost;
+  }
+
+ private:
+  std::vector<Vec3> rows_of(const PosedPerson& p) const { return morph_.rows(p.parameters); }
+
+  Vec3 posed(const PosedPerson& p, const std::vector<Eigen::Affine3d>& bones,
+             const std::vector<Vec3>& rows, int vertex) const {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& [bone, weight] : data_.skin[std::size_t(vertex)])
+      sum += weight * (bones[std::size_t(bone)] * rows[std::size_t(vertex)]);
+    return p.place * sum;
+  }
+
+  std::vector<Match> matches(const std::vector<Vec3>& surface, double scale) const {
+    const TriangleMesh mesh{surface, coarse_};
+    const auto normals = geometry::vertex_normals(surface, coarse_);
+    const auto& segment = model_.segments();
+    const double reach = 3 * scale;
+    std::vector<Match> found;
+    // Model to scan.
+    for (const int v : sampled_) {
+      const Vec3 &p = surface[std::size_t(v)], &n = normals[std::size_t(v)];
+      const ClosestPoint c =
+          tree_.query(p, reach, [&](int t) { return scan_normal(t).dot(n) > kSameSide; });
+      if (c.triangle < 0) continue;
+      const double weight = segment[std::size_t(v)] == Segment::hand ? kHandsCount : 1;
+      found.push_back({v, c.point, scan_normal(c.triangle), weight});
+    }
+    // Scan to model.
+    const ClosestPointTree tree(mesh);
+    for (std::size_t i = 0; i < samples_.point.size(); ++i) {
+      const Vec3 &p = samples_.point[i], &n = samples_.normal[i];
+      const ClosestPoint c = tree.query(p, reach, [&](int t) {
+        const Triangle& corner = coarse_[std::size_t(t)];
+        return normals[std::size_t(corner[0])].dot(n) > kSameSide;
+      });
+      if (c.triangle < 0) continue;
+      Eigen::Index nearest = 0;
+      c.barycentric.maxCoeff(&nearest);
+      const int v = coarse_[std::size_t(c.triangle)][std::size_t(nearest)];
+      const double weight = segment[std::size_t(v)] == Segment::hand ? kHandsCount : 1;
+      // The plane is moved by as much as the vertex is from the closest point.
+      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight});
+    }
+    return found;
+  }
+
+  Vec3 scan_normal(int triangle) const {
+    const Triangle& t = scan_.triangles[std::size_t(triangle)];
+    return (normals_[std::size_t(t[0])] + normals_[std::size_t(t[1])] + normals_[std::size_t(t[2])])
+        .normalized();
+  }
+
+  double step(const PersonVariables& variables, VectorXd& x, bool shape, double scale) const {
+    const PosedPerson now = variables.at(x);
+    const auto rows = rows_of(now);
+    const auto bones = pose_bones(data_, joint_positions(data_, rows), now.rotations);
+    std::vector<Vec3> surface(std::size_t(data_.body_vertices));
+    for (int v = 0; v < data_.body_vertices; ++v)
+      surface[std::size_t(v)] = posed(now, bones, rows, v);
+    const std::vector<Match> matched = matches(surface, scale);
+    const auto m = Eigen::Index(matched.size()), n = x.size();
+    const auto residuals = [&](const PosedPerson& p, const std::vector<Vec3>& r) {
+      const auto b = pose_bones(data_, joint_positions(data_, r), p.rotations);
+      VectorXd value(m);
+      for (Eigen::Index i = 0; i < m; ++i) {
+        const Match& match = matched[std::size_t(i)];
+        value[i] = match.normal.dot(posed(p, b, r, match.vertex) - match.point);
+      }
+      return value;
+    };
+    const VectorXd r0 = residuals(now, rows);
+    VectorXd weight(m);
+    for (Eigen::Index i = 0; i < m; ++i)
+      weight[i] = matched[std::size_t(i)].weight * robust_weight(r0[i], scale);
+    MatrixXd jacobian = MatrixXd::Zero(m, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (variables.is_shape(int(j)) && !shape) continue;
+      VectorXd y = x;
+      y[j] += variables.difference(int(j));
+      if (variables.clamped(y)[j] != y[j]) y[j] = x[j] - variables.difference(int(j));
+      const PosedPerson there = variables.at(y);
+      jacobian.col(j) =
+          (residuals(there, variables.is_shape(int(j)) ? rows_of(there) : rows) - r0) /
+          (y[j] - x[j]);
+    }
+    // Many samples tell of the same misfit, so they count as kPeers of them.
+    // While correspondences are vague, so is what they tell.
+    const double noise = std::max(kNoise, kVague * scale);
+    const double trust = kPeers / std::max<double>(1, double(m)) / (noise * noise);
+    MatrixXd normal = trust * jacobian.transpose() * weight.asDiagonal() * jacobian;
+    VectorXd right = -trust * jacobian.transpose() * weight.cwiseProduct(r0);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double prior = 1 / (variables.spread(int(j)) * variables.spread(int(j)));
+      normal(j, j) += prior;
+      right[j] -= prior * x[j];
+    }
+    const VectorXd change = normal.ldlt().solve(right);
+    double most = 1;
+    for (Eigen::Index j = 0; j < n; ++j)
+      most = std::max(most, std::abs(change[j]) / variables.spread(int(j)));
+    x = variables.clamped(x + change / most);
+    double cost = 0;
+    for (Eigen::Index i = 0; i < m; ++i)
+      cost += matched[std::size_t(i)].weight * robust_cost(r0[i], scale);
+    // What found no partner costs as an outlier does.
+    return cost + double(sampled_.size() + samples_.point.size()) - double(m);
+  }
+
+  const BodyModel& model_;
+  const BodyData& data_;
+  Morph morph_;
+  const TriangleMesh& scan_;
+  ClosestPointTree tree_;
+  std::vector<Vec3> normals_;
+  SkinSamples samples_;
+  std::vector<Triangle> coarse_;
+  std::vector<int> sampled_;
+  double height_ = 0;
+};
+
+}  // namespace
+
+RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& scan) {
+  const Registration registration(model, scan);
+  // Arms hanging, as the model has them, and level: a registration finds its way over some 30°.
+  PosedPerson best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double abduction : {10.0, 42.0, 82.0}) {
+    PosedPerson person = registration.start(radians(abduction), 0.5);
+    const double cost = registration.improve(person, kUnsure, true, kFarthest[0], kFarthest[0] / 4);
+    if (cost < least) least = cost, best = person;
+  }
+  registration.improve(best, kSure, true, kFarthest[0] / 4, kFarthest[1]);
+  return lay_skin(model, scan, best);
+}
+
+}  // namespace loosefit::body

@@ -1,0 +1,61 @@
+#include "loosefit/body/scan_person.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/body_check.h"
+
+namespace loosefit::body {
+namespace {
+
+constexpr double kWidestHole = 0.12, kMostFilled = 0.05;
+constexpr double kRelaxed = radians(25);  // arms that hang lower are turned as people let them hang
+constexpr double kLevel = radians(90);    // as far aside as arms can be asked for
+
+double abduction(const Body& body) {
+  double sum = 0;
+  for (const char* side : {"_L", "_R"}) {
+    const Vec3 arm = body.joints.at(std::string("elbow") + side) -
+                     body.joints.at(std::string("shoulder") + side);
+    sum += std::atan2(std::abs(arm.x()), -arm.z());
+  }
+  return sum / 2;
+}
+
+Posture nearest_posture(const Body& body) {
+  Posture posture = kStanding;
+  posture.arm_abduction = std::clamp(abduction(body), radians(5), kLevel);
+  if (posture.arm_abduction > kRelaxed) posture.relaxed_arms = 0, posture.elbow_extension = 0;
+  return posture;
+}
+
+}  // namespace
+
+std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::TriangleMesh mesh,
+                                           ScanOptions options) try {
+  options.widest_hole = kWidestHole, options.most_filled = kMostFilled;
+  options.tell_crossings = false;  // the model's skin is used, not the scan's
+  CheckedSurface checked = check_surface(std::move(mesh), options);
+  RegisteredPerson registered = register_person(model, checked.mesh);
+  if (!(registered.error.median <= kMostOff.median && registered.error.p95 <= kMostOff.p95))
+    return std::nullopt;
+  ScanPerson made;
+  made.body = model.build(registered.person);
+  made.body.from_world = checked.from_world;
+  made.parameters = std::move(registered.person.parameters);
+  made.posture = nearest_posture(made.body);
+  made.error = registered.error;
+  made.warnings = std::move(checked.warnings);
+  made.warnings.push_back(
+      fmt::format("the body model lies on the scan: {:.1f} mm off in the median, {:.1f} mm at the "
+                  "95th percentile of neck, trunk, arms and legs",
+                  1e3 * made.error.median, 1e3 * made.error.p95));
+  return made;
+} catch (const GeometryError&) {  // of check_surface, or of a tape that does not close
+  return std::nullopt;
+}
+
+}  // namespace loosefit::body

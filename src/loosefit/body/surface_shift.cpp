@@ -1,0 +1,153 @@
+#include "loosefit/body/surface_shift.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "loosefit/base/error.h"
+#include "loosefit/geometry/closest_point_tree.h"
+
+namespace loosefit::body {
+namespace {
+
+using geometry::ClosestPoint;
+using geometry::ClosestPointTree;
+using geometry::TriangleMesh;
+
+// Weight of smoothness against one vertex that knows its place: from stiff to supple.
+constexpr std::array kStiffness = {8.0, 4.0, 2.0, 2.0, 2.0};
+constexpr double kReach = 0.03;    // farther skin of the scan is somebody's else [m]
+constexpr double kSameSide = 0.5;  // least cosine between the normals
+constexpr double kHidden = 0.03;   // skin that faces skin as near is not seen, and pressed [m]
+constexpr double kPassed = 0.02;   // depth to which skin may have passed through other skin [m]
+constexpr double kAlone = 1e-4;    // of the shift itself, where no neighbour knows its place
+
+bool is_covered(Segment s) {
+  return s != Segment::head && s != Segment::hand && s != Segment::foot;
+}
+
+/// The surface in the scan's frame, and how each vertex came there from the rest posture.
+struct Laid {
+  std::vector<Vec3> rest, surface;
+  std::vector<Eigen::Matrix<double, 3, 4>> maps;
+  std::vector<Triangle> triangles;
+};
+
+Laid lay(const BodyModel& model, const PosedPerson& person) {
+  RestBody rest = model.rest(person.parameters);
+  Laid laid;
+  laid.maps = blend_bones(pose_bones(model.data(), rest.joints, person.rotations), model.skin());
+  laid.triangles = std::move(rest.surface.triangles);
+  laid.rest = std::move(rest.surface.vertices);
+  for (std::size_t v = 0; v < laid.rest.size(); ++v)
+    laid.surface.push_back(person.place * Vec3(laid.maps[v] * laid.rest[v].homogeneous()));
+  return laid;
+}
+
+RegistrationError error_of(const Laid& laid, const BodyModel& model, const TriangleMesh& scan,
+                           const ClosestPointTree& tree) {
+  std::vector<double> distances;
+  for (std::size_t v = 0; v < laid.surface.size(); v += 7)
+    if (is_covered(model.segments()[v])) distances.push_back(tree.query(laid.surface[v]).distance);
+  const TriangleMesh mesh{laid.surface, laid.triangles};
+  const ClosestPointTree back(mesh);
+  const std::size_t step = std::max<std::size_t>(1, scan.vertices.size() / distances.size());
+  for (std::size_t v = 0; v < scan.vertices.size(); v += step) {
+    const ClosestPoint c = back.query(scan.vertices[v]);
+    if (is_covered(model.segments()[std::size_t(laid.triangles[std::size_t(c.triangle)][0])]))
+      distances.push_back(c.distance);
+  }
+  std::ranges::sort(distances);
+  return {distances[distances.size() / 2], distances[distances.size() * 95 / 100]};
+}
+
+/// Whether other skin faces a vertex nearby: in armpits, between the thighs, under hanging arms.
+std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& outward, int count) {
+  const TriangleMesh mesh{laid.surface, laid.triangles};
+  const ClosestPointTree tree(mesh);
+  std::vector<char> hidden(std::size_t(count), 0);
+  for (std::size_t v = 0; v < hidden.size(); ++v) {
+    const Vec3 &p = laid.surface[v], &n = outward[v];
+    const auto faces = [&](int t) {
+      return outward[std::size_t(laid.triangles[std::size_t(t)][0])].dot(n) < -kSameSide;
+    };
+    // Ahead, or passed through where the model's flesh does not give way.
+    hidden[v] = tree.query(p + kHidden / 2 * n, kHidden / 2, faces).triangle >= 0 ||
+                tree.query(p, kPassed, faces).triangle >= 0;
+  }
+  return hidden;
+}
+
+}  // namespace
+
+RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
+                          const PosedPerson& person) {
+  const BodyData& data = model.data();
+  const auto count = Eigen::Index(data.body_vertices);
+  const ClosestPointTree tree(scan);
+  const auto normals = geometry::vertex_normals(scan.vertices, scan.triangles);
+  const auto faces = [&](int t, const Vec3& n) {
+    const Triangle& c = scan.triangles[std::size_t(t)];
+    const Vec3 m =
+        normals[std::size_t(c[0])] + normals[std::size_t(c[1])] + normals[std::size_t(c[2])];
+    return m.dot(n) > kSameSide * m.norm();
+  };
+  std::set<std::pair<int, int>> edges;
+  for (const auto& quad : data.quads)
+    for (std::size_t i = 0; i < 4; ++i) edges.insert(std::minmax(quad[i], quad[(i + 1) % 4]));
+
+  RegisteredPerson result;
+  result.person = person;
+  std::vector<Vec3> shift(std::size_t(count), Vec3::Zero());
+  Laid laid = lay(model, result.person);
+  result.of_model = error_of(laid, model, scan, tree);
+  std::vector<Vec3> moved(std::size_t(count), Vec3::Zero());  // so far, in the scan's frame
+  for (const double stiffness : kStiffness) {
+    const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
+    const std::vector<char> hidden = hidden_vertices(laid, outward, data.body_vertices);
+    // Smooth shifts: Σ |d - target|² + stiffness Σ |d_i - d_j|² over the edges.
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(count, 3);
+    for (Eigen::Index v = 0; v < count; ++v) {
+      double known = kAlone;
+      const Vec3 &p = laid.surface[std::size_t(v)], &n = outward[std::size_t(v)];
+      const Segment segment = model.segments()[std::size_t(v)];
+      if (segment != Segment::hand && segment != Segment::foot && !hidden[std::size_t(v)]) {
+        const ClosestPoint c = tree.query(p, kReach, [&](int t) { return faces(t, n); });
+        if (c.triangle >= 0) {
+          known = 1;
+          right.row(v) = (moved[std::size_t(v)] + n * n.dot(c.point - p)).transpose();
+        }
+      }
+      entries.emplace_back(v, v, known);
+    }
+    for (const auto& [a, b] : edges) {
+      entries.emplace_back(a, a, stiffness), entries.emplace_back(b, b, stiffness);
+      entries.emplace_back(a, b, -stiffness), entries.emplace_back(b, a, -stiffness);
+    }
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    if (solver.info() != Eigen::Success)
+      throw GeometryError("the skin of a scan cannot be laid: its shifts have no solution");
+    const Eigen::MatrixX3d solved = solver.solve(right);
+    // Into the rest posture. What Catmull-Clark smooths away of a shift comes with the next round.
+    for (Eigen::Index v = 0; v < count; ++v) {
+      const auto i = std::size_t(v);
+      const Vec3 more = solved.row(v).transpose() - moved[i];
+      const Mat3 linear = result.person.place.linear() * laid.maps[i].leftCols<3>();
+      shift[i] += linear.inverse() * more;
+      moved[i] += more;
+    }
+    result.person.parameters.shift = std::make_shared<const std::vector<Vec3>>(shift);
+    laid = lay(model, result.person);
+  }
+  result.error = error_of(laid, model, scan, tree);
+  result.surface = std::move(laid.surface);
+  return result;
+}
+
+}  // namespace loosefit::body

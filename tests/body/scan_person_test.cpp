@@ -1,0 +1,120 @@
+#include "loosefit/body/scan_person.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "loosefit/base/error.h"
+#include "loosefit/body/body_check.h"
+#include "loosefit/body/body_fit.h"
+#include "loosefit/geometry/closest_point_tree.h"
+#include "support/body_fixture.h"
+#include "support/shapes.h"
+
+namespace loosefit::body {
+namespace {
+
+constexpr double kTape = 0.010;  ///< what a scan may differ by from its parametric twin [m]
+constexpr double kSkin = 0.001;  ///< 95th percentile of a noiseless scan's distance [m]
+
+BodyParameters person(double sex, double age, double height, double chest, double waist,
+                      double hip) {
+  BodySpec spec;
+  spec.sex = sex, spec.age = age, spec.height = height;
+  spec.measurements = {{"chest", chest}, {"waist", waist}, {"hip", hip}};
+  return fit_body(body_model(), spec).parameters;
+}
+
+/// As a scanner stores it: centimetres, y up, somewhere in the room, every triangle begun
+/// elsewhere.
+geometry::TriangleMesh as_scan(const Body& body) {
+  geometry::TriangleMesh mesh = body.surface;
+  for (auto& p : mesh.vertices) p = Vec3(p.x(), p.z(), -p.y()) * 100 + Vec3(31, 7, -12);
+  std::ranges::reverse(mesh.triangles);
+  for (auto& t : mesh.triangles) std::ranges::rotate(t, t.begin() + 1);
+  return mesh;
+}
+
+/// The world of as_scan in metres with z up, as from_world takes it.
+Vec3 in_world(const Vec3& p) { return p + Vec3(0.31, 0.12, 0.07); }
+
+struct Stance {
+  const char* name;
+  Posture posture;
+};
+const std::vector<Stance>& stances() {
+  static const std::vector<Stance> kStances = {
+      {"T-pose", {radians(85), 0, 0, 0, 0.9}},
+      {"A-pose", {radians(40), 0, 0}},
+      {"arms hanging", {radians(12), 0, 0, 0, 0.66, 0, 1}},
+  };
+  return kStances;
+}
+
+TEST(ScanPerson, LiesOnTheTwinAndHasItsMeasures) {
+  const BodyParameters twin = person(1, 40, 1.78, 1.02, 0.90, 1.02);
+  for (const auto& [name, posture] : stances()) {
+    const Body known = body_model().build(twin, posture);
+    const auto found = person_from_scan(body_model(), as_scan(known), {"scan.obj", "cm", "y"});
+    ASSERT_TRUE(found) << name;
+    EXPECT_LT(found->error.p95, kSkin) << name;
+    EXPECT_NEAR(degrees(found->posture.arm_abduction), degrees(posture.arm_abduction), 4) << name;
+    for (const char* girth : {"height", "chest", "waist", "hip", "neck", "mid_neck", "upper_arm",
+                              "forearm", "wrist", "thigh", "knee", "calf", "ankle", "arm_length",
+                              "back_length", "shoulder_breadth", "crotch_height", "scye_depth"})
+      EXPECT_NEAR(found->body.measured.at(girth), known.measured.at(girth), kTape)
+          << girth << ", " << name;
+    for (const auto& [mark, place] : known.landmarks)
+      EXPECT_LT((found->body.landmarks.at(mark) - found->body.from_world * in_world(place)).norm(),
+                kTape)
+          << mark << ", " << name;
+  }
+}
+
+TEST(ScanPerson, StandsLikeTheTwinWhenPosed) {
+  // Scanned with level arms, then with hanging ones: where the twin is when she lowers hers.
+  const BodyParameters twin = person(0, 30, 1.66, 0.94, 0.78, 1.00);
+  const Posture hanging{radians(25), 0, 0, 0, 0.3};
+  const Body level = body_model().build(twin, stances()[0].posture);
+  const Body wanted = body_model().build(twin, hanging);
+  const auto found = person_from_scan(body_model(), as_scan(level), {"scan.obj", "cm", "y"});
+  ASSERT_TRUE(found);
+  const Body posed = body_model().build(found->parameters, hanging);
+  ASSERT_EQ(posed.surface.vertices.size(), wanted.surface.vertices.size());
+  std::vector<double> off;
+  const geometry::ClosestPointTree skin(wanted.surface);
+  for (std::size_t v = 0; v < posed.surface.vertices.size(); ++v)
+    if (posed.segment[v] != Segment::head && posed.segment[v] != Segment::hand &&
+        posed.segment[v] != Segment::foot)
+      off.push_back(skin.query(posed.surface.vertices[v]).distance);
+  std::ranges::sort(off);
+  EXPECT_LT(off[off.size() / 2], 0.003);
+  EXPECT_LT(off[off.size() * 95 / 100], kTape);
+}
+
+TEST(ScanPerson, ClosesHolesThatATapeCouldNotGuess) {
+  const BodyParameters twin = person(0, 30, 1.66, 0.94, 0.78, 1.00);
+  const Body known = body_model().build(twin, stances()[1].posture);
+  geometry::TriangleMesh scan = as_scan(known);
+  // A hole of some 12 cm between the shoulder blades.
+  const Vec3 spot = known.landmarks.at("upper_back");
+  std::erase_if(scan.triangles, [&](const Triangle& t) {
+    return (known.surface.vertices[std::size_t(t[0])] - spot).norm() < 0.06;
+  });
+  EXPECT_THROW(check_surface(scan, {"scan.obj", "cm", "y"}), GeometryError);
+  const auto found = person_from_scan(body_model(), scan, {"scan.obj", "cm", "y"});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->body.measured.at("chest"), known.measured.at("chest"), kTape);
+}
+
+TEST(ScanPerson, IsNobodyWhereThereIsNoPerson) {
+  geometry::TriangleMesh ball = support::sphere(0.85, 40, 60);
+  for (Vec3& p : ball.vertices) p = Vec3(0.3 * p.x(), 0.2 * p.y(), p.z());
+  EXPECT_FALSE(person_from_scan(body_model(), ball, {"ball.obj", "m", "z"}));
+}
+
+}  // namespace
+}  // namespace loosefit::body
