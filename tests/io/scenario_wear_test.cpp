@@ -54,7 +54,7 @@ TEST(ScenarioWear, MovementsAreMadeUnlessSwitchedOffAndAskForNoRepeats) {
 }
 
 TEST(ScenarioWear, AScanKeepsItsPostureUnlessOneIsAskedFor) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "scan.obj";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "scan-posture.obj";
   std::ofstream(file) << "v 0 0 0\n";
   const std::string body = "[body]\nfile = \"" + file.string() + "\"\n";
   EXPECT_TRUE(parse_scenario(body, "case.toml").body.as_scanned);

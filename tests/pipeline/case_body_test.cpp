@@ -88,7 +88,7 @@ TEST(MakeBody, AScanWithHangingArmsIsDressedWithThemApart) {
 
 TEST(MakeBody, AScanTakesThePostureThatIsAskedFor) {
   scenario::ScenarioBody wished;
-  wished.file = scan_file(body::kArmsApart, "apart.obj"), wished.units = "m", wished.up = "z";
+  wished.file = scan_file(body::kArmsApart, "asked.obj"), wished.units = "m", wished.up = "z";
   wished.as_scanned = false;
   wished.posture = body::kStanding;
   const CaseBody made = make_body(wished);

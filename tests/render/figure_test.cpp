@@ -22,7 +22,8 @@ class FigureOfPanels : public ::testing::Test {
   }
   Image drawn() const {
     const std::filesystem::path file =
-        std::filesystem::path(::testing::TempDir()) / "figure-of-panels.png";
+        std::filesystem::path(::testing::TempDir()) /
+        (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".png");
     std::ofstream(file, std::ios::binary) << figure_file(figure_, FigureFormat::png);
     return testing::png_pixels(file);
   }
