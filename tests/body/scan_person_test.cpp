@@ -95,6 +95,16 @@ TEST(ScanPerson, StandsLikeTheTwinWhenPosed) {
   EXPECT_LT(off[off.size() * 95 / 100], kTape);
 }
 
+TEST(ScanPerson, TellsALeanFromUprightPeople) {
+  const BodyParameters twin = person(1, 40, 1.80, 1.10, 1.02, 1.08);
+  for (const double bend : {0.0, 30.0}) {
+    const Body known = body_model().build(twin, {radians(45), radians(bend)});
+    const auto found = person_from_scan(body_model(), as_scan(known), {"scan.obj", "cm", "y"});
+    ASSERT_TRUE(found) << bend;
+    EXPECT_NEAR(degrees(found->posture.forward_bend), bend, 3);
+  }
+}
+
 TEST(ScanPerson, ClosesHolesThatATapeCouldNotGuess) {
   const BodyParameters twin = person(0, 30, 1.66, 0.94, 0.78, 1.00);
   const Body known = body_model().build(twin, stances()[1].posture);

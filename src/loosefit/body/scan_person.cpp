@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kWidestHole = 0.12, kMostFilled = 0.05;
 constexpr double kRelaxed = radians(25);  // arms that hang lower are turned as people let them hang
-constexpr double kLevel = radians(90);    // as far aside as arms can be asked for
+constexpr double kUpright = radians(5);   // people differ by that when they stand upright
+constexpr double kMostBent = radians(30);
+constexpr double kLevel = radians(90);  // as far aside as arms can be asked for
 
 double abduction(const Body& body) {
   double sum = 0;
@@ -25,8 +27,16 @@ double abduction(const Body& body) {
   return sum / 2;
 }
 
-Posture nearest_posture(const Body& body) {
+/// Lean of the line from the back waist to C7, positive forward.
+double lean(const Body& body) {
+  const Vec3 back = body.landmarks.at("c7") - body.landmarks.at("back_waist");
+  return std::atan2(-back.y(), back.z());
+}
+
+Posture nearest_posture(const Body& body, const Body& upright) {
   Posture posture = kStanding;
+  const double bend = lean(body) - lean(upright);
+  if (std::abs(bend) > kUpright) posture.forward_bend = std::clamp(bend, -kMostBent, kMostBent);
   posture.arm_abduction = std::clamp(abduction(body), radians(5), kLevel);
   if (posture.arm_abduction > kRelaxed) posture.relaxed_arms = 0, posture.elbow_extension = 0;
   return posture;
@@ -46,7 +56,7 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
   made.body = model.build(registered.person);
   made.body.from_world = checked.from_world;
   made.parameters = std::move(registered.person.parameters);
-  made.posture = nearest_posture(made.body);
+  made.posture = nearest_posture(made.body, model.build(made.parameters, kStanding));
   made.error = registered.error;
   made.warnings = std::move(checked.warnings);
   made.warnings.push_back(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -82,6 +83,12 @@ std::optional<body::ScanPerson> registered(const geometry::TriangleMesh& mesh,
   return std::nullopt;
 }
 
+std::string lean_in_words(double bend) {
+  if (bend == 0) return "upright";
+  return fmt::format("leaning {} by {:.0f} degrees", bend > 0 ? "forward" : "back",
+                     degrees(std::abs(bend)));
+}
+
 CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress) {
   io::MeshFile file = io::read_mesh(wished.file);
   const body::ScanOptions options{.file = wished.file, .units = wished.units, .up = wished.up};
@@ -112,9 +119,10 @@ CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress
   if (wished.as_scanned) {
     warnings.push_back(fmt::format(
         "the arms of the scan are {:.0f} degrees from the trunk, where a garment cannot be put on: "
-        "the person is posed by a fitted skeleton and ends with both arms so far aside; "
-        "body.posture asks for another posture",
-        degrees(aside)));
+        "the person is posed by a fitted skeleton and ends {}, legs as people stand, with both "
+        "arms so "
+        "far aside; body.posture asks for another posture",
+        degrees(aside), lean_in_words(person->posture.forward_bend)));
     result = posed_person(person->parameters, person->posture,
                           body::default_dress_posture(person->posture), progress);
   } else {
