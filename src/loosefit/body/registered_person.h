@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include "loosefit/body/posed_person.h"
 
 namespace loosefit::body {
@@ -15,7 +13,6 @@ struct RegistrationError {
 /// A person of the model who looks and stands like somebody's scan.
 struct RegisteredPerson {
   PosedPerson person;          ///< its parameters hold the shift to the scan's own skin
-  std::vector<Vec3> surface;   ///< BodyModel's surface in the scan's pose and frame
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
   RegistrationError error;
 };

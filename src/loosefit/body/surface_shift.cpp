@@ -146,7 +146,6 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
     laid = lay(model, result.person);
   }
   result.error = error_of(laid, model, scan, tree);
-  result.surface = std::move(laid.surface);
   return result;
 }
 
