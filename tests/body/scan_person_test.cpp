@@ -62,6 +62,7 @@ TEST(ScanPerson, LiesOnTheTwinAndHasItsMeasures) {
     ASSERT_TRUE(found) << name;
     EXPECT_LT(found->error.p95, kSkin) << name;
     EXPECT_NEAR(degrees(found->posture.arm_abduction), degrees(posture.arm_abduction), 4) << name;
+    EXPECT_NEAR(found->posture.elbow_extension, posture.elbow_extension, 0.1) << name;
     for (const char* girth : {"height", "chest", "waist", "hip", "neck", "mid_neck", "upper_arm",
                               "forearm", "wrist", "thigh", "knee", "calf", "ankle", "arm_length",
                               "back_length", "shoulder_breadth", "crotch_height", "scye_depth"})

@@ -45,19 +45,21 @@ TEST(MakeBody, MissingScanIsAnError) {
   EXPECT_THROW(make_body(wished), Error);
 }
 
-/// A file with the surface of a person in a posture, metres, z up.
-std::string scan_file(const body::Posture& posture, const char* name) {
+/// The scan of a person in a posture, metres, z up, so far from the origin.
+scenario::ScenarioBody scan_of(const body::Posture& posture, const char* name,
+                               const Vec3& place = Vec3::Zero()) {
   const body::BodyModel model = body::BodyModel::load();
   body::BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
   const body::Body person = model.build(body::fit_body(model, spec).parameters, posture);
   const auto file = std::filesystem::path(::testing::TempDir()) / name;
   std::ofstream out(file);
-  for (const Vec3& p : person.surface.vertices)
-    out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const Vec3& p : person.surface.vertices) out << "v " << (p + place).transpose() << '\n';
   for (const Triangle& t : person.surface.triangles)
     out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  return file.string();
+  scenario::ScenarioBody wished;
+  wished.file = file.string(), wished.units = "m", wished.up = "z";
+  return wished;
 }
 
 bool warned(const CaseBody& body, const std::string& words) {
@@ -67,9 +69,7 @@ bool warned(const CaseBody& body, const std::string& words) {
 }
 
 TEST(MakeBody, AScanWithOpenArmsStaysAsItIs) {
-  scenario::ScenarioBody wished;
-  wished.file = scan_file(body::kArmsApart, "apart.obj"), wished.units = "m", wished.up = "z";
-  const CaseBody made = make_body(wished);
+  const CaseBody made = make_body(scan_of(body::kArmsApart, "apart.obj"));
   EXPECT_FALSE(made.person);
   EXPECT_NEAR(arm_angle(made.body), 40, 2);
   EXPECT_EQ(made.path(0).body().surface.vertices, made.body->surface.vertices);
@@ -77,9 +77,7 @@ TEST(MakeBody, AScanWithOpenArmsStaysAsItIs) {
 }
 
 TEST(MakeBody, AScanWithHangingArmsIsDressedWithThemApart) {
-  scenario::ScenarioBody wished;
-  wished.file = scan_file(body::kStanding, "hanging.obj"), wished.units = "m", wished.up = "z";
-  const CaseBody made = make_body(wished);
+  const CaseBody made = make_body(scan_of(body::kStanding, "hanging.obj"));
   ASSERT_TRUE(made.person);
   EXPECT_NEAR(arm_angle(made.body), 8, 4);
   EXPECT_NEAR(arm_angle(made.path(0)), 40, 2);
@@ -87,13 +85,15 @@ TEST(MakeBody, AScanWithHangingArmsIsDressedWithThemApart) {
 }
 
 TEST(MakeBody, AScanTakesThePostureThatIsAskedFor) {
-  scenario::ScenarioBody wished;
-  wished.file = scan_file(body::kArmsApart, "asked.obj"), wished.units = "m", wished.up = "z";
+  const Vec3 place(0.8, -0.5, 0.2);
+  scenario::ScenarioBody wished = scan_of(body::kArmsApart, "asked.obj", place);
   wished.as_scanned = false;
   wished.posture = body::kStanding;
   const CaseBody made = make_body(wished);
   ASSERT_TRUE(made.person);
   EXPECT_NEAR(arm_angle(made.body), 8, 4);
+  // What was placed round the scan is carried along.
+  EXPECT_LT((made.body->from_world * place).norm(), 0.1);
 }
 
 TEST(MakeBody, APostureNeedsAPersonInTheScan) {

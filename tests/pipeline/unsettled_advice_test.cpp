@@ -41,6 +41,8 @@ TEST(UnsettledAdvice, NamesOnlyKeysThatTheCaseCanHave) {
   EXPECT_FALSE(has(advice(scenario), "garment."));
   scenario.body.file = "/tmp/scan.obj";
   EXPECT_FALSE(has(advice(scenario), "posture"));
+  scenario.body.as_scanned = false;
+  EXPECT_TRUE(has(advice(scenario), "body.posture"));
   scenario.simulation.edge_length = 0.003;
   EXPECT_FALSE(has(advice(scenario), "edge_length")) << "there is no smaller one";
 }

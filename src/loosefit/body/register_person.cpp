@@ -1,10 +1,10 @@
 #include "loosefit/body/register_person.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "loosefit/body/morph.h"
 #include "loosefit/body/person_variables.h"
@@ -27,7 +27,7 @@ constexpr double kVague = 0.15;       // noise as a share of where outliers begi
 constexpr double kPeers = 300;        // samples that know something of their own
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
-constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps with the best start, with each
+constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
 /// One point-to-plane distance: a vertex of the model against a point of the scan.
@@ -85,61 +85,71 @@ class Registration {
   }
 
   /// An upright person of the scan's stature with the arms so far aside.
-  PosedPerson start(double abduction, double sex) const {
+  PosedPerson start(double abduction) const {
     PosedPerson person;
     BodyParameters& p = person.parameters;
-    p.sex = sex;
     // Statures of children by age, roughly (5 years 1.10 m, 11 years 1.45 m).
     p.age = height_ < 1.50 ? std::clamp(5 + (height_ - 1.10) / 0.058, 3.0, 14.0) : 30;
     for (double low = 0, high = 1; high - low > 0.01;) {
       p.height = (low + high) / 2;
-      double bottom = std::numeric_limits<double>::infinity(), top = -bottom;
-      const auto rows = morph_.rows(p);
-      for (int v = 0; v < data_.body_vertices; ++v) {
-        bottom = std::min(bottom, rows[std::size_t(v)].z());
-        top = std::max(top, rows[std::size_t(v)].z());
-      }
-      (top - bottom < height_ ? low : high) = p.height;
+      auto rows = morph_.rows(p);
+      rows.resize(std::size_t(data_.body_vertices));
+      (extent(rows).second - extent(rows).first < height_ ? low : high) = p.height;
     }
-    const auto rows = morph_.rows(p);
+    auto rows = morph_.rows(p);
     const auto joints = joint_positions(data_, rows);
     Posture posture;
     posture.arm_abduction = abduction;
     posture.relaxed_arms = abduction < radians(25) ? 1 : 0;
     posture.elbow_extension = abduction > radians(60) ? 0.9 : 0.3;
     person.rotations = posture_rotations(data_, joints, posture);
-    // Feet on the floor, middle of the trunk on that of the scan.
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    for (int v = 0; v < data_.body_vertices; ++v) low = low.cwiseMin(rows[std::size_t(v)]);
-    std::vector<Vec3> model_rows(rows.begin(), rows.begin() + data_.body_vertices);
-    const auto middle = [&](const std::vector<Vec3>& points, double floor) {
-      double left = 1e9, right = -1e9, front = 1e9, back = -1e9;
-      for (const Vec3& q : points) {
-        const double z = (q.z() - floor) / height_;
-        if (z > 0.50 && z < 0.56) front = std::min(front, q.y()), back = std::max(back, q.y());
-        if (z > 0.90) left = std::min(left, q.x()), right = std::max(right, q.x());
-      }
-      return Vec3((left + right) / 2, (front + back) / 2, floor);
-    };
-    person.place.translation() = middle(scan_.vertices, 0) - middle(model_rows, low.z());
+    // Feet on the floor, trunk and head over those of the scan.
+    rows.resize(std::size_t(data_.body_vertices));
+    person.place.translation() = foot_of(scan_.vertices) - foot_of(rows);
     return person;
   }
 
   /// Takes `steps` Gauss-Newton steps; the cost of the last.
-  double improve(PosedPerson& person, int steps, bool shape, double first, double last) const {
+  double improve(PosedPerson& person, int steps, double first, double last) const {
     PersonVariables variables(data_, person);
     VectorXd x = VectorXd::Zero(variables.size());
     double cost = 0;
     for (int k = 0; k < steps; ++k) {
       const double share = steps > 1 ? double(k) / (steps - 1) : 1;
       const double scale = first * std::pow(last / first, std::min(1.0, 1.3 * share));
-      cost = step(variables, x, shape, scale);
+      cost = step(variables, x, scale);
     }
     person = variables.at(x);
     return cost;
   }
 
  private:
+  /// Lowest and highest.
+  static std::pair<double, double> extent(const std::vector<Vec3>& points) {
+    const auto by_height = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+    const auto [low, high] = std::ranges::minmax_element(points, by_height);
+    return {low->z(), high->z()};
+  }
+
+  /// The point of the floor below the middle of the head, at the middle of the hip from the side.
+  Vec3 foot_of(const std::vector<Vec3>& points) const {
+    constexpr double kHip[2] = {0.50, 0.56}, kHead = 0.90;  // of the stature
+    const double floor = extent(points).first;
+    Eigen::AlignedBox1d across, along;
+    for (const Vec3& p : points) {
+      const double z = (p.z() - floor) / height_;
+      if (z > kHip[0] && z < kHip[1]) along.extend(Eigen::Matrix<double, 1, 1>(p.y()));
+      if (z > kHead) across.extend(Eigen::Matrix<double, 1, 1>(p.x()));
+    }
+    // Surfaces without vertices there are nobody, who stands at the origin.
+    return {across.isEmpty() ? 0 : across.center().x(), along.isEmpty() ? 0 : along.center().x(),
+            floor};
+  }
+
+  double weight_of(int vertex) const {
+    return model_.segments()[std::size_t(vertex)] == Segment::hand ? kHandsCount : 1;
+  }
+
   std::vector<Vec3> rows_of(const PosedPerson& p) const { return morph_.rows(p.parameters); }
 
   Vec3 posed(const PosedPerson& p, const std::vector<Eigen::Affine3d>& bones,
@@ -153,7 +163,6 @@ class Registration {
   std::vector<Match> matches(const std::vector<Vec3>& surface, double scale) const {
     const TriangleMesh mesh{surface, coarse_};
     const auto normals = geometry::vertex_normals(surface, coarse_);
-    const auto& segment = model_.segments();
     const double reach = 3 * scale;
     std::vector<Match> found;
     // Model to scan.
@@ -162,8 +171,7 @@ class Registration {
       const ClosestPoint c =
           tree_.query(p, reach, [&](int t) { return scan_normal(t).dot(n) > kSameSide; });
       if (c.triangle < 0) continue;
-      const double weight = segment[std::size_t(v)] == Segment::hand ? kHandsCount : 1;
-      found.push_back({v, c.point, scan_normal(c.triangle), weight});
+      found.push_back({v, c.point, scan_normal(c.triangle), weight_of(v)});
     }
     // Scan to model.
     const ClosestPointTree tree(mesh);
@@ -177,9 +185,8 @@ class Registration {
       Eigen::Index nearest = 0;
       c.barycentric.maxCoeff(&nearest);
       const int v = coarse_[std::size_t(c.triangle)][std::size_t(nearest)];
-      const double weight = segment[std::size_t(v)] == Segment::hand ? kHandsCount : 1;
       // The plane is moved by as much as the vertex is from the closest point.
-      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight});
+      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight_of(v)});
     }
     return found;
   }
@@ -190,7 +197,7 @@ class Registration {
         .normalized();
   }
 
-  double step(const PersonVariables& variables, VectorXd& x, bool shape, double scale) const {
+  double step(const PersonVariables& variables, VectorXd& x, double scale) const {
     const PosedPerson now = variables.at(x);
     const auto rows = rows_of(now);
     const auto bones = pose_bones(data_, joint_positions(data_, rows), now.rotations);
@@ -214,7 +221,6 @@ class Registration {
       weight[i] = matched[std::size_t(i)].weight * robust_weight(r0[i], scale);
     MatrixXd jacobian = MatrixXd::Zero(m, n);
     for (Eigen::Index j = 0; j < n; ++j) {
-      if (variables.is_shape(int(j)) && !shape) continue;
       VectorXd y = x;
       y[j] += variables.difference(int(j));
       if (variables.clamped(y)[j] != y[j]) y[j] = x[j] - variables.difference(int(j));
@@ -266,11 +272,11 @@ RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& sca
   PosedPerson best;
   double least = std::numeric_limits<double>::infinity();
   for (const double abduction : {10.0, 42.0, 82.0}) {
-    PosedPerson person = registration.start(radians(abduction), 0.5);
-    const double cost = registration.improve(person, kUnsure, true, kFarthest[0], kFarthest[0] / 4);
+    PosedPerson person = registration.start(radians(abduction));
+    const double cost = registration.improve(person, kUnsure, kFarthest[0], kFarthest[0] / 4);
     if (cost < least) least = cost, best = person;
   }
-  registration.improve(best, kSure, true, kFarthest[0] / 4, kFarthest[1]);
+  registration.improve(best, kSure, kFarthest[0] / 4, kFarthest[1]);
   return lay_skin(model, scan, best);
 }
 

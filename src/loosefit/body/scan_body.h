@@ -7,7 +7,8 @@
 
 namespace loosefit::body {
 
-/// A body made from a scanned or foreign surface, and what had to be assumed.
+/// A body made from a scanned or foreign surface on which the model does not lie (scan_person.h),
+/// and what had to be assumed.
 struct ScanBody {
   Body body;
   std::vector<std::string> warnings;

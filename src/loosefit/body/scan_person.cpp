@@ -17,12 +17,29 @@ constexpr double kUpright = radians(5);   // people differ by that when they sta
 constexpr double kMostBent = radians(30);
 constexpr double kLevel = radians(90);  // as far aside as arms can be asked for
 
+constexpr const char* kSides[] = {"_L", "_R"};
+
+Vec3 between(const Body& body, const char* from, const char* to, const char* side) {
+  return body.joints.at(std::string(to) + side) - body.joints.at(std::string(from) + side);
+}
+
+/// Of both arms on average: upper arm to the downward vertical, in the frontal plane.
 double abduction(const Body& body) {
   double sum = 0;
-  for (const char* side : {"_L", "_R"}) {
-    const Vec3 arm = body.joints.at(std::string("elbow") + side) -
-                     body.joints.at(std::string("shoulder") + side);
+  for (const char* side : kSides) {
+    const Vec3 arm = between(body, "shoulder", "elbow", side);
     sum += std::atan2(std::abs(arm.x()), -arm.z());
+  }
+  return sum / 2;
+}
+
+/// Of both elbows on average; 0 is a straight arm.
+double elbow_bend(const Body& body) {
+  double sum = 0;
+  for (const char* side : kSides) {
+    const Vec3 upper = between(body, "shoulder", "elbow", side),
+               fore = between(body, "elbow", "wrist", side);
+    sum += std::atan2(upper.cross(fore).norm(), upper.dot(fore));
   }
   return sum / 2;
 }
@@ -33,12 +50,13 @@ double lean(const Body& body) {
   return std::atan2(-back.y(), back.z());
 }
 
-Posture nearest_posture(const Body& body, const Body& upright) {
+Posture nearest_posture(const Body& body, const Body& upright, const Body& rest) {
   Posture posture = kStanding;
+  posture.elbow_extension = std::clamp(1 - elbow_bend(body) / elbow_bend(rest), 0.0, 1.0);
   const double bend = lean(body) - lean(upright);
   if (std::abs(bend) > kUpright) posture.forward_bend = std::clamp(bend, -kMostBent, kMostBent);
   posture.arm_abduction = std::clamp(abduction(body), radians(5), kLevel);
-  if (posture.arm_abduction > kRelaxed) posture.relaxed_arms = 0, posture.elbow_extension = 0;
+  if (posture.arm_abduction > kRelaxed) posture.relaxed_arms = 0;
   return posture;
 }
 
@@ -56,7 +74,8 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
   made.body = model.build(registered.person);
   made.body.from_world = checked.from_world;
   made.parameters = std::move(registered.person.parameters);
-  made.posture = nearest_posture(made.body, model.build(made.parameters, kStanding));
+  made.posture = nearest_posture(made.body, model.build(made.parameters, kStanding),
+                                 model.build(made.parameters, model.rest_posture(made.parameters)));
   made.error = registered.error;
   made.warnings = std::move(checked.warnings);
   made.warnings.push_back(

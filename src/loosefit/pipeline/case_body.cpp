@@ -111,23 +111,32 @@ CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress
   const double aside = person->posture.arm_abduction;
   const bool open = aside >= body::kLeastOpen && aside <= body::kMostOpen;
   CaseBody result;
-  if (wished.as_scanned && open && flesh::overlaps_of(person->body).empty()) {
+  const bool folded = !flesh::overlaps_of(person->body).empty();
+  if (wished.as_scanned && open && !folded) {
     result = as_scanned(std::move(person->body), std::move(warnings));
     result.parameters = std::move(person->parameters);
     return result;
   }
+  const body::RigidMotion from_world = person->body.from_world;
   if (wished.as_scanned) {
     warnings.push_back(fmt::format(
-        "the arms of the scan are {:.0f} degrees from the trunk, where a garment cannot be put on: "
-        "the person is posed by a fitted skeleton and ends {}, legs as people stand, with both "
-        "arms so "
-        "far aside; body.posture asks for another posture",
-        degrees(aside), lean_in_words(person->posture.forward_bend)));
+        "{}: the person is posed by a fitted skeleton and ends {}, legs as people stand, with both "
+        "arms {:.0f} degrees from the trunk; body.posture asks for another posture",
+        open
+            ? "skin of the scan meets skin, and flesh has to give way there"
+            : fmt::format("the arms of the scan are {:.0f} degrees from the trunk, where a garment "
+                          "cannot be put on",
+                          degrees(aside)),
+        lean_in_words(person->posture.forward_bend), degrees(aside)));
     result = posed_person(person->parameters, person->posture,
                           body::default_dress_posture(person->posture), progress);
   } else {
     result = posed_person(person->parameters, wished.posture, wished.dress_posture, progress);
   }
+  // A pattern file placed round the scan goes with the person.
+  body::Body placed = result.body;
+  placed.from_world = from_world;
+  result.body = std::move(placed);
   result.warnings = std::move(warnings);
   return result;
 }

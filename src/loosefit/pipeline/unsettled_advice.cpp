@@ -18,6 +18,10 @@ bool cuts_arm_or_trunk(const drape::Unsettled& unsettled) {
   });
 }
 
+bool takes_a_posture(const scenario::ScenarioBody& body) {
+  return body.file.empty() || !body.as_scanned;
+}
+
 std::string more_room(const scenario::GarmentSpec& garment) {
   if (!garment.file.empty()) return "a pattern with more room there";
   if (!garment.size.empty()) return "a larger garment.size";
@@ -39,7 +43,7 @@ std::string against_cuts(const scenario::Scenario& scenario, const drape::Unsett
     ways.push_back("a smaller simulation.edge_length, which follows the skin more closely");
   ways.push_back(more_room(scenario.studied().spec));
   const bool arms = cuts_arm_or_trunk(unsettled);
-  if (scenario.body.file.empty() && scenario.postures.empty() && arms)
+  if (takes_a_posture(scenario.body) && scenario.postures.empty() && arms)
     ways.push_back("arms farther from the trunk (body.posture)");
   return "what may help: " + join(ways, "; ");
 }
@@ -55,7 +59,7 @@ std::string unsettled_advice(const scenario::Scenario& scenario, const drape::Dr
   std::string text = scenario.simulation.start_perturbation > 0
                          ? "another start may do: another simulation.seed"
                          : "another start may do: simulation.start_perturbation = 0.001";
-  if (scenario.body.file.empty()) text += ", or another body.dress_posture";
+  if (takes_a_posture(scenario.body)) text += ", or another body.dress_posture";
   return text;
 }
 
