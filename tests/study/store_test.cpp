@@ -255,6 +255,21 @@ TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {
   EXPECT_EQ(page.find("<script"), std::string::npos);
 }
 
+TEST_F(StudyOnDisk, WhereNoFitWorksTheHeadlineNamesTheNearest) {
+  const StudyFolder folder = planned("a");
+  for (const PlannedCase& one : plan.cases)
+    write_whole(
+        folder.result_file(one.address),
+        record_json(made_up(one.address, one.levels[0] > 0 && one.levels[1] == 0 ? 0.95 : 0.1)));
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
+  const std::string sentence = headlines(analysis).at(0);
+  EXPECT_NE(sentence.find("no site works for 95 % of people"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("nearest is scapula: 75 % of 4 people pass at a BGM of"),
+            std::string::npos)
+      << sentence;
+  EXPECT_EQ(study_html(analysis).find("nowhere to nowhere"), std::string::npos);
+}
+
 TEST_F(StudyOnDisk, FailedAndOpenCasesAreListedAndNotCounted) {
   const StudyFolder folder = finished("a");
   CaseRecord failed;

@@ -4,10 +4,11 @@
 
 namespace loosefit::body {
 
-/// Moves the skin of a person who nearly fits a scan onto it, by a field of shifts that is smooth
-/// over the surface and follows the scan where a point of it faces the same way nearby: elsewhere,
-/// and on hands and feet, it goes on as its neighbours do (Allen et al. 2003). The shifts are
-/// turned back into the rest posture and become BodyParameters::shift.
+/// Non-rigid registration: moves the skin of a person who nearly fits a scan, the template, onto it
+/// by a field of shifts that is smooth over the surface and follows the scan where a point of it
+/// faces the same way nearby: elsewhere, and on hands and feet, it goes on as its neighbours do
+/// (Allen et al. 2003). The shifts are turned back into the rest posture and become
+/// BodyParameters::shift.
 RegisteredPerson lay_skin(const BodyModel& model, const geometry::TriangleMesh& scan,
                           const PosedPerson& person);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "loosefit/base/quantile.h"
 #include "loosefit/io/scorecard_file.h"
@@ -156,6 +157,19 @@ ComfortLimit comfort_of(const StudyData& data) {
   return comfort;
 }
 
+/// Where and how loose most people pass, of those alike the better robust score.
+std::string nearest_in_words(const ModalityAnalysis& modality) {
+  const std::string* site = nullptr;
+  const LoosePoint* best = nullptr;
+  for (const auto& [name, answer] : modality.how_loose)
+    for (const LoosePoint& point : answer.curve)
+      if (!best || std::pair(point.passing, point.robust) > std::pair(best->passing, best->robust))
+        site = &name, best = &point;
+  if (!best || best->passing == 0) return "nobody passes anywhere";
+  return fmt::format("nearest is {}: {:.0f} % of {} people pass at a BGM of {:.2f}", *site,
+                     100 * best->passing, best->rated, best->bgm);
+}
+
 }  // namespace
 
 StudyAnalysis analyse(StudyData data) {
@@ -191,7 +205,8 @@ std::vector<std::string> headlines(const StudyAnalysis& analysis) {
                                                   : a.second.interval.low < b.second.interval.low;
         });
     if (loosest->second.limit == -std::numeric_limits<double>::infinity())
-      sentences.push_back(modality.name + ": no site works for 95 % of people at any fit tried");
+      sentences.push_back(modality.name + ": no site works for 95 % of people at any fit tried; " +
+                          nearest_in_words(modality));
     else
       sentences.push_back(modality.name + ": loosest at " + loosest->first + ", " +
                           in_words(loosest->second, analysis.options));

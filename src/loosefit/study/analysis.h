@@ -50,7 +50,8 @@ struct StudyAnalysis {
 /// All statistics of a study (docs/studies.md 5). \throws as load_scorecard.
 StudyAnalysis analyse(StudyData data);
 
-/// One sentence per modality: the site that may be loosest, or ranks first.
+/// One sentence per modality: the site that may be loosest, or ranks first; where none works, the
+/// nearest.
 std::vector<std::string> headlines(const StudyAnalysis& analysis);
 
 }  // namespace loosefit::study

@@ -52,6 +52,11 @@ std::string end_text(double limit) {
   return fixed(limit, 2);
 }
 
+std::string interval_text(const Bounds& ends) {
+  const std::string low = end_text(ends.low), high = end_text(ends.high);
+  return low == high ? low : low + " to " + high;
+}
+
 /// Sites with the loosest limit first.
 std::vector<std::pair<std::string, const HowLoose*>> by_limit(const ModalityAnalysis& modality) {
   std::vector<std::pair<std::string, const HowLoose*>> sites;
@@ -130,9 +135,7 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
   for (const auto& [site, answer] : sites) {
     const auto limiting = modality.limiting.find(site);
     table.add({site, limit_text(answer->limit, data),
-               std::isnan(answer->interval.low)
-                   ? "–"
-                   : end_text(answer->interval.low) + " to " + end_text(answer->interval.high),
+               std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
                std::isinf(answer->tightest) || answer->limit == -kInfinity
                    ? "–"
                    : fixed(answer->tightest, 2),
