@@ -103,7 +103,7 @@ TEST(CloseSeams, SewnItCutsNothingOfItselfAndFewSeamsAreOpen) {
   const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
   const garment::OpenSeams open = garment::open_seams(sewn);
   const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
-  const ClosedSeams closed = close_seams(sewn, open, panels.x, panels.outside, woman(), 3);
+  const ClosedSeams closed = close_seams(sewn, open, panels, woman(), 3);
   EXPECT_EQ(closed.cuts, 0);
   EXPECT_TRUE(geometry::self_intersections(closed.x, sewn.triangles).empty());
   EXPECT_LT(closed.gap, 0.03);
@@ -155,7 +155,7 @@ TEST(ArrangePanels, ASleeveInOnePieceIsRolledRoundTheArm) {
       return (p - on_arm).dot(n) > 0.03;
     })) << i;
   }
-  const ClosedSeams closed = close_seams(sewn, open, panels.x, panels.outside, woman(), 3);
+  const ClosedSeams closed = close_seams(sewn, open, panels, woman(), 3);
   EXPECT_EQ(closed.cuts, 0);
   EXPECT_LT(closed.gap, 0.03);
 }

@@ -83,5 +83,17 @@ TEST(CarryWithScan, APatternForABodyOverTheOriginStays) {
   EXPECT_EQ(made.corner(0, 2), wanted.corner(0, 2));
 }
 
+TEST(CarryWithScan, APatternThatLiesStraightOverTheOriginStays) {
+  // Scanned a little aside and turned by 10 degrees: the box of the panels is round the scan, too.
+  Fitting wanted(Vec3(0.1, 0.05, 0), false);
+  wanted.body.from_world.linear() = Eigen::AngleAxisd(radians(10), Vec3::UnitZ()).matrix();
+  Fitting made = wanted;
+  std::vector<std::string> warnings;
+  carry_with_scan(made.pattern, made.body, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("over the origin"), std::string::npos) << warnings[0];
+  EXPECT_EQ(made.corner(0, 2), wanted.corner(0, 2));
+}
+
 }  // namespace
 }  // namespace loosefit::pipeline

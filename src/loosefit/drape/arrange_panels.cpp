@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/rolled_sleeve.h"
+#include "loosefit/drape/sleeve_middle.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/rotation_between.h"
 
@@ -26,12 +28,14 @@ constexpr double kFromAxis =
     0.04;                       ///< of a panel of a sleeve from the line of the arm, at least [m]
 constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
 constexpr int kSteps = 30;      ///< at most
-constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies beside the body
-constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
-constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
-constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
-constexpr double kFromHands = 0.04;    ///< of a skirt that is sewn, from the hands [m]
-constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
+constexpr double kSideways = 0.5;     ///< |n_y| below which a panel lies beside the body
+constexpr double kOffMiddle = 0.03;   ///< centre of a panel that lies to one side [m]
+constexpr double kAboveAnkle = 0.04;  ///< of a trouser leg that is sewn, above the ankle [m]
+constexpr double kForTheChest = 0.9;  ///< of the chest's girth, from which a tube may go round it
+constexpr double kFromHands = 0.04;   ///< of a skirt that is sewn, from the hands [m]
+constexpr double kBesideBody = 0.03;  ///< of a skirt that is sewn, from the outside of the legs [m]
+constexpr double kSlice = 0.03;       ///< of height, by which widths are compared [m]
+constexpr double kShortest = 0.05;    ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
 
@@ -68,6 +72,7 @@ class Arranger {
         along_leg(*crotch + shift.z(), -1, "_R");
       }
       between_the_hands();
+      round_the_body();
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
@@ -75,7 +80,9 @@ class Arranger {
     } else {
       for (std::size_t k = 0; k < outside_.size(); ++k) clear_along_normal(static_cast<int>(k));
     }
-    return {std::move(x_), std::move(outside_)};
+    std::vector<char> of_trunk(outside_.size(), 0);
+    for (std::size_t k = 0; k < roles_.size(); ++k) of_trunk[k] = roles_[k] == PanelRole::trunk;
+    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams()};
   }
 
  private:
@@ -108,6 +115,36 @@ class Arranger {
     return sum;
   }
 
+  /// Vertices of the trunk at its armholes: seams to sleeves, and openings for arms.
+  std::vector<int> armholes() const {
+    std::vector<int> holes = armhole(PanelRole::left_arm, true);
+    const std::vector<int> right = armhole(PanelRole::right_arm, true);
+    holes.insert(holes.end(), right.begin(), right.end());
+    for (kinds::OpeningUse use : {kinds::OpeningUse::left_arm, kinds::OpeningUse::right_arm}) {
+      const std::set<int> loop = loop_of(use);
+      for (int v = 0; v < g_.vertex_count; ++v)
+        if (role(v) == PanelRole::trunk && loop.count(open_.sewn[v])) holes.push_back(v);
+    }
+    return holes;
+  }
+
+  /// Vertices of seams between panels with armholes that lie above the middle of these.
+  std::vector<int> shoulder_seams() const {
+    if (roles_.empty()) return {};
+    const std::vector<int> holes = armholes();
+    if (holes.empty()) return {};
+    const double middle = mean(holes, placed_).z();
+    std::set<int> with_armhole;
+    for (int v : holes) with_armhole.insert(g_.vertex_panel[v]);
+    std::vector<int> found;
+    for (const std::vector<int>& of : open_.partners)
+      if (std::all_of(of.begin(), of.end(), [&](int v) {
+            return with_armhole.count(g_.vertex_panel[v]) && placed_[v].z() > middle;
+          }))
+        found.insert(found.end(), of.begin(), of.end());
+    return found;
+  }
+
   // --- where the trunk's panels go
 
   Vec3 trunk_shift() const {
@@ -127,16 +164,8 @@ class Arranger {
   }
 
   std::optional<double> rise_to_shoulders() const {
-    // Panels with an armhole: the seam to a sleeve, or an arm's opening.
     std::set<int> with_armhole;
-    for (PanelRole arm : {PanelRole::left_arm, PanelRole::right_arm})
-      for (int v : armhole(arm, true)) with_armhole.insert(g_.vertex_panel[v]);
-    for (kinds::OpeningUse use : {kinds::OpeningUse::left_arm, kinds::OpeningUse::right_arm}) {
-      const std::set<int> loop = loop_of(use);
-      for (int v = 0; v < g_.vertex_count; ++v)
-        if (role(v) == PanelRole::trunk && loop.count(open_.sewn[v]))
-          with_armhole.insert(g_.vertex_panel[v]);
-    }
+    for (int v : armholes()) with_armhole.insert(g_.vertex_panel[v]);
     if (with_armhole.empty()) return {};
     int top = -1;
     for (int v = 0; v < g_.vertex_count; ++v)
@@ -285,6 +314,44 @@ class Arranger {
     }
   }
 
+  /// Below the armholes, panels that are narrower than the body with its legs apart are stretched
+  /// sideways until their edges lie beside it: threads draw straight, and would draw a seam between
+  /// the legs. They contract round them. Garments with legs are none of its business.
+  void round_the_body() {
+    if (!loop_of(kinds::OpeningUse::left_leg).empty() ||
+        !loop_of(kinds::OpeningUse::right_leg).empty())
+      return;
+    const RestLevels levels(body_);
+    const double middle = body_->joints.at("neck").x();
+    const auto slice = [](double z) { return static_cast<int>(std::floor(z / kSlice)); };
+    std::map<int, double> body, cloth;  // half widths by slice of height [m]
+    for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i) {
+      const Vec3& p = body_->surface.vertices[i];
+      if (is_arm_segment(i) || p.z() > levels.waist) continue;
+      double& half = body[slice(p.z())];
+      half = std::max(half, std::abs(p.x() - middle));
+    }
+    for (int v = 0; v < g_.vertex_count; ++v) {
+      if (role(v) != PanelRole::trunk || x_[v].z() > levels.waist) continue;
+      double& half = cloth[slice(x_[v].z())];
+      half = std::max(half, std::abs(x_[v].x() - middle));
+    }
+    // Slices that hold no vertex of either, and their neighbours', as wide as the widest near them.
+    const auto widest = [](const std::map<int, double>& of, int k) {
+      double most = 0;
+      for (int j = k - 1; j <= k + 1; ++j)
+        if (const auto found = of.find(j); found != of.end()) most = std::max(most, found->second);
+      return most;
+    };
+    for (int v = 0; v < g_.vertex_count; ++v) {
+      if (role(v) != PanelRole::trunk || x_[v].z() > levels.waist) continue;
+      const int k = slice(x_[v].z());
+      const double has = widest(cloth, k), wants = widest(body, k) + kBesideBody;
+      if (has > 0 && wants > kBesideBody && has < wants)
+        x_[v].x() = middle + wants / has * (x_[v].x() - middle);
+    }
+  }
+
   // --- arms
 
   void along_arm(PanelRole arm, const std::string& side) {
@@ -315,11 +382,13 @@ class Arranger {
     const double start = body_arm.project_on_first(mean(trunk, x_)) + kBeyond;
     std::set<int> panels;
     for (int v : of) panels.insert(g_.vertex_panel[v]);
+    const Vec3 sideways = axis.cross(outside_[*panels.begin()]).normalized();
+    const SleeveMiddle middle(of, placed_, from, axis, sideways);
     for (int v : of) {
       const Vec3 off = placed_[v] - from;
       const double s = off.dot(axis);
       const Polyline::Place at = body_arm.at(start + s - begin);
-      Vec3 across = off - s * axis;
+      Vec3 across = off - s * axis - middle.at(s) * sideways;
       // Panels lie off the line of the arm, each on its side.
       const Vec3& n = outside_[g_.vertex_panel[v]];
       const double depth = across.dot(n);

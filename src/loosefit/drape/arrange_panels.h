@@ -13,6 +13,10 @@ struct ArrangedPanels {
   /// Per panel of open.garment: unit normal of its outside; zero of one that is rolled round a
   /// limb, whose triangles have normals of their own.
   std::vector<Vec3> outside;
+  std::vector<char> of_trunk;  ///< per panel
+  /// Vertices at which a wearer would hold the garment up: those of seams between panels with
+  /// armholes, above these.
+  std::vector<int> shoulders;
 };
 
 /// Arranges the panels of a garment round this body, whatever body and posture their placement was
@@ -27,7 +31,8 @@ struct ArrangedPanels {
 /// * panels of an arm (panel_roles) go with the arm, bent as it is: along its line, their armhole
 ///   next to that of the trunk;
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
-/// * what is wider than the way between the hands is squeezed to lie between them;
+/// * what is wider than the way between the hands is squeezed to lie between them, what is narrower
+///   than the body below its waist is stretched to lie round it;
 /// * then every panel moves along its outside normal until it is clear of the body.
 ///
 /// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws

@@ -129,6 +129,13 @@ struct FollowTuning {
   double layers_deviation = 0.002;
   /// Depth in the skin after a step for which it is halved [m]; F.
   double deepest = 0.012;
+  /// The same in thin limbs: a step is halved when cloth comes to lie deeper than this part of the
+  /// way to the middle of the limb, 1/(1 + limb_share) [–]; hands are 25 mm thick, and of cloth 8
+  /// mm deep in one some came out on the other side. Only cloth deeper than `shallow` [m] is asked,
+  /// and such as the step takes `deeper` than it lies [m].
+  double limb_share = 2;
+  double shallow = 0.002;
+  double deeper = 0.001;
   /// Depth in the skin near rest at which the cloth counts as caught between folds of skin [m];
   /// F, "Given up".
   double caught_depth = 0.005;

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <limits>
 
 namespace loosefit::pipeline {
@@ -36,6 +38,22 @@ Box box_of_panels(const pattern::Pattern& pattern, const body::RigidMotion& moti
   return box;
 }
 
+/// How far panels lie beside the middle of the person, in whose frame all is, or are turned against
+/// her [m].
+double misfit(const pattern::Pattern& pattern, const body::RigidMotion& motion, const Box& person) {
+  const Box panels = box_of_panels(pattern, motion);
+  const double aside = 0.5 * (panels.lower + panels.upper - person.lower - person.upper).x();
+  // Panels lie before, behind and beside a person: four directions that count as one.
+  std::complex<double> sum = 0;
+  for (const pattern::Panel& panel : pattern.panels) {
+    const Vec3 n = motion.linear() * panel.rotation.col(2);
+    sum += std::pow(std::complex<double>(n.x(), n.y()), 4);
+  }
+  constexpr double kArm = 0.3;  // at which a turn counts as a shift [m]
+  const double turn = std::abs(sum) > 1e-9 ? std::arg(sum) / 4 : 0;
+  return std::abs(aside) + kArm * std::abs(turn);
+}
+
 }  // namespace
 
 void carry_with_scan(pattern::Pattern& pattern, const body::Body& body,
@@ -49,15 +67,20 @@ void carry_with_scan(pattern::Pattern& pattern, const body::Body& body,
   const double moved = common_share(box_of_panels(pattern, motion), person);
   const double unmoved =
       common_share(box_of_panels(pattern, body::RigidMotion::Identity()), person);
-  if (moved < kRound && unmoved >= kRound) {
-    warnings.push_back(
-        "the panels are not round the scan in the coordinates of its file: they are taken as "
-        "placed for a person who stands over the origin");
+  const bool either = moved >= kRound && unmoved >= kRound;
+  const bool lies_better =
+      either && misfit(pattern, body::RigidMotion::Identity(), person) + kShift <
+                    misfit(pattern, motion, person);
+  if ((moved < kRound && unmoved >= kRound) || lies_better) {
+    warnings.push_back(fmt::format(
+        "the panels are not {} the scan in the coordinates of its file: they are taken as placed "
+        "for a person who stands over the origin",
+        lies_better ? "straight before and behind" : "round"));
     return;
   }
   const double turned = degrees(Eigen::AngleAxisd(motion.linear()).angle());
   const double shift = motion.translation().head<2>().norm();
-  if (moved >= kRound && unmoved >= kRound && (turned > kTurn || shift > kShift))
+  if (either && (turned > kTurn || shift > kShift))
     warnings.push_back(fmt::format(
         "the panels are carried with the scan (turned by {:.0f} degrees, moved by {:.2f} m "
         "over the floor), but are round a person over the origin too: if they lie back to front "

@@ -23,10 +23,12 @@ constexpr double kShear = 10;      ///< [N/m per rad]
 constexpr double kBending = 2e-5;  ///< [N m]
 constexpr double kThread = 5000;   ///< stiffness of threads per length of seam [N/m²]
 constexpr double kReach = 0.005;   ///< gap from which they pull with all their force [m]
+constexpr double kLift = 2;        ///< that holds shoulders up, per length of seam [N/m]
 constexpr double kPad = 0.008;     ///< distance at which the skin begins to press [m]
 constexpr double kSkin = 5e5;      ///< how hard [Pa/m]
 constexpr double kField = 0.010;   ///< spacing of the field of distances [m]
 constexpr double kClosed = 0.002;  ///< gap at which a seam counts as closed [m]
+constexpr double kInLimb = 0.006;  ///< depth at which a closed seam goes through a limb [m]
 constexpr double kTolerance = 20;  ///< residual ‖F‖/‖W‖ [–]
 constexpr int kIterations = 250;
 constexpr double kFirstDt = 0.01;      ///< [s]
@@ -49,6 +51,21 @@ double mean_edge(const garment::Garment& g) {
   for (const auto& uv : g.triangle_uv)
     for (int k = 0; k < 3; ++k) sum += (uv[k] - uv[(k + 1) % 3]).norm();
   return sum / (3.0 * static_cast<double>(g.triangle_uv.size()));
+}
+
+/// Triangles in the plane [m]: those of the trunk as arranged, stretched or squeezed to go round
+/// the body, a shape that they keep until the seams are closed; others as cut.
+std::vector<std::array<Vec2, 3>> sewn_shape(const garment::Garment& g,
+                                            const ArrangedPanels& panels) {
+  std::vector<std::array<Vec2, 3>> flat = g.triangle_uv;
+  for (std::size_t t = 0; t < flat.size(); ++t) {
+    if (!panels.of_trunk[g.triangle_panel[t]]) continue;
+    const auto& [a, b, c] = g.triangles[t];
+    const Vec3 along = panels.x[b] - panels.x[a], to = panels.x[c] - panels.x[a];
+    const Vec3 u = along.normalized();
+    flat[t] = {Vec2(0, 0), Vec2(along.norm(), 0), Vec2(to.dot(u), (to - to.dot(u) * u).norm())};
+  }
+  return flat;
 }
 
 std::vector<Vec3> welded(const garment::Garment& sewn, const garment::OpenSeams& open,
@@ -106,23 +123,25 @@ void smooth_cuts(const garment::Garment& sewn, const geometry::ClosestPointTree&
 }  // namespace
 
 ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& open,
-                        std::vector<Vec3> x, const std::vector<Vec3>& outside,
-                        const body::PosedBody& body, double pull) {
+                        const ArrangedPanels& panels, const body::PosedBody& body, double pull) {
   const garment::Garment& g = open.garment;
+  std::vector<Vec3> x = panels.x;
   const fabric::Material material = soft(sewn.mass / sewn.area);
-  fabric::MembraneEnergy membrane(g.triangles, g.triangle_uv,
+  const auto arranged = sewn_shape(g, panels);
+  fabric::MembraneEnergy membrane(g.triangles, arranged,
                                   std::vector<double>(g.triangles.size(), 1.0), material);
-  fabric::BendingEnergy bending(g.triangles, g.triangle_uv,
-                                std::vector<double>(g.triangles.size(), 0.0), material);
+  fabric::BendingEnergy bending(g.triangles, arranged, std::vector<double>(g.triangles.size(), 0.0),
+                                material);
   std::vector<double> area;
   particles::VectorField forces(x.size(), Vec3::Zero());
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
-    area.push_back(geometry::flat_area(g.triangle_uv[t]));
+    area.push_back(geometry::flat_area(arranged[t]));
     const auto& [a, b, c] = g.triangles[t];
-    Vec3 normal = outside[g.triangle_panel[t]];
+    Vec3 normal = panels.outside[g.triangle_panel[t]];
     if (normal.isZero()) normal = (x[b] - x[a]).cross(x[c] - x[a]).normalized();
     for (int v : g.triangles[t]) forces[v] += pull * area[t] / 3 * normal;
   }
+  for (int v : panels.shoulders) forces[v].z() += kLift * mean_edge(g);
   particles::DeadLoad outwards;
   outwards.set_forces(forces);
   contact::BodyContact contact(contact::contact_points(g.triangles, area, g.vertex_count, kPad),
@@ -146,6 +165,10 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   closed.iterations = outcome.work.iterations;
   closed.gap = widest_gap(open.partners, x);
   closed.x = welded(sewn, open, x);
+  double deepest = kInLimb;
+  for (int v = 0; v < sewn.vertex_count; ++v)
+    if (const double depth = -body.tree().signed_distance(closed.x[v]); depth > deepest)
+      deepest = depth, closed.in_limb = v;
   smooth_cuts(sewn, body.tree(), closed);
   return closed;
 }

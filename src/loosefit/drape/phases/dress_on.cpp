@@ -33,8 +33,9 @@ void lay_round_body(ClothState& state) {
   for (int l = 0; l < state.layer_count(); ++l) {
     const garment::Garment& garment = state.garment(l);
     const pattern::Pattern& pattern = state.layers[l].garment->pattern;
-    const auto sew = [&garment, &pattern](const body::PosedBody& wearer) {
-      return sew_on(garment, pattern, wearer);
+    const bool has_wider = state.wide_path && state.attempts[RecoveryKind::wide_posture] == 0;
+    const auto sew = [&garment, &pattern, has_wider](const body::PosedBody& wearer) {
+      return sew_on(garment, pattern, wearer, has_wider);
     };
     to_dress.push_back({&garment, kinds::garment_kind(pattern.kind).lay, sew});
   }

@@ -26,6 +26,49 @@ struct Move {
   bool blocked = false;  ///< the cloth cannot go along
 };
 
+/// Whether a place lies in the skin by more than a part of the way to the middle of the limb: from
+/// there on some of the cloth would be pushed out on the other side. `depth` receives how deep [m].
+bool is_far_in_limb(const geometry::ClosestPointTree& skin, const Vec3& p,
+                    const FollowTuning& tuning, double& depth) {
+  geometry::ClosestPoint hit;
+  depth = -skin.signed_distance(p, &hit);
+  if (depth < tuning.shallow) return false;
+  // Towards the middle the depth grows as fast as one goes in, and from there on falls.
+  const Vec3 inward = p + tuning.limb_share * (p - hit.point);
+  return -skin.signed_distance(inward) < (1 + 0.75 * tuning.limb_share) * depth;
+}
+
+/// Whether the move would press a vertex or the middle of an edge so deep into a limb that it might
+/// come out on the other side, deeper than it lies now.
+bool presses_through(const ClothState& state, const Move& move) {
+  const FollowTuning& tuning = state.tuning.follow;
+  const geometry::ClosestPointTree &skin = move.body.tree(), &now = state.body->body.tree();
+  const auto far_in = [&](const Vec3& after, const Vec3& before) {
+    double depth = 0;
+    return is_far_in_limb(skin, after, tuning, depth) &&
+           depth > -now.signed_distance(before) + tuning.deeper;
+  };
+  const auto any = [&](std::size_t count, const auto& is_one) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count), false,
+        [&](const auto& range, bool found) {
+          for (std::size_t i = range.begin(); i < range.end() && !found; ++i) found = is_one(i);
+          return found;
+        },
+        [](bool a, bool b) { return a || b; });
+  };
+  const std::vector<Triangle>& triangles = state.triangles();
+  return any(state.x.size(), [&](std::size_t i) { return far_in(move.x[i], state.x[i]); }) ||
+         any(triangles.size(), [&](std::size_t t) {
+           for (int k = 0; k < 3; ++k) {
+             const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+             if (a > b && far_in(0.5 * (move.x[a] + move.x[b]), 0.5 * (state.x[a] + state.x[b])))
+               return true;
+           }
+           return false;
+         });
+}
+
 Move plan_move(const ClothState& state, const body::PosedBody& to) {
   const FollowTuning& tuning = state.tuning.follow;
   ClothModel& model = *state.model;
@@ -46,7 +89,8 @@ Move plan_move(const ClothState& state, const body::PosedBody& to) {
   // other have little room, and would be taken along like one rigid piece: shorter steps, and
   // settling makes room anew.
   move.blocked = state.is_single() ? !(share >= tuning.free_share &&
-                                       depth_in_skin(move.x, move.body) <= tuning.deepest)
+                                       depth_in_skin(move.x, move.body) <= tuning.deepest &&
+                                       !presses_through(state, move))
                                    : !(share >= tuning.layers_free_share &&
                                        largest_distance(carried, free) <= tuning.layers_deviation);
   return move;
