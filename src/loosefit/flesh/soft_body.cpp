@@ -68,7 +68,10 @@ std::vector<Vec3> SoftBody::built(const body::Posture& posture) const {
 const SoftBody::CachedDisplacement& SoftBody::nearest(const body::Posture& posture) {
   if (cached_.empty()) {
     cached_.push_back({model_.rest_posture(parameters_), {}, {}});
-    rest_ = built(cached_.front().posture);
+    const body::Body rest = model_.build(parameters_, cached_.front().posture);
+    rest_ = rest.surface.vertices;
+    const auto overlaps = overlaps_of(rest);
+    overlaps_at_rest_ = {overlaps.begin(), overlaps.end()};
   }
   const auto turn = [&](const CachedDisplacement& cached) {
     return turn_between(cached.posture, posture);
@@ -109,7 +112,7 @@ body::PosedBody SoftBody::in(const body::Posture& posture, Progress* progress) {
 }
 
 void SoftBody::merge_cache(const SoftBody& copy) {
-  if (cached_.empty()) rest_ = copy.rest_;
+  if (cached_.empty()) rest_ = copy.rest_, overlaps_at_rest_ = copy.overlaps_at_rest_;
   const auto is_cached = [&](const body::Posture& posture) {
     return std::any_of(cached_.begin(), cached_.end(),
                        [&](const CachedDisplacement& cached) { return cached.posture == posture; });
@@ -124,6 +127,12 @@ void SoftBody::merge_cache(const SoftBody& copy) {
   }
 }
 
+bool SoftBody::is_free(const body::Body& body) const {
+  const auto overlaps = overlaps_of(body);
+  return std::all_of(overlaps.begin(), overlaps.end(),
+                     [&](const auto& pair) { return overlaps_at_rest_.count(pair) > 0; });
+}
+
 body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   body::Body stiff = model_.build(parameters_, posture);
   const auto overlaps = overlaps_of(stiff);
@@ -133,14 +142,14 @@ body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   CachedDisplacement there =
       led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
   body::Body body = moved(stiff, there);
-  bool free = overlaps_of(body).empty();
+  bool free = is_free(body);
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const CachedDisplacement rest = cached_.front();
     there =
         led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
     body = moved(stiff, there);
-    free = overlaps_of(body).empty();
+    free = is_free(body);
   }
   if (free) cached_.push_back(std::move(there));
   return body;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -67,11 +68,15 @@ class SoftBody {
                               Progress* progress) const;
   static body::Body moved(body::Body body, const CachedDisplacement& cached);
   std::vector<Vec3> built(const body::Posture& posture) const;
+  /// Whether nothing overlaps but what does at rest, which no way from there can part.
+  bool is_free(const body::Body& body) const;
 
   const body::BodyModel& model_;
   body::BodyParameters parameters_;
   std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
-  /// Without overlaps but for the first, the rest posture.
+  /// There, in creases that the shape of the body itself folds: shoulders of the old, for one.
+  std::set<std::pair<int, int>> overlaps_at_rest_;
+  /// Without overlaps but for those at rest; the first is the rest posture.
   std::vector<CachedDisplacement> cached_;
   /// The first answers: donnings follow each other through the same postures.
   std::vector<std::pair<body::Posture, body::RememberedBody>> remembered_;
