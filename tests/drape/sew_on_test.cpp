@@ -10,10 +10,13 @@
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/phases/close_seams.h"
 #include "loosefit/drape/worn.h"
+#include "loosefit/dress/no_room.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/pattern/place_pieces.h"
+#include "support/body_fixture.h"
 #include "support/placed_top.h"
+#include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 #include "support/unsewn_garments.h"
 
@@ -110,6 +113,53 @@ TEST(CloseSeams, SewnItCutsNothingOfItselfAndFewSeamsAreOpen) {
   int inside = 0;
   for (const Vec3& p : closed.x) inside += woman().tree().signed_distance(p) < -0.003;
   EXPECT_LT(inside, sewn.vertex_count / 100);
+}
+
+TEST(CloseSeams, ASkirtNarrowerThanTheLegsAreApartIsSewnRoundBothOfThem) {
+  // To below the knees, with a hem that would have to stretch by a third.
+  const testing_support::Levels levels = testing_support::levels_of(woman());
+  const pattern::Pattern pattern = testing_support::skirt(levels, 1.05, 0.85, 0.62, 2);
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const garment::OpenSeams open = garment::open_seams(sewn);
+  const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+  const ClosedSeams closed = close_seams(sewn, open, panels, woman(), 3);
+  EXPECT_FALSE(closed.in_limb);
+  EXPECT_LT(closed.gap, 0.01);
+}
+
+TEST(SewOn, ASeamThatWouldGoThroughALimbIsNoRoomWhileThereAreWiderPostures) {
+  // Arms that hang into a flared skirt of four gores.
+  static const body::PosedBody hanging = support::standing(support::adult_parameters(), 20);
+  const testing_support::Levels levels = testing_support::levels_of(hanging);
+  const pattern::Pattern pattern = testing_support::skirt(levels, 1.05, 2, 0.6, 4);
+  const garment::Garment sewn = garment::assemble(pattern, 0.04, fabric::Material{});
+  EXPECT_THROW(sew_on(sewn, pattern, hanging, true), dress::NoRoom);
+  EXPECT_EQ(sew_on(sewn, pattern, hanging, false).size(), std::size_t(sewn.vertex_count));
+}
+
+TEST(SewOn, HandsThatComeDownPushASkirtAsideAndDoNotPassThroughIt) {
+  const body::BodyParameters parameters = support::adult_parameters();
+  const testing_support::Levels levels = testing_support::levels_of(woman());
+  const pattern::Pattern pattern = testing_support::skirt(levels, 1.0, 2.2, 0.5, 2);
+  fabric::Material material;
+  material.bending_warp = material.bending_weft = 5e-6;
+  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.02, material);
+  const body::BodyPath path = [&](double share) {
+    return body_model().build(parameters, body::blend(body::kArmsApart, body::kStanding, share));
+  };
+  Progress silent;
+  const Drape drape = drape_garment(garment, material, path, DrapeOptions{}, silent);
+  EXPECT_TRUE(drape.certificate.settled()) << drape.certificate.stop_reason;
+  const garment::Garment& mesh = garment.finest();
+  double most = 0;  // stretch of an edge
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Triangle& c = mesh.triangles[t];
+      const double flat = (mesh.triangle_uv[t][k] - mesh.triangle_uv[t][(k + 1) % 3]).norm();
+      most =
+          std::max(most, (drape.positions[c[k]] - drape.positions[c[(k + 1) % 3]]).norm() / flat);
+    }
+  EXPECT_LT(most, 1.3);  // round a hand it was 3
 }
 
 /// Sewn by what its pieces are and placed by nobody: its pieces lie at the origin.

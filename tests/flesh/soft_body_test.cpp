@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "loosefit/base/error.h"
+#include "loosefit/body/body_fit.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/body_fixture.h"
@@ -92,6 +95,28 @@ TEST(SoftBody, ArmsOverheadFoldTheShouldersWithoutPassingThroughThem) {
   ASSERT_GT(overlaps(body_model().build(woman(), overhead)), 0);
   SoftBody person(body_model(), woman());
   EXPECT_EQ(overlaps(person.in(overhead)), 0);
+}
+
+TEST(SoftBody, WhatOverlapsAtRestDoesNotKeepTheRestOfTheFleshFromGivingWay) {
+  // Creases of old shoulders pass through each other in the rest posture already.
+  body::BodySpec spec;
+  spec.sex = 0, spec.age = 70, spec.height = 1.60;
+  spec.measurements = {{"chest", 1.04}, {"waist", 0.94}, {"hip", 1.08}};
+  const body::BodyParameters old = body::fit_body(body_model(), spec).parameters;
+  SoftBody person(body_model(), old);
+  const body::Body rest = body_model().build(old, body_model().rest_posture(old));
+  const auto at_rest = overlaps_of(rest);
+  ASSERT_FALSE(at_rest.empty());
+  const std::set<std::pair<int, int>> known(at_rest.begin(), at_rest.end());
+  const body::Posture hanging{radians(8), 0, 0};
+  int built = 0;
+  for (const auto& pair : overlaps_of(body_model().build(old, hanging)))
+    built += !known.count(pair);
+  ASSERT_GT(built, 0);
+  // The second is reached from the first.
+  for (const body::Posture& posture : {hanging, body::Posture{radians(10), 0, 0}})
+    for (const auto& pair : overlaps_of(person.in(posture)))
+      EXPECT_TRUE(known.count(pair)) << pair.first << " " << pair.second;
 }
 
 TEST(SoftBody, PosturesOutOfRangeAreRefused) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -14,6 +13,7 @@
 #include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/rolled_sleeve.h"
+#include "loosefit/drape/skirt_width.h"
 #include "loosefit/drape/sleeve_middle.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/rotation_between.h"
@@ -28,14 +28,11 @@ constexpr double kFromAxis =
     0.04;                       ///< of a panel of a sleeve from the line of the arm, at least [m]
 constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
 constexpr int kSteps = 30;      ///< at most
-constexpr double kSideways = 0.5;     ///< |n_y| below which a panel lies beside the body
-constexpr double kOffMiddle = 0.03;   ///< centre of a panel that lies to one side [m]
-constexpr double kAboveAnkle = 0.04;  ///< of a trouser leg that is sewn, above the ankle [m]
-constexpr double kForTheChest = 0.9;  ///< of the chest's girth, from which a tube may go round it
-constexpr double kFromHands = 0.04;   ///< of a skirt that is sewn, from the hands [m]
-constexpr double kBesideBody = 0.03;  ///< of a skirt that is sewn, from the outside of the legs [m]
-constexpr double kSlice = 0.03;       ///< of height, by which widths are compared [m]
-constexpr double kShortest = 0.05;    ///< of a leg that is one [m]
+constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies beside the body
+constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
+constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
+constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
+constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
 constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
 
@@ -71,8 +68,11 @@ class Arranger {
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
       }
-      between_the_hands();
-      round_the_body();
+      const std::vector<int> trunk = trunk_vertices();
+      squeeze_between_hands(x_, trunk, body_);
+      if (loop_of(kinds::OpeningUse::left_leg).empty() &&
+          loop_of(kinds::OpeningUse::right_leg).empty())
+        stretch_round_body(x_, trunk, body_);
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
@@ -86,6 +86,13 @@ class Arranger {
   }
 
  private:
+  std::vector<int> trunk_vertices() const {
+    std::vector<int> found;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (role(v) == PanelRole::trunk) found.push_back(v);
+    return found;
+  }
+
   PanelRole role(int v) const { return roles_[g_.vertex_panel[v]]; }
 
   /// Vertices of one side of an armhole: the trunk's where `of_trunk`, otherwise the sleeve's.
@@ -288,70 +295,6 @@ class Arranger {
     }
   }
 
-  // --- skirts
-
-  /// Panels that are wider than the way between the hands are squeezed sideways from the waist down
-  /// to the wrists and below, so that they are sewn between the hands and not round them. They
-  /// spread by themselves.
-  void between_the_hands() {
-    const auto& joints = body_->joints;
-    const RestLevels levels(body_);
-    const double wrist = 0.5 * (joints.at("wrist_L").z() + joints.at("wrist_R").z());
-    const double middle = joints.at("neck").x();
-    double room = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i)
-      if (is_arm_segment(i) && body_->surface.vertices[i].z() < levels.waist)
-        room = std::min(room, std::abs(body_->surface.vertices[i].x() - middle) - kFromHands);
-    double widest = 0;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (role(v) == PanelRole::trunk && x_[v].z() < levels.waist)
-        widest = std::max(widest, std::abs(x_[v].x() - middle));
-    if (!(room > 0 && widest > room) || !(levels.waist > wrist)) return;
-    for (int v = 0; v < g_.vertex_count; ++v) {
-      if (role(v) != PanelRole::trunk) continue;
-      const double down = std::clamp((levels.waist - x_[v].z()) / (levels.waist - wrist), 0.0, 1.0);
-      x_[v].x() = middle + (1 - (1 - room / widest) * down) * (x_[v].x() - middle);
-    }
-  }
-
-  /// Below the armholes, panels that are narrower than the body with its legs apart are stretched
-  /// sideways until their edges lie beside it: threads draw straight, and would draw a seam between
-  /// the legs. They contract round them. Garments with legs are none of its business.
-  void round_the_body() {
-    if (!loop_of(kinds::OpeningUse::left_leg).empty() ||
-        !loop_of(kinds::OpeningUse::right_leg).empty())
-      return;
-    const RestLevels levels(body_);
-    const double middle = body_->joints.at("neck").x();
-    const auto slice = [](double z) { return static_cast<int>(std::floor(z / kSlice)); };
-    std::map<int, double> body, cloth;  // half widths by slice of height [m]
-    for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i) {
-      const Vec3& p = body_->surface.vertices[i];
-      if (is_arm_segment(i) || p.z() > levels.waist) continue;
-      double& half = body[slice(p.z())];
-      half = std::max(half, std::abs(p.x() - middle));
-    }
-    for (int v = 0; v < g_.vertex_count; ++v) {
-      if (role(v) != PanelRole::trunk || x_[v].z() > levels.waist) continue;
-      double& half = cloth[slice(x_[v].z())];
-      half = std::max(half, std::abs(x_[v].x() - middle));
-    }
-    // Slices that hold no vertex of either, and their neighbours', as wide as the widest near them.
-    const auto widest = [](const std::map<int, double>& of, int k) {
-      double most = 0;
-      for (int j = k - 1; j <= k + 1; ++j)
-        if (const auto found = of.find(j); found != of.end()) most = std::max(most, found->second);
-      return most;
-    };
-    for (int v = 0; v < g_.vertex_count; ++v) {
-      if (role(v) != PanelRole::trunk || x_[v].z() > levels.waist) continue;
-      const int k = slice(x_[v].z());
-      const double has = widest(cloth, k), wants = widest(body, k) + kBesideBody;
-      if (has > 0 && wants > kBesideBody && has < wants)
-        x_[v].x() = middle + wants / has * (x_[v].x() - middle);
-    }
-  }
-
   // --- arms
 
   void along_arm(PanelRole arm, const std::string& side) {
@@ -471,7 +414,7 @@ class Arranger {
     double farthest = -std::numeric_limits<double>::infinity();
     const bool beside = std::abs(n.y()) < kSideways;
     for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i) {
-      if (beside && is_arm_segment(i)) continue;
+      if (beside && is_of_arm(body_.body(), i)) continue;
       const Vec3& p = body_->surface.vertices[i];
       if (box.contains(Vec2(p.dot(u), p.dot(w)))) farthest = std::max(farthest, p.dot(n));
     }
@@ -479,12 +422,6 @@ class Arranger {
     if (!(out > 0)) return;
     for (int v = 0; v < g_.vertex_count; ++v)
       if (g_.vertex_panel[v] == panel) x_[v] += out * n;
-  }
-
-  bool is_arm_segment(std::size_t vertex) const {
-    if (vertex >= body_->segment.size()) return false;
-    const body::Segment s = body_->segment[vertex];
-    return s == body::Segment::upper_arm || s == body::Segment::forearm || s == body::Segment::hand;
   }
 
   const garment::Garment& sewn_;
