@@ -66,16 +66,16 @@ void squeeze_between_hands(std::vector<Vec3>& x, const std::vector<int>& of,
 
 void stretch_round_body(std::vector<Vec3>& x, const std::vector<int>& of,
                         const body::PosedBody& body) {
-  const double waist = RestLevels(body).waist, middle = body->joints.at("neck").x();
+  const double crotch = RestLevels(body).crotch, middle = body->joints.at("neck").x();
   HalfWidths skin(middle), cloth(middle);
   for (std::size_t i = 0; i < body->surface.vertices.size(); ++i)
-    if (const Vec3& p = body->surface.vertices[i]; !is_of_arm(body.body(), i) && p.z() <= waist)
+    if (const Vec3& p = body->surface.vertices[i]; !is_of_arm(body.body(), i) && p.z() <= crotch)
       skin.take(p);
   for (int v : of)
-    if (x[v].z() <= waist) cloth.take(x[v]);
+    if (x[v].z() <= crotch) cloth.take(x[v]);
   for (int v : of) {
     const double z = x[v].z();
-    if (z > waist || skin.at(z) == 0) continue;
+    if (z > crotch || skin.at(z) == 0) continue;
     const double has = cloth.at(z), wants = skin.at(z) + kBesideBody;
     if (has > 0 && has < wants) x[v].x() = middle + wants / has * (x[v].x() - middle);
   }

@@ -14,7 +14,7 @@ bool is_of_arm(const body::Body& body, std::size_t vertex);
 void squeeze_between_hands(std::vector<Vec3>& x, const std::vector<int>& of,
                            const body::PosedBody& body);
 
-/// Below the waist, cloth that is narrower than the body with its legs apart is stretched sideways
+/// Below the crotch, cloth that is narrower than the body with its legs apart is stretched sideways
 /// until its edges lie beside it: threads draw straight, and would draw a seam between the legs. It
 /// contracts round them. `of`: as above, of a garment without legs.
 void stretch_round_body(std::vector<Vec3>& x, const std::vector<int>& of,

@@ -1,5 +1,6 @@
 #include "loosefit/drape/phases/close_seams.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -18,18 +19,19 @@ namespace loosefit::drape {
 namespace {
 
 // Cloth that is being sewn: as soft as rubber foil, so that seams close where it is too narrow.
-constexpr double kMembrane = 20;   ///< [N/m]
-constexpr double kShear = 10;      ///< [N/m per rad]
-constexpr double kBending = 2e-5;  ///< [N m]
-constexpr double kThread = 5000;   ///< stiffness of threads per length of seam [N/m²]
-constexpr double kReach = 0.005;   ///< gap from which they pull with all their force [m]
-constexpr double kLift = 1;        ///< that holds shoulders up, per length of seam [N/m]
-constexpr double kPad = 0.008;     ///< distance at which the skin begins to press [m]
-constexpr double kSkin = 5e5;      ///< how hard [Pa/m]
-constexpr double kField = 0.010;   ///< spacing of the field of distances [m]
-constexpr double kClosed = 0.002;  ///< gap at which a seam counts as closed [m]
-constexpr double kInLimb = 0.006;  ///< depth at which a closed seam goes through a limb [m]
-constexpr double kTolerance = 20;  ///< residual ‖F‖/‖W‖ [–]
+constexpr double kMembrane = 20;     ///< [N/m]
+constexpr double kShear = 10;        ///< [N/m per rad]
+constexpr double kBending = 2e-5;    ///< [N m]
+constexpr double kThread = 5000;     ///< stiffness of threads per length of seam [N/m²]
+constexpr double kReach = 0.005;     ///< gap from which they pull with all their force [m]
+constexpr double kLift = 1;          ///< that holds shoulders up, per length of seam [N/m]
+constexpr double kPad = 0.008;       ///< distance at which the skin begins to press [m]
+constexpr double kSkin = 5e5;        ///< how hard [Pa/m]
+constexpr double kField = 0.010;     ///< spacing of the field of distances [m]
+constexpr double kClosed = 0.002;    ///< gap at which a seam counts as closed [m]
+constexpr double kStretched = 1.02;  ///< area over that as cut, from which a triangle is stretched
+constexpr double kInLimb = 0.006;    ///< depth at which a closed seam goes through a limb [m]
+constexpr double kTolerance = 20;    ///< residual ‖F‖/‖W‖ [–]
 constexpr int kIterations = 250;
 constexpr double kFirstDt = 0.01;      ///< [s]
 constexpr double kLargestMove = 0.02;  ///< of a particle in one iteration [m]
@@ -53,17 +55,25 @@ double mean_edge(const garment::Garment& g) {
   return sum / (3.0 * static_cast<double>(g.triangle_uv.size()));
 }
 
-/// Triangles in the plane [m]: those of the trunk as arranged, stretched or squeezed to go round
-/// the body, a shape that they keep until the seams are closed; others as cut.
+/// Triangles in the plane [m], along the grain: those of the trunk that were stretched to go round
+/// the body as arranged, a shape that they keep until the seams are closed; others as cut. What was
+/// squeezed would be too narrow, and slide up to the waist.
 std::vector<std::array<Vec2, 3>> sewn_shape(const garment::Garment& g,
                                             const ArrangedPanels& panels) {
   std::vector<std::array<Vec2, 3>> flat = g.triangle_uv;
   for (std::size_t t = 0; t < flat.size(); ++t) {
     if (!panels.of_trunk[g.triangle_panel[t]]) continue;
     const auto& [a, b, c] = g.triangles[t];
-    const Vec3 along = panels.x[b] - panels.x[a], to = panels.x[c] - panels.x[a];
-    const Vec3 u = along.normalized();
-    flat[t] = {Vec2(0, 0), Vec2(along.norm(), 0), Vec2(to.dot(u), (to - to.dot(u) * u).norm())};
+    Eigen::Matrix2d cut;
+    cut << flat[t][1] - flat[t][0], flat[t][2] - flat[t][0];
+    Eigen::Matrix<double, 3, 2> placed;
+    placed << panels.x[b] - panels.x[a], panels.x[c] - panels.x[a];
+    const Eigen::Matrix<double, 3, 2> f = placed * cut.inverse();
+    // Right stretch tensor U of f = R U.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> stretch(f.transpose() * f);
+    if (stretch.eigenvalues().prod() < kStretched * kStretched) continue;
+    const Eigen::Matrix2d u = stretch.operatorSqrt();
+    for (Vec2& corner : flat[t]) corner = u * corner;
   }
   return flat;
 }
