@@ -122,6 +122,12 @@ class Arranger {
     return sum;
   }
 
+  std::set<int> panels_of(const std::vector<int>& vertices) const {
+    std::set<int> found;
+    for (int v : vertices) found.insert(g_.vertex_panel[v]);
+    return found;
+  }
+
   /// Vertices of the trunk at its armholes: seams to sleeves, and openings for arms.
   std::vector<int> armholes() const {
     std::vector<int> holes = armhole(PanelRole::left_arm, true);
@@ -141,8 +147,7 @@ class Arranger {
     const std::vector<int> holes = armholes();
     if (holes.empty()) return {};
     const double middle = mean(holes, placed_).z();
-    std::set<int> with_armhole;
-    for (int v : holes) with_armhole.insert(g_.vertex_panel[v]);
+    const std::set<int> with_armhole = panels_of(holes);
     std::vector<int> found;
     for (const std::vector<int>& of : open_.partners)
       if (std::all_of(of.begin(), of.end(), [&](int v) {
@@ -171,8 +176,7 @@ class Arranger {
   }
 
   std::optional<double> rise_to_shoulders() const {
-    std::set<int> with_armhole;
-    for (int v : armholes()) with_armhole.insert(g_.vertex_panel[v]);
+    const std::set<int> with_armhole = panels_of(armholes());
     if (with_armhole.empty()) return {};
     int top = -1;
     for (int v = 0; v < g_.vertex_count; ++v)
@@ -323,8 +327,7 @@ class Arranger {
       line.push_back(hand->second);
     const Polyline body_arm(line);
     const double start = body_arm.project_on_first(mean(trunk, x_)) + kBeyond;
-    std::set<int> panels;
-    for (int v : of) panels.insert(g_.vertex_panel[v]);
+    const std::set<int> panels = panels_of(of);
     const Vec3 sideways = axis.cross(outside_[*panels.begin()]).normalized();
     const SleeveMiddle middle(of, placed_, from, axis, sideways);
     for (int v : of) {
