@@ -97,6 +97,39 @@ TEST(CaseRecord, OfWhichAnythingIsMissingOrChangedDoesNotCount) {
   }
 }
 
+// As a runner leaves it that is killed while it writes, after each of its files in turn.
+TEST_F(StudyOnDisk, APlanThatWasCutOffIsWrittenToItsEndAndNothingHalfWrittenStays) {
+  const StudyFolder whole = planned("whole");
+  const std::string first = plan.cases.front().address, last = plan.cases.back().address;
+  const std::vector<fs::path> order = {whole.path() / "plan.json", whole.path() / "study.toml",
+                                       whole.scenario_file(first), whole.scenario_file(last),
+                                       whole.path() / "controls.txt"};
+  for (std::size_t kept = 0; kept < order.size(); ++kept) {
+    const StudyFolder cut(base / ("cut-" + std::to_string(kept)));
+    for (std::size_t i = 0; i <= kept; ++i) {
+      const fs::path file = cut.path() / fs::relative(order[i], whole.path());
+      fs::create_directories(file.parent_path());
+      if (i < kept)
+        fs::copy_file(order[i], file);
+      else
+        io::write_text_file(
+            (file.parent_path() / ("." + file.filename().string() + ".writing-7")).string(),
+            "half");
+    }
+    cut.write_plan(plan);
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(cut.path())) {
+      if (!entry.is_regular_file()) continue;
+      ++files;
+      const fs::path other = whole.path() / fs::relative(entry.path(), cut.path());
+      ASSERT_TRUE(fs::exists(other)) << entry.path();
+      EXPECT_EQ(io::read_text_file(entry.path().string(), 1000000),
+                io::read_text_file(other.string(), 1000000));
+    }
+    EXPECT_EQ(files, static_cast<int>(plan.cases.size()) + 3);
+  }
+}
+
 TEST_F(StudyOnDisk, CountsWholeResultsOnly) {
   const StudyFolder folder = planned("a");
   const FolderPlan read = folder.read_plan();

@@ -50,14 +50,6 @@ void record_crash(const StudyFolder& folder, const std::string& address, const s
   write_whole(folder.result_file(address), record_json(record));
 }
 
-/// What killed workers have left half-written.
-void remove_left_overs(const StudyFolder& folder, const std::string& address) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.case_folder(address), error))
-    if (entry.path().filename().string().rfind(".result.json.writing-", 0) == 0)
-      std::filesystem::remove(entry.path(), error);
-}
-
 }  // namespace
 
 std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::string>& addresses,
@@ -70,7 +62,7 @@ std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::
   std::list<Worker> working;
   std::vector<GivenUp> given_up;
   std::string trouble;
-  for (const std::string& address : addresses) remove_left_overs(folder, address);
+  for (const std::string& address : addresses) remove_left_overs(folder.result_file(address));
   while (!working.empty() || (!waiting.empty() && trouble.empty())) {
     progress.check_cancelled();  // workers end with the list
     while (working.size() < jobs && !waiting.empty() && trouble.empty()) {

@@ -25,6 +25,7 @@ using Json = nlohmann::json;
 constexpr const char* kFormat = "loosefit-study 1";
 constexpr std::size_t kLargestPlan = 2000000000;
 const char* const kControls = "controls.txt";
+const char* const kWriting = ".writing-";  ///< in the name of a file that is not yet whole
 
 IoError failed(const fs::path& path, const char* what) {
   return IoError(path.string() + ": " + what + ": " + std::strerror(errno));
@@ -93,8 +94,8 @@ Json plan_json(const Plan& plan) {
 
 void write_whole(const fs::path& named, const std::string& text) {
   const fs::path file = fs::absolute(named);
-  const fs::path temporary = file.parent_path() / ("." + file.filename().string() + ".writing-" +
-                                                   std::to_string(getpid()));
+  const fs::path temporary =
+      file.parent_path() / ("." + file.filename().string() + kWriting + std::to_string(getpid()));
   try {
     io::write_text_file(temporary.string(), text);
     io::sync_to_disk(temporary);
@@ -105,6 +106,13 @@ void write_whole(const fs::path& named, const std::string& text) {
     throw;
   }
   io::sync_to_disk(file.parent_path());
+}
+
+void remove_left_overs(const fs::path& file) {
+  const std::string begin = "." + file.filename().string() + kWriting;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(file.parent_path(), error))
+    if (entry.path().filename().string().starts_with(begin)) fs::remove(entry.path(), error);
 }
 
 fs::path StudyFolder::case_folder(const std::string& address) const {
@@ -119,34 +127,44 @@ fs::path StudyFolder::result_file(const std::string& address) const {
   return case_folder(address) / "result.json";
 }
 
+namespace {
+
+/// A file that only a runner writes, which has the lock: what a killed one has left goes first.
+void write_planned(const fs::path& file, const std::string& text) {
+  remove_left_overs(file);
+  write_whole(file, text);
+}
+
+}  // namespace
+
 void StudyFolder::write_plan(const Plan& plan) const {
   std::error_code error;
   if (fs::exists(path_, error) && !fs::exists(path_ / "plan.json", error)) {
     for (const auto& entry : fs::directory_iterator(path_, error))
-      if (const std::string name = entry.path().filename().string();
-          name != ".lock" && name != "study.toml" && name != "cases" && name[0] != '.')
+      if (const std::string name = entry.path().filename().string(); name[0] != '.')
         throw InvalidInput({path_.string(), 0, ""},
                            "a folder that is no study, with " + printable(name) + " in it",
                            "a new or empty folder, or that of an earlier study");
     if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
   }
-  make_folders(path_ / "cases");
+  // The plan first: it marks the folder as a study, also when the rest is cut off.
+  make_folders(path_);
+  write_planned(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
+  write_planned(path_ / "study.toml", plan.study.text);
   std::set<std::string> written;
   for (const PlannedCase& one : plan.cases) {
     if (!written.insert(one.address).second) continue;
     const fs::path file = scenario_file(one.address);
     if (fs::exists(file, error)) continue;
     make_folders(file.parent_path());
-    write_whole(file, one.toml);
+    write_planned(file, one.toml);
   }
   std::vector<std::string> of_grade_b;
   for (const PlannedCase& one : plan.cases)
     if (one.grade_b) of_grade_b.push_back(one.address);
   std::string controls;
   for (const std::string& address : control_addresses(of_grade_b)) controls += address + "\n";
-  write_whole(path_ / kControls, controls);
-  write_whole(path_ / "study.toml", plan.study.text);
-  write_whole(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
+  write_planned(path_ / kControls, controls);
 }
 
 bool StudyFolder::is_control(const std::string& address) const {

@@ -93,6 +93,8 @@ class StudyLock {
 /// Writes a file so that it is there as a whole or not at all, whenever the machine stops: beside
 /// it, to the disk, then renamed, and the folder to the disk. \throws IoError
 void write_whole(const std::filesystem::path& file, const std::string& text);
+/// Removes what writers of a file that were killed have left beside it; none may be at work.
+void remove_left_overs(const std::filesystem::path& file);
 
 /// Names of the scorecards, wherever their files are.
 std::vector<std::string> scorecard_names(const FolderPlan& plan);
