@@ -75,21 +75,34 @@ std::vector<Preset> make_presets() {
   presets.push_back({"waist_R", on_trunk("back_waist", 1, 0)});
   presets.push_back({"chest_band", on_trunk("xiphoid", 0, 1), girth()});
   presets.push_back({"waist_band", on_trunk("front_waist", 0, 1), girth()});
-  const auto both = [&](const char* name, BodySegment segment, bool front, double z,
-                        FootprintShape footprint = {}) {
-    for (const int side : {1, -1}) {
-      const double x = front ? 50 : side > 0 ? 0 : 100;
+  presets.push_back({"sacrum", [](const BodyAddresses& addresses) {
+                       return place(addresses.landmarks(), "psis");
+                     }});
+  // Seen from the limb's axis: from medial (0) to lateral (100), from behind (0) to the front.
+  const auto both = [&](const char* name, BodySegment segment, double lateral, double front,
+                        double z, FootprintShape footprint = {}) {
+    for (const int side : {1, -1})
       presets.push_back({std::string(name) + (side > 0 ? "_L" : "_R"),
-                         on_limb(segment, side, x, front ? 100 : 50, z), footprint});
-    }
+                         on_limb(segment, side, side > 0 ? 100 - lateral : lateral, front, z),
+                         footprint});
   };
-  both("upper_arm", BodySegment::upper_arm, false, 50);
-  both("biceps", BodySegment::upper_arm, true, 100.0 / 3, disc(kElectrodeRadius));
-  both("forearm", BodySegment::forearm, false, 50);
-  both("forearm_distal", BodySegment::forearm, false, 30);
-  both("wrist", BodySegment::forearm, false, 15);
-  both("thigh", BodySegment::thigh, false, 50);
-  both("shank", BodySegment::lower_leg, false, 20);
+  both("upper_arm", BodySegment::upper_arm, 100, 50, 50);
+  both("biceps", BodySegment::upper_arm, 50, 100, 100.0 / 3, disc(kElectrodeRadius));
+  both("forearm", BodySegment::forearm, 100, 50, 50);
+  both("forearm_distal", BodySegment::forearm, 100, 50, 30);
+  both("wrist", BodySegment::forearm, 100, 50, 15);
+  both("thigh", BodySegment::thigh, 100, 50, 50);
+  both("quadriceps", BodySegment::thigh, 50, 100, 65, disc(kElectrodeRadius));
+  both("hamstring", BodySegment::thigh, 75, 0, 45, disc(kElectrodeRadius));
+  for (const int side : {1, -1}) {
+    const std::string which = side > 0 ? "_L" : "_R";
+    presets.push_back({"knee" + which, [which](const BodyAddresses& addresses) {
+                         return place(addresses.landmarks(), "patella" + which);
+                       }});
+  }
+  both("calf", BodySegment::lower_leg, 25, 0, 70, disc(kElectrodeRadius));
+  both("tibialis", BodySegment::lower_leg, 75, 100, 60, disc(kElectrodeRadius));
+  both("shank", BodySegment::lower_leg, 100, 50, 20);
   return presets;
 }
 

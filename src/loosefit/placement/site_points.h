@@ -27,7 +27,18 @@ namespace loosefit::placement {
 /// | forearm_L/R             | back of the forearm, half way                                    |
 /// | forearm_distal_L/R      | back of the forearm, 30 % from the wrist (UNISEP's IMU)          |
 /// | wrist_L/R               | back of the forearm, 15 % from the wrist                         |
+/// | sacrum                  | middle of the PSIS, for an IMU of the pelvis                     |
 /// | thigh_L/R, shank_L/R    | lateral, half way, and 20 % from the ankle (UNISEP's IMU)        |
+/// | quadriceps_L/R          | front of the thigh, 65 % from the knee joint (disc of 10 mm)     |
+/// | hamstring_L/R           | back of the thigh, lateral, 45 % (disc of 10 mm)                 |
+/// | knee_L/R                | patella                                                          |
+/// | calf_L/R                | back, medial, 70 % from the ankle (disc of 10 mm)                |
+/// | tibialis_L/R            | front, lateral, 60 % from the ankle (disc of 10 mm)              |
+///
+/// Muscles of the leg as in SENIAM (Hermens et al. 2000): rectus femoris half way from ASIS to
+/// patella, biceps femoris half way from the ischial tuberosity to the lateral epicondyle,
+/// gastrocnemius medialis where it bulges most, tibialis anterior a third from the fibula's head
+/// to the medial malleolus; in per cent of the limb, for the axes of an address.
 class SitePoints {
  public:
   explicit SitePoints(const body::Body& body);
