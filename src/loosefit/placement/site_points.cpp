@@ -21,6 +21,10 @@ std::optional<Vec3> place(const std::map<std::string, Vec3>& of, const std::stri
   return found == of.end() ? std::nullopt : std::optional<Vec3>(found->second);
 }
 
+Locator at_landmark(const std::string& landmark) {
+  return [=](const BodyAddresses& addresses) { return place(addresses.landmarks(), landmark); };
+}
+
 /// Seen from the middle of the trunk at the height of a landmark, `right` and `front` as told.
 Locator on_trunk(const std::string& landmark, double right, double front) {
   return [=](const BodyAddresses& addresses) -> std::optional<Vec3> {
@@ -75,9 +79,7 @@ std::vector<Preset> make_presets() {
   presets.push_back({"waist_R", on_trunk("back_waist", 1, 0)});
   presets.push_back({"chest_band", on_trunk("xiphoid", 0, 1), girth()});
   presets.push_back({"waist_band", on_trunk("front_waist", 0, 1), girth()});
-  presets.push_back({"sacrum", [](const BodyAddresses& addresses) {
-                       return place(addresses.landmarks(), "psis");
-                     }});
+  presets.push_back({"sacrum", at_landmark("psis")});
   // Seen from the limb's axis: from medial (0) to lateral (100), from behind (0) to the front.
   const auto both = [&](const char* name, BodySegment segment, double lateral, double front,
                         double z, FootprintShape footprint = {}) {
@@ -94,12 +96,8 @@ std::vector<Preset> make_presets() {
   both("thigh", BodySegment::thigh, 100, 50, 50);
   both("quadriceps", BodySegment::thigh, 50, 100, 65, disc(kElectrodeRadius));
   both("hamstring", BodySegment::thigh, 75, 0, 45, disc(kElectrodeRadius));
-  for (const int side : {1, -1}) {
-    const std::string which = side > 0 ? "_L" : "_R";
-    presets.push_back({"knee" + which, [which](const BodyAddresses& addresses) {
-                         return place(addresses.landmarks(), "patella" + which);
-                       }});
-  }
+  for (const std::string side : {"_L", "_R"})
+    presets.push_back({"knee" + side, at_landmark("patella" + side)});
   both("calf", BodySegment::lower_leg, 25, 0, 70, disc(kElectrodeRadius));
   both("tibialis", BodySegment::lower_leg, 75, 100, 60, disc(kElectrodeRadius));
   both("shank", BodySegment::lower_leg, 100, 50, 20);
