@@ -101,5 +101,38 @@ TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
   }
 }
 
+TEST(DressLayers, WhatIsPlacedOverAShirtGoesRoundPaddingThatLeavesTheHandsAlone) {
+  const body::Body body = support::standing(support::adult_parameters(), 40);
+  const garment::Garment shirt =
+      garment::assemble(shirt_for(body, 0.1, 0.36), 0.03, fabric::Material{});
+  pattern::Pattern pattern;
+  pattern.panels = {testing_support::rectangle_panel("plate", 0.4, 0.4)};
+  const garment::Garment square = garment::assemble(pattern, 0.05, fabric::Material{});
+  std::vector<body::Body> wearers;
+  const auto place = [&](const body::PosedBody& wearer) {  // clear of the shirt from the third on
+    wearers.push_back(wearer);
+    std::vector<Vec3> x;
+    for (const Vec2& uv : square.vertex_uv)
+      x.emplace_back(uv[0] - 0.2, uv[1] - 0.2, wearers.size() < 3 ? 1.0 : 3.0);
+    return x;
+  };
+  dress_layers({{&shirt, kinds::lay_shirt}, {&square, {}, place}}, body);
+  ASSERT_EQ(wearers.size(), 3);
+  EXPECT_EQ(wearers[0].surface.vertices, body.surface.vertices);
+  double most = 0;
+  for (std::size_t v = 0; v < body.segment.size(); ++v) {
+    const double moved = (wearers[2].surface.vertices[v] - body.surface.vertices[v]).norm();
+    most = std::max(most, moved);
+    EXPECT_LE((wearers[1].surface.vertices[v] - body.surface.vertices[v]).norm(), moved);
+    if (body.segment[v] == body::Segment::hand || body.segment[v] == body::Segment::foot) {
+      EXPECT_EQ(moved, 0) << "vertex " << v;
+    }
+  }
+  const auto scapula = body.landmark_vertex.at("scapula_L");
+  EXPECT_NEAR((wearers[2].surface.vertices[scapula] - body.surface.vertices[scapula]).norm(), most,
+              1e-12);
+  EXPECT_GT(most, 0.02);
+}
+
 }  // namespace
 }  // namespace loosefit::dress

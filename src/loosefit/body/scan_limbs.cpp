@@ -45,7 +45,7 @@ struct LoopTree {
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
       if (mesh.vertices[v].z() > mesh.vertices[std::size_t(crown)].z()) crown = int(v);
     }
-    way = surface_distance(mesh, crown);
+    way = surface_distance(mesh, {crown});
     const auto near = neighbours_of(mesh);
     std::vector<int> order(mesh.vertices.size());
     for (std::size_t v = 0; v < order.size(); ++v) order[v] = int(v);

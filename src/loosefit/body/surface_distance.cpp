@@ -44,7 +44,8 @@ std::vector<std::vector<int>> neighbours_of(const geometry::TriangleMesh& mesh) 
   return near;
 }
 
-std::vector<double> surface_distance(const geometry::TriangleMesh& mesh, int source) {
+std::vector<double> surface_distance(const geometry::TriangleMesh& mesh,
+                                     const std::vector<int>& sources) {
   // Triangles at every vertex.
   std::vector<std::vector<int>> triangles_at(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -55,8 +56,10 @@ std::vector<double> surface_distance(const geometry::TriangleMesh& mesh, int sou
   std::vector<char> done(mesh.vertices.size(), 0);
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  distance[std::size_t(source)] = 0;
-  front.push({0, source});
+  for (const int source : sources) {
+    distance[std::size_t(source)] = 0;
+    front.push({0, source});
+  }
   const auto point = [&](int v) -> const Vec3& { return mesh.vertices[std::size_t(v)]; };
   const auto offer = [&](int v, double d) {
     if (done[std::size_t(v)] || d >= distance[std::size_t(v)]) return;

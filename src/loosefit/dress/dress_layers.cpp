@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/surface_distance.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -20,6 +22,8 @@ constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
 constexpr double kDepthShares[] = {1.0, 1.5};
 /// Tries for a garment that is placed over others: how much farther from the skin [m].
 constexpr double kThicker[] = {0, 0.02, 0.03, 0.045, 0.06, 0.08, 0.11};
+/// Skin so far from the nearest vertices of cloth is covered, and beyond the other not padded [m].
+constexpr double kCovered = 0.03, kBeside = 0.10;
 
 /// Everything that is on already.
 struct Dressed {
@@ -59,11 +63,23 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
   return {};
 }
 
-/// The same person with so much more round it [m]. Folds of its skin may pass through each other.
-body::PosedBody thicker(const body::Body& body, double by) {
+/// How far each vertex of the skin is over the surface from what is under the cloth's vertices [m].
+std::vector<double> from_cloth(const body::PosedBody& body, const std::vector<Vec3>& cloth) {
+  std::vector<int> covered;
+  for (const Vec3& p : cloth)
+    for (const int v : body->surface.triangles[body.tree().query(p).triangle]) covered.push_back(v);
+  return body::surface_distance(body->surface, covered);
+}
+
+/// The same person with so much more round what is covered [m], as if it wore padding: hands that
+/// grew too would leave no room in the cuffs. Folds of its skin may pass through each other.
+body::PosedBody thicker(const body::Body& body, const std::vector<double>& from_cloth, double by) {
   body::Body more = body;
   const auto normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
-  for (std::size_t v = 0; v < normals.size(); ++v) more.surface.vertices[v] += by * normals[v];
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const double share = (kBeside - from_cloth[v]) / (kBeside - kCovered);
+    more.surface.vertices[v] += by * std::clamp(share, 0.0, 1.0) * normals[v];
+  }
   return more;
 }
 
@@ -71,9 +87,10 @@ body::PosedBody thicker(const body::Body& body, double by) {
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
                              const body::PosedBody& body) {
   const garment::Garment& garment = *layer.garment;
+  const std::vector<double> apart = from_cloth(body, under.positions);
   std::string why;
   for (const double by : kThicker) try {
-      std::vector<Vec3> x = layer.place(by > 0 ? thicker(body, by) : body);
+      std::vector<Vec3> x = layer.place(by > 0 ? thicker(body, apart, by) : body);
       const auto cuts =
           geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
       if (cuts.empty()) return x;
