@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "loosefit/body/mesh_repair.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/body/surface_topology.h"
+#include "loosefit/geometry/convex_hull.h"
 #include "support/body_fixture.h"
 #include "support/tube_garment.h"
 
@@ -69,6 +71,49 @@ TEST_F(Mannequin, LegsAreNeverShown) {
   body_.joints["knee_L"] = {0.06, -0.4, 0.9};
   body_.joints["knee_R"] = {-0.06, -0.4, 0.9};
   for (const Vec3& p : mannequin(body_, garment_, positions_).vertices) EXPECT_GT(p.y(), -0.13);
+}
+
+TEST(MannequinOfAPerson, StandsOnLastsInWhatHangsToTheShanks) {
+  const body::BodyFit fit = body::fit_body(body_model(), {});
+  const garment::Garment tube = testing::tube_garment(0.8, 0.6, 60, 30);
+  for (const char* posture : {"standing", "stride", "sitting"}) {
+    SCOPED_TRACE(posture);
+    const body::Body body = body_model().build(fit.parameters, body::named_posture(posture));
+    // Round the right leg, from the middle of the thigh to that of the shank.
+    const Vec3 hip = body.joints.at("hip_R"), knee = body.joints.at("knee_R"),
+               ankle = body.joints.at("ankle_R");
+    const Vec3 top = 0.5 * (hip + knee), bottom = 0.5 * (knee + ankle);
+    const auto round = [&](double lowest) {
+      return testing::settled_drape(tube,
+                                    [&](const Vec2& uv) {
+                                      const double a = 2 * kPi * uv.x() / 0.8,
+                                                   share = 1 - uv.y() / 0.6;
+                                      return Vec3(top + share * lowest * (bottom - top) +
+                                                  0.12 * Vec3(std::cos(a), std::sin(a), 0));
+                                    })
+          .positions;
+    };
+    const geometry::TriangleMesh form = mannequin(body, tube, round(1));
+    double floor = 1, skin = 1;
+    for (const Vec3& p : form.vertices) floor = std::min(floor, p.z());
+    for (const Vec3& p : body.surface.vertices) skin = std::min(skin, p.z());
+    EXPECT_NEAR(floor, skin, 1e-9);
+    // No toe sticks out of the lasts.
+    std::vector<Vec3> foot;
+    for (std::size_t v = 0; v < body.segment.size(); ++v)
+      if (body.segment[v] == body::Segment::foot && body.side[v] < 0)
+        foot.push_back(body.surface.vertices[v]);
+    const geometry::TriangleMesh last = geometry::convex_hull(foot);
+    int found = 0;
+    for (const Vec3& p : last.vertices)
+      found += std::ranges::find(form.vertices, p) != form.vertices.end();
+    EXPECT_EQ(found, static_cast<int>(last.vertices.size()));
+    // What ends on the thigh shows no leg.
+    double lowest = 1;
+    for (const Vec3& p : mannequin(body, tube, round(0.2)).vertices)
+      lowest = std::min(lowest, p.z());
+    EXPECT_GT(lowest, skin + 0.2);
+  }
 }
 
 TEST_F(Mannequin, AScanWithoutJointsKeepsItsHead) {

@@ -206,12 +206,15 @@ const tests = {
     assert.ok(Math.max(...arrows) <= Math.max(...slip) + 0.1 && Math.min(...arrows) > 0.9);
     await calm(page);
     await page.click("[data-view=back]");
+    await page.uncheck("#places");  // their order hangs on the last digits, and with these on the processor
     await page.mouse.move(2, 2);
     await page.waitForTimeout(400);
     const picture = await shot(page);
+    await page.check("#places");
     await page.selectOption("#posture", "0");
     assert.equal(await page.inputValue("#map"), "distance_mm");
-    await compareWithBaseline(page, picture, join(baselines, "posture.png"), join(output, "posture.png"));
+    await compareWithBaseline(page, picture, join(baselines, "posture.png"), join(output, "posture.png"),
+      { mean: 8, share: 0.06 });  // other folds: up to 5.2 and 3.2 % on another processor; another map: 22 and 22 %
   },
 
   "values and pictures can be taken home": async ({ page }) => {

@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/union_find.h"
 #include "loosefit/garment/surface_check.h"
+#include "loosefit/garment/lay_elastics.h"
 #include "loosefit/garment/thicken.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
@@ -148,6 +149,7 @@ SewnPanels sew_panels(const pattern::Pattern& pattern,
   g.triangle_added_bending.assign(g.triangles.size(), 0.0);
   g.mass = g.area * material.areal_density;
   thicken(g, pattern, material);
+  lay_elastics(g, pattern);
   check_surface(g);
   return sewn;
 }

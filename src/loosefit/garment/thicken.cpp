@@ -9,14 +9,7 @@
 namespace loosefit::garment {
 namespace {
 
-constexpr int kHemPoints = 48;  // along an edge
-
-std::vector<Vec2> edge_points(const pattern::Panel& panel, int edge) {
-  const pattern::EdgePath path(panel, edge);
-  std::vector<Vec2> points;
-  for (int k = 0; k <= kHemPoints; ++k) points.push_back(path.at(double(k) / kHemPoints));
-  return points;
-}
+constexpr int kHemPieces = 48;  // along an edge
 
 /// Mass, stiffness and rigidity of a triangle, times those of plain cloth, on top of what it has.
 void add(Garment& g, std::size_t t, const pattern::PanelCloth& cloth,
@@ -40,7 +33,7 @@ void thicken(Garment& g, const pattern::Pattern& pattern, const fabric::Material
     edges.reserve(panel.edges.size());  // the strips refer to them
     for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e)
       if (const double width = panel.edges[e].finish; width > 0) {
-        edges.push_back(edge_points(panel, e));
+        edges.push_back(pattern::edge_points(panel, e, kHemPieces));
         hems.emplace_back(edges.back(), 2 * width);  // to both sides of the edge
       }
     if (hems.empty() && panel.cloth == pattern::PanelCloth{}) continue;

@@ -363,7 +363,10 @@ std::vector<ConfigReader> ConfigReader::tables(const std::string& key, const std
       record_->key(key).tables.push_back(std::make_shared<TableRecord>());
       record = record_->key(key).tables.back().get();
     }
-    readers.emplace_back(item, file_, key + "[" + std::to_string(readers.size()) + "]", record);
+    readers.emplace_back(
+        item, file_,
+        (path_.empty() ? key : path_ + "." + key) + "[" + std::to_string(readers.size()) + "]",
+        record);
   }
   return readers;
 }

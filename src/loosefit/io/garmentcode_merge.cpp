@@ -23,6 +23,7 @@ Groups group_by_name(const pattern::Pattern& pattern,
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
       const std::string& name = panel.edges[e].name;
       const bool goes_on = e > 0 && !name.empty() && name == panel.edges[e - 1].name &&
+                           panel.edges[e].elastic == panel.edges[e - 1].elastic &&
                            !apart.contains({static_cast<int>(p), name});
       if (!goes_on) members.emplace_back();
       members.back().push_back(static_cast<int>(e));

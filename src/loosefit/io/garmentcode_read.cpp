@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/elastic_table.h"
 #include "loosefit/io/file_kind.h"
 #include "loosefit/io/garmentcode_cleanup.h"
 #include "loosefit/io/garmentcode_frame.h"
@@ -149,6 +150,14 @@ pattern::EdgeCurve read_curve(const Node& node, const Vec2& a, const Vec2& b,
   return curve;
 }
 
+pattern::EdgeElastic read_elastic(const Node& node, const FileRules& rules) {
+  const auto within = [&](const char* key, const NumberRange& range, double unit) {
+    return node.at(key).within(range.low / unit, range.high / unit) * unit;
+  };
+  return {within("ratio", kElasticRatio, 1), within("stiffness", kElasticStiffness, 1),
+          within("width", kElasticWidth, rules.metre)};
+}
+
 pattern::Panel read_panel(const std::string& name, const Node& node, const FileRules& rules,
                           std::vector<std::string>& warnings) {
   pattern::Panel panel;
@@ -175,6 +184,7 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
     edge.label = item.optional_text("label");
     if (item.has(kFinishKey))
       edge.finish = item.at(kFinishKey).within(0, 0.1 / rules.metre) * rules.metre;
+    if (item.has(kElasticKey)) edge.elastic = read_elastic(item.at(kElasticKey), rules);
     if (item.has("curvature"))
       edge.curves = {read_curve(item.at("curvature"), panel.vertices[edge.start],
                                 panel.vertices[edge.end], rules)};

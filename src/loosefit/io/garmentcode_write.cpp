@@ -163,6 +163,10 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
       if (!edge->label.empty()) item["label"] = edge->label;
       item["name"] = edge->name;
       if (edge->finish > 0) item[kFinishKey] = tidy(edge->finish * kPerMetre);
+      if (const auto& elastic = edge->elastic)
+        item[kElasticKey] = {{"ratio", elastic->ratio},
+                             {"stiffness", elastic->stiffness},
+                             {"width", tidy(elastic->width * kPerMetre)}};
       edges.push_back(item);
     }
     // Placement in the frame of the file, in centimetres and degrees.

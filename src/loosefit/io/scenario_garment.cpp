@@ -6,6 +6,7 @@
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/elastic_table.h"
 #include "loosefit/io/existing_file.h"
 #include "loosefit/kinds/find_size.h"
 #include "loosefit/kinds/pattern_file.h"
@@ -61,6 +62,34 @@ std::vector<std::string> read_adapt(ConfigReader& table, const kinds::GarmentKin
   return names;
 }
 
+/// All but its elastics.
+std::string cut_toml(const scenario::GarmentSpec& garment, const std::string& section) {
+  const bool named = garment.file.empty();
+  std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
+  if (section == "garment") text = "[garment]\n" + text;
+  if (!named) {
+    for (const auto& [key, value] :
+         {std::pair{"size", garment.size}, std::pair{"units", garment.units},
+          std::pair{"seams", garment.seams}})
+      if (!value.empty()) text += std::string(key) + " = " + toml_quoted(value) + "\n";
+    return text;
+  }
+  std::vector<std::string> adapt;
+  for (const std::string& name : garment.adapt) adapt.push_back(toml_quoted(name));
+  text += "adapt = [" + join(adapt) + "]\n";
+  const bool sized = !garment.size.empty();
+  if (sized) text += "size = " + toml_quoted(garment.size) + "\n";
+  const std::vector<kinds::KindKey>& keys = kinds::garment_kind(garment.kind).keys;
+  if (sized && std::none_of(keys.begin(), keys.end(), [](const auto& k) { return k.with_size; }))
+    return text;
+  text += "\n[" + section + ".fit]\n";
+  for (const kinds::KindKey& key : keys)
+    if (const auto value = garment.fit.find(key.name);
+        value != garment.fit.end() && (key.with_size || !sized))
+      text += key.name + " = " + shortest(value->second) + "\n";
+  return text;
+}
+
 }  // namespace
 
 scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
@@ -106,6 +135,9 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
         read_fit(table.table("fit", "body-garment mobility per level, and cut"), kind, sized);
     garment.adapt = read_adapt(table, kind, {given.begin(), given.end()});
   }
+  for (const ConfigReader& elastic :
+       table.tables("elastic", "elastics along edges of its panels, beside those of the pattern"))
+    garment.elastics.push_back(read_elastic(elastic));
   return garment;
 }
 
@@ -116,29 +148,9 @@ scenario::GarmentSpec read_garment_section(ConfigReader table) {
 }
 
 std::string garment_toml(const scenario::GarmentSpec& garment, const std::string& section) {
-  const bool named = garment.file.empty();
-  std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
-  if (section == "garment") text = "[garment]\n" + text;
-  if (!named) {
-    for (const auto& [key, value] :
-         {std::pair{"size", garment.size}, std::pair{"units", garment.units},
-          std::pair{"seams", garment.seams}})
-      if (!value.empty()) text += std::string(key) + " = " + toml_quoted(value) + "\n";
-    return text;
-  }
-  std::vector<std::string> adapt;
-  for (const std::string& name : garment.adapt) adapt.push_back(toml_quoted(name));
-  text += "adapt = [" + join(adapt) + "]\n";
-  const bool sized = !garment.size.empty();
-  if (sized) text += "size = " + toml_quoted(garment.size) + "\n";
-  const std::vector<kinds::KindKey>& keys = kinds::garment_kind(garment.kind).keys;
-  if (sized && std::none_of(keys.begin(), keys.end(), [](const auto& k) { return k.with_size; }))
-    return text;
-  text += "\n[" + section + ".fit]\n";
-  for (const kinds::KindKey& key : keys)
-    if (const auto value = garment.fit.find(key.name);
-        value != garment.fit.end() && (key.with_size || !sized))
-      text += key.name + " = " + shortest(value->second) + "\n";
+  std::string text = cut_toml(garment, section);
+  for (const pattern::NamedElastic& elastic : garment.elastics)
+    text += "\n[[" + section + ".elastic]]\n" + elastic_toml(elastic);
   return text;
 }
 

@@ -34,6 +34,8 @@ Texts garments() {
     if (!sizes.empty()) texts.push_back(pattern + "size = \"" + sizes.front() + "\"");
   }
   texts.push_back("pattern = \"own.json\"");
+  for (std::string& text : texts)
+    text += "\nelastic = [{ edges = [\"front.hem\"], ratio = 0.8 }]";
   return texts;
 }
 

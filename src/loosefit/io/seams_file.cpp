@@ -9,9 +9,10 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/config_reader.h"
+#include "loosefit/io/elastic_table.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
-#include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/named_edges.h"
 
 namespace loosefit::io {
 namespace {
@@ -20,30 +21,17 @@ constexpr double kGathered = 0.1;  // difference of lengths that is told, of the
 constexpr std::size_t kLargestFile = 1 << 20;
 constexpr std::size_t kLongestRun = 50;  // edges
 
-/// "PANEL.EDGE"; names of panels may have dots, names of edges of such files have none.
+/// An edge that is not sewn yet.
 pattern::Stitch::Side side_named(const ConfigReader& seam, const std::string& key,
                                  const std::string& text, const pattern::Pattern& pattern,
-                                 std::set<std::pair<int, int>>& sewn) {
-  const std::size_t dot = text.rfind('.');
-  if (text.empty() || dot == std::string::npos)
-    throw seam.error(key, "a panel and an edge, \"FRONT.e1\", or a list of such");
-  pattern::Stitch::Side side;
-  const std::string panel_name = text.substr(0, dot), edge_name = text.substr(dot + 1);
-  std::vector<std::string> names;
-  for (const pattern::Panel& panel : pattern.panels) names.push_back(panel.name);
-  side.panel = pattern.find_panel(panel_name);
-  if (side.panel < 0)
-    throw seam.error(key, "a panel of the pattern", did_you_mean(panel_name, names));
-  const pattern::Panel& panel = pattern.panels[side.panel];
-  names.clear();
-  for (const pattern::PanelEdge& edge : panel.edges) names.push_back(edge.name);
-  side.edge = pattern::find_edge(panel, edge_name);
-  if (side.edge < 0)
-    throw seam.error(key, "an edge of panel " + printable(panel.name),
-                     did_you_mean(edge_name, names));
+                                 std::set<std::pair<int, int>>& sewn) try {
+  const pattern::Stitch::Side side = pattern::named_edge(pattern, text);
   if (!sewn.insert({side.panel, side.edge}).second)
     throw seam.error(key, "an edge that is not sewn yet", "each edge is in at most one seam");
   return side;
+} catch (const InvalidInput& error) {
+  if (!error.place().key.empty()) throw;
+  throw seam.error(key, error.expected(), error.hint());
 }
 
 /// One edge, or a run of them.
@@ -108,12 +96,18 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam", "confirmed", "leave_out"});
+  reader.only({"seam", "elastic", "confirmed", "leave_out"});
   pattern::Pattern& pattern = into.pattern;
   const bool confirmed = reader.boolean("confirmed", true);
   std::vector<std::string> all;
   for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
   leave_out(into, reader.choices("leave_out", {}, all), reader);
+  for (const ConfigReader& table : reader.tables("elastic")) try {
+      pattern::add_elastic(pattern, read_elastic(table));
+    } catch (const InvalidInput& error) {
+      if (!error.place().key.empty()) throw;
+      throw table.error("edges", error.found(), error.expected(), error.hint());
+    }
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
     for (const auto& side : {stitch.first, stitch.second}) sewn.insert({side.panel, side.edge});

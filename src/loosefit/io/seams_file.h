@@ -22,11 +22,14 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 ///     [[seam]]
 ///     first = "SLEEVE.e3"      # a run of edges, each where the one before ends
 ///     second = ["BACK.e2", "FRONT.e8"]
+///     [[elastic]]
+///     edges = ["FRONT.e4"]     # tape along them
+///     ratio = 0.8              # of the edge's length (io/elastic_table.h)
 /// Runs are cut so that one edge is sewn to one (pattern/sew_chains.h). A seam whose sides differ
 /// in length by more than a tenth is told in the warnings, and so is what is not confirmed. `file`
 /// only appears in messages. \throws InvalidInput with file, line and key: text that is no TOML,
 /// unknown keys, panels or
-///         edges that the pattern has not, an edge in a second seam.
+///         edges that the pattern has not, an edge in a second seam or with a second elastic.
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into);
 /// \throws IoError if the file cannot be read, and as parse_seams.
 void read_seams(const std::filesystem::path& path, PatternFile& into);

@@ -64,6 +64,13 @@ std::vector<double> edge_lengths(const Panel& panel) {
   return lengths;
 }
 
+std::vector<Vec2> edge_points(const Panel& panel, int edge, int pieces) {
+  const EdgePath path(panel, edge);
+  std::vector<Vec2> points;
+  for (int k = 0; k <= pieces; ++k) points.push_back(path.at(static_cast<double>(k) / pieces));
+  return points;
+}
+
 std::vector<Vec2> outline_polygon(const Panel& panel, int per_curve) {
   std::vector<Vec2> polygon;
   for (const PanelEdge& edge : panel.edges)

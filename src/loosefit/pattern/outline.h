@@ -29,6 +29,8 @@ class EdgePath {
 
 /// Arc length of every edge [m].
 std::vector<double> edge_lengths(const Panel& panel);
+/// Points along an edge at even steps of its length, both ends included: one more than `pieces`.
+std::vector<Vec2> edge_points(const Panel& panel, int edge, int pieces);
 /// Dense closed polygon of the outline: `per_curve` points a curve (1 for lines), first point once.
 std::vector<Vec2> outline_polygon(const Panel& panel, int per_curve = 40);
 /// Signed area of a closed polygon [m²], positive counter-clockwise.

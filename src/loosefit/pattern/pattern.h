@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,15 @@ struct EdgeCurve {
   bool sweep = false;         ///< circle: true runs counter-clockwise
 };
 
+/// Elastic tape that is stretched and sewn on within a panel, along one of its edges. It pulls, it
+/// does not push.
+struct EdgeElastic {
+  double ratio = 1;       ///< its own length over that of the edge as cut
+  double stiffness = 20;  ///< EA: force per elongation of its own length [N]
+  double width = 0.03;    ///< [m]
+  bool operator==(const EdgeElastic&) const = default;
+};
+
 /// One seam unit of a panel outline: a chain of curves from vertex `start` to vertex `end`.
 struct PanelEdge {
   int start = 0, end = 0;             ///< indices into Panel::vertices
@@ -26,6 +36,7 @@ struct PanelEdge {
   std::string label;  ///< GarmentCode label, may be empty
   std::string part;   ///< what it is in the draft that made the pattern; empty without one
   double finish = 0;  ///< width of the hem turned under along it [m]; 0: cut and left
+  std::optional<EdgeElastic> elastic = {};
 };
 
 /// What a piece is made of, against one layer of the garment's fabric. A folded strip is 2, 2, 2.

@@ -98,6 +98,11 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
     result.warnings = std::move(garment.notes);
     fit = std::move(garment.fit);
   }
+  for (std::size_t i = 0; i < wished.elastics.size(); ++i) try {
+      pattern::add_elastic(result.pattern, wished.elastics[i]);
+    } catch (const InvalidInput& error) {
+      throw error.at({{}, 0, "elastic[" + std::to_string(i) + "].edges"});
+    }
   measure_fit(result, body, fit, wished.file.empty() && wished.size.empty());
   return result;
 }

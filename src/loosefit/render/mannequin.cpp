@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "loosefit/geometry/convex_hull.h"
 #include "loosefit/render/clipped_surface.h"
 #include "loosefit/render/garment_lines.h"
 
@@ -31,7 +32,7 @@ bool on_arm(body::Segment s) {
   return s == body::Segment::upper_arm || s == body::Segment::forearm || s == body::Segment::hand;
 }
 
-bool on_trunk(const body::Body& body, const Vec3& p) {
+body::Segment nearest_segment(const body::Body& body, const Vec3& p) {
   double nearest = std::numeric_limits<double>::infinity();
   body::Segment segment = body::Segment::torso;
   for (std::size_t v = 0; v < body.surface.vertices.size(); ++v)
@@ -39,7 +40,17 @@ bool on_trunk(const body::Body& body, const Vec3& p) {
       nearest = d;
       segment = body.segment[v];
     }
-  return segment == body::Segment::torso || below_waist(segment);
+  return segment;
+}
+
+bool on_lower_leg(const body::Body& body, const Vec3& p) {
+  const body::Segment segment = nearest_segment(body, p);
+  return segment == body::Segment::shank || segment == body::Segment::foot;
+}
+
+Vec3 lowest(const std::vector<Vec3>& positions, const Vec3& axis) {
+  return *std::min_element(positions.begin(), positions.end(),
+                           [&](const Vec3& a, const Vec3& b) { return a.dot(axis) < b.dot(axis); });
 }
 
 /// Height along the trunk axis up to which there is cloth.
@@ -49,21 +60,31 @@ double cloth_top(const std::vector<Vec3>& positions, const Vec3& axis) {
   return top;
 }
 
-/// Height along the trunk axis at which the form ends: a little above the mean of the hem, or at
-/// its lowest point. `below`: where edges are no waist or neck.
-double hem_height(const body::Body& body, const garment::Garment& garment,
-                  const std::vector<Vec3>& positions, const Vec3& axis, const Vec3& hips,
-                  double below, bool at_lowest) {
-  double sum = 0, lowest = std::numeric_limits<double>::infinity();
-  int count = 0;
-  for (const auto& edge : garment_lines(garment).boundary)
-    if (const Vec3& p = positions[edge[0]]; p.dot(axis) < below && on_trunk(body, p)) {
-      sum += p.dot(axis);
-      lowest = std::min(lowest, p.dot(axis));
-      ++count;
-    }
-  if (count == 0) return hips.dot(axis) + kInsideCloth;
-  return at_lowest ? lowest : sum / count + kInsideCloth;
+/// The edges of a garment round trunk and legs that are no waist or neck, along the trunk axis.
+struct Hem {
+  double mean = 0, lowest = 0;
+  bool round_shanks = false;  ///< most of it
+};
+
+/// `below`: where edges are no waist or neck. Nothing for a garment without such edges.
+std::optional<Hem> find_hem(const body::Body& body, const garment::Garment& garment,
+                            const std::vector<Vec3>& positions, const Vec3& axis, double below) {
+  Hem hem{0, std::numeric_limits<double>::infinity()};
+  int count = 0, round_shanks = 0;
+  for (const auto& edge : garment_lines(garment).boundary) {
+    const Vec3& p = positions[edge[0]];
+    if (p.dot(axis) >= below) continue;
+    const body::Segment segment = nearest_segment(body, p);
+    if (segment != body::Segment::torso && !below_waist(segment)) continue;
+    hem.mean += p.dot(axis);
+    hem.lowest = std::min(hem.lowest, p.dot(axis));
+    ++count;
+    round_shanks += segment == body::Segment::shank || segment == body::Segment::foot;
+  }
+  if (count == 0) return {};
+  hem.mean /= count;
+  hem.round_shanks = 2 * round_shanks > count;
+  return hem;
 }
 
 /// A thigh that is lifted, as that of a sitter.
@@ -119,8 +140,8 @@ NeckCut neck_cut(const body::Body& body, const Vec3& neck, const Vec3& head, con
 /// A body that is cut piece by piece.
 class Form {
  public:
-  explicit Form(const body::Body& body)
-      : mesh_(body.surface), origin_(body.surface.vertices.size()) {
+  explicit Form(geometry::TriangleMesh surface)
+      : mesh_(std::move(surface)), origin_(mesh_.vertices.size()) {
     std::iota(origin_.begin(), origin_.end(), 0);
   }
 
@@ -138,12 +159,55 @@ class Form {
     close_with_fan(mesh_, part.rim, *lid);
     origin_.resize(mesh_.vertices.size(), beside);
   }
+  /// Puts another surface beside it, which is of the same piece as a vertex of the body.
+  void add(const geometry::TriangleMesh& surface, int beside) {
+    const int first = static_cast<int>(mesh_.vertices.size());
+    mesh_.vertices.insert(mesh_.vertices.end(), surface.vertices.begin(), surface.vertices.end());
+    for (const Triangle& t : surface.triangles)
+      mesh_.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    origin_.resize(mesh_.vertices.size(), beside);
+  }
   geometry::TriangleMesh take() { return std::move(mesh_); }
 
  private:
   geometry::TriangleMesh mesh_;
   std::vector<int> origin_;
 };
+
+/// Feet like a shoemaker's lasts: the convex hulls of those of the body, which have no toes.
+void add_lasts(Form& form, const body::Body& body) {
+  for (const bool left : {true, false}) {
+    std::vector<Vec3> foot;
+    int one = 0;
+    for (std::size_t v = 0; v < body.segment.size(); ++v)
+      if (body.segment[v] == body::Segment::foot && (body.side[v] >= 0) == left) {
+        foot.push_back(body.surface.vertices[v]);
+        one = static_cast<int>(v);
+      }
+    if (!foot.empty()) form.add(geometry::convex_hull(foot), one);
+  }
+}
+
+/// Cuts lifted thighs to stubs, and the rest where the cloth ends.
+void end_in_cloth(Form& form, const body::Body& body, const Vec3& axis,
+                  const std::optional<Hem>& hem, const Vec3& hips) {
+  const std::vector<LiftedThigh> lifted = lifted_thighs(body);
+  for (const LiftedThigh& thigh : lifted)
+    form.cut(
+        [&](int v, const Vec3& p) {
+          const double keep = thigh.within_stub(p);
+          // The trunk beside it is left whole.
+          return thigh.has(body, v) ? keep : std::max(keep, 1e-6);
+        },
+        thigh.along);
+  // Those stubs end where the cloth does, for a cut inside it would leave half of them.
+  const double end =
+      hem && !lifted.empty() ? hem->lowest : (hem ? hem->mean : hips.dot(axis)) + kInsideCloth;
+  form.cut([&](int v, const Vec3& p) {
+    const body::Segment segment = body.segment[v];
+    return segment == body::Segment::torso || below_waist(segment) ? p.dot(axis) - end : 1.0;
+  });
+}
 
 }  // namespace
 
@@ -159,27 +223,18 @@ geometry::TriangleMesh mannequin(const body::Body& body, const garment::Garment&
                                           : Vec3(0, 0, floor + 0.5 * (top - floor));
   const Vec3 nape = neck.value_or(Vec3(0, 0, floor + 0.85 * (top - floor)));
   const Vec3 axis = (nape - hips).normalized();
-  const std::vector<LiftedThigh> lifted = lifted_thighs(body);
-
-  Form form(body);
-  for (const LiftedThigh& thigh : lifted)
-    form.cut(
-        [&](int v, const Vec3& p) {
-          const double keep = thigh.within_stub(p);
-          // The trunk beside it is left whole.
-          return thigh.has(body, v) ? keep : std::max(keep, 1e-6);
-        },
-        thigh.along);
-  // Those stubs end where the cloth does, for a cut inside it would leave half of them.
   const double middle = 0.5 * (hips + nape).dot(axis);
   const double waist = std::max(cloth_top(positions, axis), cloth_top(under, axis));
-  const double hem =
-      hem_height(body, garment, positions, axis, hips,
-                 std::min(middle, cloth_top(positions, axis) - kLeastLength), !lifted.empty());
-  form.cut([&](int v, const Vec3& p) {
-    const body::Segment segment = body.segment[v];
-    return segment == body::Segment::torso || below_waist(segment) ? p.dot(axis) - hem : 1.0;
-  });
+  const std::optional<Hem> hem = find_hem(
+      body, garment, positions, axis, std::min(middle, cloth_top(positions, axis) - kLeastLength));
+
+  const bool with_legs =
+      (hem && hem->round_shanks) || (!under.empty() && on_lower_leg(body, lowest(under, axis)));
+  Form form(body.surface);
+  if (with_legs)
+    add_lasts(form, body);
+  else
+    end_in_cloth(form, body, axis, hem, hips);
   if (waist < middle) {
     // A form for trousers and skirts: nothing but hips and legs.
     form.cut(

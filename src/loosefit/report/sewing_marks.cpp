@@ -15,6 +15,7 @@ using Kind = placement::FootprintShape::Kind;
 
 constexpr const char* kPass = "#0a7d3c";
 constexpr const char* kShort = "#b35900";
+constexpr int kEdgePieces = 200;
 constexpr double kArrow = 12;  // beyond the outline [mm]
 
 std::string point(const Vec2& p) { return fmt::format("{:.2f} {:.2f}", p.x(), p.y()); }
@@ -27,14 +28,6 @@ std::string polyline(const std::vector<Vec2>& points, const io::PanelOnSheet& sh
   std::string data;
   for (const Vec2& p : points) data += (data.empty() ? "M " : " L ") + point(sheet.at(p));
   return data;
-}
-
-std::vector<Vec2> edge_points(const pattern::Panel& panel, int edge) {
-  constexpr int kPieces = 200;
-  const pattern::EdgePath along(panel, edge);
-  std::vector<Vec2> points;
-  for (int i = 0; i <= kPieces; ++i) points.push_back(along.at(static_cast<double>(i) / kPieces));
-  return points;
 }
 
 Vec2 closest(const std::vector<Vec2>& points, const Vec2& at) {
@@ -143,7 +136,7 @@ std::string distances(const placement::RankedPlace& place, const pattern::Panel&
 std::vector<EdgeDistance> edge_distances(const pattern::Panel& panel, const Vec2& at) {
   std::vector<EdgeDistance> all;
   for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
-    const Vec2 foot = closest(edge_points(panel, e), at);
+    const Vec2 foot = closest(pattern::edge_points(panel, e, kEdgePieces), at);
     all.push_back({e, foot, (foot - at).norm()});
   }
   std::stable_sort(all.begin(), all.end(), [](const EdgeDistance& a, const EdgeDistance& b) {
@@ -172,7 +165,7 @@ std::string forbidden_marks(const pattern::Panel& panel, const std::set<int>& se
         sewn.count(e) ? constraints.seam_clearance : constraints.edge_clearance;
     if (clearance <= 0) continue;
     out += path(
-        "border", polyline(edge_points(panel, e), sheet),
+        "border", polyline(pattern::edge_points(panel, e, kEdgePieces), sheet),
         fmt::format("fill=\"none\" stroke=\"#c00000\" stroke-width=\"{:.2f}\"", 2e3 * clearance));
   }
   for (const placement::KeepOutZone& zone : constraints.keep_out.zones) {

@@ -10,6 +10,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/garment/attachment.h"
+#include "loosefit/pattern/named_edges.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/scenario/material_card.h"
 
@@ -46,6 +47,7 @@ struct GarmentSpec {
   /// Names of the fit that nobody asked for: they give way where this body cannot be drafted
   /// otherwise.
   std::vector<std::string> adapt;
+  std::vector<pattern::NamedElastic> elastics;  ///< beside those that the pattern has
 };
 
 /// One garment that is worn: of [garment] and [material], or of an [[under]].

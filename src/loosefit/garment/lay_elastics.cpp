@@ -1,0 +1,29 @@
+#include "loosefit/garment/lay_elastics.h"
+
+#include "loosefit/garment/lay_band.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit::garment {
+namespace {
+
+constexpr int kPieces = 48;  // along an edge
+
+}  // namespace
+
+void lay_elastics(Garment& garment, const pattern::Pattern& pattern) {
+  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
+    const pattern::Panel& panel = pattern.panels[p];
+    for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
+      const auto& elastic = panel.edges[e].elastic;
+      if (!elastic) continue;
+      Cable tape;
+      tape.path = pattern::edge_points(panel, e, kPieces);
+      tape.width = 2 * elastic->width;  // to both sides of the edge, of which one has cloth
+      tape.axial_stiffness = elastic->stiffness;
+      tape.pre_stretch = 1 / elastic->ratio - 1;
+      lay_band(garment, p, tape);
+    }
+  }
+}
+
+}  // namespace loosefit::garment
