@@ -121,6 +121,50 @@ TEST(ScanPerson, ClosesHolesThatATapeCouldNotGuess) {
   EXPECT_NEAR(found->body.measured.at("chest"), known.measured.at("chest"), kTape);
 }
 
+/// Cloth that hangs from the shoulders, farther off the skin the lower it is, in folds.
+geometry::TriangleMesh in_a_loose_shirt(const Body& body) {
+  Body dressed = body;
+  const double hem = body.joints.at("hip_L").z() - 0.05, top = body.joints.at("shoulder_L").z();
+  for (std::size_t v = 0; v < body.segment.size(); ++v) {
+    const Vec3& p = body.surface.vertices[v];
+    if (body.segment[v] != Segment::torso || p.z() < hem) continue;
+    const double around = std::atan2(p.x(), -p.y());
+    const double drop = std::max(0.0, (top - p.z()) / (top - hem));
+    dressed.surface.vertices[v] +=
+        (0.005 + drop * (0.07 + 0.03 * std::sin(6 * around))) * body.normals[v];
+  }
+  return as_scan(dressed);
+}
+
+TEST(ScanPerson, LooseClothesAreRefusedWithTheReason) {
+  const BodyParameters twin = person(0, 30, 1.66, 0.94, 0.78, 1.00);
+  const Body known = body_model().build(twin, stances()[1].posture);
+  try {
+    const auto found =
+        person_from_scan(body_model(), in_a_loose_shirt(known), {"scan.obj", "cm", "y"});
+    FAIL() << "taken for skin: " << (found ? found->warnings.back() : "a surface");
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("scan.obj: found clothes or hair"), std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("more than 10 mm outside"), std::string::npos);
+    EXPECT_FALSE(error.hint().empty());
+  }
+}
+
+TEST(ScanPerson, ABellyThatTheModelDoesNotHaveIsSkin) {
+  const BodyParameters twin = person(1, 50, 1.76, 1.10, 1.06, 1.08);
+  Body known = body_model().build(twin, stances()[1].posture);
+  const Vec3 navel = known.landmarks.at("front_waist");
+  for (std::size_t v = 0; v < known.segment.size(); ++v) {
+    Vec3& p = known.surface.vertices[v];
+    if (known.segment[v] == Segment::torso)
+      p += 0.04 * std::exp(-(p - navel).squaredNorm() / (2 * 0.12 * 0.12)) * known.normals[v];
+  }
+  const auto found = person_from_scan(body_model(), as_scan(known), {"scan.obj", "cm", "y"});
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->error.p95, 0.005);
+}
+
 TEST(ScanPerson, IsNobodyWhereThereIsNoPerson) {
   geometry::TriangleMesh ball = support::sphere(0.85, 40, 60);
   for (Vec3& p : ball.vertices) p = Vec3(0.3 * p.x(), 0.2 * p.y(), p.z());

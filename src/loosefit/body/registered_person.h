@@ -10,10 +10,20 @@ struct RegistrationError {
   double p95 = 0;
 };
 
+/// How much of a scan lies outside the nearest person of the model, of what garments cover: cloth
+/// stands off the skin, while the skin of unlike people lies inside as often as outside.
+struct StandOff {
+  double share = 0;               ///< that is farther outside than kStandOff
+  Segment most = Segment::torso;  ///< which has the largest share of its own
+  double most_share = 0;          ///< that
+};
+inline constexpr double kStandOff = 0.010;  ///< [m]
+
 /// A person of the model who looks and stands like somebody's scan.
 struct RegisteredPerson {
   PosedPerson person;          ///< its parameters hold the shift to the scan's own skin
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
+  StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
 };
 

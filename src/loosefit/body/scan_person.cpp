@@ -17,6 +17,12 @@ constexpr double kUpright = radians(5);   // people differ by that when they sta
 constexpr double kMostBent = radians(30);
 constexpr double kLevel = radians(90);  // as far aside as arms can be asked for
 
+// Of scans of people in tank top and leggings, T-shirt, hoodie or trousers 13 to 47 % stand off, of
+// bare ones and of averages of other body models at most 2 % (docs/theory/body_model.md 8).
+constexpr double kUsualStandOff = 0.04, kMostStandOff = 0.07;
+constexpr double kMostOffClothed =
+    0.010;  // in the median, before the shift [m]: at most 6 mm there
+
 constexpr const char* kSides[] = {"_L", "_R"};
 
 Vec3 between(const Body& body, const char* from, const char* to, const char* side) {
@@ -60,6 +66,39 @@ Posture nearest_posture(const Body& body, const Body& upright, const Body& rest)
   return posture;
 }
 
+const char* in_words(Segment segment) {
+  switch (segment) {
+    case Segment::neck:
+      return "neck";
+    case Segment::upper_arm:
+      return "upper arms";
+    case Segment::forearm:
+      return "forearms";
+    case Segment::thigh:
+      return "thighs";
+    case Segment::shank:
+      return "lower legs";
+    default:
+      return "trunk";
+  }
+}
+
+std::string off_in_words(const StandOff& off) {
+  return fmt::format(
+      "{:.0f} % of neck, trunk, arms and legs lie more than {:.0f} mm outside the person of the "
+      "model who fits best, most of it at the {} ({:.0f} %)",
+      100 * off.share, 1e3 * kStandOff, in_words(off.most), 100 * off.most_share);
+}
+
+InvalidInput clothed(const RegisteredPerson& registered, const ScanOptions& options) {
+  return InvalidInput(
+      {options.file, 0, ""},
+      "clothes or hair that stand off the skin: " + off_in_words(registered.stand_off),
+      "the skin of one person, bare or in tight clothes",
+      "scan the person in tight clothes with the hair tied up, or make a body from measures "
+      "instead");
+}
+
 }  // namespace
 
 std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::TriangleMesh mesh,
@@ -68,8 +107,12 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
   options.tell_crossings = false;  // the model's skin is used, not the scan's
   CheckedSurface checked = check_surface(std::move(mesh), options);
   RegisteredPerson registered = register_person(model, checked.mesh);
-  if (!(registered.error.median <= kMostOff.median && registered.error.p95 <= kMostOff.p95))
+  const double off = registered.stand_off.share;
+  if (!(registered.error.median <= kMostOff.median && registered.error.p95 <= kMostOff.p95)) {
+    if (off > kMostStandOff && registered.of_model.median <= kMostOffClothed)
+      throw clothed(registered, options);
     return std::nullopt;
+  }
   ScanPerson made;
   made.body = model.build(registered.person);
   made.body.from_world = checked.from_world;
@@ -82,6 +125,10 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
       fmt::format("the body model lies on the scan: {:.1f} mm off in the median, {:.1f} mm at the "
                   "95th percentile of neck, trunk, arms and legs",
                   1e3 * made.error.median, 1e3 * made.error.p95));
+  if (off > kUsualStandOff)
+    made.warnings.push_back(
+        "it is taken for skin, although " + off_in_words(registered.stand_off) +
+        ": an unusual figure, or clothes, which would be measured and dressed as skin");
   return made;
 } catch (const GeometryError&) {  // of check_surface, or of a tape that does not close
   return std::nullopt;

@@ -22,7 +22,8 @@ struct ScanPerson {
 /// Checks a surface as check_surface does, but with holes of up to 12 % of the stature and 5 % of
 /// the skin, which the model knows more of, and lays the model on it (register_person). Nothing
 /// where the surface is not one person that the model can be laid on within kMostOff: who asked for
-/// less than a person then says why. \throws InvalidInput as check_surface does.
+/// less than a person then says why. \throws InvalidInput as check_surface does, and for a person
+/// in clothes that stand off the skin.
 std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::TriangleMesh mesh,
                                            ScanOptions options);
 

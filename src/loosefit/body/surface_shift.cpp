@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <set>
 
 #include "loosefit/base/error.h"
@@ -24,6 +25,9 @@ constexpr double kSameSide = 0.5;  // least cosine between the normals
 constexpr double kHidden = 0.03;   // skin that faces skin as near is not seen, and pressed [m]
 constexpr double kPassed = 0.02;   // depth to which skin may have passed through other skin [m]
 constexpr double kAlone = 1e-4;    // of the shift itself, where no neighbour knows its place
+
+constexpr std::size_t kStandOffSamples = 3000;  // of the scan's vertices
+constexpr std::size_t kSegments = 9;
 
 bool is_covered(Segment s) {
   return s != Segment::head && s != Segment::hand && s != Segment::foot;
@@ -62,6 +66,33 @@ RegistrationError error_of(const Laid& laid, const BodyModel& model, const Trian
   }
   std::ranges::sort(distances);
   return {distances[distances.size() / 2], distances[distances.size() * 95 / 100]};
+}
+
+StandOff stand_off_of(const Laid& laid, const BodyModel& model, const TriangleMesh& scan) {
+  const TriangleMesh mesh{laid.surface, laid.triangles};
+  const ClosestPointTree tree(mesh);
+  std::array<int, kSegments> seen{}, off{};
+  const std::size_t step = std::max<std::size_t>(1, scan.vertices.size() / kStandOffSamples);
+  for (std::size_t v = 0; v < scan.vertices.size(); v += step) {
+    const ClosestPoint c = tree.query(scan.vertices[v]);
+    const auto& [p, q, r] = laid.triangles[std::size_t(c.triangle)];
+    const Segment segment = model.segments()[std::size_t(p)];
+    if (!is_covered(segment)) continue;
+    const Vec3 outward = geometry::triangle_normal(
+        laid.surface[std::size_t(p)], laid.surface[std::size_t(q)], laid.surface[std::size_t(r)]);
+    ++seen[std::size_t(segment)];
+    off[std::size_t(segment)] += outward.dot(scan.vertices[v] - c.point) > kStandOff;
+  }
+  StandOff found;
+  const auto share = [](int part, int whole) { return whole == 0 ? 0.0 : double(part) / whole; };
+  found.share = share(std::accumulate(off.begin(), off.end(), 0),
+                      std::accumulate(seen.begin(), seen.end(), 0));
+  for (std::size_t s = 0; s < kSegments; ++s)
+    if (const double of_its_own = share(off[s], seen[s]); of_its_own > found.most_share) {
+      found.most_share = of_its_own;
+      found.most = static_cast<Segment>(s);
+    }
+  return found;
 }
 
 /// Whether other skin faces a vertex nearby: in armpits, between the thighs, under hanging arms.
@@ -104,6 +135,7 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   std::vector<Vec3> shift(std::size_t(count), Vec3::Zero());
   Laid laid = lay(model, result.person);
   result.of_model = error_of(laid, model, scan, tree);
+  result.stand_off = stand_off_of(laid, model, scan);
   std::vector<Vec3> moved(std::size_t(count), Vec3::Zero());  // so far, in the scan's frame
   for (const double stiffness : kStiffness) {
     const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
