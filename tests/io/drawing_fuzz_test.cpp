@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 
 #include "loosefit/base/error.h"
@@ -14,6 +13,7 @@
 #include "loosefit/pattern/place_pieces.h"
 #include "loosefit/pattern/propose_seams.h"
 #include "support/drawn_tshirt.h"
+#include "support/fuzz_cases.h"
 #include "support/mutate.h"
 
 // Damaged SVG, FreeSewing JSON and side files: never a crash, never a hang; an error that says
@@ -43,9 +43,7 @@ void go_on(PatternFile file) {
 }
 
 void fuzz(const std::string& valid, const std::string& name, const Read& read, unsigned usual) {
-  // LOOSEFIT_FUZZ_CASES=100000 for the long run under sanitizers.
-  const char* asked = std::getenv("LOOSEFIT_FUZZ_CASES");
-  const unsigned cases = asked ? static_cast<unsigned>(std::atol(asked)) : usual;
+  const unsigned cases = fuzz_cases(usual);
   unsigned refused = 0;
   const auto start = std::chrono::steady_clock::now();
   for (unsigned seed = 0; seed < cases; ++seed) {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/dxf/dxf_read.h"
 #include "loosefit/pattern/pattern_check.h"
 #include "support/dxf_text.h"
+#include "support/fuzz_cases.h"
 #include "support/mutate.h"
 
 // Damaged DXF files: never a crash, never a hang; an error that says where, or a sound pattern.
@@ -15,9 +15,7 @@ namespace {
 
 TEST(DxfFuzz, ReaderRefusesWithAPlaceOrGivesSoundPanels) {
   const std::string valid = gerber_like_dxf();
-  // LOOSEFIT_FUZZ_CASES=100000 for the long run under sanitizers.
-  const char* asked = std::getenv("LOOSEFIT_FUZZ_CASES");
-  const unsigned cases = asked ? static_cast<unsigned>(std::atol(asked)) : 3000;
+  const unsigned cases = fuzz_cases(3000);
   unsigned refused = 0;
   const auto start = std::chrono::steady_clock::now();
   for (unsigned seed = 0; seed < cases; ++seed) {

@@ -61,6 +61,9 @@ TEST(ElasticTable, OddOnesAreRefusedByFileLineAndKey) {
   EXPECT_NE(scenario_refusal(head + "ratio = 0.8\n")
                 .find("case.toml:2: garment.elastic[0].edges: found nothing"),
             std::string::npos);
+  EXPECT_NE(scenario_refusal("[garment]\n[garment.elastic]\nratio = 0.8\n")
+                .find("write [[garment.elastic]] with double brackets"),
+            std::string::npos);
   EXPECT_NE(scenario_refusal(head + "edges = [\"front.hem\"]\n")
                 .find("garment.elastic[0].ratio: found nothing"),
             std::string::npos);

@@ -82,6 +82,19 @@ TEST(PatternSvg, EverySeamNumberStandsOnBothSides) {
   EXPECT_EQ(std::count(svg.begin(), svg.end(), '\0'), 0);
 }
 
+TEST(PatternSvg, AnElasticSaysHowLongItIsCut) {
+  pattern::Pattern shirt = kinds::draft_shirt({});
+  EXPECT_EQ(pattern_svg(shirt).find("elastic"), std::string::npos);
+  pattern::Panel& front = shirt.panels[shirt.find_panel("front")];
+  const int hem = pattern::find_edge(front, "hem");
+  front.edges[hem].elastic = {0.75, 20, 0.03};
+  const double length = 750 * pattern::EdgePath(front, hem).length();
+  const std::string svg = pattern_svg(shirt), mark = "elastic ";
+  const std::size_t at = svg.find(mark);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NEAR(std::stod(svg.substr(at + mark.size())), length, 0.06);
+}
+
 TEST(PatternSvg, NamesAreEscapedAndArcsTurnedOver) {
   pattern::Pattern p =
       read_garmentcode(std::string(LOOSEFIT_SOURCE_DIR) + "/tests/data/patterns/curves.json")

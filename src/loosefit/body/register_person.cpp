@@ -27,6 +27,8 @@ constexpr double kVague = 0.15;       // noise as a share of where outliers begi
 constexpr double kPeers = 300;        // samples that know something of their own
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
+constexpr double kPressed = 0.03;     // skin that faces skin as near may be pressed [m]
+constexpr double kPressedCounts = 0.1;         // its weight
 constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
@@ -81,6 +83,8 @@ class Registration {
     coarse_ = model.rest({}, BodyDetail::coarse).surface.triangles;
     const int step = std::max(1, data_.body_vertices / kSamples);
     for (int v = 0; v < data_.body_vertices; v += step) sampled_.push_back(v);
+    for (std::size_t i = 0; i < samples_.point.size(); ++i)
+      seen_.push_back(seen_at(samples_.point[i], samples_.normal[i]));
     for (const Vec3& p : scan.vertices) height_ = std::max(height_, p.z());
   }
 
@@ -171,7 +175,8 @@ class Registration {
       const ClosestPoint c =
           tree_.query(p, reach, [&](int t) { return scan_normal(t).dot(n) > kSameSide; });
       if (c.triangle < 0) continue;
-      found.push_back({v, c.point, scan_normal(c.triangle), weight_of(v)});
+      const Vec3 m = scan_normal(c.triangle);
+      found.push_back({v, c.point, m, weight_of(v) * seen_at(c.point, m)});
     }
     // Scan to model.
     const ClosestPointTree tree(mesh);
@@ -186,9 +191,16 @@ class Registration {
       c.barycentric.maxCoeff(&nearest);
       const int v = coarse_[std::size_t(c.triangle)][std::size_t(nearest)];
       // The plane is moved by as much as the vertex is from the closest point.
-      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight_of(v)});
+      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight_of(v) * seen_[i]});
     }
     return found;
+  }
+
+  /// What a place of the scan's skin says of the person's shape: less where other skin faces it
+  /// nearby and has pressed it.
+  double seen_at(const Vec3& p, const Vec3& n) const {
+    const auto faces = [&](int t) { return scan_normal(t).dot(n) < -kSameSide; };
+    return tree_.query(p + kPressed / 2 * n, kPressed / 2, faces).triangle < 0 ? 1 : kPressedCounts;
   }
 
   Vec3 scan_normal(int triangle) const {
@@ -259,6 +271,7 @@ class Registration {
   ClosestPointTree tree_;
   std::vector<Vec3> normals_;
   SkinSamples samples_;
+  std::vector<double> seen_;  ///< weight of each
   std::vector<Triangle> coarse_;
   std::vector<int> sampled_;
   double height_ = 0;

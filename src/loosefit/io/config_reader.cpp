@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "loosefit/base/text.h"
 
@@ -351,8 +352,11 @@ std::vector<ConfigReader> ConfigReader::tables(const std::string& key, const std
   }
   const ConfigNode* node = this->node(key);
   if (!node) return {};
-  if (node->kind != Kind::array)
-    throw error(key, "an array of tables", "write [[" + key + "]] with double brackets");
+  const std::string full = path_.empty() ? key : path_ + "." + key;
+  if (node->kind != Kind::array) {
+    const std::string head = std::regex_replace(full, std::regex("\\[\\d+\\]"), "");
+    throw error(key, "an array of tables", "write [[" + head + "]] with double brackets");
+  }
   if (node->items.size() > most)
     throw error(key, fmt::format("{} tables", node->items.size()), fmt::format("at most {}", most),
                 {});
@@ -363,10 +367,7 @@ std::vector<ConfigReader> ConfigReader::tables(const std::string& key, const std
       record_->key(key).tables.push_back(std::make_shared<TableRecord>());
       record = record_->key(key).tables.back().get();
     }
-    readers.emplace_back(
-        item, file_,
-        (path_.empty() ? key : path_ + "." + key) + "[" + std::to_string(readers.size()) + "]",
-        record);
+    readers.emplace_back(item, file_, full + "[" + std::to_string(readers.size()) + "]", record);
   }
   return readers;
 }

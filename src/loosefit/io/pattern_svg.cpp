@@ -88,6 +88,13 @@ std::string text(const Vec2& at, double size, const std::string& words, double a
       at.x(), at.y(), size, turn, svg_escaped(words));
 }
 
+/// Name and length of an edge, and how long its elastic is cut.
+std::string edge_words(const pattern::PanelEdge& edge, double length) {
+  std::string words = fmt::format("{}  {:.1f} mm", edge.name, length);
+  if (edge.elastic) words += fmt::format("  elastic {:.1f} mm", edge.elastic->ratio * length);
+  return words;
+}
+
 /// Name, length and seam number of an edge, inside the piece along the edge.
 std::string edge_texts(const Piece& piece, int e, int seam) {
   const pattern::EdgePath path(*piece.panel, e);
@@ -102,7 +109,7 @@ std::string edge_texts(const Piece& piece, int e, int seam) {
   std::string out;
   const double length = path.length() * kMm;
   if (length > 20) {
-    const std::string words = fmt::format("{}  {:.1f} mm", piece.panel->edges[e].name, length);
+    const std::string words = edge_words(piece.panel->edges[e], length);
     const double size = std::min(5.0, 1.6 * length / static_cast<double>(words.size()));
     out += text(middle + (over ? 7.0 : 4.0) * inwards, size, words, angle);
   }
