@@ -8,6 +8,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_fit.h"
+#include "loosefit/body/scan_person.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/pipeline/simulation_options.h"
@@ -43,6 +44,18 @@ TEST(MakeBody, MissingScanIsAnError) {
   scenario::ScenarioBody wished;
   wished.file = "/nowhere/scan.obj";
   EXPECT_THROW(make_body(wished), Error);
+}
+
+TEST(MakeBody, FleshThatHangingArmsPressIsThereAgainInTheScansMeasures) {
+  scenario::ScenarioBody wished;
+  wished.height = 1.66;
+  wished.measurements = {{"chest", 0.94}, {"waist", 0.78}, {"hip", 1.00}};
+  const body::PosedBody standing = make_body(wished).body;
+  const auto found = body::person_from_scan(body::BodyModel::load(), standing->surface,
+                                            {.file = "scan.obj", .units = "m", .up = "z"});
+  ASSERT_TRUE(found);
+  for (const char* girth : {"chest", "underbust", "waist", "hip", "upper_arm", "armscye", "neck"})
+    EXPECT_NEAR(found->body.measured.at(girth), standing->measured.at(girth), 0.010) << girth;
 }
 
 /// The scan of a person in a posture, metres, z up, so far from the origin.
