@@ -2,12 +2,16 @@
 import type { DataTexture } from "three";
 import type { Case, Place, RankedPlace, State } from "./case_data";
 import { makeScale, tickText, type RangeChoice, type Scale } from "./colour_scale";
+import { Controls } from "./controls";
 import { save, saveText, valuesCsv } from "./downloads";
-import { drawBar, Legend, titleText } from "./legend";
+import { make } from "./elements";
+import { listenToPattern, listenToWorn } from "./gestures";
+import { Legend, titleText } from "./legend";
 import { MapAttributes, tableTexture } from "./map_material";
 import { makeLineMarks } from "./lines";
 import type { Ink, Mark } from "./marks";
 import { PatternView } from "./pattern_view";
+import { makePicture } from "./picture";
 import { readPoint, type Reading } from "./probe";
 import type { SurfacePoint } from "./picking";
 import { WornView, type View } from "./worn_view";
@@ -15,23 +19,13 @@ import { WornView, type View } from "./worn_view";
 const kPlaceRows = "tr[data-site], tr[data-place], tr[data-line]";
 const kViews: [View, string][] = [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"]];
 
-type Attributes = Record<string, string>;
-
-function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {},
-                                                     ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
-}
-
 export class Viewer {
   private readonly worn: WornView;
   private readonly pattern: PatternView;
   private readonly attributes: MapAttributes;
   private readonly legend: Legend;
   private readonly textures = new Map<Uint8Array, DataTexture>();
-  private readonly controls: Record<string, HTMLInputElement | HTMLSelectElement> = {};
+  private readonly controls: Controls;
   private readonly readout: Record<string, HTMLElement> = {};
   private readonly live: HTMLElement;
   private readonly legendTitle: HTMLAnchorElement;
@@ -63,7 +57,17 @@ export class Viewer {
     const legendCanvas = make("canvas", { class: "bar", role: "img" });
     this.legendTitle = make("a", { class: "def", href: "#" });
     this.live = make("p", { class: "sr", role: "status", "aria-live": "polite" });
-    host.replaceChildren(this.makeControls(), make("div", { class: "panes" }, wornPane, flatPane),
+    this.controls = new Controls(data, this.state, this.array, {
+      chooseMap: (array) => this.chooseMap(array),
+      showMap: () => this.showMap(),
+      chooseState: (posture, donning) => {
+        const wanted = data.find(posture, donning);
+        this.chooseState(wanted >= 0 ? wanted : this.stateIndex);
+      },
+      showLook: () => this.showLook(),
+      save: (what) => this.save(what),
+    });
+    host.replaceChildren(this.controls.element, make("div", { class: "panes" }, wornPane, flatPane),
       make("div", { class: "foot" },
         make("div", { class: "legend" }, make("div", { class: "title" }, this.legendTitle), legendCanvas),
         this.makeReadout()), this.live);
@@ -79,7 +83,14 @@ export class Viewer {
       views.append(button);
     }
     this.makeMarks();
-    this.listen(wornCanvas, flatCanvas);
+    const gestures = {
+      hover: (point: SurfacePoint | null) => this.hover(point),
+      pin: (point: SurfacePoint | null) => this.pin(point),
+      step: (du: number, dv: number) => this.step(du, dv),
+      flyToPinned: () => { if (this.pinned) this.worn.flyTo(this.pinned); },
+    };
+    listenToWorn(wornCanvas, this.worn, gestures);
+    listenToPattern(flatCanvas, this.pattern, gestures);
     this.linkTables();
     new ResizeObserver(() => {
       this.worn.resize();
@@ -110,81 +121,6 @@ export class Viewer {
              dark: window.matchMedia("(prefers-color-scheme: dark)").matches };
   }
 
-  // ------------------------------------------------------------------------------- controls
-
-  private labelled(words: string, control: HTMLElement, extra = ""): HTMLElement {
-    return make("label", extra ? { class: extra } : {}, make("span", {}, words), control);
-  }
-
-  private makeControls(): HTMLElement {
-    const { data } = this;
-    const map = make("select", { id: "map" });
-    for (const array of data.order)
-      map.append(make("option", { value: array }, data.maps.get(array)!.title));
-    map.append(make("option", { value: "" }, "Plain cloth"));
-    map.value = this.array ?? "";
-    const range = make("select", { id: "range" },
-      make("option", { value: "fixed" }, "Fixed"), make("option", { value: "drape" }, "This drape"),
-      make("option", { value: "own" }, "My own"));
-    range.title = "Fixed ranges are the same in every report, so that garments can be compared";
-    const low = make("input", { id: "low", type: "number", step: "any", "aria-label": "Range from" });
-    const high = make("input", { id: "high", type: "number", step: "any", "aria-label": "Range to" });
-    const posture = make("select", { id: "posture" }), donning = make("select", { id: "donning" });
-    data.postures.forEach((name, i) => posture.append(make("option", { value: String(i) }, name)));
-    for (let k = 0; k < data.donnings; ++k)
-      donning.append(make("option", { value: String(k) }, k === 0 ? "1st time" : k === 1 ? "2nd time" : k === 2 ? "3rd time" : `${k + 1}th time`));
-    const check = (id: string, words: string, on: boolean) => {
-      const box = make("input", { id, type: "checkbox" });
-      box.checked = on;
-      this.controls[id] = box;
-      box.addEventListener("change", () => this.showLook());
-      return make("label", { class: "check" }, box, words);
-    };
-    const slider = (id: string, words: string) => {
-      const bar = make("input", { id, type: "range", min: "0", max: "100", value: "100" });
-      this.controls[id] = bar;
-      bar.addEventListener("input", () => this.showLook());
-      return this.labelled(words, bar, "slider");
-    };
-    Object.assign(this.controls, { map, range, low, high, posture, donning });
-    map.addEventListener("change", () => this.chooseMap(map.value || null));
-    range.addEventListener("change", () => this.showMap());
-    for (const end of [low, high])
-      end.addEventListener("change", () => {
-        range.value = "own";
-        this.showMap();
-      });
-    for (const control of [posture, donning])
-      control.addEventListener("change", () => {
-        const wanted = data.find(Number(posture.value), Number(donning.value));
-        this.chooseState(wanted >= 0 ? wanted : this.stateIndex);
-      });
-    const first = make("div", { class: "row" }, this.labelled("Map", map),
-      make("div", { class: "group" }, this.labelled("Range", range), low, make("span", { class: "dash" }, "to"), high));
-    if (data.postures.length > 1) first.append(this.labelled("Posture", posture));
-    if (data.donnings > 1) first.append(this.labelled("Put on", donning));
-    const files = make("div", { class: "group end" });
-    for (const [id, words, act] of [
-      ["png-worn", "3-D", () => this.savePicture("worn")],
-      ["png-flat", "Pattern", () => this.savePicture("flat")],
-      ["csv", "Values (CSV)", () => saveText(`${this.fileName()}.csv`, valuesCsv(data, this.state))],
-    ] as [string, string, () => void][]) {
-      const button = make("button", { type: "button", id, class: "plain" }, words);
-      button.title = id === "csv" ? "All maps of this drape, one row per vertex" : "Save this view as PNG";
-      button.addEventListener("click", act);
-      files.append(button);
-    }
-    files.prepend(make("span", { class: "soft" }, "Save"));
-    const second = make("div", { class: "row" }, slider("cloth", "Cloth"), slider("body", "Body"),
-      check("contours", "Contours", false));
-    if (this.state.touching) second.append(check("contact", "Contact", false));
-    if (data.sites.length || data.lines.length || data.ranking)
-      second.append(check("places", data.ranking ? "Places" : data.sites.length ? "Sites" : "Lines", true));
-    if (data.postures.length > 1) second.append(check("arrows", "Slip arrows", true));
-    second.append(files);
-    return make("div", { class: "controls", role: "group", "aria-label": "What is shown" }, first, second);
-  }
-
   private makeReadout(): HTMLElement {
     const list = make("dl", { class: "readout" });
     for (const [key, words] of [["value", "Value"], ["place", "Pattern"], ["address", "Body"],
@@ -201,36 +137,28 @@ export class Viewer {
     return make("div", { class: "probe" }, list, clear);
   }
 
-  private number(id: string): number {
-    return Number((this.controls[id] as HTMLInputElement | undefined)?.value ?? NaN);
-  }
-  private checked(id: string): boolean {
-    return (this.controls[id] as HTMLInputElement | undefined)?.checked ?? false;
-  }
-
   // ------------------------------------------------------------------------------- state and map
 
   chooseMap(array: string | null): void {
     this.wished = array;
     this.array = array !== null && this.state.maps.has(array) ? array : null;
-    (this.controls.map as HTMLSelectElement).value = this.array ?? "";
-    if ((this.controls.range as HTMLSelectElement).value === "own")
-      (this.controls.range as HTMLSelectElement).value = "fixed";
+    this.controls.map.value = this.array ?? "";
+    if (this.controls.range.value === "own") this.controls.range.value = "fixed";
     this.showMap();
   }
 
   chooseState(index: number): void {
     this.stateIndex = index;
     this.state = this.data.state(index);
-    (this.controls.posture as HTMLSelectElement).value = String(this.state.posture);
-    (this.controls.donning as HTMLSelectElement).value = String(this.state.donning);
+    this.controls.posture.value = String(this.state.posture);
+    this.controls.donning.value = String(this.state.donning);
     const has = (a: string | null) => a !== null && this.state.maps.has(a);
     // A posture has its slip where the reference has the maps.
     this.array = has(this.wished) ? this.wished
       : this.wished === null ? null : this.data.order.find((a) => has(a)) ?? null;
-    for (const option of (this.controls.map as HTMLSelectElement).options)
+    for (const option of this.controls.map.options)
       option.disabled = option.value !== "" && !this.state.maps.has(option.value);
-    (this.controls.map as HTMLSelectElement).value = this.array ?? "";
+    this.controls.map.value = this.array ?? "";
     this.attributes.setState(this.state);
     this.worn.setState(this.state);
     this.showMap();
@@ -239,8 +167,7 @@ export class Viewer {
   private showMap(): void {
     const style = this.array ? this.data.maps.get(this.array)! : null;
     const values = this.array ? this.state.maps.get(this.array) : undefined;
-    const range = this.controls.range as HTMLSelectElement;
-    const low = this.controls.low as HTMLInputElement, high = this.controls.high as HTMLInputElement;
+    const { range, low, high } = this.controls;
     for (const control of [range, low, high]) control.disabled = !style;
     if (style) {
       const unit = style.percent ? 100 : 1;
@@ -272,14 +199,15 @@ export class Viewer {
 
   private showLook(): void {
     const mapped = this.scale !== null;
-    const contours = mapped && this.checked("contours") ? this.scale!.lines : 0;
+    const contours = mapped && this.controls.checked("contours") ? this.scale!.lines : 0;
     const texture = this.texture();
-    this.worn.showArrows = this.checked("arrows");
-    this.worn.showPlaces = this.pattern.showPlaces = this.checked("places");
+    this.worn.showArrows = this.controls.checked("arrows");
+    this.worn.showPlaces = this.pattern.showPlaces = this.controls.checked("places");
     const middle = this.scale?.middle ?? true;
-    this.worn.setLook(mapped, texture, contours, middle, this.checked("contact"), this.number("cloth") / 100,
-                      this.number("body") / 100);
-    this.pattern.setLook(mapped, texture, contours, middle, this.checked("contact"));
+    const contact = this.controls.checked("contact");
+    this.worn.setLook(mapped, texture, contours, middle, contact, this.controls.share("cloth"),
+                      this.controls.share("body"));
+    this.pattern.setLook(mapped, texture, contours, middle, contact);
     this.drawLegend();
   }
 
@@ -336,67 +264,6 @@ export class Viewer {
     }
     this.drawLegend();
     return reading;
-  }
-
-  private listen(worn: HTMLCanvasElement, flat: HTMLCanvasElement): void {
-    for (const [canvas, view] of [[worn, this.worn], [flat, this.pattern]] as [HTMLCanvasElement, WornView | PatternView][]) {
-      let pending = 0, at: [number, number] = [0, 0], down: [number, number] | null = null;
-      canvas.addEventListener("pointermove", (event) => {
-        at = [event.offsetX, event.offsetY];
-        if (event.buttons || pending) return;
-        pending = requestAnimationFrame(() => {
-          pending = 0;
-          view.nameMarkAt(at[0], at[1]);
-          this.hover(view.pick(at[0], at[1]));
-        });
-      });
-      canvas.addEventListener("pointerleave", () => {
-        view.nameMarkAt(-99, -99);
-        this.hover(null);
-      });
-      canvas.addEventListener("pointerdown", (event) => { down = [event.offsetX, event.offsetY]; });
-      canvas.addEventListener("pointerup", (event) => {
-        if (!down || Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) > 4) return;
-        const point = view.pick(event.offsetX, event.offsetY);
-        if (point) this.pin(point);
-      });
-    }
-    worn.addEventListener("keydown", (event) => {
-      const act: Record<string, () => void> = {
-        ArrowLeft: () => this.worn.turn(-0.15, 0), ArrowRight: () => this.worn.turn(0.15, 0),
-        ArrowUp: () => this.worn.turn(0, 0.15), ArrowDown: () => this.worn.turn(0, -0.15),
-        "+": () => this.worn.zoom(1.25), "=": () => this.worn.zoom(1.25), "-": () => this.worn.zoom(0.8),
-        f: () => this.worn.look("front"), b: () => this.worn.look("back"),
-        l: () => this.worn.look("left"), r: () => this.worn.look("right"),
-        Enter: () => {
-          const point = this.worn.pick(worn.clientWidth / 2, worn.clientHeight / 2);
-          if (point) this.pin(point);
-        },
-        Escape: () => this.pin(null),
-      };
-      this.onKey(event, act);
-    });
-    flat.addEventListener("keydown", (event) => {
-      const step = event.shiftKey ? 0.02 : 0.005;
-      const middle = (): [number, number] => [flat.clientWidth / 2, flat.clientHeight / 2];
-      const act: Record<string, () => void> = {
-        ArrowLeft: () => this.step(-step, 0), ArrowRight: () => this.step(step, 0),
-        ArrowUp: () => this.step(0, step), ArrowDown: () => this.step(0, -step),
-        "+": () => this.pattern.zoomAt(...middle(), 1.25), "=": () => this.pattern.zoomAt(...middle(), 1.25),
-        "-": () => this.pattern.zoomAt(...middle(), 0.8), "0": () => this.pattern.reset(),
-        Enter: () => { if (this.pinned) this.worn.flyTo(this.pinned); },
-        Escape: () => this.pin(null),
-      };
-      this.onKey(event, act);
-    });
-  }
-
-  private onKey(event: KeyboardEvent, act: Record<string, () => void>): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const found = act[event.key] ?? act[event.key.toLowerCase()];
-    if (!found) return;
-    event.preventDefault();
-    found();
   }
 
   /** Moves the pinned point in the flat pattern; there is one in the first piece to begin with. */
@@ -511,39 +378,19 @@ export class Viewer {
     return parts.join("-").replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "");
   }
 
-  /** A picture with its title and colour bar, on the paper's colour. */
   picture(which: "worn" | "flat"): HTMLCanvasElement {
-    const view = which === "worn" ? this.worn : this.pattern;
-    view.render();
-    const source = view.renderer.domElement, ratio = view.renderer.getPixelRatio();
-    const over = source.nextElementSibling as HTMLCanvasElement;
-    const width = source.clientWidth, height = source.clientHeight, foot = this.scale ? 74 : 0;
-    const sheet = document.createElement("canvas");
-    sheet.width = Math.round(width * ratio);
-    sheet.height = Math.round((height + foot) * ratio);
-    const c = sheet.getContext("2d")!, ink = this.ink();
-    c.scale(ratio, ratio);
-    c.fillStyle = ink.paper;
-    c.fillRect(0, 0, width, height + foot);
-    c.drawImage(source, 0, 0, width, height);
-    c.drawImage(over, 0, 0, width, height);
-    if (this.scale && this.array) {
-      const style = this.data.maps.get(this.array)!;
-      c.fillStyle = ink.text;
-      c.font = "600 13px system-ui, sans-serif";
-      c.textAlign = "center";
-      c.textBaseline = "top";
-      c.fillText(titleText(style, this.state.maps.get(this.array)), width / 2, height + 4);
-      const bar = Math.min(520, width - 60);
-      drawBar(c, { x: (width - bar) / 2, y: height + 26, width: bar, height: 16 }, this.scale, style,
-              this.state.maps.get(this.array), ink.text, null);
-    }
-    return sheet;
+    const map = this.scale && this.array ? { scale: this.scale, style: this.data.maps.get(this.array)!,
+                                             values: this.state.maps.get(this.array) } : null;
+    return makePicture(which === "worn" ? this.worn : this.pattern, map, this.ink());
   }
 
-  private savePicture(which: "worn" | "flat"): void {
-    this.picture(which).toBlob((blob) => {
-      if (blob) save(`${this.fileName()}${which === "flat" ? "-pattern" : ""}.png`, blob);
+  private save(what: "worn" | "flat" | "values"): void {
+    if (what === "values") {
+      saveText(`${this.fileName()}.csv`, valuesCsv(this.data, this.state));
+      return;
+    }
+    this.picture(what).toBlob((blob) => {
+      if (blob) save(`${this.fileName()}${what === "flat" ? "-pattern" : ""}.png`, blob);
     }, "image/png");
   }
 }
