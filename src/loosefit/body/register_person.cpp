@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "loosefit/body/facing_skin.h"
 #include "loosefit/body/morph.h"
 #include "loosefit/body/person_variables.h"
 #include "loosefit/body/rest_body.h"
@@ -27,8 +28,7 @@ constexpr double kVague = 0.15;       // noise as a share of where outliers begi
 constexpr double kPeers = 300;        // samples that know something of their own
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
-constexpr double kPressed = 0.03;     // skin that faces skin as near may be pressed [m]
-constexpr double kPressedCounts = 0.1;         // its weight
+constexpr double kPressedCounts = 0.1;         // weight of skin that other skin presses
 constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
@@ -199,8 +199,10 @@ class Registration {
   /// What a place of the scan's skin says of the person's shape: less where other skin faces it
   /// nearby and has pressed it.
   double seen_at(const Vec3& p, const Vec3& n) const {
-    const auto faces = [&](int t) { return scan_normal(t).dot(n) < -kSameSide; };
-    return tree_.query(p + kPressed / 2 * n, kPressed / 2, faces).triangle < 0 ? 1 : kPressedCounts;
+    return faces_skin(
+               tree_, [&](int t) { return scan_normal(t); }, p, n)
+               ? kPressedCounts
+               : 1;
   }
 
   Vec3 scan_normal(int triangle) const {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/facing_skin.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit::body {
@@ -22,7 +23,6 @@ using geometry::TriangleMesh;
 constexpr std::array kStiffness = {8.0, 4.0, 2.0, 2.0, 2.0};
 constexpr double kReach = 0.03;    // farther skin of the scan is somebody's else [m]
 constexpr double kSameSide = 0.5;  // least cosine between the normals
-constexpr double kHidden = 0.03;   // skin that faces skin as near is not seen, and pressed [m]
 constexpr double kPassed = 0.02;   // depth to which skin may have passed through other skin [m]
 constexpr double kAlone = 1e-4;    // of the shift itself, where no neighbour knows its place
 
@@ -102,12 +102,12 @@ std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& out
   std::vector<char> hidden(std::size_t(count), 0);
   for (std::size_t v = 0; v < hidden.size(); ++v) {
     const Vec3 &p = laid.surface[v], &n = outward[v];
-    const auto faces = [&](int t) {
-      return outward[std::size_t(laid.triangles[std::size_t(t)][0])].dot(n) < -kSameSide;
+    const auto normal_of = [&](int t) -> Vec3 {
+      return outward[std::size_t(laid.triangles[std::size_t(t)][0])];
     };
+    const auto opposite = [&](int t) { return normal_of(t).dot(n) < -kSameSide; };
     // Ahead, or passed through where the model's flesh does not give way.
-    hidden[v] = tree.query(p + kHidden / 2 * n, kHidden / 2, faces).triangle >= 0 ||
-                tree.query(p, kPassed, faces).triangle >= 0;
+    hidden[v] = faces_skin(tree, normal_of, p, n) || tree.query(p, kPassed, opposite).triangle >= 0;
   }
   return hidden;
 }
