@@ -62,6 +62,21 @@ TEST(FreesewingSvg, HalvesAreUnfoldedAndSleevesCutTwice) {
   }
 }
 
+TEST(FreesewingSvg, PartsThatAreEmptyAndLinesThatAreInNoneAreTold) {
+  // The sleeve's outline stands beside its part.
+  std::string text = freesewing_tshirt(false);
+  const std::size_t begin = text.find("<path class=\"fabric\" id=\"fs-sleeve\"");
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = text.find("/>", begin) + 2;
+  const std::string sleeve = text.substr(begin, end - begin);
+  text.erase(begin, end - begin);
+  text.insert(text.rfind("</svg>"), sleeve + "\n");
+  const PatternFile file = read(text);
+  EXPECT_EQ(file.pattern.panels.size(), 2u);
+  EXPECT_TRUE(tells(file.unused, "part tee.sleeve: it is empty"));
+  EXPECT_TRUE(tells(file.unused, "lines of class \"fabric\" in no part: 1"));
+}
+
 TEST(FreesewingSvg, SaysTheSameAsItsJson) {
   const PatternFile drawn = read(freesewing_tshirt(true));
   const PatternFile json = parse_freesewing_json(freesewing_json(), "p.json");
@@ -123,6 +138,22 @@ TEST(InkscapeSvg, HalfPiecesAreUnfoldedAtALineCalledFold) {
   ASSERT_EQ(file.pattern.panels.size(), 1u);
   EXPECT_EQ(file.pattern.panels[0].edges.size(), 8u);
   EXPECT_TRUE(tells(file.about, "1 half pieces unfolded"));
+}
+
+TEST(InkscapeSvg, AHalfPieceThatHangsTogetherByAPointIsLeftOutWithAWarning) {
+  // Its shoulder comes down to the fold.
+  for (const char* at_fold : {"0,8", "1e-300,8", "0.4,8"}) {
+    SCOPED_TRACE(at_fold);
+    std::string front = kFrontHalf;
+    front.replace(front.find("80,8"), 4, at_fold);
+    const PatternFile file =
+        read(svg("width=\"800mm\" height=\"700mm\" viewBox=\"0 0 800 700\"",
+                 "<g id=\"front\"><path d=\"" + front +
+                     "\"/><path id=\"fold\" d=\"M0 100 V 590\"/></g><g id=\"back\"><path d=\"" +
+                     kBackHalf + "\" transform=\"translate(400 0)\"/></g>"));
+    ASSERT_EQ(file.pattern.panels.size(), 1u);
+    EXPECT_TRUE(tells(file.warnings, "crosses itself"));
+  }
 }
 
 TEST(InkscapeSvg, OpenLinesOfAGroupThatCloseTogetherAreAPiece) {

@@ -194,10 +194,11 @@ Fold unfold(Outline& loop, const Vec2& a, const Vec2& b) {
   const auto mirrored = [&](const Vec2& p) -> Vec2 { return p - 2 * across.dot(p - a) * across; };
   Outline half;
   for (std::size_t i = start + count; i <= start + n; ++i) half.push_back(loop[i % n]);
-  for (OutlinePoint* p : {&half.front(), &half.back()}) {
-    p->at -= across.dot(p->at - a) * across;
-    p->corner = false;
-  }
+  // Other points on the axis come to lie on their own images: a piece that hangs together by a
+  // point is then refused as one that crosses itself.
+  for (OutlinePoint& p : half)
+    if (const double off = across.dot(p.at - a); std::abs(off) < kOnAxis) p.at -= off * across;
+  half.front().corner = half.back().corner = false;
   Outline whole = half;
   for (std::size_t i = half.size() - 2; i > 0; --i)
     whole.push_back({mirrored(half[i].at), half[i].corner});

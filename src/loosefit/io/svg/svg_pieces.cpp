@@ -24,6 +24,7 @@ constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so muc
 constexpr double kNearOutline = 0.03;     // of notches and fold lines that have no group [m]
 constexpr double kWholePage = 0.95;       // of its width and height
 constexpr double kBeforeAllOthers = 1e6;  // [m²]
+constexpr std::string_view kPartMark = "-part-";  // in the id of a part of FreeSewing
 constexpr const char* kOtherLines[] = {"sa", "help", "hidden", "dashed", "lashed", "dotted"};
 constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
@@ -381,19 +382,27 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
   for (const SvgShape& shape : document.shapes)
     marked = marked || shape.marker.find("cutonfold") != std::string::npos ||
              shape.marker.find("grainline") != std::string::npos;
+  const auto is_part = [](const SvgGroup& group) {
+    return group.id.find(kPartMark) != std::string::npos;
+  };
+  const auto part_name = [](const SvgGroup& group) {
+    return group.id.substr(group.id.find(kPartMark) + kPartMark.size()).substr(0, 100);
+  };
   const auto part_group = [&](const SvgShape& shape) {
     for (std::size_t k = shape.groups.size(); k-- > 0;)
-      if (document.groups[shape.groups[k]].id.find("-part-") != std::string::npos)
-        return shape.groups[k];
+      if (is_part(document.groups[shape.groups[k]])) return shape.groups[k];
     return -1;
   };
   for (const SvgShape& shape : document.shapes) {
     const int g = part_group(shape);
-    if (g < 0) continue;
+    if (g < 0) {
+      if (has_class(shape, "fabric")) ++left["lines of class \"fabric\" in no part"];
+      continue;
+    }
     FreesewingPart& part = parts[g];
     if (part.name.empty()) {
       const SvgGroup& group = document.groups[g];
-      part.name = group.id.substr(group.id.find("-part-") + 6).substr(0, 100);
+      part.name = part_name(group);
       const std::vector<Vec2> middle =
           in_metres({group.place * Vec2(0, 0), group.place * Vec2(0, 1)}, unit);
       part.middle = {middle[0], middle[1]};
@@ -432,6 +441,9 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
     }
   }
   for (const auto& [what, count] : left) unused.push_back(fmt::format("{}: {}", what, count));
+  for (std::size_t g = 0; g < document.groups.size(); ++g)
+    if (is_part(document.groups[g]) && !parts.contains(static_cast<int>(g)))
+      unused.push_back("part " + printable(part_name(document.groups[g])) + ": it is empty");
   std::vector<SvgPiece> pieces;
   for (auto& [group, part] : parts) {
     if (part.seam.points.empty()) {
