@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "loosefit/geometry/flat_triangle.h"
 #include "support/only_draped.h"
+#include "support/trunk_tubes.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -35,6 +39,49 @@ TEST(ElasticWorn, AHemWithElasticIsGathered) {
   EXPECT_LT(soft, 0.995 * free);
   EXPECT_LT(firm, 0.95 * free);
   EXPECT_LT(firm, soft);
+}
+
+// A ring of tape in tension T that lies on a convex body presses on it with 2π T in all, whatever
+// the shape: the curve turns by 2π once round. What the cloth under it carried would be missing.
+TEST(ElasticWorn, AWaistPressesWithTheTensionOfItsTape) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "elastic_waist.json";
+  std::ofstream(file) << support::tube_file(46, 48, 18, 96);
+  const double ratio = 0.6, stiffness = 50;
+  const CaseResult result = support::only_draped(
+      "[garment]\npattern = \"" + file.string() +
+      "\"\n[[garment.elastic]]\nedges = [\"front.edge_2\", \"back.edge_2\"]\nratio = 0.6\n"
+      "stiffness = 50\n[simulation]\nedge_length = 0.02\n[donning]\nmovements = []\n");
+  std::filesystem::remove(file);
+  const garment::Garment& g = result.studied().mesh();
+  const drape::Drape& drape = result.studied().drape;
+  double tension = 0, weight = 0;
+  for (const fabric::BandPart& part : g.bands) {
+    double stretch = 0;
+    for (const fabric::BandTriangle& t : part.triangles) {
+      Vec3 image = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) image += t.row[k] * drape.positions[g.triangles[t.triangle][k]];
+      stretch += t.share * image.norm();
+    }
+    tension += part.length * stiffness * fabric::band_law(stretch / ratio - 1).force;
+    weight += part.length;
+  }
+  tension /= weight;
+  double pressing = 0;
+  for (const double force : drape.body_normal_force) pressing += force;
+  EXPECT_GT(tension, 2);
+  EXPECT_NEAR(pressing, 2 * kPi * tension, 0.15 * 2 * kPi * tension);
+  // The cloth under it is gathered to the waist, though not to the tape's own length.
+  double along = 0, area = 0;
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    if (!g.triangle_gathered[t]) continue;
+    const auto f =
+        geometry::deformation_gradient(g.triangle_uv[t], g.triangles[t], drape.positions);
+    const double flat = geometry::flat_area(g.triangle_uv[t]);
+    along += flat * f.col(0).norm();
+    area += flat;
+  }
+  EXPECT_GT(along / area, 1.1 * ratio);
+  EXPECT_LT(along / area, 0.9);
 }
 
 }  // namespace

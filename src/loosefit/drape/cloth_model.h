@@ -58,8 +58,8 @@ class ClothModel {
   /// Of the body contact of every layer.
   void set_field(const std::shared_ptr<const contact::DistanceField>& field);
 
-  /// Forces on every particle [N], by kind in the order of kForceNames; those of bands that are sewn
-  /// on are counted with the membrane.
+  /// Forces on every particle [N], by kind in the order of kForceNames; those of bands that are
+  /// sewn on are counted with the membrane.
   using Forces = std::array<particles::VectorField, kForceNames.size()>;
   Forces forces(const particles::VectorField& x) const;
 
@@ -87,8 +87,12 @@ class ClothModel {
   void recall(const ClothMemory& memory);
 
  private:
+  /// Of the triangles of a layer that lie in gathers, or of the others, if there are any.
+  void add_membrane(const garment::Garment& garment, const std::vector<Triangle>& triangles,
+                    bool gathered, fabric::Material material, bool viscous);
+
   ClothMesh mesh_;
-  std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // per layer
+  std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // one or two a layer
   std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
   std::vector<std::unique_ptr<fabric::BandEnergy>> bands_;
   std::unique_ptr<particles::GravityEnergy> gravity_;

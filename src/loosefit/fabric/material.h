@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,16 @@ struct Material {
   /// plane stand for what was measured; beyond, they are extrapolated. 0: not stated.
   double valid_strain_warp = 0, valid_strain_weft = 0, valid_shear = 0;
 };
+
+/// Stiffness ratio in compression of cloth that lies in gathers finer than the mesh. Small against
+/// what gathers it, large enough for a sound tangent.
+inline constexpr double kGatheredCompression = 0.01;
+
+/// The same cloth in such gathers: it pulls where it is drawn flat, and hardly pushes.
+inline Material gathered(Material material) {
+  material.compression_factor = std::min(material.compression_factor, kGatheredCompression);
+  return material;
+}
 
 /// Multiplies everything that resists in the plane, curves included, by `share`.
 inline void scale_membrane(Material& material, double share) {

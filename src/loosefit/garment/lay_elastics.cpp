@@ -1,12 +1,26 @@
 #include "loosefit/garment/lay_elastics.h"
 
+#include "loosefit/garment/covered_share.h"
 #include "loosefit/garment/lay_band.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::garment {
 namespace {
 
-constexpr int kPieces = 48;  // along an edge
+constexpr int kPieces = 48;             // along an edge
+constexpr double kLeastCovered = 0.25;  // share of a triangle from which it is gathered
+
+void gather(Garment& g, int panel, const Cable& tape) {
+  PathStrip strip(tape.path, tape.width);
+  g.triangle_gathered.resize(g.triangles.size(), 0);
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    if (g.triangle_panel[t] != panel) continue;
+    const auto& [a, b, c] = g.triangle_uv[t];
+    if (strip.may_cover(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)) &&
+        covered_share(g.triangle_uv[t], strip) > kLeastCovered)
+      g.triangle_gathered[t] = 1;
+  }
+}
 
 }  // namespace
 
@@ -22,6 +36,7 @@ void lay_elastics(Garment& garment, const pattern::Pattern& pattern) {
       tape.axial_stiffness = elastic->stiffness;
       tape.pre_stretch = 1 / elastic->ratio - 1;
       lay_band(garment, p, tape);
+      gather(garment, p, tape);
     }
   }
 }

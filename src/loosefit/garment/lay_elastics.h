@@ -4,8 +4,9 @@
 
 namespace loosefit::garment {
 
-/// Adds the elastics along the edges of the panels (PanelEdge::elastic) to Garment::bands. Their
-/// weight is left out: that of a tape is a tenth of that of the cloth it gathers (judgement).
+/// Lays the elastics along the edges of the panels (PanelEdge::elastic): the tapes into
+/// Garment::bands, the cloth under them into triangle_gathered, for cloth that pushed would carry a
+/// tape's tension by itself and keep it from the body. The weight of tapes is left out.
 void lay_elastics(Garment& garment, const pattern::Pattern& pattern);
 
 }  // namespace loosefit::garment

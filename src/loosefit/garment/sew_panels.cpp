@@ -7,8 +7,8 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/union_find.h"
-#include "loosefit/garment/surface_check.h"
 #include "loosefit/garment/lay_elastics.h"
+#include "loosefit/garment/surface_check.h"
 #include "loosefit/garment/thicken.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/outline.h"
