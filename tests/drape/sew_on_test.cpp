@@ -23,6 +23,7 @@
 namespace loosefit::drape {
 namespace {
 
+using testing_support::from_nothing;
 using testing_support::PlacedTop;
 
 const body::PosedBody& woman() {
@@ -160,16 +161,6 @@ TEST(SewOn, HandsThatComeDownPushASkirtAsideAndDoNotPassThroughIt) {
           std::max(most, (drape.positions[c[k]] - drape.positions[c[(k + 1) % 3]]).norm() / flat);
     }
   EXPECT_LT(most, 1.3);  // round a hand it was 3
-}
-
-/// Sewn by what its pieces are and placed by nobody: its pieces lie at the origin.
-pattern::Pattern from_nothing(pattern::Pattern pattern) {
-  std::vector<pattern::Notch> notches;
-  const pattern::KnownGarment known = pattern::know_garment(pattern);
-  EXPECT_TRUE(known.certain());
-  pattern::sew_chains(pattern, known.seams, notches);
-  pattern::place_pieces(pattern);
-  return pattern;
 }
 
 TEST(ArrangePanels, ASleeveInOnePieceIsRolledRoundTheArm) {

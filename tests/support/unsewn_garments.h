@@ -1,9 +1,13 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "loosefit/pattern/curve_chain.h"
 #include "loosefit/pattern/drafting.h"
+#include "loosefit/pattern/known_garment.h"
+#include "loosefit/pattern/place_pieces.h"
 #include "support/simple_patterns.h"
 
 /// Pieces that nothing is sewn of yet and that lie at the origin, for tests of seams and placement.
@@ -163,6 +167,23 @@ inline pattern::Pattern unsewn_skirt(double waist = 0.74, double hem = 1.2, doub
   pattern::Pattern pattern;
   pattern.name = "skirt";
   pattern.panels = {panel("front"), panel("back")};
+  return pattern;
+}
+
+/// A strip that is drawn upright, longer than wide.
+inline pattern::Panel upright_strip(const std::string& name, double length, double width) {
+  return numbered_panel(name,
+                        {straight({0, 0}, {width, 0}), straight({width, 0}, {width, length}),
+                         straight({width, length}, {0, length}), straight({0, length}, {0, 0})});
+}
+
+/// Sewn by what its pieces are and placed by nobody: its pieces lie at the origin.
+inline pattern::Pattern from_nothing(pattern::Pattern pattern) {
+  std::vector<pattern::Notch> notches;
+  const pattern::KnownGarment known = pattern::know_garment(pattern);
+  EXPECT_TRUE(known.certain()) << (known.doubts.empty() ? "" : known.doubts.front());
+  pattern::sew_chains(pattern, known.seams, notches);
+  pattern::place_pieces(pattern);
   return pattern;
 }
 

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/lay_bands.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
-#include "loosefit/drape/rolled_sleeve.h"
+#include "loosefit/drape/rolled_panel.h"
 #include "loosefit/drape/skirt_width.h"
 #include "loosefit/drape/sleeve_middle.h"
 #include "loosefit/geometry/box.h"
@@ -61,6 +63,7 @@ class Arranger {
       openings_ = garment_openings(sewn_, pattern_);
       roles_ = panel_roles(open_, pattern_, openings_, placed_);
       find_sides();
+      bands_ = find_bands(open_, roles_);
       const Vec3 shift = trunk_shift();
       for (int v = 0; v < g_.vertex_count; ++v)
         if (role(v) == PanelRole::trunk) x_[v] += shift;
@@ -76,7 +79,10 @@ class Arranger {
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
-        if (roles_[k] == PanelRole::trunk) clear_trunk(static_cast<int>(k));
+        if (roles_[k] == PanelRole::trunk && !bands_.count(static_cast<int>(k)))
+          clear_trunk(static_cast<int>(k));
+      lay_bands(open_, bands_, roles_, placed_crotch() ? side_ : std::vector<int>{}, body_, x_);
+      for (const auto& [k, band] : bands_) outside_[k].setZero();
     } else {
       for (std::size_t k = 0; k < outside_.size(); ++k) clear_along_normal(static_cast<int>(k));
     }
@@ -86,10 +92,11 @@ class Arranger {
   }
 
  private:
+  /// Without bands in one piece, which are longer in the plane than the body is wide.
   std::vector<int> trunk_vertices() const {
     std::vector<int> found;
     for (int v = 0; v < g_.vertex_count; ++v)
-      if (role(v) == PanelRole::trunk) found.push_back(v);
+      if (role(v) == PanelRole::trunk && !bands_.count(g_.vertex_panel[v])) found.push_back(v);
     return found;
   }
 
@@ -161,8 +168,7 @@ class Arranger {
 
   Vec3 trunk_shift() const {
     geometry::Box3 box;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (role(v) == PanelRole::trunk) box.extend(placed_[v]);
+    for (int v : trunk_vertices()) box.extend(placed_[v]);
     const double dx = body_->joints.at("neck").x() - 0.5 * (box.min().x() + box.max().x());
     const double dz = rise();
     return {std::abs(dx) > kAgrees ? dx : 0, 0, std::abs(dz) > kAgrees ? dz : 0};
@@ -343,7 +349,7 @@ class Arranger {
     }
     const Vec3 mid = body_arm.at(start + (0 - begin) / 2).tangent;
     for (int k : panels) {
-      const RolledSleeve rolled(open_, placed_, k, from, axis, outside_[k]);
+      const RolledPanel rolled(open_, placed_, k, from, axis, outside_[k]);
       if (rolled.goes_round()) {
         roll_round_arm(k, rolled, body_arm, start - begin);
         outside_[k].setZero();
@@ -356,7 +362,7 @@ class Arranger {
 
   /// A sleeve in one piece goes round the arm: wider, then farther out along it, until it is clear
   /// of the body.
-  void roll_round_arm(int panel, const RolledSleeve& sleeve, const Polyline& arm, double offset) {
+  void roll_round_arm(int panel, const RolledPanel& sleeve, const Polyline& arm, double offset) {
     for (int step = 0; step < kSteps; ++step) {
       sleeve.place(arm, offset + kBeyond * (step / 5), kStep * (step % 5), x_);
       bool clear = true;
@@ -435,6 +441,7 @@ class Arranger {
   std::vector<Opening> openings_;
   std::vector<PanelRole> roles_;
   std::vector<int> side_;
+  std::map<int, BandRing> bands_;  ///< by panel
   std::vector<Vec3> placed_, x_, outside_;
 };
 

@@ -33,7 +33,8 @@ struct ArrangedPanels {
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
 /// * what is wider than the way between the hands is squeezed to lie between them, what is narrower
 ///   than the body below its crotch is stretched to lie round it;
-/// * then every panel moves along its outside normal until it is clear of the body.
+/// * bands in one piece, sewn to themselves, are rings round what they are sewn to (band_ring.h);
+/// * then every other panel moves along its outside normal until it is clear of the body.
 ///
 /// Round a body without joints panels are only moved outwards, by up to 0.3 m. \throws
 /// GeometryError when the pattern lacks a panel.

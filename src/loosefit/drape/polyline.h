@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,21 @@ class Polyline {
     }
     const Vec3 tangent = (points_[i + 1] - points_[i]) / length;
     return {points_[i] + s * tangent, tangent};
+  }
+  /// Way to the point of the line, continued straight at both ends, that is next to p.
+  double project(const Vec3& p) const {
+    double best = 0, least = std::numeric_limits<double>::infinity(), before = 0;
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+      const Vec3 way = points_[i + 1] - points_[i];
+      const double length = way.norm();
+      double s = (p - points_[i]).dot(way) / length;
+      if (i > 0) s = std::max(s, 0.0);
+      if (i + 2 < points_.size()) s = std::min(s, length);
+      const double far = (points_[i] + s / length * way - p).squaredNorm();
+      if (far < least) least = far, best = before + s;
+      before += length;
+    }
+    return best;
   }
   /// Way along the first piece, however far, that is next to p.
   double project_on_first(const Vec3& p) const {

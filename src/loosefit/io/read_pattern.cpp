@@ -46,7 +46,7 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
     const std::size_t count = known.seams.size();
     pattern::sew_chains(file.pattern, known.seams, file.notches);
     file.about.push_back(fmt::format(
-        "sewn by what its pieces are, {}: {} seams whose lengths agree, and no other way to sew it",
+        "sewn by what its pieces are, {}: {} seams whose lengths agree or that a band gathers, and no other way to sew it",
         known.kind, count));
     return;
   }

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/pattern/known_bands.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -143,17 +144,18 @@ class Knower {
     else if (skirts_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       skirt();
     if (garment_.kind.empty()) return std::move(garment_);
-    std::vector<std::string> left;
-    for (std::size_t p = 0; p < pattern_.panels.size(); ++p)
-      if (garment_.pieces[p].role == PieceRole::unknown)
-        left.push_back(printable(pattern_.panels[p].name));
-    if (!left.empty()) doubt("no part of it: " + join(left));
     for (const ChainSeam& seam : garment_.seams) {
       const double a = chain_length(pattern_, seam.first), b = chain_length(pattern_, seam.second);
       if (difference(a, b) > kSameLength)
         doubt(fmt::format("seam {}: its sides are {:.1f} and {:.1f} mm long", seam.name, 1000 * a,
                           1000 * b));
     }
+    bands();
+    std::vector<std::string> left;
+    for (std::size_t p = 0; p < pattern_.panels.size(); ++p)
+      if (garment_.pieces[p].role == PieceRole::unknown)
+        left.push_back(printable(pattern_.panels[p].name));
+    if (!left.empty()) doubt("no part of it: " + join(left));
     return std::move(garment_);
   }
 
@@ -229,6 +231,27 @@ class Knower {
     to.insert(to.end(), more.begin(), more.end());
   }
 
+  /// Of what is left the bands at open loops.
+  void bands() {
+    std::vector<int> rest;
+    for (std::size_t p = 0; p < pattern_.panels.size(); ++p)
+      if (garment_.pieces[p].role == PieceRole::unknown) rest.push_back(static_cast<int>(p));
+    KnownBands known = know_bands(pattern_, rest, loops_);
+    for (KnownBand& band : known.bands) {
+      garment_.pieces[band.panel].role = PieceRole::band;
+      garment_.pieces[band.panel].side = loops_[band.loop].side;
+      garment_.seams.push_back(std::move(band.side));
+      garment_.seams.push_back(std::move(band.ends));
+    }
+    for (const std::string& why : known.doubts) doubt(why);
+  }
+
+  void add_loop(const std::string& name, LoopKind kind, int side, std::vector<Stitch::Side> first,
+                const std::vector<Stitch::Side>& more = {}) {
+    append(first, more);
+    loops_.push_back({name, kind, side, std::move(first)});
+  }
+
   void shirt() {
     front_first(trunks_, neck_depth(trunks_[0]) - neck_depth(trunks_[1]));
     const int front = trunks_[0], back = trunks_[1];
@@ -244,7 +267,9 @@ class Knower {
     // Seen from outside the wearer's left is at the right of the front, at the left of the back.
     add("side_L", sides(front, 1), sides(back, last));
     add("side_R", sides(front, last), sides(back, 1));
+    add_loop("hem", LoopKind::hem, 0, sides(front, 0), sides(back, 0));
     if (raglan) return raglan_sleeves(front, back);
+    add_loop("neck", LoopKind::neck, 0, sides(front, 4), sides(back, 4));
     add("shoulder_L", sides(front, 3), sides(back, 5));
     add("shoulder_R", sides(front, 5), sides(back, 3));
     if (sleeves_.empty()) return;
@@ -262,6 +287,7 @@ class Knower {
       }
       add("armhole" + name, sides(p, 2), hole);
       add("underarm" + name, sides(p, 1), sides(p, 3));
+      add_loop("wrist" + name, LoopKind::wrist, left ? 1 : -1, sides(p, 0));
     }
   }
 
@@ -281,7 +307,16 @@ class Knower {
       add("raglan_front" + name, sides(p, left ? 4 : 2), sides(front, left ? 2 : 4));
       add("raglan_back" + name, sides(p, left ? 2 : 4), sides(back, left ? 4 : 2));
       add("underarm" + name, sides(p, 1), sides(p, 5));
+      add_loop("wrist" + name, LoopKind::wrist, left ? 1 : -1, sides(p, 0));
     }
+    // From front to back over the right sleeve, back over the left one.
+    std::vector<Stitch::Side> neck = sides(front, 3);
+    for (const int side : {-1, 1}) {
+      for (const int p : sleeves_)
+        if (garment_.pieces[p].side == side) append(neck, sides(p, 3));
+      if (side < 0) append(neck, sides(back, 3));
+    }
+    add_loop("neck", LoopKind::neck, 0, std::move(neck));
   }
 
   /// How much less the half of a cap behind its top (at the end of the outline's way) bulges than
@@ -378,7 +413,13 @@ class Knower {
           sides(backs[i], section(backs[i], 1)));
       add("inseam" + name, sides(fronts[i], section(fronts[i], 4)),
           sides(backs[i], section(backs[i], 4)));
+      const bool left = i == 0;
+      add_loop("hem" + name, LoopKind::hem, left ? 1 : -1, sides(fronts[i], 0), sides(backs[i], 0));
     }
+    std::vector<Stitch::Side> waist;
+    for (const int p : {fronts[0], fronts[1], backs[1], backs[0]})
+      append(waist, sides(p, section(p, 2)));
+    add_loop("waist", LoopKind::waist, 0, std::move(waist));
     add("crotch_front", sides(fronts[0], section(fronts[0], 3)),
         sides(fronts[1], section(fronts[1], 3)));
     add("crotch_back", sides(backs[0], section(backs[0], 3)),
@@ -393,11 +434,14 @@ class Knower {
     garment_.pieces[back].role = PieceRole::back_skirt;
     add("side_L", sides(front, 1), sides(back, 3));
     add("side_R", sides(front, 3), sides(back, 1));
+    add_loop("waist", LoopKind::waist, 0, sides(front, 2), sides(back, 2));
+    add_loop("hem", LoopKind::hem, 0, sides(front, 0), sides(back, 0));
   }
 
   const Pattern& pattern_;
   KnownGarment garment_;
   std::vector<int> trunks_, sleeves_, legs_, skirts_;
+  std::vector<OpenLoop> loops_;
 };
 
 }  // namespace

@@ -8,7 +8,17 @@
 namespace loosefit::pattern {
 
 /// What a piece is in a garment that is known by its topology.
-enum class PieceRole { unknown, front, back, sleeve, front_leg, back_leg, front_skirt, back_skirt };
+enum class PieceRole {
+  unknown,
+  front,
+  back,
+  sleeve,
+  front_leg,
+  back_leg,
+  front_skirt,
+  back_skirt,
+  band
+};
 
 /// A piece, told by name and outline.
 struct KnownPiece {
@@ -35,8 +45,9 @@ struct KnownGarment {
 
 /// Tells T-shirts, long-sleeve and raglan shirts (front, back, two sleeves in one piece each), tank
 /// tops, trousers (two fronts, two backs) and skirts (front, back) by the sections of their
-/// outlines, by symmetry and by names; and how they are sewn. Doubts: pieces that are no part of
-/// it, lengths of a seam that differ by more than 2 %, more than one way to tell a piece.
+/// outlines, by symmetry and by names; bands at their edges (known_bands.h); and how they are sewn.
+/// Doubts: pieces that are no part of it, lengths of a seam that differ by more than 2 % and that
+/// no band gathers, more than one way to tell a piece.
 KnownGarment know_garment(const Pattern& pattern);
 
 }  // namespace loosefit::pattern

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,12 +62,16 @@ class Placer {
     for (std::size_t p = 0; p < n_; ++p)
       pattern_.panels[p].rotation = facing_rotation(facing_[p], known_.pieces[p].upright);
     lay_first();
-    // Whatever is sewn to what lies already, by most seams first.
+    // Whatever is sewn to what lies already, by most seams first; bands last, in the middle of all
+    // that they go round.
     while (true) {
       int next = -1, most = 0;
-      for (std::size_t p = 0; p < n_; ++p)
-        if (const int seams = placed_[p] ? 0 : seams_to_placed(static_cast<int>(p)); seams > most)
-          most = seams, next = static_cast<int>(p);
+      for (const bool bands : {false, true})
+        for (std::size_t p = 0; p < n_ && (next < 0 || !bands); ++p) {
+          if (placed_[p] || (known_.pieces[p].role == PieceRole::band) != bands) continue;
+          if (const int seams = seams_to_placed(static_cast<int>(p)); seams > most)
+            most = seams, next = static_cast<int>(p);
+        }
       if (next < 0) break;
       lay_beside_seams(next);
     }
@@ -103,6 +108,7 @@ class Placer {
         case PieceRole::sleeve:
           facing_[p] = piece.side > 0 ? Facing::left_arm : Facing::right_arm;
           break;
+        case PieceRole::band:  // with what it is sewn to
         case PieceRole::unknown: {
           const Panel& panel = pattern_.panels[p];
           const PieceWords w = words_of(panel.name);
@@ -137,7 +143,8 @@ class Placer {
         }
         if (like == Facing::unknown) continue;
         facing_[p] = like;
-        guessed.push_back(printable(pattern_.panels[p].name));
+        if (known_.pieces[p].role != PieceRole::band)
+          guessed.push_back(printable(pattern_.panels[p].name));
         grown = true;
       }
     }
@@ -215,8 +222,43 @@ class Placer {
     lay_flat(first, -0.5 * (box.min().x() + box.max().x()), -box.min().z());
   }
 
+  /// A piece that nothing tells which way up it lies, such as a band drawn upright: turned in its
+  /// plane until its seams lie along those of its neighbours in that plane.
+  void turn_to_seams(int p) {
+    Panel& panel = pattern_.panels[p];
+    std::vector<Vec2> own, target;
+    for (const Stitch& stitch : pattern_.stitches) {
+      const auto* other = other_side(stitch, p);
+      if (!other || !placed_[other->panel] || facing_[other->panel] != facing_[p]) continue;
+      const Stitch::Side& side = stitch.first.panel == p ? stitch.first : stitch.second;
+      const Panel& neighbour = pattern_.panels[other->panel];
+      const EdgePath path(panel, side.edge), along(neighbour, other->edge);
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const Vec2 q = along.at(stitch.right_wrong ? t : 1 - t);
+        const Vec3 at = panel.rotation.transpose() *
+                        (neighbour.rotation * Vec3(q.x(), q.y(), 0) + neighbour.translation);
+        own.push_back(path.at(t));
+        target.emplace_back(at.x(), at.y());
+      }
+    }
+    if (own.empty()) return;
+    // The turn of least squares (Kabsch 1976, in the plane).
+    Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+    for (std::size_t i = 0; i < own.size(); ++i) a += own[i], b += target[i];
+    a /= static_cast<double>(own.size()), b /= static_cast<double>(own.size());
+    double dot = 0, cross = 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Vec2 u = own[i] - a, v = target[i] - b;
+      dot += u.dot(v), cross += u.x() * v.y() - u.y() * v.x();
+    }
+    if (std::hypot(dot, cross) < 1e-8) return;
+    panel.rotation *= Eigen::AngleAxisd(std::atan2(cross, dot), Vec3::UnitZ()).toRotationMatrix();
+  }
+
   void lay_beside_seams(int p) {
     Panel& panel = pattern_.panels[p];
+    if (known_.pieces[p].role == PieceRole::unknown || known_.pieces[p].role == PieceRole::band)
+      turn_to_seams(p);
     panel.translation = Vec3::Zero();
     Vec3 sum = Vec3::Zero(), target = Vec3::Zero();
     int count = 0;
@@ -231,7 +273,7 @@ class Placer {
     const Vec3 shift = (target - sum) / count;
     const Facing facing = facing_[p];
     if (facing == Facing::left_arm || facing == Facing::right_arm) {
-      const Vec3 along = (known_.pieces[p].upright ? -1 : 1) * panel.rotation.col(1);
+      const Vec3 along = -facing_rotation(facing, true).col(1);
       panel.translation = shift + kFromHole * along;
       placed_[p] = 1;
     } else {

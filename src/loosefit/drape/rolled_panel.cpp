@@ -1,4 +1,4 @@
-#include "loosefit/drape/rolled_sleeve.h"
+#include "loosefit/drape/rolled_panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr double kLeastRadius = 0.04, kLeastWidth = 0.05;  ///< [m]
 
 }  // namespace
 
-RolledSleeve::RolledSleeve(const garment::OpenSeams& open, const std::vector<Vec3>& placed,
-                           int panel, const Vec3& from, const Vec3& axis, const Vec3& normal)
+RolledPanel::RolledPanel(const garment::OpenSeams& open, const std::vector<Vec3>& placed, int panel,
+                         const Vec3& from, const Vec3& axis, const Vec3& normal)
     : axis_(axis), normal_(normal), across_(normal.cross(axis).normalized()) {
   const std::vector<int>& of = open.garment.vertex_panel;
   for (int v = 0; v < open.garment.vertex_count; ++v)
@@ -38,7 +38,7 @@ RolledSleeve::RolledSleeve(const garment::OpenSeams& open, const std::vector<Vec
             [](const Girth& a, const Girth& b) { return a.s < b.s; });
 }
 
-RolledSleeve::Girth RolledSleeve::girth_at(double s) const {
+RolledPanel::Girth RolledPanel::girth_at(double s) const {
   if (s <= girths_.front().s) return girths_.front();
   if (s >= girths_.back().s) return girths_.back();
   std::size_t i = 1;
@@ -48,14 +48,14 @@ RolledSleeve::Girth RolledSleeve::girth_at(double s) const {
   return {s, a.low + t * (b.low - a.low), a.high + t * (b.high - a.high)};
 }
 
-void RolledSleeve::place(const Polyline& arm, double offset, double wider,
-                         std::vector<Vec3>& x) const {
+void RolledPanel::place(const Polyline& limb, double offset, double wider,
+                        std::vector<Vec3>& x) const {
   for (const Point& point : points_) {
     const Girth girth = girth_at(point.s);
     const double half = 0.5 * (girth.high - girth.low);
     const double angle = (point.across - 0.5 * (girth.low + girth.high)) / half * (kPi - kSeamSlit);
     const double radius = std::max(half / kPi, kLeastRadius) + wider;
-    const Polyline::Place at = arm.at(offset + point.s);
+    const Polyline::Place at = limb.at(offset + point.s);
     const Vec3 round = radius * (std::cos(angle) * normal_ + std::sin(angle) * across_);
     x[point.vertex] = at.point + geometry::rotation_between(axis_, at.tangent) * round;
   }

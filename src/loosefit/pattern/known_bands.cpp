@@ -1,0 +1,105 @@
+#include "loosefit/pattern/known_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "loosefit/base/text.h"
+#include "loosefit/pattern/piece_names.h"
+
+namespace loosefit::pattern {
+namespace {
+
+constexpr double kLongerThanWide = 2.5;
+constexpr double kEndsAlike = 0.05, kSidesAlike = 0.15;  ///< relative differences of lengths
+constexpr double kShortest = 0.6, kLongest = 1.03;       ///< of a band over its loop
+constexpr double kStraightEnd = 0.05;                    ///< bulge of an end, at most
+
+double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
+
+/// The two sides and ends of a strip; the first side is the longer one, which is sewn on: a band
+/// that is cut in a curve is narrower at its free edge.
+struct Strip {
+  Section side, first_end, second_end;
+};
+
+std::optional<Strip> as_strip(const Panel& panel) {
+  const std::vector<Section> s = outline_sections(panel);
+  if (s.size() != 4) return {};
+  const std::size_t i = s[0].length + s[2].length > s[1].length + s[3].length ? 0 : 1;
+  const Section &a = s[i], &b = s[i + 2], &end_a = s[i + 1], &end_b = s[(i + 3) % 4];
+  if (difference(a.length, b.length) > kSidesAlike ||
+      difference(end_a.length, end_b.length) > kEndsAlike ||
+      std::min(a.length, b.length) < kLongerThanWide * std::max(end_a.length, end_b.length) ||
+      std::max(std::abs(end_a.bulge), std::abs(end_b.bulge)) > kStraightEnd)
+    return {};
+  if (a.length >= b.length) return Strip{a, end_a, end_b};
+  return Strip{b, end_b, end_a};
+}
+
+bool says_a_band(const PieceWords& w) { return w.neck || w.cuff || w.waist || w.sleeve; }
+
+/// A name that says nothing allows any loop.
+bool allows(const PieceWords& w, LoopKind kind) {
+  if (!says_a_band(w)) return true;
+  return (w.neck && kind == LoopKind::neck) || (w.cuff && kind != LoopKind::neck) ||
+         (w.sleeve && kind == LoopKind::wrist) ||
+         (w.waist && (kind == LoopKind::waist || kind == LoopKind::hem));
+}
+
+const char* name_of(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::neck:
+      return "neck";
+    case LoopKind::wrist:
+      return "wrists";
+    case LoopKind::waist:
+      return "waist";
+    default:
+      return "hem";
+  }
+}
+
+}  // namespace
+
+KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
+                      const std::vector<OpenLoop>& loops) {
+  KnownBands known;
+  std::set<int> taken;  // loops
+  for (const int p : panels) {
+    const Panel& panel = pattern.panels[p];
+    const PieceWords w = words_of(panel.name + " " + panel.label);
+    const auto strip = as_strip(panel);
+    if (!strip || w.pocket || w.hood || w.yoke) continue;
+    std::vector<int> fit;
+    std::set<LoopKind> kinds;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      const OpenLoop& loop = loops[l];
+      const double ratio = strip->side.length / chain_length(pattern, loop.edges);
+      const bool other_side = (w.left && loop.side < 0) || (w.right && loop.side > 0);
+      if (taken.count(static_cast<int>(l)) || !allows(w, loop.kind) || other_side ||
+          ratio < kShortest || ratio > kLongest)
+        continue;
+      fit.push_back(static_cast<int>(l));
+      kinds.insert(loop.kind);
+    }
+    if (fit.empty()) continue;
+    const OpenLoop& loop = loops[fit.front()];
+    if (kinds.size() > 1)
+      known.doubts.push_back("band " + printable(panel.name) + " fits more than one edge; the " +
+                             name_of(loop.kind) + " is taken");
+    else if (!says_a_band(w))
+      known.doubts.push_back("piece " + printable(panel.name) + " is taken for a band at the " +
+                             name_of(loop.kind) + " by its length alone");
+    taken.insert(fit.front());
+    known.bands.push_back({p,
+                           fit.front(),
+                           {"band_" + loop.name, strip->side.sides(panel, p), loop.edges, false},
+                           {"band_ends_" + loop.name, strip->first_end.sides(panel, p),
+                            strip->second_end.sides(panel, p), false}});
+  }
+  return known;
+}
+
+}  // namespace loosefit::pattern
