@@ -170,6 +170,24 @@ inline pattern::Pattern unsewn_skirt(double waist = 0.74, double hem = 1.2, doub
   return pattern;
 }
 
+/// Left and right leg in one piece each: hem, inseam and crotch of the back, waist, crotch and
+/// inseam of the front on the left one.
+inline pattern::Pattern unsewn_leggings(double waist = 0.74, double hip = 0.95, double rise = 0.26,
+                                        double length = 0.70, double hem = 0.28) {
+  const double w = waist / 4, h = hip / 4, fork = 0.07;
+  const std::vector<pattern::CurveChain> left = {
+      straight({-hem / 2, 0}, {hem / 2, 0}),
+      straight({hem / 2, 0}, {h + fork, length}),
+      curved({h + fork, length}, {h, length + 0.02}, {h, length + 0.1}, {w, length + rise + 0.03}),
+      straight({w, length + rise + 0.03}, {-w, length + rise}),
+      curved({-w, length + rise}, {-h, length + 0.1}, {-h, length + 0.02}, {-h - fork, length}),
+      straight({-h - fork, length}, {-hem / 2, 0})};
+  pattern::Pattern pattern;
+  pattern.name = "leggings";
+  pattern.panels = {numbered_panel("leg", left), mirrored_panel("leg_mirrored", left)};
+  return pattern;
+}
+
 /// A strip that is drawn upright, longer than wide.
 inline pattern::Panel upright_strip(const std::string& name, double length, double width) {
   return numbered_panel(name,

@@ -17,6 +17,7 @@
 #include "loosefit/drape/rolled_panel.h"
 #include "loosefit/drape/skirt_width.h"
 #include "loosefit/drape/sleeve_middle.h"
+#include "loosefit/drape/wrapped_leg.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/rotation_between.h"
 
@@ -68,10 +69,18 @@ class Arranger {
       for (int v = 0; v < g_.vertex_count; ++v)
         if (role(v) == PanelRole::trunk) x_[v] += shift;
       if (const auto crotch = placed_crotch()) {
+        wrapped_ = find_wrapped_legs(open_, side_);
+        std::map<int, double> plane;
+        for (int k : wrapped_) plane[k] = plane_of(k);
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
+        for (int k : wrapped_) {
+          wrap_leg(open_, k, side_[k], plane.at(k), body_, x_);
+          outside_[k].setZero();
+        }
       }
-      const std::vector<int> trunk = trunk_vertices();
+      std::vector<int> trunk = trunk_vertices();
+      std::erase_if(trunk, [&](int v) { return is_wrapped(g_.vertex_panel[v]); });
       squeeze_between_hands(x_, trunk, body_);
       if (loop_of(kinds::OpeningUse::left_leg).empty() &&
           loop_of(kinds::OpeningUse::right_leg).empty())
@@ -79,7 +88,8 @@ class Arranger {
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
-        if (roles_[k] == PanelRole::trunk && !bands_.count(static_cast<int>(k)))
+        if (roles_[k] == PanelRole::trunk && !bands_.count(static_cast<int>(k)) &&
+            !is_wrapped(static_cast<int>(k)))
           clear_trunk(static_cast<int>(k));
       lay_bands(open_, bands_, roles_, placed_crotch() ? side_ : std::vector<int>{}, body_, x_);
       for (const auto& [k, band] : bands_) outside_[k].setZero();
@@ -98,6 +108,18 @@ class Arranger {
     for (int v = 0; v < g_.vertex_count; ++v)
       if (role(v) == PanelRole::trunk && !bands_.count(g_.vertex_panel[v])) found.push_back(v);
     return found;
+  }
+
+  bool is_wrapped(int panel) const {
+    return std::find(wrapped_.begin(), wrapped_.end(), panel) != wrapped_.end();
+  }
+
+  /// Where a panel stands that lies beside the body [m].
+  double plane_of(int panel) const {
+    double sum = 0, count = 0;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (g_.vertex_panel[v] == panel) sum += x_[v].x(), ++count;
+    return sum / count;
   }
 
   PanelRole role(int v) const { return roles_[g_.vertex_panel[v]]; }
@@ -442,6 +464,7 @@ class Arranger {
   std::vector<PanelRole> roles_;
   std::vector<int> side_;
   std::map<int, BandRing> bands_;  ///< by panel
+  std::vector<int> wrapped_;       ///< panels that are legs in one piece
   std::vector<Vec3> placed_, x_, outside_;
 };
 

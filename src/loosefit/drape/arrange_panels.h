@@ -33,6 +33,7 @@ struct ArrangedPanels {
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
 /// * what is wider than the way between the hands is squeezed to lie between them, what is narrower
 ///   than the body below its crotch is stretched to lie round it;
+/// * a leg in one piece is laid round the outside of body and leg (wrapped_leg.h);
 /// * bands in one piece, sewn to themselves, are rings round what they are sewn to (band_ring.h);
 /// * then every other panel moves along its outside normal until it is clear of the body.
 ///

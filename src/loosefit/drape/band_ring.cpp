@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kWhole = 0.8;       ///< share of a strip's width over which its ends are sewn
 constexpr double kEndToEnd = 0.75;   ///< share of its length that lies between sewn vertices
+constexpr double kNarrow = 2.5;      ///< length over width
 constexpr double kBeside = 0.01;     ///< of its side from that of its partners, along the limb [m]
 constexpr double kFromSkin = 0.006;  ///< at least [m]
 constexpr double kStep = 0.005;      ///< by which it is widened [m]
@@ -67,6 +68,7 @@ std::optional<BandRing> BandRing::find(const garment::OpenSeams& open, int panel
   if (girth < kEndToEnd * length.length() || sewn.length() < kWhole * width.length() ||
       length.length() < width.length())
     return {};
+  band.narrow_ = length.length() >= kNarrow * width.length();
   return band;
 }
 

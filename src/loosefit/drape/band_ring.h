@@ -17,6 +17,8 @@ class BandRing {
   static std::optional<BandRing> find(const garment::OpenSeams& open, int panel);
   /// The panels to which it is sewn.
   const std::vector<int>& sewn_to() const { return sewn_to_; }
+  /// At least 2.5 times as long as wide.
+  bool is_narrow() const { return narrow_; }
   /// Middle of the places in x to which it is sewn [m].
   Vec3 middle(const std::vector<Vec3>& x) const;
   /// Writes its vertices to x, in which the panels that it is sewn to are arranged: next to them on
@@ -33,6 +35,7 @@ class BandRing {
   };
   BandRing() = default;
   int panel_ = 0;
+  bool narrow_ = false;
   std::vector<int> vertices_, sewn_to_;
   std::vector<Seam> side_;
   Vec3 across_ = Vec3::Zero();  ///< unit vector in the plane of the panel from end to end

@@ -33,9 +33,9 @@ std::map<int, BandRing> find_bands(const garment::OpenSeams& open,
   for (std::size_t k = 0; k < roles.size(); ++k) {
     auto band = BandRing::find(open, static_cast<int>(k));
     if (!band) continue;
-    const bool sleeve = roles[k] != PanelRole::trunk &&
-                        std::any_of(band->sewn_to().begin(), band->sewn_to().end(),
-                                    [&](int o) { return roles[o] == PanelRole::trunk; });
+    const bool at_trunk = std::any_of(band->sewn_to().begin(), band->sewn_to().end(),
+                                      [&](int o) { return roles[o] == PanelRole::trunk; });
+    const bool sleeve = roles[k] != PanelRole::trunk && at_trunk && !band->is_narrow();
     if (!sleeve) bands.emplace(static_cast<int>(k), std::move(*band));
   }
   return bands;

@@ -8,7 +8,7 @@
 namespace loosefit::drape {
 
 /// The bands in one piece of a garment, by panel of open.garment. A tube that is sewn to the trunk
-/// along an armhole is a sleeve, not a band.
+/// along an armhole is a sleeve, not a band, unless it is narrow.
 std::map<int, BandRing> find_bands(const garment::OpenSeams& open,
                                    const std::vector<PanelRole>& roles);
 

@@ -38,13 +38,16 @@ std::optional<Strip> as_strip(const Panel& panel) {
   return Strip{b, end_b, end_a};
 }
 
-bool says_a_band(const PieceWords& w) { return w.neck || w.cuff || w.waist || w.sleeve; }
+bool says_a_band(const PieceWords& w) {
+  return w.neck || w.armhole || w.cuff || w.waist || w.sleeve;
+}
 
 /// A name that says nothing allows any loop.
 bool allows(const PieceWords& w, LoopKind kind) {
   if (!says_a_band(w)) return true;
-  return (w.neck && kind == LoopKind::neck) || (w.cuff && kind != LoopKind::neck) ||
-         (w.sleeve && kind == LoopKind::wrist) ||
+  return (w.neck && kind == LoopKind::neck) ||
+         (w.cuff && kind != LoopKind::neck && kind != LoopKind::armhole) ||
+         (w.sleeve && kind == LoopKind::wrist) || (w.armhole && kind == LoopKind::armhole) ||
          (w.waist && (kind == LoopKind::waist || kind == LoopKind::hem));
 }
 
@@ -52,6 +55,8 @@ const char* name_of(LoopKind kind) {
   switch (kind) {
     case LoopKind::neck:
       return "neck";
+    case LoopKind::armhole:
+      return "armholes";
     case LoopKind::wrist:
       return "wrists";
     case LoopKind::waist:

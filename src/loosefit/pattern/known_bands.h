@@ -8,7 +8,7 @@
 namespace loosefit::pattern {
 
 /// What an open loop of edges of a known garment is.
-enum class LoopKind { neck, wrist, waist, hem };
+enum class LoopKind { neck, armhole, wrist, waist, hem };
 
 /// An open loop of edges, in the order of the outlines: the end of one is where the next begins.
 struct OpenLoop {

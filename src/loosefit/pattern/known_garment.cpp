@@ -18,116 +18,9 @@ namespace {
 
 constexpr double kSameLength = 0.02;  // of lengths that are sewn or mirrored
 constexpr double kDeeper = 0.01;      // by which a front's neck is lower [m]
-constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
 constexpr double kAsymmetric = 0.02;  // of the two halves of a cap that differ
-constexpr double kConcave = -0.01;    // bulge of what is cut out
 
 double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
-
-/// Sections counted from `first` on.
-std::vector<Section> from(const std::vector<Section>& sections, std::size_t first) {
-  std::vector<Section> turned = sections;
-  std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
-  return turned;
-}
-
-Vec2 middle(const Section& s) { return (s.from + s.to) / 2; }
-
-/// Eight sections that mirror each other about the first (hem, side, armhole, shoulder, neck, …) or
-/// six (hem, side, raglan, neck, …).
-std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
-  const std::size_t n = sections.size(), across = n / 2;
-  if (n != 6 && n != 8) return {};
-  double best = kSameLength;
-  std::optional<KnownPiece> found;
-  for (std::size_t i = 0; i < across; ++i) {
-    double worst = 0;
-    for (std::size_t k = 1; k < across; ++k)
-      worst = std::max(worst,
-                       difference(sections[(i + k) % n].length, sections[(i + n - k) % n].length));
-    if (worst >= best) continue;
-    best = worst;
-    const bool hem_first = sections[i].chord() > sections[i + across].chord();
-    KnownPiece piece;
-    piece.sections = from(sections, hem_first ? i : i + across);
-    const auto& s = piece.sections;
-    // A neckline and armholes are cut out, a hem is not.
-    if (s[across].bulge > -kConcave || s[2].bulge > kCapBulge || s[n - 2].bulge > kCapBulge)
-      continue;
-    piece.upright = middle(s[across]).y() > middle(s[0]).y();
-    found = piece;
-  }
-  return found;
-}
-
-/// Six sections: cuff, underarm, raglan, neck, raglan, underarm; the neck is the shortest.
-std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections) {
-  if (sections.size() != 6) return {};
-  std::size_t neck = 0;
-  for (std::size_t i = 1; i < 6; ++i)
-    if (sections[i].length < sections[neck].length) neck = i;
-  KnownPiece piece;
-  piece.role = PieceRole::sleeve;
-  piece.sections = from(sections, (neck + 3) % 6);
-  const auto& s = piece.sections;
-  if (difference(s[1].length, s[5].length) > kSameLength) return {};
-  piece.upright = middle(s[3]).y() > middle(s[0]).y();
-  return piece;
-}
-
-/// Four sections: cuff, underarm, cap, underarm.
-std::optional<KnownPiece> as_sleeve(const std::vector<Section>& sections) {
-  if (sections.size() != 4) return {};
-  std::optional<KnownPiece> found;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Section &cuff = sections[i], &cap = sections[(i + 2) % 4];
-    if (cap.bulge < kCapBulge || cap.bulge < cuff.bulge + kCapBulge ||
-        difference(sections[(i + 1) % 4].length, sections[(i + 3) % 4].length) > kSameLength)
-      continue;
-    if (found) return {};
-    KnownPiece piece;
-    piece.role = PieceRole::sleeve;
-    piece.sections = from(sections, i);
-    piece.upright = middle(cap).y() > middle(cuff).y();
-    found = piece;
-  }
-  return found;
-}
-
-/// Four sections with equal sides: hem, side, waist, side; the warp runs up.
-std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections) {
-  if (sections.size() != 4) return {};
-  std::size_t lowest = 0;
-  for (std::size_t i = 1; i < 4; ++i)
-    if (middle(sections[i]).y() < middle(sections[lowest]).y()) lowest = i;
-  KnownPiece piece;
-  piece.sections = from(sections, lowest);
-  if (difference(piece.sections[1].length, piece.sections[3].length) > kSameLength) return {};
-  return piece;
-}
-
-/// Five sections: hem between the two longest, crotch cut out, waist.
-std::optional<KnownPiece> as_leg(const std::vector<Section>& sections) {
-  if (sections.size() != 5) return {};
-  std::size_t hem = 0;
-  double longest = 0;
-  for (std::size_t i = 0; i < 5; ++i) {
-    const double sum = sections[(i + 1) % 5].length + sections[(i + 4) % 5].length;
-    if (sum > longest) longest = sum, hem = i;
-  }
-  KnownPiece piece;
-  piece.sections = from(sections, hem);
-  const auto& s = piece.sections;
-  const bool outseam_next = s[3].bulge < s[2].bulge;
-  const Section &crotch = outseam_next ? s[3] : s[2], &waist = outseam_next ? s[2] : s[3];
-  const Section &outseam = outseam_next ? s[1] : s[4], &inseam = outseam_next ? s[4] : s[1];
-  if (crotch.bulge > kConcave || crotch.bulge > waist.bulge + kConcave ||
-      outseam.length < inseam.length)
-    return {};
-  piece.side = outseam_next ? 1 : -1;  // as a front; a back is the other way round
-  piece.upright = middle(waist).y() > middle(s[0]).y();
-  return piece;
-}
 
 class Knower {
  public:
@@ -141,6 +34,8 @@ class Knower {
       shirt();
     else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
       trousers();
+    else if (whole_legs_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
+      leggings();
     else if (skirts_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       skirt();
     if (garment_.kind.empty()) return std::move(garment_);
@@ -177,6 +72,11 @@ class Knower {
       if (auto piece = as_raglan_sleeve(sections)) {
         garment_.pieces[p] = *piece;
         return sleeves_.push_back(p);
+      }
+    if (w.leg || w.left || w.right)
+      if (auto piece = as_whole_leg(sections); piece && !w.sleeve) {
+        garment_.pieces[p] = *piece;
+        return whole_legs_.push_back(p);
       }
     if (auto piece = as_sleeve(sections);
         piece && (w.sleeve || (!w.front && !w.back && !w.skirt))) {
@@ -272,7 +172,11 @@ class Knower {
     add_loop("neck", LoopKind::neck, 0, sides(front, 4), sides(back, 4));
     add("shoulder_L", sides(front, 3), sides(back, 5));
     add("shoulder_R", sides(front, 5), sides(back, 3));
-    if (sleeves_.empty()) return;
+    if (sleeves_.empty()) {
+      add_loop("armhole_L", LoopKind::armhole, 1, sides(front, 2), sides(back, 6));
+      add_loop("armhole_R", LoopKind::armhole, -1, sides(back, 2), sides(front, 6));
+      return;
+    }
     tell_sleeves([this](int p) { return scoop(p); });
     for (const int p : sleeves_) {
       const bool left = garment_.pieces[p].side > 0;
@@ -426,6 +330,42 @@ class Knower {
         sides(backs[1], section(backs[1], 3)));
   }
 
+  /// The crotch of a back is longer; next to the hem in the outline of a left leg is the back.
+  void leggings() {
+    int side[2] = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+      const auto& s = garment_.pieces[whole_legs_[i]].sections;
+      const PieceWords w = words(whole_legs_[i]);
+      const int name = w.left ? 1 : w.right ? -1 : 0;
+      const int shape = difference(s[2].length, s[4].length) < kSameLength ? 0
+                        : s[2].length > s[4].length                        ? 1
+                                                                           : -1;
+      if (name != 0 && shape != 0 && name != shape)
+        doubt("piece " + printable(panel(whole_legs_[i]).name) +
+              ": its name and its crotch, which is longer behind, say different legs");
+      side[i] = shape != 0 ? shape : name;
+    }
+    if (side[0] == 0) side[0] = side[1] == 0 ? 1 : -side[1];
+    if (side[1] == 0) side[1] = -side[0];
+    if (side[0] == side[1]) {
+      doubt("both legs are for the same side");
+      side[1] = -side[0];
+    }
+    if (side[0] < 0) std::swap(whole_legs_[0], whole_legs_[1]);
+    const int left = whole_legs_[0], right = whole_legs_[1];
+    garment_.kind = "trousers with legs in one piece";
+    garment_.pieces[left].side = 1, garment_.pieces[right].side = -1;
+    for (const int p : whole_legs_) {
+      const std::string name = p == left ? "_L" : "_R";
+      garment_.pieces[p].role = PieceRole::leg;
+      add("inseam" + name, sides(p, 1), sides(p, 5));
+      add_loop("hem" + name, LoopKind::hem, garment_.pieces[p].side, sides(p, 0));
+    }
+    add("crotch_front", sides(left, 4), sides(right, 2));
+    add("crotch_back", sides(left, 2), sides(right, 4));
+    add_loop("waist", LoopKind::waist, 0, sides(left, 3), sides(right, 3));
+  }
+
   void skirt() {
     front_first(skirts_, 0);
     const int front = skirts_[0], back = skirts_[1];
@@ -440,7 +380,7 @@ class Knower {
 
   const Pattern& pattern_;
   KnownGarment garment_;
-  std::vector<int> trunks_, sleeves_, legs_, skirts_;
+  std::vector<int> trunks_, sleeves_, legs_, whole_legs_, skirts_;
   std::vector<OpenLoop> loops_;
 };
 

@@ -16,13 +16,14 @@
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kBefore = 0.20;      ///< of fronts and backs from the middle [m]
-constexpr double kFromMiddle = 0.03;  ///< of pieces of one leg [m]
-constexpr double kArmDown = 0.7;      ///< of arms below the horizontal [rad]
-constexpr double kFromHole = 0.03;    ///< of a sleeve from its armhole [m]
+constexpr double kBefore = 0.20;        ///< of fronts and backs from the middle [m]
+constexpr double kBesideMiddle = 0.25;  ///< of legs in one piece [m]
+constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
+constexpr double kArmDown = 0.7;        ///< of arms below the horizontal [rad]
+constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
 
 /// The way a piece faces.
-enum class Facing { unknown, front, back, left_arm, right_arm };
+enum class Facing { unknown, front, back, left_side, right_side, left_arm, right_arm };
 
 Mat3 facing_rotation(Facing facing, bool upright) {
   Mat3 r;
@@ -31,6 +32,14 @@ Mat3 facing_rotation(Facing facing, bool upright) {
     case Facing::back:
       r.col(1) = Vec3::UnitZ();
       r.col(2) = Vec3::UnitY();
+      break;
+    case Facing::left_side:
+      r.col(1) = Vec3::UnitZ();
+      r.col(2) = Vec3::UnitX();
+      break;
+    case Facing::right_side:
+      r.col(1) = Vec3::UnitZ();
+      r.col(2) = -Vec3::UnitX();
       break;
     case Facing::left_arm:
       r.col(1) = Vec3(-c, 0, s);
@@ -105,6 +114,9 @@ class Placer {
         case PieceRole::back_skirt:
           facing_[p] = Facing::back;
           break;
+        case PieceRole::leg:
+          facing_[p] = piece.side > 0 ? Facing::left_side : Facing::right_side;
+          break;
         case PieceRole::sleeve:
           facing_[p] = piece.side > 0 ? Facing::left_arm : Facing::right_arm;
           break;
@@ -123,8 +135,9 @@ class Placer {
         }
       }
     }
-    if (std::none_of(facing_.begin(), facing_.end(),
-                     [](Facing f) { return f == Facing::front || f == Facing::back; }))
+    if (std::none_of(facing_.begin(), facing_.end(), [](Facing f) {
+          return f == Facing::front || f == Facing::back || f == Facing::left_side;
+        }))
       throw GeometryError({{}, 0, "pieces"}, "no piece that is told to be a front or a back",
                           "names such as front and back",
                           "name the pieces, or give the file a placement (GarmentCode JSON)");
@@ -184,13 +197,20 @@ class Placer {
 
   bool is_leg(int p) const {
     const PieceRole role = known_.pieces[p].role;
-    return role == PieceRole::front_leg || role == PieceRole::back_leg;
+    return role == PieceRole::front_leg || role == PieceRole::back_leg || role == PieceRole::leg;
   }
 
   /// Where a piece goes that is before or behind: its distance, and beside the middle what is for
   /// one side.
   void lay_flat(int p, double x, double z) {
     Panel& panel = pattern_.panels[p];
+    if (facing_[p] == Facing::left_side || facing_[p] == Facing::right_side) {
+      const geometry::Box3 box = box_of(p);
+      panel.translation = Vec3(facing_[p] == Facing::left_side ? kBesideMiddle : -kBesideMiddle,
+                               -0.5 * (box.min().y() + box.max().y()) + panel.translation.y(), z);
+      placed_[p] = 1;
+      return;
+    }
     panel.translation = Vec3(x, facing_[p] == Facing::back ? kBefore : -kBefore, z);
     const int side = is_leg(p) ? known_.pieces[p].side : side_by_name(p);
     const geometry::Box3 box = box_of(p);
@@ -209,7 +229,7 @@ class Placer {
   void lay_first() {
     int first = -1;
     double largest = 0;
-    for (const Facing facing : {Facing::front, Facing::back}) {
+    for (const Facing facing : {Facing::front, Facing::back, Facing::left_side}) {
       for (std::size_t p = 0; p < n_ && (first < 0 || facing == facing_[first]); ++p) {
         if (facing_[p] != facing) continue;
         const double area = signed_area(outline_polygon(pattern_.panels[p], 8));
@@ -285,6 +305,8 @@ class Placer {
     for (std::size_t p = 0; p < n_; ++p) {
       if (!pattern_.panels[p].label.empty()) continue;
       const bool arm = facing_[p] == Facing::left_arm || facing_[p] == Facing::right_arm;
+      // A band at an armhole is of the arm, which its seams tell where its label does not.
+      if (known_.pieces[p].role == PieceRole::band && !arm) continue;
       pattern_.panels[p].label = arm ? "arm" : is_leg(static_cast<int>(p)) ? "leg" : "body";
     }
   }

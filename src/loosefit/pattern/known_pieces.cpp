@@ -1,0 +1,134 @@
+#include "loosefit/pattern/known_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loosefit::pattern {
+namespace {
+
+constexpr double kSameLength = 0.02;  // of lengths that mirror each other
+constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
+constexpr double kConcave = -0.01;    // bulge of what is cut out
+
+double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
+
+/// Sections counted from `first` on.
+std::vector<Section> from(const std::vector<Section>& sections, std::size_t first) {
+  std::vector<Section> turned = sections;
+  std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+  return turned;
+}
+
+Vec2 middle(const Section& s) { return (s.from + s.to) / 2; }
+
+}  // namespace
+
+std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
+  const std::size_t n = sections.size(), across = n / 2;
+  if (n != 6 && n != 8) return {};
+  double best = kSameLength;
+  std::optional<KnownPiece> found;
+  for (std::size_t i = 0; i < across; ++i) {
+    double worst = 0;
+    for (std::size_t k = 1; k < across; ++k)
+      worst = std::max(worst,
+                       difference(sections[(i + k) % n].length, sections[(i + n - k) % n].length));
+    if (worst >= best) continue;
+    best = worst;
+    const bool hem_first = sections[i].chord() > sections[i + across].chord();
+    KnownPiece piece;
+    piece.sections = from(sections, hem_first ? i : i + across);
+    const auto& s = piece.sections;
+    // A neckline and armholes are cut out, a hem is not.
+    if (s[across].bulge > -kConcave || s[2].bulge > kCapBulge || s[n - 2].bulge > kCapBulge)
+      continue;
+    piece.upright = middle(s[across]).y() > middle(s[0]).y();
+    found = piece;
+  }
+  return found;
+}
+
+std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections) {
+  if (sections.size() != 6) return {};
+  std::size_t neck = 0;
+  for (std::size_t i = 1; i < 6; ++i)
+    if (sections[i].length < sections[neck].length) neck = i;
+  KnownPiece piece;
+  piece.role = PieceRole::sleeve;
+  piece.sections = from(sections, (neck + 3) % 6);
+  const auto& s = piece.sections;
+  if (difference(s[1].length, s[5].length) > kSameLength) return {};
+  piece.upright = middle(s[3]).y() > middle(s[0]).y();
+  return piece;
+}
+
+std::optional<KnownPiece> as_sleeve(const std::vector<Section>& sections) {
+  if (sections.size() != 4) return {};
+  std::optional<KnownPiece> found;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Section &cuff = sections[i], &cap = sections[(i + 2) % 4];
+    if (cap.bulge < kCapBulge || cap.bulge < cuff.bulge + kCapBulge ||
+        difference(sections[(i + 1) % 4].length, sections[(i + 3) % 4].length) > kSameLength)
+      continue;
+    if (found) return {};
+    KnownPiece piece;
+    piece.role = PieceRole::sleeve;
+    piece.sections = from(sections, i);
+    piece.upright = middle(cap).y() > middle(cuff).y();
+    found = piece;
+  }
+  return found;
+}
+
+std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections) {
+  if (sections.size() != 4) return {};
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (middle(sections[i]).y() < middle(sections[lowest]).y()) lowest = i;
+  KnownPiece piece;
+  piece.sections = from(sections, lowest);
+  if (difference(piece.sections[1].length, piece.sections[3].length) > kSameLength) return {};
+  return piece;
+}
+
+std::optional<KnownPiece> as_leg(const std::vector<Section>& sections) {
+  if (sections.size() != 5) return {};
+  std::size_t hem = 0;
+  double longest = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double sum = sections[(i + 1) % 5].length + sections[(i + 4) % 5].length;
+    if (sum > longest) longest = sum, hem = i;
+  }
+  KnownPiece piece;
+  piece.sections = from(sections, hem);
+  const auto& s = piece.sections;
+  const bool outseam_next = s[3].bulge < s[2].bulge;
+  const Section &crotch = outseam_next ? s[3] : s[2], &waist = outseam_next ? s[2] : s[3];
+  const Section &outseam = outseam_next ? s[1] : s[4], &inseam = outseam_next ? s[4] : s[1];
+  if (crotch.bulge > kConcave || crotch.bulge > waist.bulge + kConcave ||
+      outseam.length < inseam.length)
+    return {};
+  piece.side = outseam_next ? 1 : -1;  // as a front; a back is the other way round
+  piece.upright = middle(waist).y() > middle(s[0]).y();
+  return piece;
+}
+
+std::optional<KnownPiece> as_whole_leg(const std::vector<Section>& sections) {
+  if (sections.size() != 6) return {};
+  double longest = 0;
+  std::optional<KnownPiece> found;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto s = from(sections, i);
+    if (difference(s[1].length, s[5].length) > kSameLength || s[2].bulge > kConcave ||
+        s[4].bulge > kConcave || s[1].length + s[5].length <= longest)
+      continue;
+    longest = s[1].length + s[5].length;
+    KnownPiece piece;
+    piece.sections = s;
+    piece.upright = middle(s[3]).y() > middle(s[0]).y();
+    found = piece;
+  }
+  return found;
+}
+
+}  // namespace loosefit::pattern

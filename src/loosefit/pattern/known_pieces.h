@@ -1,0 +1,54 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "loosefit/pattern/sections.h"
+
+namespace loosefit::pattern {
+
+/// What a piece is in a garment that is known by its topology.
+enum class PieceRole {
+  unknown,
+  front,
+  back,
+  sleeve,
+  front_leg,
+  back_leg,
+  leg,
+  front_skirt,
+  back_skirt,
+  band
+};
+
+/// A piece, told by name and outline.
+struct KnownPiece {
+  PieceRole role = PieceRole::unknown;
+  int side = 0;         ///< of the wearer: +1 left, −1 right, 0 across the middle
+  bool upright = true;  ///< y points upwards; otherwise the piece stands on its head
+  /// Of trunks: hem, side, armhole, shoulder, neck, shoulder, armhole, side; of raglan shirts hem,
+  /// side, raglan, neck, raglan, side. Of sleeves: cuff, underarm, cap, underarm; cuff, underarm,
+  /// raglan, neck, raglan, underarm. Of skirts: hem, side, waist, side. Of legs: hem and, in the
+  /// order of the outline, the next ones of hem, outseam, waist, crotch, inseam or the other way
+  /// round. Of legs in one piece: hem, inseam, crotch, waist, crotch, inseam.
+  std::vector<Section> sections;
+};
+
+// What an outline may be, told by the number, lengths and shapes of its sections; nothing where it
+// may not.
+
+/// Eight sections that mirror each other about the first (hem, side, armhole, shoulder, neck, …) or
+/// six (hem, side, raglan, neck, …).
+std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections);
+/// Six sections: cuff, underarm, raglan, neck, raglan, underarm; the neck is the shortest.
+std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections);
+/// Four sections: cuff, underarm, cap, underarm.
+std::optional<KnownPiece> as_sleeve(const std::vector<Section>& sections);
+/// Four sections with equal sides: hem, side, waist, side; the warp runs up.
+std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections);
+/// Five sections: hem between the two longest, crotch cut out, waist.
+std::optional<KnownPiece> as_leg(const std::vector<Section>& sections);
+/// Six sections: hem, inseam, crotch, waist, crotch, inseam; the crotches are cut out, the inseams
+/// the longest pair that are alike.
+std::optional<KnownPiece> as_whole_leg(const std::vector<Section>& sections);
+
+}  // namespace loosefit::pattern
