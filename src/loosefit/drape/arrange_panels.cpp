@@ -70,12 +70,10 @@ class Arranger {
         if (role(v) == PanelRole::trunk) x_[v] += shift;
       if (const auto crotch = placed_crotch()) {
         wrapped_ = find_wrapped_legs(open_, side_);
-        std::map<int, double> plane;
-        for (int k : wrapped_) plane[k] = plane_of(k);
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
         for (int k : wrapped_) {
-          wrap_leg(open_, k, side_[k], plane.at(k), body_, x_);
+          wrap_leg(open_, k, side_[k], body_, x_);
           outside_[k].setZero();
         }
       }
@@ -112,14 +110,6 @@ class Arranger {
 
   bool is_wrapped(int panel) const {
     return std::find(wrapped_.begin(), wrapped_.end(), panel) != wrapped_.end();
-  }
-
-  /// Where a panel stands that lies beside the body [m].
-  double plane_of(int panel) const {
-    double sum = 0, count = 0;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel) sum += x_[v].x(), ++count;
-    return sum / count;
   }
 
   PanelRole role(int v) const { return roles_[g_.vertex_panel[v]]; }

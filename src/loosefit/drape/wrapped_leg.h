@@ -12,10 +12,10 @@ namespace loosefit::drape {
 std::vector<int> find_wrapped_legs(const garment::OpenSeams& open, const std::vector<int>& side);
 
 /// Lays such a panel, which stands upright beside the body with its outside away from it, round
-/// the outside of body and leg: its middle beside the leg, its inseam edges before and behind it.
-/// \param side +1 left, −1 right \param x vertices of open.garment, the panel sheared along the
-///        leg [m] \param plane where it stood before it was sheared [m]
-void wrap_leg(const garment::OpenSeams& open, int panel, int side, double plane,
-              const body::PosedBody& body, std::vector<Vec3>& x);
+/// the outside of body and leg: its middle beside the leg, its inseam edges before and behind it on
+/// its inner side, stretched where it is too narrow. Heights stay.
+/// \param side +1 left, −1 right \param x vertices of open.garment [m]
+void wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::PosedBody& body,
+              std::vector<Vec3>& x);
 
 }  // namespace loosefit::drape
