@@ -5,7 +5,8 @@ usage: corpus.py [--patterns DIR_OR_FILE ...] [--bodies DIR_OR_FILE ...] [--json
                  [--edge METRES] [--budget SECONDS] [--only WORD ...] [-j N] [--out DIR] [--list] [--write-patterns DIR]
                  [--twins] [--sample N] [--seed N]
 
-Garments: those of corpus/garments.py, written anew in GarmentCode's grammar, and the JSON files given. People: those of
+Garments: those of corpus/garments.py, written anew in GarmentCode's grammar, those of corpus/drawn.py, SVG without seams or places, and the
+files given. People: those of
 corpus/people.py, for whom garments are cut to their girths and height but placed as for somebody of 1.72 m, and the meshes given, who
 get what an average adult wears. With --twins also the scans of corpus/twins.py, which wear what their parametric twins do. With
 --sample each garment is worn by N people drawn at random, so that a part of the corpus stands for all. Each pair is one run at the given edge length without movements of the wearer. With --json the
@@ -24,6 +25,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench" / "corpus"))
+import drawn  # noqa: E402
 import garments  # noqa: E402
 import people  # noqa: E402
 
@@ -59,6 +61,15 @@ def files(given, endings):
     for entry in map(pathlib.Path, given):
         found += sorted(p for p in entry.iterdir() if p.suffix in endings) if entry.is_dir() else [entry]
     return found
+
+
+def own_garments(make):
+    return garments.build(make) | drawn.build(make)
+
+
+def file_name(name, person=None):
+    ending = ".svg" if name.startswith("drawn_") else "_specification.json"
+    return f"{name}-{person}{ending}" if person else name + ending
 
 
 def run(name, kind, pattern, body, options, folder):
@@ -109,7 +120,7 @@ def main():
     parser.add_argument("--edge", type=float, default=0.020)
     parser.add_argument("--budget", type=float, default=120)
     parser.add_argument("--only", nargs="*", help="names of runs (GARMENT@PERSON) must have one of these words in them")
-    parser.add_argument("--no-own", action="store_true", help="leave out the garments of corpus/garments.py")
+    parser.add_argument("--no-own", action="store_true", help="leave out the garments of corpus/garments.py and corpus/drawn.py")
     parser.add_argument("--no-people", action="store_true", help="leave out the people of corpus/people.py")
     parser.add_argument("--twins", action="store_true", help="also scans made from twins (needs numpy)")
     parser.add_argument("--sample", type=int, default=0, help="people per garment, drawn at random; 0: all")
@@ -123,8 +134,8 @@ def main():
     if options.write_patterns:
         target = pathlib.Path(options.write_patterns)
         target.mkdir(parents=True, exist_ok=True)
-        for name, (_, text) in garments.build().items():
-            (target / f"{name}_specification.json").write_text(text)
+        for name, (_, text) in own_garments(None).items():
+            (target / file_name(name)).write_text(text)
         return 0
     folder = pathlib.Path(options.out or tempfile.mkdtemp(prefix="corpus-"))
     folder.mkdir(parents=True, exist_ok=True)
@@ -140,11 +151,11 @@ def main():
     rows = json.loads(record.read_text())["runs"] if record and record.exists() else {}
     wanted = []
     for b, (body, make) in bodies.items():
-        for name, (kind, text) in ({} if options.no_own else garments.build(make)).items():
-            file = folder / f"{name}-{b}_specification.json"
+        for name, (kind, text) in ({} if options.no_own else own_garments(make)).items():
+            file = folder / file_name(name, b)
             file.write_text(text)
             wanted.append((f"{name}@{b}", kind, file, body))
-        for file in files(options.patterns, {".json"}):
+        for file in files(options.patterns, {".json", ".svg", ".dxf"}):
             wanted.append((f"{file.stem.replace('_specification', '')}@{b}", "file", file.resolve(), body))
     if options.sample:
         draw = random.Random(options.seed)

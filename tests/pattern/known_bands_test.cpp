@@ -59,7 +59,8 @@ TEST(KnownBands, AWaistbandGoesRoundAllPiecesOfTrousersAndSkirts) {
       EXPECT_EQ(panels, (std::vector<int>{panels[0], 1 - panels[0], 5 - panels[3], panels[3]}));
       EXPECT_EQ(known.pieces[panels[0]].side, known.pieces[panels[3]].side);
     }
-  Pattern skirt = unsewn_skirt(0.74);
+  // As wide at the hem as at the waist: the name tells which.
+  Pattern skirt = unsewn_skirt(0.74, 0.76);
   skirt.panels.push_back(upright_strip("waistband", 0.72, 0.04));
   known = know_garment(skirt);
   EXPECT_TRUE(known.certain()) << known.doubts.front();

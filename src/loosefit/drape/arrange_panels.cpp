@@ -32,6 +32,7 @@ constexpr double kFromAxis =
 constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
 constexpr int kSteps = 30;      ///< at most
 constexpr double kSideways = 0.5;      ///< |n_y| below which a panel lies beside the body
+constexpr double kBesideLeg = 0.7;     ///< n_x from which a panel stands beside a leg
 constexpr double kOffMiddle = 0.03;    ///< centre of a panel that lies to one side [m]
 constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above the ankle [m]
 constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
@@ -70,6 +71,7 @@ class Arranger {
         if (role(v) == PanelRole::trunk) x_[v] += shift;
       if (const auto crotch = placed_crotch()) {
         wrapped_ = find_wrapped_legs(open_, side_);
+        std::erase_if(wrapped_, [&](int k) { return side_[k] * outside_[k].x() < kBesideLeg; });
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
         for (int k : wrapped_) {

@@ -39,16 +39,24 @@ std::optional<Strip> as_strip(const Panel& panel) {
 }
 
 bool says_a_band(const PieceWords& w) {
-  return w.neck || w.armhole || w.cuff || w.waist || w.sleeve;
+  return w.neck || w.armhole || w.cuff || w.waist || w.hem || w.sleeve;
 }
 
-/// A name that says nothing allows any loop.
-bool allows(const PieceWords& w, LoopKind kind) {
+/// A name that says nothing allows any loop; a waistband may be that of a jacket, at its hem.
+bool allows(const PieceWords& w, LoopKind kind, bool has_waist) {
   if (!says_a_band(w)) return true;
-  return (w.neck && kind == LoopKind::neck) ||
-         (w.cuff && kind != LoopKind::neck && kind != LoopKind::armhole) ||
-         (w.sleeve && kind == LoopKind::wrist) || (w.armhole && kind == LoopKind::armhole) ||
-         (w.waist && (kind == LoopKind::waist || kind == LoopKind::hem));
+  switch (kind) {
+    case LoopKind::neck:
+      return w.neck;
+    case LoopKind::armhole:
+      return w.armhole;
+    case LoopKind::wrist:
+      return w.cuff || w.sleeve;
+    case LoopKind::waist:
+      return w.waist;
+    default:
+      return w.hem || w.cuff || (w.waist && !has_waist);
+  }
 }
 
 const char* name_of(LoopKind kind) {
@@ -72,6 +80,9 @@ KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
                       const std::vector<OpenLoop>& loops) {
   KnownBands known;
   std::set<int> taken;  // loops
+  const bool has_waist = std::any_of(loops.begin(), loops.end(), [](const OpenLoop& loop) {
+    return loop.kind == LoopKind::waist;
+  });
   for (const int p : panels) {
     const Panel& panel = pattern.panels[p];
     const PieceWords w = words_of(panel.name + " " + panel.label);
@@ -83,7 +94,7 @@ KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
       const OpenLoop& loop = loops[l];
       const double ratio = strip->side.length / chain_length(pattern, loop.edges);
       const bool other_side = (w.left && loop.side < 0) || (w.right && loop.side > 0);
-      if (taken.count(static_cast<int>(l)) || !allows(w, loop.kind) || other_side ||
+      if (taken.count(static_cast<int>(l)) || !allows(w, loop.kind, has_waist) || other_side ||
           ratio < kShortest || ratio > kLongest)
         continue;
       fit.push_back(static_cast<int>(l));

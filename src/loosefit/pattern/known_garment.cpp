@@ -61,7 +61,7 @@ class Knower {
 
   void sort(int p) {
     const PieceWords w = words(p);
-    if (w.pocket || w.hood || w.yoke || w.cuff || w.waist) return;
+    if (w.pocket || w.hood || w.yoke || w.cuff || w.waist || w.hem) return;
     const std::vector<Section> sections = outline_sections(panel(p));
     if (!w.sleeve && !w.leg && (sections.size() == 8 || w.front || w.back))
       if (auto piece = as_trunk(sections)) {

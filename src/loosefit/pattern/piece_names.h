@@ -9,8 +9,8 @@ namespace loosefit::pattern {
 struct PieceWords {
   bool front = false, back = false, left = false, right = false;
   bool sleeve = false, leg = false, skirt = false, yoke = false, pocket = false, hood = false;
-  bool neck = false, armhole = false, cuff = false,
-       waist = false;                                             ///< of bands, ribs and collars
+  bool neck = false, armhole = false, cuff = false, waist = false,
+       hem = false;                                               ///< of bands, ribs and collars
   bool grain = false, fold = false, notch = false, seam = false;  ///< of lines
   bool sheet = false;  ///< frame, legend, test square: no part of a garment
 };
