@@ -104,8 +104,10 @@ def whole_legs(b, ease, inseam, hem, waistband=None):
 
 def skirt(b, flare, long, waistband):
     w = b["waist"] * 1.02 / 4
-    hem = max(b["hip"] * 1.06 / 4, w) * flare
-    o = Outline((-hem, 0)).line((hem, 0)).line((w, long)).line((-w, long)).line((-hem, 0))
+    hip, down = max(b["hip"] * 1.06 / 4, w), 0.75 * b["rise"]
+    hem, low = hip * flare, long - down
+    o = Outline((-hem, 0)).line((hem, 0)).line((hip, low)).curve((hip - .5, long - .5 * down), (w + 1, long - 4), (w, long))
+    o.line((-w, long)).curve((-w - 1, long - 4), (-hip + .5, long - .5 * down), (-hip, low)).line((-hem, 0))
     return svg([("front skirt", o), ("back skirt", o), ("waistband", strip(4 * w * waistband, 4))])
 
 

@@ -94,8 +94,9 @@ KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
       const OpenLoop& loop = loops[l];
       const double ratio = strip->side.length / chain_length(pattern, loop.edges);
       const bool other_side = (w.left && loop.side < 0) || (w.right && loop.side > 0);
+      const bool fits = ratio >= kShortest && ratio <= kLongest;
       if (taken.count(static_cast<int>(l)) || !allows(w, loop.kind, has_waist) || other_side ||
-          ratio < kShortest || ratio > kLongest)
+          !fits)
         continue;
       fit.push_back(static_cast<int>(l));
       kinds.insert(loop.kind);
