@@ -7,6 +7,7 @@
 #include "loosefit/drape/phases/free_penetrations.h"
 #include "loosefit/drape/phases/leave_saddle.h"
 #include "loosefit/drape/phases/lift_off.h"
+#include "loosefit/drape/phases/smooth_out.h"
 
 namespace loosefit::drape {
 namespace {
@@ -41,6 +42,17 @@ bool converged_but_above_tolerance(ClothState& state) {
 bool rests_on_saddle(ClothState& state) {
   const Certificate& c = state.certificate;
   return c.settled() && c.stable == false && !state.best_was_taken && !state.is_over() &&
+         state.options.integrator == IntegratorKind::quasi_static;
+}
+
+/// Few triangles that cut where the forces balance all the same: folds that closed on themselves,
+/// cloth in a fold of skin. Many are no place to smooth.
+bool cuts_at_rest(ClothState& state) {
+  const Certificate& c = state.certificate;
+  const int cuts = c.intersections_self + c.intersections_body;
+  return cuts > 0 && cuts <= state.tuning.certify.smoothed_triangles && state.is_single() &&
+         !state.best_was_taken && !state.is_over() &&
+         state.last.reason == solver::SettleOutcome::Reason::converged &&
          state.options.integrator == IntegratorKind::quasi_static;
 }
 
@@ -124,6 +136,12 @@ const Recoveries& recoveries() {
        "along the direction of lowest curvature the energy falls, and beyond it there is a minimum",
        [](const SettlingTuning& tuning) { return tuning.certify.saddle_attempts; }, rests_on_saddle,
        leave_saddle},
+      {Kind::smooth_cuts, Point::certified, "smooth the cloth where it cuts",
+       "the forces balance, but a few triangles cut the cloth or the skin",
+       "a fold that closed on itself opens, cloth comes out of a fold of skin, and settles another "
+       "way",
+       [](const SettlingTuning& tuning) { return tuning.certify.smoothing_attempts; }, cuts_at_rest,
+       smooth_out},
       {Kind::best_state, Point::certified, "best state so far", "the drape is not settled",
        "the way may have led away from a better state: without intersections, or of a lower "
        "residual",

@@ -165,7 +165,11 @@ Fields certify_fields(CertifyTuning& t) {
       .share("worth_keeping", t.worth_keeping)
       .count("attempts", t.attempts)
       .count("saddle_attempts", t.saddle_attempts)
-      .length("saddle_step", t.saddle_step);
+      .length("saddle_step", t.saddle_step)
+      .count("smoothing_attempts", t.smoothing_attempts)
+      .count("smoothed_triangles", t.smoothed_triangles)
+      .count("smoothing_rounds", t.smoothing_rounds)
+      .length("smoothed_clear", t.smoothed_clear);
 }
 
 Fields fall_fields(FreeFallTuning& t) {

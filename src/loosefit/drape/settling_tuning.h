@@ -236,6 +236,12 @@ struct CertifyTuning {
   /// two thicknesses of a fabric, so that it comes clear of what held it.
   int saddle_attempts = 3;
   double saddle_step = 1e-3;
+  /// How often cloth is smoothed where it still cuts, how many triangles may do so [–], in how many
+  /// rounds at most, and how far off the skin it is left, times the attempt [m].
+  int smoothing_attempts = 3;
+  int smoothed_triangles = 60;
+  int smoothing_rounds = 40;
+  double smoothed_clear = 2e-3;
   /// Fall of the residual that makes a state worth keeping [–]: a copy costs a tenth of an
   /// iteration.
   double worth_keeping = 0.7;

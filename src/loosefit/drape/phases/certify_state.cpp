@@ -66,8 +66,8 @@ void take_best_state(ClothState& state) {
 
 void certify_state(ClothState& state) {
   state.best_was_taken = false;
-  for (RecoveryKind kind :
-       {RecoveryKind::nearer_to_rest, RecoveryKind::leave_saddle, RecoveryKind::best_state})
+  for (RecoveryKind kind : {RecoveryKind::nearer_to_rest, RecoveryKind::leave_saddle,
+                            RecoveryKind::smooth_cuts, RecoveryKind::best_state})
     state.attempts[kind] = 0;
   measure_certificate(state);
   while (state.recover(RecoveryPoint::certified)) {

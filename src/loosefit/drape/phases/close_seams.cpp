@@ -3,14 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "loosefit/contact/body_contact.h"
 #include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/seam_pull.h"
+#include "loosefit/drape/smooth_cuts.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
-#include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/particles/dead_load.h"
 #include "loosefit/solver/quasi_static.h"
@@ -35,8 +34,7 @@ constexpr double kTolerance = 20;    ///< residual ‖F‖/‖W‖ [–]
 constexpr int kIterations = 250;
 constexpr double kFirstDt = 0.01;      ///< [s]
 constexpr double kLargestMove = 0.02;  ///< of a particle in one iteration [m]
-constexpr int kSmoothings = 40;        ///< of what cuts
-constexpr int kRings = 2;              ///< of triangles round it
+constexpr int kSmoothings = 40;        ///< rounds, of what cuts
 
 fabric::Material soft(double areal_density) {
   fabric::Material m;
@@ -85,49 +83,6 @@ std::vector<Vec3> welded(const garment::Garment& sewn, const garment::OpenSeams&
   for (std::size_t v = 0; v < x.size(); ++v) sum[open.sewn[v]] += x[v], ++count[open.sewn[v]];
   for (int v = 0; v < sewn.vertex_count; ++v) sum[v] /= std::max(1, count[v]);
   return sum;
-}
-
-/// Moves the vertices near triangles that cut each other to the middle of their neighbours until
-/// none does, and out of the skin. Smooth cloth cuts nothing.
-void smooth_cuts(const garment::Garment& sewn, const geometry::ClosestPointTree& skin,
-                 ClosedSeams& closed) {
-  std::vector<std::set<int>> around(sewn.vertex_count);
-  for (const Triangle& t : sewn.triangles)
-    for (int k = 0; k < 3; ++k) {
-      around[t[k]].insert(t[(k + 1) % 3]);
-      around[t[k]].insert(t[(k + 2) % 3]);
-    }
-  std::vector<int> heat(sewn.vertex_count, 0);  // rings in which it is smoothed
-  for (int round = 0; round <= kSmoothings; ++round) {
-    const auto cuts = geometry::self_intersections(closed.x, sewn.triangles);
-    closed.cuts = static_cast<int>(cuts.size());
-    if (round == 0) closed.first_cuts = closed.cuts;
-    closed.first_cut = cuts.empty() ? std::pair(-1, -1) : cuts.front();
-    if (cuts.empty() || round == kSmoothings) return;
-    std::set<int> moving;
-    for (const auto& [a, b] : cuts)
-      for (const int t : {a, b}) moving.insert(sewn.triangles[t].begin(), sewn.triangles[t].end());
-    for (int ring = 0; ring < kRings + round / 8; ++ring) {
-      std::set<int> wider = moving;
-      for (int v : moving) wider.insert(around[v].begin(), around[v].end());
-      moving = std::move(wider);
-    }
-    for (int pass = 0; pass < 3; ++pass) {
-      std::vector<Vec3> next = closed.x;
-      for (int v : moving) {
-        Vec3 mean = Vec3::Zero();
-        for (int w : around[v]) mean += closed.x[w] / static_cast<double>(around[v].size());
-        next[v] = 0.5 * (closed.x[v] + mean);
-        geometry::ClosestPoint near;
-        const double d = skin.signed_distance(next[v], &near, 0.5);
-        if (d < kPad / 2) {
-          const Vec3 away = (next[v] - near.point) * (d < 0 ? -1 : 1);
-          if (away.norm() > 1e-9) next[v] = near.point + kPad / 2 * away.normalized();
-        }
-      }
-      closed.x = std::move(next);
-    }
-  }
 }
 
 }  // namespace
@@ -179,7 +134,11 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   for (int v = 0; v < sewn.vertex_count; ++v)
     if (const double depth = -body.tree().signed_distance(closed.x[v]); depth > deepest)
       deepest = depth, closed.in_limb = v;
-  smooth_cuts(sewn, body.tree(), closed);
+  SmoothedCuts smoothed = smooth_cuts(std::move(closed.x), sewn.triangles, body.tree(), kPad / 2,
+                                      kSmoothings, SmoothedFaults::cuts);
+  closed.x = std::move(smoothed.x);
+  closed.first_cuts = smoothed.first_cuts, closed.cuts = smoothed.cuts;
+  closed.first_cut = smoothed.first_cut;
   return closed;
 }
 
