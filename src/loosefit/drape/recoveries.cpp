@@ -140,8 +140,7 @@ const Recoveries& recoveries() {
        "the forces balance, but a few triangles cut the cloth or the skin",
        "a fold that closed on itself opens, cloth comes out of a fold of skin, and settles another "
        "way",
-       [](const SettlingTuning& tuning) { return tuning.certify.smoothing_attempts; }, cuts_at_rest,
-       smooth_out},
+       once, cuts_at_rest, smooth_out},
       {Kind::best_state, Point::certified, "best state so far", "the drape is not settled",
        "the way may have led away from a better state: without intersections, or of a lower "
        "residual",

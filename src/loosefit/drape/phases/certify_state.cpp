@@ -10,11 +10,10 @@
 namespace loosefit::drape {
 namespace {
 
-/// Without intersections before with them, settled before not, stable before not, then by the
-/// residual.
+/// By the number of intersections, settled before not, stable before not, then by the residual.
 bool better(const Certificate& a, const Certificate& b) {
   const auto rank = [](const Certificate& c) {
-    const bool cuts = c.intersections_body + c.intersections_self > 0;
+    const int cuts = c.intersections_body + c.intersections_self;
     return std::tuple(cuts, !c.settled(), !c.stable.value_or(false), c.residual);
   };
   return rank(a) < rank(b);

@@ -4,7 +4,7 @@
 namespace loosefit::drape {
 
 /// Smooths the cloth round triangles that still cut at rest (drape/smooth_cuts.h), settles it from
-/// there, and certifies it.
+/// there, and certifies it, a few times; goes back to where it was if no fewer cut then.
 void smooth_out(ClothState& state);
 
 }  // namespace loosefit::drape
