@@ -13,6 +13,7 @@
 #include "support/body_fixture.h"
 #include "support/shirt_on_body.h"
 #include "support/unsewn_garments.h"
+#include "support/worn_and_settled.h"
 
 namespace loosefit::drape {
 namespace {
@@ -156,17 +157,7 @@ TEST(BandRing, ABandedGarmentIsWornAndSettled) {
   for (const pattern::Pattern& unsewn : {banded_tshirt(), banded_trousers(), bound_tank_top()}) {
     SCOPED_TRACE(unsewn.name);
     const pattern::Pattern pattern = from_nothing(unsewn);
-    fabric::Material material;
-    material.bending_warp = material.bending_weft = 5e-6;
-    const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.025, material);
-    Progress silent;
-    DrapeOptions options;
-    options.time_budget = 200;
-    const Drape d = drape_garment(
-        garment, material, [&](double) { return woman(); }, options, silent);
-    EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
-    const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
-    EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+    testing_support::expect_worn_and_settled(pattern, 0.025, woman());
   }
 }
 

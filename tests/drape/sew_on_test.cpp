@@ -19,6 +19,7 @@
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 #include "support/unsewn_garments.h"
+#include "support/worn_and_settled.h"
 
 namespace loosefit::drape {
 namespace {
@@ -211,33 +212,13 @@ TEST(SewOn, AGarmentWithoutAnyPlacementIsWornAndSettled) {
                                     m.at("waist_level") - m.at("crotch_height") + 0.02,
                                     m.at("waist_level") - 0.12)
                               : testing_support::unsewn_tshirt(0.56 * m.at("chest")));
-    fabric::Material material;
-    material.bending_warp = material.bending_weft = 5e-6;
-    const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
-    Progress silent;
-    DrapeOptions options;
-    options.time_budget = 200;
-    const Drape d = drape_garment(
-        garment, material, [&](double) { return woman(); }, options, silent);
-    EXPECT_TRUE(d.certificate.settled());
-    const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
-    EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+    testing_support::expect_worn_and_settled(pattern, 0.03, woman());
   }
 }
 
 TEST(SewOn, ASleevedTopOfAFileForSomebodyElseIsWornAndSettled) {
   const pattern::Pattern pattern = for_somebody_else();
-  fabric::Material material;
-  material.bending_warp = material.bending_weft = 5e-6;
-  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.03, material);
-  Progress silent;
-  DrapeOptions options;
-  options.time_budget = 200;
-  const Drape d = drape_garment(
-      garment, material, [&](double) { return woman(); }, options, silent);
-  EXPECT_TRUE(d.certificate.settled());
-  const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
-  EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+  testing_support::expect_worn_and_settled(pattern, 0.03, woman());
 }
 
 }  // namespace

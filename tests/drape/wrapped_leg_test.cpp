@@ -10,6 +10,7 @@
 #include "support/body_fixture.h"
 #include "support/shirt_on_body.h"
 #include "support/unsewn_garments.h"
+#include "support/worn_and_settled.h"
 
 namespace loosefit::drape {
 namespace {
@@ -25,9 +26,9 @@ const body::PosedBody& woman() {
 
 pattern::Pattern leggings(bool waistband) {
   const auto& m = woman()->measured;
-  pattern::Pattern pattern = unsewn_leggings(
-      1.05 * m.at("waist"), 1.04 * m.at("hip"), m.at("waist_level") - m.at("crotch_height") + 0.01,
-      m.at("crotch_height") - 0.12, 0.30);
+  pattern::Pattern pattern = unsewn_leggings(1.05 * m.at("waist"), 1.04 * m.at("hip"),
+                                             m.at("waist_level") - m.at("crotch_height") + 0.01,
+                                             m.at("crotch_height") - 0.12, 0.30);
   if (waistband) pattern.panels.push_back(upright_strip("waistband", 1.0 * m.at("waist"), 0.04));
   return from_nothing(pattern);
 }
@@ -58,17 +59,7 @@ TEST(WrapLeg, LeggingsWithAndWithoutAWaistbandAreWornAndSettled) {
   for (const bool waistband : {false, true}) {
     SCOPED_TRACE(waistband);
     const pattern::Pattern pattern = leggings(waistband);
-    fabric::Material material;
-    material.bending_warp = material.bending_weft = 5e-6;
-    const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.025, material);
-    Progress silent;
-    DrapeOptions options;
-    options.time_budget = 200;
-    const Drape d = drape_garment(
-        garment, material, [&](double) { return woman(); }, options, silent);
-    EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
-    const auto why = why_not_worn(garment.finest(), pattern, d.positions, woman());
-    EXPECT_TRUE(why.empty()) << (why.empty() ? "" : why.front());
+    testing_support::expect_worn_and_settled(pattern, 0.025, woman());
   }
 }
 

@@ -74,10 +74,8 @@ class Arranger {
         std::erase_if(wrapped_, [&](int k) { return side_[k] * outside_[k].x() < kBesideLeg; });
         along_leg(*crotch + shift.z(), 1, "_L");
         along_leg(*crotch + shift.z(), -1, "_R");
-        for (int k : wrapped_) {
-          wrap_leg(open_, k, side_[k], body_, x_);
-          outside_[k].setZero();
-        }
+        std::erase_if(wrapped_, [&](int k) { return !wrap_leg(open_, k, side_[k], body_, x_); });
+        for (int k : wrapped_) outside_[k].setZero();
       }
       std::vector<int> trunk = trunk_vertices();
       std::erase_if(trunk, [&](int v) { return is_wrapped(g_.vertex_panel[v]); });

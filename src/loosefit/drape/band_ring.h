@@ -19,8 +19,6 @@ class BandRing {
   const std::vector<int>& sewn_to() const { return sewn_to_; }
   /// At least 2.5 times as long as wide.
   bool is_narrow() const { return narrow_; }
-  /// Middle of the places in x to which it is sewn [m].
-  Vec3 middle(const std::vector<Vec3>& x) const;
   /// Writes its vertices to x, in which the panels that it is sewn to are arranged: next to them on
   /// the side that the seam tells, each vertex in the direction of its partner, as wide as it is
   /// cut, wider where it would touch the body.
@@ -34,6 +32,8 @@ class BandRing {
     std::vector<int> to;
   };
   BandRing() = default;
+  /// Middle of the places in x to which it is sewn [m].
+  Vec3 middle(const std::vector<Vec3>& x) const;
   int panel_ = 0;
   bool narrow_ = false;
   std::vector<int> vertices_, sewn_to_;

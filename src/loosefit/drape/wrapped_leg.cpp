@@ -70,7 +70,7 @@ std::vector<int> find_wrapped_legs(const garment::OpenSeams& open, const std::ve
   return found;
 }
 
-void wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::PosedBody& body,
+bool wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::PosedBody& body,
               std::vector<Vec3>& x) {
   std::vector<int> of;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -104,7 +104,7 @@ void wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::P
 
   std::vector<double> radius, middle, centre, wider;
   for (int k = 0; k < levels.size(); ++k) {
-    if (!(front[k] < back[k]) || !(low[k] < high[k])) return;
+    if (!(front[k] < back[k]) || !(low[k] < high[k])) return false;
     radius.push_back(0.5 * (back[k] - front[k]) + kClear);
     middle.push_back(0.5 * (back[k] + front[k]));
     const double quarter = radius[k] * kPi / 2, half = 0.5 * (high[k] - low[k]);
@@ -129,6 +129,7 @@ void wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::P
     x[v].x() = neck.x() + side * std::max(out, kFromMiddle);
     x[v].y() = levels.at(middle, z) + r * std::sin(angle);
   }
+  return true;
 }
 
 }  // namespace loosefit::drape

@@ -15,7 +15,8 @@ std::vector<int> find_wrapped_legs(const garment::OpenSeams& open, const std::ve
 /// the outside of body and leg: its middle beside the leg, its inseam edges before and behind it on
 /// its inner side, stretched where it is too narrow. Heights stay.
 /// \param side +1 left, −1 right \param x vertices of open.garment [m]
-void wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::PosedBody& body,
+/// \return false, and nothing is moved, where body or panel have no width at some height
+bool wrap_leg(const garment::OpenSeams& open, int panel, int side, const body::PosedBody& body,
               std::vector<Vec3>& x);
 
 }  // namespace loosefit::drape
