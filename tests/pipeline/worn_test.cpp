@@ -1,5 +1,6 @@
 #include "loosefit/drape/worn.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,6 +153,30 @@ TEST(Worn, TheBoundIsHalfTheWayFromWaistToCrotch) {
       0.5 * (body.landmarks.at("back_waist").z() + body.landmarks.at("front_waist").z());
   const double top = 1.02;  // of the trousers [m]
   EXPECT_NEAR(top - held, waist - 0.5 * (waist - body.landmarks.at("crotch").z()), 0.02);
+}
+
+TEST(Worn, AWaistThatHasRisenIsToldAndAboveTheBustItIsNotWorn) {
+  const body::Body& body = woman();
+  const double waist =
+      0.5 * (body.landmarks.at("back_waist").z() + body.landmarks.at("front_waist").z());
+  const double way = waist - body.landmarks.at("crotch").z();
+  // Made for the hips, where the lowest level of a waist is.
+  const Sewn skirt(io::parse_garmentcode(support::tube_file(40, 46, 12, 70), "s").pattern);
+  const std::vector<Vec3> low = round_the_body(skirt, 0);
+  double top = 0;
+  for (const Vec3& p : low) top = std::max(top, p.z());
+  const auto at = [&](double above) { return moved(low, {0, 0, waist + above - top}); };
+  const auto risen = [&](double above) {
+    return drape::risen_waists(skirt.mesh(), skirt.pattern, at(above), body);
+  };
+  EXPECT_EQ(skirt.on(at(0.4 * way)), Reasons{});
+  EXPECT_EQ(risen(0.4 * way), Reasons{});
+  EXPECT_EQ(skirt.on(at(0.65 * way)), Reasons{}) << "below the bust";
+  EXPECT_EQ(risen(0.65 * way), Reasons{fmt::format("the waistband lies {:.2f} m above the waist: "
+                                                   "further down the garment is too narrow for "
+                                                   "this body",
+                                                   0.65 * way)});
+  EXPECT_FALSE(skirt.on(at(0.85 * way)).empty()) << "over the bust";
 }
 
 TEST(Worn, LevelsGoAlongWithAPosture) {

@@ -18,6 +18,7 @@ namespace {
 constexpr double kSlip = 0.5;         ///< of waist to crotch, that a waist may slide
 constexpr double kLowest = 0.75;      ///< of waist to crotch, below which no waist is worn
 constexpr double kRise = 1.0;         ///< of waist to crotch, that it may lie too high
+constexpr double kHighest = 0.75;     ///< of waist to crotch, above the waist: below the bust
 constexpr double kGone = 1.0;         ///< of waist to crotch, that an unknown opening may sink
 constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not made for the chest
 constexpr double kTouch = 0.010;      ///< [m]
@@ -72,6 +73,11 @@ class Verdict {
     if (openings.empty()) check_sunk({});
     check_labels();
     return reasons_;
+  }
+
+  const std::vector<std::string>& risen() {
+    reasons(true);
+    return risen_;
   }
 
   /// Whether every opening that no other question is asked of has the limbs through it that it has
@@ -279,6 +285,8 @@ class Verdict {
     if (o.at_waist) made = levels_.waist;
     if (o.at_chest) made = levels_.chest;
     const double lowest = std::max(made - kSlip * way_, levels_.waist - kLowest * way_);
+    double highest_worn = made + kRise * way_;
+    if (of_waist) highest_worn = std::max(highest_worn, levels_.waist + kHighest * way_);
     const double level = levels_.of(o.loop, x_);
     if (level < lowest) {
       const std::string to = level_name(level, levels_);
@@ -286,9 +294,14 @@ class Verdict {
         say(fmt::format("the {} has slid down {:.2f} m", name, made - level));
       else
         say("the " + name + " has slid " + (to.starts_with("below") ? to : "to " + to));
-    } else if (level > made + kRise * way_) {
+    } else if (level > highest_worn) {
       say(fmt::format("the {} lies {:.2f} m above {}", name, level - made,
                       level_name(made, levels_)));
+    } else if (of_waist && level > levels_.waist + kSlip * way_) {
+      risen_.push_back(
+          fmt::format("the {} lies {:.2f} m above the waist: further down the garment "
+                      "is too narrow for this body",
+                      name, level - levels_.waist));
     }
   }
 
@@ -337,7 +350,7 @@ class Verdict {
   double way_;  ///< from waist down to crotch [m]
   double chest_girth_ = 0;
   LimbNumbers round_{};  ///< what the opening that was asked last goes round
-  std::vector<std::string> reasons_;
+  std::vector<std::string> reasons_, risen_;
 };
 
 }  // namespace
@@ -346,6 +359,12 @@ std::vector<std::string> why_not_worn(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const std::vector<Vec3>& x,
                                       const body::PosedBody& body, bool over_others) {
   return Verdict(garment, pattern, x, body).reasons(over_others);
+}
+
+std::vector<std::string> risen_waists(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const std::vector<Vec3>& x,
+                                      const body::PosedBody& body) {
+  return Verdict(garment, pattern, x, body).risen();
 }
 
 bool worn_alike(const garment::Garment& garment, const pattern::Pattern& pattern,

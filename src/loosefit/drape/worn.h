@@ -16,7 +16,8 @@ namespace loosefit::drape {
 ///   made for; a cuff beyond the hand counts when its sleeve has the arm in it;
 /// * levels: a waist has not slid down from where it was made for by more than half the way from
 ///   waist to crotch (12 cm on a man of 1.75 m: from the waist to the upper hips, beyond which no
-///   hip bone holds it), nor below the widest hip by more than a quarter of that way; collars are
+///   hip bone holds it), nor below the widest hip by more than a quarter of that way, and has not
+///   risen by more than that way and above the bust; collars are
 ///   above the breast, armholes at the shoulders. What a waist was made for is the level at which
 ///   the pattern places it, not above the waist nor below the upper hips; a tube for the trunk may
 ///   be made for the chest. Neck openings on the shoulders, hems and cuffs may lie where they like;
@@ -34,6 +35,12 @@ namespace loosefit::drape {
 std::vector<std::string> why_not_worn(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const std::vector<Vec3>& x,
                                       const body::PosedBody& body, bool over_others = false);
+
+/// Waists of a worn garment that lie above the wearer's waist by more than half the way from waist
+/// to crotch, as sentences: a skirt that is too narrow for the hips is worn below the bust.
+std::vector<std::string> risen_waists(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const std::vector<Vec3>& x,
+                                      const body::PosedBody& body);
 
 /// Whether the openings of an unusual cut, of which why_not_worn does not know what they are for,
 /// have the same limbs through them at x on `body` as at `first` on the same person in

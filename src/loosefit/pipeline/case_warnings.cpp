@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "loosefit/base/text.h"
+#include "loosefit/drape/worn.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
 
@@ -33,6 +34,10 @@ void add_fit(Lines& all, const CaseResult& result) {
   const CaseGarment& studied = result.studied();
   const scenario::ScenarioGarment& asked = result.scenario.studied();
   add(all, "fit", ease_warnings(station_eases(studied.pattern, asked.spec), studied.maps.load));
+  if (studied.drape.certificate.worn())
+    add(all, "fit",
+        drape::risen_waists(studied.mesh(), studied.pattern.pattern, studied.drape.positions,
+                            result.body.body));
   add(all, "fit", comfort_warnings(studied.maps));
   for (std::size_t g = 0; g < result.garments.size(); ++g)
     add(all, "material",
