@@ -39,6 +39,24 @@ TEST(LayElastics, ATapePullsAsItsOwnLengthSaysOnEveryLevel) {
   }
 }
 
+TEST(LayElastics, TheWeightOfATapeIsOfItsOwnLengthAndCountsAsCloth) {
+  pattern::Pattern square;
+  square.panels = {rectangle_panel("front", .4, .3)};
+  const Garment plain = build_hierarchy(square, .01, {}).finest();
+  square.panels[0].edges[0].elastic = kTape;
+  square.panels[0].edges[0].elastic->linear_density = 0.02;
+  for (const Garment& g : build_hierarchy(square, .01, {}).levels) {
+    double mass = 0, along_edge = 0;
+    for (int v = 0; v < g.vertex_count; ++v) {
+      mass += g.cloth_mass(v);
+      if (g.vertex_uv[v].y() < 1e-9) along_edge += g.vertex_mass[v];
+    }
+    EXPECT_NEAR(mass, g.mass, 1e-12);
+    EXPECT_NEAR(g.mass - plain.mass, 0.02 * 0.8 * 0.4, 1e-12);
+    EXPECT_GT(along_edge, 0.02 * 0.8 * 0.4);
+  }
+}
+
 TEST(LayElastics, ATapeLiesWithinItsWidthOfItsEdge) {
   pattern::Pattern square;
   square.panels = {rectangle_panel("front", .4, .3)};

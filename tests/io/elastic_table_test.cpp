@@ -26,6 +26,7 @@ stiffness = 12.5
 edges = ["sleeve_L_front.cuff"]
 ratio = 0.9
 width = 0.01
+linear_density = 0.004
 )";
 
 template <class Work>
@@ -49,7 +50,7 @@ TEST(ElasticTable, ThoseOfAScenarioAreReadAndWrittenAgain) {
   ASSERT_EQ(elastics.size(), 2u);
   EXPECT_EQ(elastics[0].edges, (std::vector<std::string>{"front.hem", "back.hem"}));
   EXPECT_EQ(elastics[0].elastic, (pattern::EdgeElastic{0.8, 12.5, 0.03}));
-  EXPECT_EQ(elastics[1].elastic, (pattern::EdgeElastic{0.9, 20, 0.01}));
+  EXPECT_EQ(elastics[1].elastic, (pattern::EdgeElastic{0.9, 20, 0.01, 0.004}));
   ASSERT_EQ(scenario.garments[0].spec.elastics.size(), 1u);
   const scenario::Scenario again = parse_scenario(scenario_toml(scenario), "again.toml");
   EXPECT_EQ(again.studied().spec.elastics, elastics);
@@ -92,7 +93,7 @@ TEST(ElasticTable, AnEdgeIsFoundByItsNameAndHasOneElastic) {
 
 TEST(ElasticTable, ThoseOfAPatternComeBackFromItsFile) {
   pattern::Pattern shirt = kinds::draft_shirt({});
-  const pattern::EdgeElastic tape{0.75, 18, 0.025};
+  const pattern::EdgeElastic tape{0.75, 18, 0.025, 0.011};
   pattern::add_elastic(shirt, {{"front.hem", "back.hem"}, tape});
   const std::string text = garmentcode_text(shirt);
   const pattern::Pattern again = parse_garmentcode(text, "p.json").pattern;
@@ -105,6 +106,7 @@ TEST(ElasticTable, ThoseOfAPatternComeBackFromItsFile) {
         EXPECT_NEAR(edge.elastic->ratio, tape.ratio, 1e-12);
         EXPECT_NEAR(edge.elastic->stiffness, tape.stiffness, 1e-12);
         EXPECT_NEAR(edge.elastic->width, tape.width, 1e-9);
+        EXPECT_NEAR(edge.elastic->linear_density, tape.linear_density, 1e-12);
       }
   EXPECT_EQ(found, 2);
   EXPECT_EQ(garmentcode_text(again), text);

@@ -22,6 +22,18 @@ void gather(Garment& g, int panel, const Cable& tape) {
   }
 }
 
+/// The weight of a tape, along the edge: it is part of the garment, not a thing fixed to it.
+void add_mass(Garment& g, int panel, int edge, double mass) {
+  for (const Garment::EdgeChain& chain : g.edge_chains) {
+    if (chain.panel != panel || chain.edge != edge) continue;
+    const std::size_t parts = chain.vertices.size() - 1;
+    for (std::size_t i = 0; i < parts; ++i)
+      for (const int v : {chain.vertices[i], chain.vertices[i + 1]})
+        g.vertex_mass[v] += mass / static_cast<double>(2 * parts);
+    g.mass += mass;
+  }
+}
+
 }  // namespace
 
 void lay_elastics(Garment& garment, const pattern::Pattern& pattern) {
@@ -37,6 +49,8 @@ void lay_elastics(Garment& garment, const pattern::Pattern& pattern) {
       tape.pre_stretch = 1 / elastic->ratio - 1;
       lay_band(garment, p, tape);
       gather(garment, p, tape);
+      const double as_cut = elastic->ratio * pattern::edge_lengths(panel)[e];
+      add_mass(garment, p, e, elastic->linear_density * as_cut);
     }
   }
 }

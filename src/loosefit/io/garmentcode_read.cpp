@@ -154,8 +154,13 @@ pattern::EdgeElastic read_elastic(const Node& node, const FileRules& rules) {
   const auto within = [&](const char* key, const NumberRange& range, double unit) {
     return node.at(key).within(range.low / unit, range.high / unit) * unit;
   };
-  return {within("ratio", kElasticRatio, 1), within("stiffness", kElasticStiffness, 1),
-          within("width", kElasticWidth, rules.metre)};
+  pattern::EdgeElastic elastic;
+  elastic.ratio = within("ratio", kElasticRatio, 1);
+  elastic.stiffness = within("stiffness", kElasticStiffness, 1);
+  elastic.width = within("width", kElasticWidth, rules.metre);
+  if (node.has("linear_density"))  // absent in early files
+    elastic.linear_density = within("linear_density", kElasticDensity, 1);
+  return elastic;
 }
 
 pattern::Panel read_panel(const std::string& name, const Node& node, const FileRules& rules,

@@ -166,7 +166,8 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
       if (const auto& elastic = edge->elastic)
         item[kElasticKey] = {{"ratio", elastic->ratio},
                              {"stiffness", elastic->stiffness},
-                             {"width", tidy(elastic->width * kPerMetre)}};
+                             {"width", tidy(elastic->width * kPerMetre)},
+                             {"linear_density", elastic->linear_density}};
       edges.push_back(item);
     }
     // Placement in the frame of the file, in centimetres and degrees.

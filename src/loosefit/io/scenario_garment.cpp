@@ -6,6 +6,7 @@
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/band_table.h"
 #include "loosefit/io/elastic_table.h"
 #include "loosefit/io/existing_file.h"
 #include "loosefit/kinds/find_size.h"
@@ -62,7 +63,7 @@ std::vector<std::string> read_adapt(ConfigReader& table, const kinds::GarmentKin
   return names;
 }
 
-/// All but its elastics.
+/// All but its elastics and bands.
 std::string cut_toml(const scenario::GarmentSpec& garment, const std::string& section) {
   const bool named = garment.file.empty();
   std::string text = "pattern = " + toml_quoted(named ? garment.kind : garment.file) + "\n";
@@ -138,6 +139,9 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
   for (const ConfigReader& elastic :
        table.tables("elastic", "elastics along edges of its panels, beside those of the pattern"))
     garment.elastics.push_back(read_elastic(elastic));
+  for (const ConfigReader& band :
+       table.tables("band", "panels of another cloth than the fabric: ribs, folded strips"))
+    garment.bands.push_back(read_band(band));
   return garment;
 }
 
@@ -151,6 +155,8 @@ std::string garment_toml(const scenario::GarmentSpec& garment, const std::string
   std::string text = cut_toml(garment, section);
   for (const pattern::NamedElastic& elastic : garment.elastics)
     text += "\n[[" + section + ".elastic]]\n" + elastic_toml(elastic);
+  for (const pattern::NamedCloth& band : garment.bands)
+    text += "\n[[" + section + ".band]]\n" + band_toml(band);
   return text;
 }
 

@@ -35,7 +35,9 @@ Texts garments() {
   }
   texts.push_back("pattern = \"own.json\"");
   for (std::string& text : texts)
-    text += "\nelastic = [{ edges = [\"front.hem\"], ratio = 0.8 }]";
+    text +=
+        "\nelastic = [{ edges = [\"front.hem\"], ratio = 0.8 }]"
+        "\nband = [{ panels = [\"front\"] }]";
   return texts;
 }
 

@@ -8,10 +8,12 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/band_table.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/elastic_table.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
+#include "loosefit/pattern/named_cloth.h"
 #include "loosefit/pattern/named_edges.h"
 
 namespace loosefit::io {
@@ -76,6 +78,17 @@ void leave_out(PatternFile& file, const std::vector<std::string>& names,
   std::erase_if(file.notches, [](const pattern::Notch& notch) { return notch.panel < 0; });
 }
 
+/// Errors about what is named by `key` get their place.
+template <class Add>
+void each_table(ConfigReader& reader, const std::string& section, const std::string& key, Add add) {
+  for (const ConfigReader& table : reader.tables(section)) try {
+      add(table);
+    } catch (const InvalidInput& error) {
+      if (!error.place().key.empty()) throw;
+      throw table.error(key, error.found(), error.expected(), error.hint());
+    }
+}
+
 std::string run_text(const pattern::Pattern& pattern,
                      const std::vector<pattern::Stitch::Side>& run) {
   std::vector<std::string> texts;
@@ -96,18 +109,17 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam", "elastic", "confirmed", "leave_out"});
+  reader.only({"seam", "elastic", "band", "confirmed", "leave_out"});
   pattern::Pattern& pattern = into.pattern;
   const bool confirmed = reader.boolean("confirmed", true);
   std::vector<std::string> all;
   for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
   leave_out(into, reader.choices("leave_out", {}, all), reader);
-  for (const ConfigReader& table : reader.tables("elastic")) try {
-      pattern::add_elastic(pattern, read_elastic(table));
-    } catch (const InvalidInput& error) {
-      if (!error.place().key.empty()) throw;
-      throw table.error("edges", error.found(), error.expected(), error.hint());
-    }
+  each_table(reader, "elastic", "edges", [&](const ConfigReader& table) {
+    pattern::add_elastic(pattern, read_elastic(table));
+  });
+  each_table(reader, "band", "panels",
+             [&](const ConfigReader& table) { pattern::set_cloth(pattern, read_band(table)); });
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
     for (const auto& side : {stitch.first, stitch.second}) sewn.insert({side.panel, side.edge});

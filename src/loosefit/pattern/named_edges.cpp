@@ -7,6 +7,23 @@
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::pattern {
+namespace {
+
+/// `said` is what the error has found.
+int find_panel_or_fail(const Pattern& pattern, const std::string& name, const std::string& said) {
+  const int p = pattern.find_panel(name);
+  if (p >= 0) return p;
+  std::vector<std::string> names;
+  for (const Panel& panel : pattern.panels) names.push_back(panel.name);
+  throw InvalidInput({}, "\"" + printable(said) + "\"", "a panel of the pattern",
+                     did_you_mean(name, names));
+}
+
+}  // namespace
+
+int named_panel(const Pattern& pattern, const std::string& name) {
+  return find_panel_or_fail(pattern, name, name);
+}
 
 Stitch::Side named_edge(const Pattern& pattern, const std::string& name) {
   const auto fail = [&](const std::string& expected, const std::string& hint = {}) {
@@ -15,12 +32,9 @@ Stitch::Side named_edge(const Pattern& pattern, const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos) throw fail("a panel and an edge, \"FRONT.e1\"");
   const std::string panel_name = name.substr(0, dot), edge_name = name.substr(dot + 1);
-  std::vector<std::string> names;
-  for (const Panel& panel : pattern.panels) names.push_back(panel.name);
-  const int p = pattern.find_panel(panel_name);
-  if (p < 0) throw fail("a panel of the pattern", did_you_mean(panel_name, names));
+  const int p = find_panel_or_fail(pattern, panel_name, name);
   const Panel& panel = pattern.panels[p];
-  names.clear();
+  std::vector<std::string> names;
   for (const PanelEdge& edge : panel.edges) names.push_back(edge.name);
   const int e = find_edge(panel, edge_name);
   if (e < 0)

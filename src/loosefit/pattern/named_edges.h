@@ -6,6 +6,10 @@
 
 namespace loosefit::pattern {
 
+/// Index of the panel of that name. \throws InvalidInput without a place: no such panel, with the
+/// nearest name that there is.
+int named_panel(const Pattern& pattern, const std::string& name);
+
 /// The edge that a file or scenario calls "PANEL.EDGE". Names of panels may have dots; the last one
 /// ends them. \throws InvalidInput without a place: no such text, panel or edge, with the nearest
 /// name that there is.

@@ -20,9 +20,10 @@ struct EdgeCurve {
 /// Elastic tape that is stretched and sewn on within a panel, along one of its edges. It pulls, it
 /// does not push.
 struct EdgeElastic {
-  double ratio = 1;       ///< its own length over that of the edge as cut
-  double stiffness = 20;  ///< EA: force per elongation of its own length [N]
-  double width = 0.03;    ///< [m]
+  double ratio = 1;               ///< its own length over that of the edge as cut
+  double stiffness = 20;          ///< EA: force per elongation of its own length [N]
+  double width = 0.03;            ///< [m]
+  double linear_density = 0.015;  ///< of its own length, before it is stretched [kg/m]
   bool operator==(const EdgeElastic&) const = default;
 };
 

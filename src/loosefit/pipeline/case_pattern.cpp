@@ -61,6 +61,17 @@ void warn_of_unsewn(CasePattern& result) {
                               falls);
 }
 
+/// Errors about what is named by `key` get their place in the scenario's list `section`.
+template <class Named, class Add>
+void each_named(const std::vector<Named>& all, const std::string& section, const std::string& key,
+                Add add) {
+  for (std::size_t i = 0; i < all.size(); ++i) try {
+      add(all[i]);
+    } catch (const InvalidInput& error) {
+      throw error.at({{}, 0, section + "[" + std::to_string(i) + "]." + key});
+    }
+}
+
 }  // namespace
 
 kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
@@ -98,11 +109,11 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
     result.warnings = std::move(garment.notes);
     fit = std::move(garment.fit);
   }
-  for (std::size_t i = 0; i < wished.elastics.size(); ++i) try {
-      pattern::add_elastic(result.pattern, wished.elastics[i]);
-    } catch (const InvalidInput& error) {
-      throw error.at({{}, 0, "elastic[" + std::to_string(i) + "].edges"});
-    }
+  each_named(wished.elastics, "elastic", "edges", [&](const pattern::NamedElastic& elastic) {
+    pattern::add_elastic(result.pattern, elastic);
+  });
+  each_named(wished.bands, "band", "panels",
+             [&](const pattern::NamedCloth& band) { pattern::set_cloth(result.pattern, band); });
   measure_fit(result, body, fit, wished.file.empty() && wished.size.empty());
   return result;
 }

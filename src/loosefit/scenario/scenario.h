@@ -10,6 +10,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/garment/attachment.h"
+#include "loosefit/pattern/named_cloth.h"
 #include "loosefit/pattern/named_edges.h"
 #include "loosefit/placement/sites.h"
 #include "loosefit/scenario/material_card.h"
@@ -27,10 +28,10 @@ struct ScenarioBody {
   double muscle = 0.5, proportions = 0.5, cup = 0.5, firmness = 0.5;
   body::Posture posture = body::kStanding;         ///< in which the maps are made
   body::Posture dress_posture = body::kArmsApart;  ///< in which the garment is put on
-  std::string file;   ///< mesh file instead of the parametric person; absolute
+  std::string file;        ///< mesh file instead of the parametric person; absolute
   bool as_scanned = true;  ///< the person of a file stands as in it, not in `posture`
-  std::string units;  ///< of the file: m, cm, mm, in; empty = inferred with a warning
-  std::string up;     ///< axis of the file: z, y; empty = inferred with a warning
+  std::string units;       ///< of the file: m, cm, mm, in; empty = inferred with a warning
+  std::string up;          ///< axis of the file: z, y; empty = inferred with a warning
 };
 
 /// What a garment is: a kind with its size or fit, or a pattern file.
@@ -48,6 +49,7 @@ struct GarmentSpec {
   /// otherwise.
   std::vector<std::string> adapt;
   std::vector<pattern::NamedElastic> elastics;  ///< beside those that the pattern has
+  std::vector<pattern::NamedCloth> bands;       ///< instead of what the pattern says of the panels
 };
 
 /// One garment that is worn: of [garment] and [material], or of an [[under]].

@@ -6,6 +6,7 @@
 
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/pattern/drafting.h"
+#include "loosefit/pattern/named_cloth.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::kinds {
@@ -19,7 +20,7 @@ pattern::Panel strip(const std::string& name, const std::string& label,
                                                {edges.right, sides[1]},
                                                {edges.above, sides[2]},
                                                {edges.left, sides[3]}});
-  panel.cloth = {2, stiffness, std::max(1.0, stiffness)};
+  panel.cloth = pattern::cloth_of_layers(2, stiffness);
   return panel;
 }
 

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/pattern/drafting.h"
+#include "loosefit/pattern/named_cloth.h"
 
 namespace loosefit::kinds {
 namespace {
@@ -218,7 +219,7 @@ pattern::Panel band(const NamedValues& m, const NamedValues& fit, bool front) {
                                                {"rim", side(d, e)},
                                                {"end_" + left, side(e, a)}});
   const double stiffness = fit.at("waistband_stiffness");
-  panel.cloth = {2, stiffness, std::max(1.0, stiffness)};
+  panel.cloth = pattern::cloth_of_layers(2, stiffness);
   return panel;
 }
 
