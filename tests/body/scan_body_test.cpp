@@ -317,6 +317,20 @@ TEST(ScanBody, DepthOfTheArmholeIsThatOfHangingArms) {
   }
 }
 
+// The section in the joint's plane of a stout person runs down the side of the trunk: 0.31 m deep
+// and 0.78 m round on this man, whom no shirt of such armholes would let lift an arm.
+TEST(ScanBody, ArmholesOfStoutPeopleAreAsDeepAsTailorsMakeThem) {
+  for (const Person& p :
+       {Person{1, 50, 1.76, 1.16, 1.10, 1.14}, Person{0, 70, 1.60, 1.04, 0.94, 1.08},
+        Person{1, 35, 1.78, 1.00, 0.88, 1.02}, Person{0, 30, 1.68, 0.96, 0.8, 1.02}}) {
+    const Body body = person(p);
+    EXPECT_GT(body.measured.at("scye_depth"), 0.085 * p.height) << p.chest;
+    EXPECT_LT(body.measured.at("scye_depth"), 0.125 * p.height) << p.chest;
+    EXPECT_GT(body.measured.at("armscye"), 0.37 * p.chest) << p.chest;
+    EXPECT_LT(body.measured.at("armscye"), 0.48 * p.chest) << p.chest;
+  }
+}
+
 // On a belly the narrowest level lies above or below the waist.
 TEST(ScanBody, TapesTheWaistWhereTheParametricBodyHasIt) {
   for (const Person& p :

@@ -58,14 +58,18 @@ int nearest_vertex(const geometry::TriangleMesh& mesh, const Vec3& p) {
   return best;
 }
 
+/// Of an upper arm from hanging down, aside [degrees].
+double abduction(const Vec3& shoulder, const Vec3& elbow) {
+  const Vec3 arm = elbow - shoulder;
+  return degrees(std::atan2(std::abs(arm.x()), -arm.z()));
+}
+
 // The underarm fold sinks as the arm is lowered: by 1.9 % of the stature from 41° to 25° on the
 // parametric body (women, men and children: 1.5 to 2.4 %). Arms raised farther take the shoulder
 // point up with them: at 90° both have risen alike. Shirts are drafted for hanging arms.
 double hanging_arm_gain(const Vec3& shoulder, const Vec3& elbow, double height) {
-  const Vec3 arm = elbow - shoulder;
-  const double abduction = degrees(std::atan2(std::abs(arm.x()), -arm.z()));
-  const double risen =
-      abduction < 41 ? (abduction - 25) / 16 : std::max(0.0, (90 - abduction) / (90 - 41));
+  const double angle = abduction(shoulder, elbow);
+  const double risen = angle < 41 ? (angle - 25) / 16 : std::max(0.0, (90 - angle) / (90 - 41));
   return 0.019 * height * risen;
 }
 
@@ -251,7 +255,10 @@ ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options)
   m["shoulder_slope"] = std::atan2(hps[0].z() - acromion[0].z(), acromion[0].x() - hps[0].x());
   m["shoulder_length"] = (hps[0] - acromion[0]).norm();
   m["neck_width"] = hps[0].x() - hps[1].x();
-  const Armscye armscye = armscye_round(surface, shoulder);
+  // Under a level arm the fold is at the joint; farther out the section runs up along the arm.
+  constexpr double kRaised = 60;  // degrees
+  const Armscye armscye =
+      armscye_round(surface, shoulder, abduction(shoulder, elbow) > kRaised ? 0 : 0.06);
   m["armscye"] = armscye.girth;
   m["scye_depth"] = acromion[0].z() - armscye.fold + hanging_arm_gain(shoulder, elbow, s.height);
   m["hps_to_waist"] = back_tape(surface, hps[0], waist.level);

@@ -138,15 +138,27 @@ std::optional<Armscye> armscye_in(const geometry::TriangleMesh& mesh, const Vec3
 
 }  // namespace
 
-Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint) {
-  constexpr double kDeepest = 0.30, kStep = 0.005, kFarthest = 0.06;  // [m]
+Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint,
+                      double farthest) {
+  constexpr double kStep = 0.005, kFine = 0.0005;  // [m]
+  // A raised arm's underside rises less steeply than that, the side of a stout trunk more.
+  constexpr double kSlope = 1.5;
   const Vec3 outwards(shoulder_joint.x() < 0 ? -1 : 1, 0, 0);
-  for (double off = 0; off <= kFarthest; off += kStep) {
+  std::optional<Armscye> highest;
+  double best = 0, most = 0;
+  const auto look = [&](double off) {
     const auto found = armscye_in(mesh, shoulder_joint + off * outwards);
-    if (found && found->fold > shoulder_joint.z() - kDeepest) return *found;
-  }
-  if (const auto found = armscye_in(mesh, shoulder_joint)) return *found;
-  throw GeometryError("body: found no closed section round the shoulder joint");
+    if (!found) return;
+    const double height = found->fold - kSlope * off;
+    if (!highest || height > most) highest = found, best = off, most = height;
+  };
+  for (double off = 0; off <= farthest; off += kStep) look(off);
+  // The fold falls off steeply to either side of where trunk and arm part.
+  for (double off = std::max(0.0, best - kStep), last = std::min(best + kStep, farthest);
+       off <= last; off += kFine)
+    look(off);
+  if (!highest) throw GeometryError("body: found no closed section round the shoulder joint");
+  return *highest;
 }
 
 }  // namespace loosefit::body

@@ -40,8 +40,10 @@ struct Armscye {
   double girth = 0;
   double fold = 0;  ///< height z of its lowest point, the underarm
 };
-/// Where arm and trunk are one in the joint's own plane, as in stout people, a plane farther out.
-/// \throws GeometryError when no closed section contains the joint.
-Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint);
+/// Within `farthest` [m] outwards of the joint, where arm and trunk part: nearer to the neck the
+/// section runs down the side of a stout trunk, farther out along the arm. \throws GeometryError
+/// when no closed section contains the joint.
+Armscye armscye_round(const geometry::TriangleMesh& mesh, const Vec3& shoulder_joint,
+                      double farthest = 0.06);
 
 }  // namespace loosefit::body

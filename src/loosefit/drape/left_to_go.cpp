@@ -1,5 +1,6 @@
 #include "loosefit/drape/left_to_go.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
