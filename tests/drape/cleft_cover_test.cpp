@@ -43,5 +43,44 @@ TEST(CleftCover, ThereIsNoneWhereClothHasRoomOrNoCrotchIsKnown) {
   EXPECT_TRUE(cleft_cover(unknown).triangles.empty());
 }
 
+double distance_to(const std::vector<geometry::TriangleMesh>& covers, const Vec3& p) {
+  double nearest = 1;
+  for (const geometry::TriangleMesh& cover : covers)
+    nearest = std::min(nearest, geometry::ClosestPointTree(cover).signed_distance(p));
+  return nearest;
+}
+
+/// Two balls, the fold between them an armpit of an arm that is raised by so many degrees.
+body::Body arm_raised(double cleft, double degrees) {
+  body::Body body = two_balls(cleft);
+  body.landmarks["armpit_front_L"] = Vec3(0, -0.02, 0);
+  body.joints["neck"] = Vec3(0, 0, 0.2);
+  body.joints["pelvis"] = Vec3(0, 0, -0.4);
+  body.joints["shoulder_L"] = Vec3(0.1, 0, 0.1);
+  const double angle = radians(degrees);
+  body.joints["elbow_L"] = Vec3(0.1, -0.3 * std::sin(angle), 0.1 - 0.3 * std::cos(angle));
+  return body;
+}
+
+TEST(ArmpitCovers, FillAFoldAllAlongAndLeaveWhereClothHasRoom) {
+  const body::Body body = arm_raised(0.002, 80);
+  const std::vector<geometry::TriangleMesh> covers = armpit_covers(body);
+  ASSERT_GT(covers.size(), 3u) << "a hull for every few centimetres";
+  // The balls are 8 mm from each other 25 mm off the line between their middles.
+  for (double along = -0.014; along <= 0.014; along += 0.001) {
+    EXPECT_LT(distance_to(covers, Vec3(0, along, 0)), 0) << along;
+    EXPECT_LT(distance_to(covers, Vec3(0, 0, along)), 0) << along;
+  }
+  EXPECT_GT(distance_to(covers, Vec3(0, 0, 0.035)), 0);
+  EXPECT_GT(distance_to(covers, Vec3(0, 0.035, 0)), 0);
+}
+
+TEST(ArmpitCovers, ThereAreNoneWhereClothHasRoomOrTheArmHangsOrNoArmpitIsKnown) {
+  EXPECT_TRUE(armpit_covers(arm_raised(0.012, 80)).empty());
+  EXPECT_TRUE(armpit_covers(arm_raised(0.002, 40)).empty());
+  EXPECT_FALSE(armpit_covers(arm_raised(0.002, 50)).empty());
+  EXPECT_TRUE(armpit_covers(two_balls(0.002)).empty());
+}
+
 }  // namespace
 }  // namespace loosefit::drape

@@ -1,6 +1,10 @@
 #include "loosefit/drape/cleft_cover.h"
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
 #include "loosefit/geometry/convex_hull.h"
 
@@ -13,6 +17,29 @@ constexpr double kAside = 0.06, kBeforeBehind = 0.15;
 /// It reaches into the flesh [m], so that nothing between its surface and the skin counts as free.
 constexpr double kInside = 0.02;
 constexpr int kFew = 16;  ///< points that make no cleft yet
+
+constexpr double kArmpit = 0.09;  ///< from its front end, where folds are looked for [m]
+constexpr double kAlong = 0.025;  ///< of a fold, that one hull fills [m]
+constexpr double kOverlap = 0.006;
+
+constexpr double kRaised = radians(45);
+
+/// From hanging down along the trunk; `side`: "L" or "R". Not raised where joints are not known.
+bool arm_is_raised(const body::Body& body, const std::string& side) {
+  const auto& joints = body.joints;
+  const std::string shoulder = "shoulder_" + side, elbow = "elbow_" + side;
+  for (const std::string& name : {shoulder, elbow, std::string("neck"), std::string("pelvis")})
+    if (!joints.contains(name)) return false;
+  const Vec3 arm = joints.at(elbow) - joints.at(shoulder);
+  const Vec3 trunk = joints.at("pelvis") - joints.at("neck");
+  return arm.normalized().dot(trunk.normalized()) < std::cos(kRaised);
+}
+
+/// Half of the cleft away from the skin there is other skin nearer than that.
+bool faces_other_skin(const body::PosedBody& body, std::size_t vertex) {
+  const Vec3 middle = body->surface.vertices[vertex] + kNarrow / 2 * body->normals[vertex];
+  return body.tree().signed_distance(middle) < kNarrow / 4;
+}
 
 }  // namespace
 
@@ -27,13 +54,42 @@ geometry::TriangleMesh cleft_cover(const body::PosedBody& body) {
     if (std::abs(off.x()) > kAside || std::abs(off.y()) > kBeforeBehind || off.z() > kAbove ||
         off.z() < -kBelow)
       continue;
-    // Half of the cleft away from the skin there is other skin nearer than that.
-    if (body.tree().signed_distance(skin[i] + kNarrow / 2 * body->normals[i]) < kNarrow / 4)
+    if (faces_other_skin(body, i))
       for (const double depth : {0.0, kInside})
         sides.emplace_back(skin[i] - depth * body->normals[i]);
   }
   if (static_cast<int>(sides.size()) < kFew) return {};
   return geometry::convex_hull(sides);
+}
+
+std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body) {
+  const auto& skin = body->surface.vertices;
+  if (body->normals.size() != skin.size()) return {};
+  std::map<std::array<int, 4>, std::vector<Vec3>> parts;  // by side and place along the fold
+  for (const int side : {0, 1}) {
+    const std::string which = side == 0 ? "L" : "R";
+    const auto armpit = body->landmarks.find("armpit_front_" + which);
+    if (armpit == body->landmarks.end() || !arm_is_raised(body.body(), which)) continue;
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      const Vec3 off = skin[i] - armpit->second;
+      if (off.norm() > kArmpit || !faces_other_skin(body, i)) continue;
+      std::set<std::array<int, 4>> of;  // boxes that overlap, so that hulls leave no gap
+      for (int corner = 0; corner < 8; ++corner) {
+        std::array<int, 4> part{side};
+        for (int k = 0; k < 3; ++k)
+          part[k + 1] = static_cast<int>(
+              std::floor((off[k] + (corner >> k & 1 ? kOverlap : -kOverlap)) / kAlong));
+        of.insert(part);
+      }
+      for (const auto& part : of)
+        for (const double depth : {-kNarrow, 0.0, kInside})
+          parts[part].emplace_back(skin[i] - depth * body->normals[i]);
+    }
+  }
+  std::vector<geometry::TriangleMesh> covers;
+  for (const auto& [part, sides] : parts)
+    if (static_cast<int>(sides.size()) >= kFew) covers.push_back(geometry::convex_hull(sides));
+  return covers;
 }
 
 }  // namespace loosefit::drape

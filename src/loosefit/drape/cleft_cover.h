@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "loosefit/body/posed_body.h"
 #include "loosefit/geometry/triangle_mesh.h"
 
@@ -9,5 +11,11 @@ namespace loosefit::drape {
 /// a vice. The convex hull of the skin on both sides; empty where there is no such cleft, or no
 /// crotch is known.
 geometry::TriangleMesh cleft_cover(const body::PosedBody& body);
+
+/// Closed surfaces that fill folds of skin as narrow in the armpits of arms that are raised by more
+/// than 45 degrees from the trunk's axis: chest and upper arm fold onto each other there, and cloth
+/// would be caught. Beside an arm that hangs cloth lies between arm and trunk. A hull for every few
+/// centimetres along a fold; none where no armpits are known.
+std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body);
 
 }  // namespace loosefit::drape

@@ -40,6 +40,7 @@ std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geomet
   std::vector<geometry::TriangleMesh> covers = hand_hulls(body);
   if (geometry::TriangleMesh cleft = cleft_cover(body); !cleft.triangles.empty())
     covers.push_back(std::move(cleft));
+  for (geometry::TriangleMesh& fold : armpit_covers(body)) covers.push_back(std::move(fold));
   auto field = std::make_shared<const contact::DistanceField>(
       body.tree(),
       geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),
