@@ -47,6 +47,11 @@ TEST(BandTable, OddOnesAreRefusedByFileLineAndKey) {
   EXPECT_NE(refused("panels = [\"front\"]\nstiffness = -1\n")
                 .find("case.toml:4: garment.band[0].stiffness: found -1"),
             std::string::npos);
+  EXPECT_NE(
+      refused("panels = [\"front\"]\n[[garment.band]]\npanels = [\"back\", \"front\"]\n")
+          .find("case.toml:5: garment.band[1].panels: found \"front\", expected a panel that no "
+                "band before it has"),
+      std::string::npos);
   EXPECT_NE(refused("panels = [\"front\"]\nlayer = 2\n").find("layers"), std::string::npos);
 }
 

@@ -12,11 +12,15 @@ const NumberRange kStiffness{0.02, 100, "a multiple"};
 
 }  // namespace
 
-pattern::NamedCloth read_band(ConfigReader table) {
+pattern::NamedCloth read_band(ConfigReader table, std::set<std::string>& told) {
   pattern::NamedCloth named;
   table.only({"panels", "layers", "stiffness"});
   named.panels = table.texts("panels", ".+", "panels that are made of it", 1);
   table.require("panels", "names of panels, [\"NECKBAND\", \"CUFF_L\", \"CUFF_R\"]");
+  for (const std::string& panel : named.panels)
+    if (!told.insert(panel).second)
+      throw table.error("panels", toml_quoted(panel), "a panel that no band before it has",
+                        "each panel is of one cloth");
   const double layers =
       table.number("layers", 2, kLayers, "weight, of one layer of the garment's fabric");
   const double stiffness = table.number(

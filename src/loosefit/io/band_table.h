@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 
 #include "loosefit/io/config_reader.h"
@@ -6,8 +7,9 @@
 
 namespace loosefit::io {
 
-/// A [[band]]: `panels`, `layers`, `stiffness`. \throws InvalidInput with file, line and key.
-pattern::NamedCloth read_band(ConfigReader table);
+/// A [[band]]: `panels`, `layers`, `stiffness`; `told` are the panels of bands before it, to which
+/// its own are added. \throws InvalidInput with file, line and key; for a panel that is in `told`.
+pattern::NamedCloth read_band(ConfigReader table, std::set<std::string>& told);
 
 /// The same as TOML, below its head.
 std::string band_toml(const pattern::NamedCloth& band);

@@ -139,9 +139,10 @@ scenario::GarmentSpec read_garment_keys(ConfigReader& table) {
   for (const ConfigReader& elastic :
        table.tables("elastic", "elastics along edges of its panels, beside those of the pattern"))
     garment.elastics.push_back(read_elastic(elastic));
+  std::set<std::string> told;
   for (const ConfigReader& band :
        table.tables("band", "panels of another cloth than the fabric: ribs, folded strips"))
-    garment.bands.push_back(read_band(band));
+    garment.bands.push_back(read_band(band, told));
   return garment;
 }
 

@@ -118,8 +118,10 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
   each_table(reader, "elastic", "edges", [&](const ConfigReader& table) {
     pattern::add_elastic(pattern, read_elastic(table));
   });
-  each_table(reader, "band", "panels",
-             [&](const ConfigReader& table) { pattern::set_cloth(pattern, read_band(table)); });
+  std::set<std::string> told;
+  each_table(reader, "band", "panels", [&](const ConfigReader& table) {
+    pattern::set_cloth(pattern, read_band(table, told));
+  });
   std::set<std::pair<int, int>> sewn;
   for (const pattern::Stitch& stitch : pattern.stitches)
     for (const auto& side : {stitch.first, stitch.second}) sewn.insert({side.panel, side.edge});
