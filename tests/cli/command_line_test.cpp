@@ -53,14 +53,14 @@ TEST_F(CommandLine, WrongUsageIsCodeTwo) {
 }
 
 TEST_F(CommandLine, AGarmentThatIsNotWornIsCodeOneAndNamedInWords) {
-  file("tube.json", support::tube_file(42, 42, 22, 50));
+  file("tube.json", support::tube_file(56, 56, 22, 50));
   const std::string scenario = file(
       "case.toml", "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n[garment]\npattern = \"" +
                        (base / "tube.json").string() +
                        "\"\n[output]\npreset_sites = false\n[simulation]\n"
                        "edge_length = 0.05\ntime_budget = 60\n");
   const std::string out = (base / "out").string(),
-                    words = "the waistband lies ";  // a tube narrower than the hips climbs
+                    words = "the waistband has slid to ";  // a tube wider than the hips
   const ProgramRun run = loosefit("run " + scenario + " -o " + out + " --no-pictures");
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_NE(run.output.find("\nsettled:"), std::string::npos) << run.output;
