@@ -39,6 +39,12 @@ TEST(FitAlong, SectionsThatGoRoundTheTrunkTooAreLeftOut) {
   EXPECT_TRUE(fit_along({{"arm", 0.0, 1.0, {}}}, body).empty());
 }
 
+TEST(FitAlong, SectionsThatGoRoundTheArmsTooAreLeftOut) {
+  const body::Body body = woman();
+  EXPECT_TRUE(fit_along({{"trunk", 0.16, 1.0, {}}}, body).empty()) << "through the shoulders";
+  EXPECT_EQ(fit_along({{"trunk", 0.30, 1.0, {}}}, body).size(), 1u) << "at the chest";
+}
+
 TEST(FitAlong, LimbsThatABodyHasNotAreLeftOut) {
   body::Body body = woman();
   body.joints.erase("wrist_L");

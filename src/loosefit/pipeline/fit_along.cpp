@@ -24,6 +24,11 @@ const char* nearest_name(const std::vector<NamedLevel>& levels, double along) {
   return std::min_element(levels.begin(), levels.end(), nearer)->name;
 }
 
+double measure(const body::Body& body, const char* name) {
+  const auto found = body.measured.find(name);
+  return found == body.measured.end() ? 0 : found->second;
+}
+
 /// Trunk of the body by length of a tape down the back.
 class TrunkTape {
  public:
@@ -43,7 +48,15 @@ class TrunkTape {
     }
     return down_.back()[1];
   }
-  double girth(double along) const { return body::trunk_girth(body_.surface, height(along)); }
+  /// 0 where the section would go through the arms too.
+  double girth(double along) const {
+    constexpr double kMost = 1.15;  // of the fullest girth
+    double fullest = 0;
+    for (const char* name : {"chest", "waist", "hip"})
+      fullest = std::max(fullest, measure(body_, name));
+    const double girth = body::trunk_girth(body_.surface, height(along));
+    return fullest == 0 || girth < kMost * fullest ? girth : 0;
+  }
 
  private:
   const body::Body& body_;
@@ -95,11 +108,6 @@ class Arm {
 bool has_all(const std::map<std::string, Vec3>& places, std::initializer_list<const char*> names) {
   return std::all_of(names.begin(), names.end(),
                      [&](const char* n) { return places.count(n) > 0; });
-}
-
-double measure(const body::Body& body, const char* name) {
-  const auto found = body.measured.find(name);
-  return found == body.measured.end() ? 0 : found->second;
 }
 
 }  // namespace
