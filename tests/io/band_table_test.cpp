@@ -2,25 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/base/error.h"
-#include "loosefit/io/dxf/dxf_read.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
-#include "loosefit/io/seams_file.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
-#include "support/dxf_text.h"
+#include "support/side_file.h"
 
 // Bands of another cloth in every file that may tell of one.
 namespace loosefit::io {
 namespace {
 
-template <class Work>
-std::string refusal(const Work& work) try {
-  work();
-  return {};
-} catch (const InvalidInput& error) {
-  return std::string(error.what()) + " | " + error.hint();
-}
+using support::refusal_of;
 
 TEST(BandTable, ThoseOfAScenarioAreReadAndWrittenAgain) {
   const scenario::Scenario scenario = parse_scenario(
@@ -40,7 +31,7 @@ TEST(BandTable, ThoseOfAScenarioAreReadAndWrittenAgain) {
 
 TEST(BandTable, OddOnesAreRefusedByFileLineAndKey) {
   const auto refused = [](const std::string& keys) {
-    return refusal([&] { parse_scenario("[garment]\n[[garment.band]]\n" + keys, "case.toml"); });
+    return refusal_of([&] { parse_scenario("[garment]\n[[garment.band]]\n" + keys, "case.toml"); });
   };
   EXPECT_NE(refused("layers = 2\n").find("case.toml:2: garment.band[0].panels: found nothing"),
             std::string::npos);
@@ -60,22 +51,18 @@ TEST(BandTable, APanelIsFoundByItsName) {
   pattern::set_cloth(shirt, {{"front"}, pattern::cloth_of_layers(2, 5)});
   EXPECT_EQ(shirt.panels[shirt.find_panel("front")].cloth, (pattern::PanelCloth{2, 5, 5}));
   EXPECT_EQ(shirt.panels[shirt.find_panel("back")].cloth, pattern::PanelCloth{});
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(refusal_of([&] {
               pattern::set_cloth(shirt, {{"frnt"}, {}});
             }).find("did you mean \"front\"?"),
             std::string::npos);
 }
 
 TEST(BandTable, ThoseBesideADrawingAreOfTheirClothToo) {
-  const auto with = [](const std::string& text) {
-    PatternFile file = parse_dxf_pattern(gerber_like_dxf(), "tee.dxf");
-    parse_seams(text, "tee.seams.toml", file);
-    return file.pattern;
-  };
-  const pattern::Pattern tee = with("[[band]]\npanels = [\"SLEEVE\"]\nstiffness = 0.5\n");
+  const pattern::Pattern tee =
+      support::tee_with_side_file("[[band]]\npanels = [\"SLEEVE\"]\nstiffness = 0.5\n");
   EXPECT_EQ(tee.panels[tee.find_panel("SLEEVE")].cloth, (pattern::PanelCloth{2, 0.5, 1}));
-  EXPECT_NE(refusal([&] {
-              with("[[band]]\npanels = [\"SLEVE\"]\n");
+  EXPECT_NE(refusal_of([&] {
+              support::tee_with_side_file("[[band]]\npanels = [\"SLEVE\"]\n");
             }).find("tee.seams.toml:2: band[0].panels: found \"SLEVE\", expected a panel"),
             std::string::npos);
 }

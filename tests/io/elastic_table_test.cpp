@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/base/error.h"
-#include "loosefit/io/dxf/dxf_read.h"
 #include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
-#include "loosefit/io/seams_file.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
-#include "support/dxf_text.h"
+#include "support/side_file.h"
 
 // Elastics in every file that may tell of one.
 namespace loosefit::io {
@@ -29,16 +26,10 @@ width = 0.01
 linear_density = 0.004
 )";
 
-template <class Work>
-std::string refusal(const Work& work) try {
-  work();
-  return {};
-} catch (const InvalidInput& error) {
-  return std::string(error.what()) + " | " + error.hint();
-}
+using support::refusal_of;
 
 std::string scenario_refusal(const std::string& text) {
-  return refusal([&] { parse_scenario(text, "case.toml"); });
+  return refusal_of([&] { parse_scenario(text, "case.toml"); });
 }
 
 TEST(ElasticTable, ThoseOfAScenarioAreReadAndWrittenAgain) {
@@ -83,7 +74,7 @@ TEST(ElasticTable, AnEdgeIsFoundByItsNameAndHasOneElastic) {
   const pattern::Panel& front = shirt.panels[shirt.find_panel("front")];
   EXPECT_TRUE(front.edges[pattern::find_edge(front, "hem")].elastic);
   const auto named = [&](const std::string& edge) {
-    return refusal([&] { pattern::add_elastic(shirt, {{edge}, {}}); });
+    return refusal_of([&] { pattern::add_elastic(shirt, {{edge}, {}}); });
   };
   EXPECT_NE(named("front.hem").find("an edge that has no elastic yet"), std::string::npos);
   EXPECT_NE(named("frnt.hem").find("did you mean \"front\"?"), std::string::npos);
@@ -112,26 +103,21 @@ TEST(ElasticTable, ThoseOfAPatternComeBackFromItsFile) {
   EXPECT_EQ(garmentcode_text(again), text);
   std::string odd = text;
   odd.replace(odd.find("\"ratio\":0.75"), 12, "\"ratio\":0.05");
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(refusal_of([&] {
               parse_garmentcode(odd, "p.json");
             }).find("loosefit_elastic.ratio: found 0.05, expected 0.3 to 1"),
             std::string::npos);
 }
 
 TEST(ElasticTable, ThoseBesideADrawingAreSewnOnToo) {
-  const auto with = [](const std::string& text) {
-    PatternFile file = parse_dxf_pattern(gerber_like_dxf(), "tee.dxf");
-    parse_seams(text, "tee.seams.toml", file);
-    return file.pattern;
-  };
-  const pattern::Pattern tee = with(
+  const pattern::Pattern tee = support::tee_with_side_file(
       "[[elastic]]\nedges = [\"SLEEVE.e1\"]\nratio = 0.7\n"
       "[[seam]]\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e3\"\n");
   const pattern::Panel& sleeve = tee.panels[tee.find_panel("SLEEVE")];
   ASSERT_TRUE(sleeve.edges[pattern::find_edge(sleeve, "e1")].elastic);
   EXPECT_EQ(sleeve.edges[pattern::find_edge(sleeve, "e1")].elastic->ratio, 0.7);
-  EXPECT_NE(refusal([&] {
-              with("[[elastic]]\nedges = [\"SLEVE.e1\"]\nratio = 0.7\n");
+  EXPECT_NE(refusal_of([&] {
+              support::tee_with_side_file("[[elastic]]\nedges = [\"SLEVE.e1\"]\nratio = 0.7\n");
             }).find("tee.seams.toml:2: elastic[0].edges: found \"SLEVE.e1\", expected a panel"),
             std::string::npos);
 }

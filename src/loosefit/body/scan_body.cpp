@@ -257,8 +257,8 @@ ScanBody body_from_scan(geometry::TriangleMesh mesh, const ScanOptions& options)
   m["neck_width"] = hps[0].x() - hps[1].x();
   // Under a level arm the fold is at the joint; farther out the section runs up along the arm.
   constexpr double kRaised = 60;  // degrees
-  const Armscye armscye =
-      armscye_round(surface, shoulder, abduction(shoulder, elbow) > kRaised ? 0 : 0.06);
+  const Armscye armscye = abduction(shoulder, elbow) > kRaised ? armscye_round(surface, shoulder, 0)
+                                                               : armscye_round(surface, shoulder);
   m["armscye"] = armscye.girth;
   m["scye_depth"] = acromion[0].z() - armscye.fold + hanging_arm_gain(shoulder, elbow, s.height);
   m["hps_to_waist"] = back_tape(surface, hps[0], waist.level);

@@ -21,7 +21,6 @@ constexpr int kFew = 16;  ///< points that make no cleft yet
 constexpr double kArmpit = 0.09;  ///< from its front end, where folds are looked for [m]
 constexpr double kAlong = 0.025;  ///< of a fold, that one hull fills [m]
 constexpr double kOverlap = 0.006;
-
 constexpr double kRaised = radians(45);
 
 /// From hanging down along the trunk; `side`: "L" or "R". Not raised where joints are not known.
@@ -33,6 +32,22 @@ bool arm_is_raised(const body::Body& body, const std::string& side) {
   const Vec3 arm = joints.at(elbow) - joints.at(shoulder);
   const Vec3 trunk = joints.at("pelvis") - joints.at("neck");
   return arm.normalized().dot(trunk.normalized()) < std::cos(kRaised);
+}
+
+/// A box of kAlong round a part of a fold.
+using Place = std::array<int, 3>;
+
+/// All that a point `off` the armpit's front end lies in: they overlap, so that hulls leave no gap.
+std::set<Place> places_along_fold(const Vec3& off) {
+  std::set<Place> places;
+  for (int corner = 0; corner < 8; ++corner) {
+    Place place;
+    for (int k = 0; k < 3; ++k)
+      place[k] = static_cast<int>(
+          std::floor((off[k] + (corner >> k & 1 ? kOverlap : -kOverlap)) / kAlong));
+    places.insert(place);
+  }
+  return places;
 }
 
 /// Half of the cleft away from the skin there is other skin nearer than that.
@@ -63,32 +78,23 @@ geometry::TriangleMesh cleft_cover(const body::PosedBody& body) {
 }
 
 std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body) {
+  std::vector<geometry::TriangleMesh> covers;
   const auto& skin = body->surface.vertices;
-  if (body->normals.size() != skin.size()) return {};
-  std::map<std::array<int, 4>, std::vector<Vec3>> parts;  // by side and place along the fold
-  for (const int side : {0, 1}) {
-    const std::string which = side == 0 ? "L" : "R";
-    const auto armpit = body->landmarks.find("armpit_front_" + which);
-    if (armpit == body->landmarks.end() || !arm_is_raised(body.body(), which)) continue;
+  if (body->normals.size() != skin.size()) return covers;
+  for (const std::string side : {"L", "R"}) {
+    const auto armpit = body->landmarks.find("armpit_front_" + side);
+    if (armpit == body->landmarks.end() || !arm_is_raised(body.body(), side)) continue;
+    std::map<Place, std::vector<Vec3>> parts;
     for (std::size_t i = 0; i < skin.size(); ++i) {
       const Vec3 off = skin[i] - armpit->second;
       if (off.norm() > kArmpit || !faces_other_skin(body, i)) continue;
-      std::set<std::array<int, 4>> of;  // boxes that overlap, so that hulls leave no gap
-      for (int corner = 0; corner < 8; ++corner) {
-        std::array<int, 4> part{side};
-        for (int k = 0; k < 3; ++k)
-          part[k + 1] = static_cast<int>(
-              std::floor((off[k] + (corner >> k & 1 ? kOverlap : -kOverlap)) / kAlong));
-        of.insert(part);
-      }
-      for (const auto& part : of)
+      for (const Place& place : places_along_fold(off))
         for (const double depth : {-kNarrow, 0.0, kInside})
-          parts[part].emplace_back(skin[i] - depth * body->normals[i]);
+          parts[place].emplace_back(skin[i] - depth * body->normals[i]);
     }
+    for (const auto& [place, sides] : parts)
+      if (static_cast<int>(sides.size()) >= kFew) covers.push_back(geometry::convex_hull(sides));
   }
-  std::vector<geometry::TriangleMesh> covers;
-  for (const auto& [part, sides] : parts)
-    if (static_cast<int>(sides.size()) >= kFew) covers.push_back(geometry::convex_hull(sides));
   return covers;
 }
 

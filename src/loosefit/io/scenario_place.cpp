@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "loosefit/scenario/garment_tables.h"
+
 namespace loosefit::io {
 namespace {
 
@@ -39,8 +41,7 @@ std::string scenario_key(const std::string& key, const scenario::Scenario& scena
   for (std::size_t i = 0; i < scenario.sites.size(); ++i)
     if (const auto part = part_of(key, scenario.sites[i].name))
       return "site[" + std::to_string(i) + "]" + board_key(*part);
-  if (key.starts_with("fit.") || key.starts_with("elastic[") || key.starts_with("band["))
-    return "garment." + key;
+  if (key.starts_with("fit.") || scenario::is_beside_pattern(key)) return "garment." + key;
   if (key.starts_with("measures.")) return "body.measurements" + key.substr(key.find('.'));
   if (scenario.body.measurements.contains(key)) return "body.measurements." + key;
   for (const char* section : {"body.", "body.posture.", "simulation."})

@@ -2,6 +2,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/pipeline/unsettled_advice.h"
+#include "loosefit/scenario/garment_tables.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -14,8 +15,7 @@ InvalidInput in_section(const InvalidInput& error, const scenario::Scenario& sce
   const std::string& file = scenario.garments[garment].spec.file;
   const bool of_body = key.starts_with("measures.") || key.starts_with("body.");
   if (!error.place().file.empty() || of_body) return error;
-  const bool of_scenario = key.starts_with("elastic[") || key.starts_with("band[");
-  if (!file.empty() && !of_scenario) return error.at({file, 0, key});
+  if (!file.empty() && !scenario::is_beside_pattern(key)) return error.at({file, 0, key});
   return error.at({{}, 0, "under[" + std::to_string(garment) + "]." + key});
 }
 
