@@ -56,7 +56,17 @@ def svg(pieces):
             "\n".join(rows) + "\n</svg>\n")
 
 
-def shirt(b, ease=1.10, sleeve=True, neckband=None, cuff=None, hemband=None, binding=None, long=62):
+def hood(neck, tall, centre):
+    """Two halves for a neckline of this length, and a strip between them if it has a width."""
+    half, deep = (neck - centre) / 2, .74 * tall
+    over = ((.98 * half, .15 * tall), (deep, .35 * tall), (deep, .55 * tall)), ((deep, .8 * tall), (.55 * deep, 1.01 * tall), (0, tall))
+    drop = math.sqrt(.5 ** 2 - .49 ** 2) * half
+    o = Outline((0, 0)).line((.49 * half, -drop)).line((.98 * half, 0)).curve(*over[0]).curve(*over[1]).line((0, 0))
+    back = length((.98 * half, 0), *over[0]) + length(over[0][2], *over[1])
+    return [("hood_left", o), ("hood_right", o.mirrored())] + ([("hood_center", strip(back, centre))] if centre else [])
+
+
+def shirt(b, ease=1.10, sleeve=True, neckband=None, cuff=None, hemband=None, binding=None, long=62, hooded=None):
     """Front and back, sleeves in one piece or none; bands as shares of what they are sewn to."""
     w, s = b["chest"] * ease / 4, b["shoulder"]
     depth = 0.235 * b["chest"]
@@ -84,6 +94,8 @@ def shirt(b, ease=1.10, sleeve=True, neckband=None, cuff=None, hemband=None, bin
             pieces += [(f"cuff_{side}", strip(1.8 * half * cuff, 4)) for side in ("left", "right")]
     elif binding:
         pieces += [(f"armhole_{side}", strip(hole * binding, 2.5)) for side in ("left", "right")]
+    if hooded is not None:
+        pieces += hood(neck, .19 * b["height"], hooded)
     if neckband:
         pieces.append(("neckband", strip(neck * neckband, 2.5)))
     if hemband:
@@ -115,13 +127,15 @@ def build(make_for=None):
     """name → (class, SVG text); make_for as in garments.build."""
     m = make_for or {"height": 172, "bust": 92, "waist": 76, "hip": 98}
     b = {"chest": m["bust"], "waist": m["waist"], "hip": m["hip"], "shoulder": 0.0553 * m["height"] + 0.107 * m["bust"],
-         "arm": 0.33 * m["bust"] + 2, "rise": 0.155 * m["height"]}
+         "arm": 0.33 * m["bust"] + 2, "rise": 0.155 * m["height"], "height": m["height"]}
     long, inseam = 0.36 * m["height"], 0.39 * m["height"]
     kind = "drawn, without seams or places"
     return {
         "drawn_tee": (kind, shirt(b, long=long)),
         "drawn_tee_neckband": (kind, shirt(b, neckband=.9, long=long)),
         "drawn_sweat": (kind, shirt(b, ease=1.16, neckband=.88, cuff=.85, hemband=.88, long=long)),
+        "drawn_hoodie": (kind, shirt(b, ease=1.16, cuff=.85, hemband=.88, long=long, hooded=0)),
+        "drawn_hoodie_3": (kind, shirt(b, ease=1.16, long=long, hooded=9)),
         "drawn_tank": (kind, shirt(b, sleeve=False, neckband=.92, binding=.93, long=long)),
         "drawn_leggings": (kind, whole_legs(b, .97, inseam, .235 * m["hip"] + 1, waistband=.95)),
         "drawn_joggers": (kind, whole_legs(b, 1.10, .95 * inseam, .36 * m["hip"], waistband=.97)),

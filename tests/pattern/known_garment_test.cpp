@@ -110,6 +110,76 @@ TEST(KnownGarment, ARaglanShirtIsSewnByTheLengthsOfItsRaglans) {
   EXPECT_GT(shirt.panels[2].rotation.col(1).x(), 0.5);
 }
 
+TEST(KnownGarment, AHoodIsSewnFromTheMiddleOfTheFront) {
+  for (const double strip : {0.0, 0.08}) {
+    SCOPED_TRACE(strip);
+    Pattern shirt = unsewn_hoodie(strip);
+    turn_panel(shirt.panels[4]);
+    rotate_edges(shirt.panels[5], 2);
+    const KnownGarment known = know_garment(shirt);
+    EXPECT_EQ(known.kind, "hooded t-shirt");
+    ASSERT_TRUE(known.certain()) << known.doubts[0];
+    EXPECT_EQ(known.pieces[4].side, -1);
+    EXPECT_EQ(known.pieces[5].side, 1);
+    std::vector<Notch> notches;
+    sew_chains(shirt, known.seams, notches);
+    EXPECT_LT(worst_difference(shirt), 0.02);
+    // Each half is sewn to one half of the front's neck, which is parted in its middle.
+    int at_front = 0;
+    for (const Stitch& stitch : shirt.stitches) {
+      if (stitch.name.find("hood_neck") != 0) continue;
+      EXPECT_GE(stitch.first.panel, 4);
+      if (stitch.second.panel != 0) continue;
+      ++at_front;
+      const EdgePath edge(shirt.panels[0], stitch.second.edge);
+      EXPECT_EQ(edge.at(0.5).x() > 0, stitch.first.panel == 5) << "the wearer's left is at x > 0";
+    }
+    EXPECT_EQ(at_front, 2);
+    EXPECT_TRUE(place_pieces(shirt).empty());
+    for (const int p : {4, 5}) {
+      const Panel& half = shirt.panels[p];
+      EXPECT_NEAR(half.rotation.col(2).x(), p == 5 ? 1 : -1, 1e-12) << "its outside";
+      const auto height = [&](const Stitch::Side& side) {
+        const Vec2 q = EdgePath(half, side.edge).at(0.5);
+        return (half.rotation * Vec3(q.x(), q.y(), 0) + half.translation).z();
+      };
+      const KnownGarment again = know_garment(shirt);
+      EXPECT_LT(height(again.pieces[p].sections[0].sides(half, p)[0]),
+                height(again.pieces[p].sections[p == 5 ? 1 : 2].sides(half, p)[0]) - 0.05);
+    }
+  }
+}
+
+TEST(KnownGarment, HoodsThatDoNotFitAreDoubts) {
+  Pattern alike = unsewn_hoodie();
+  alike.panels[4] = alike.panels[5];
+  alike.panels[4].name = "hood_3";
+  EXPECT_NE(know_garment(alike).doubts.at(0).find("are for the same side"), std::string::npos);
+  Pattern named = unsewn_hoodie();
+  named.panels[4].name = "hood left";
+  EXPECT_NE(know_garment(named).doubts.at(0).find("say different sides"), std::string::npos);
+  Pattern wide = unsewn_hoodie(0.1);
+  wide.panels.pop_back();  // without its strip the neck is too long for it
+  EXPECT_NE(know_garment(wide).doubts.at(0).find("seam hood_neck"), std::string::npos);
+  Pattern one = unsewn_hoodie();
+  one.panels.pop_back();
+  EXPECT_NE(know_garment(one).doubts.at(0).find("no part of it"), std::string::npos);
+}
+
+TEST(SewChains, AClosedRunMayBeginWithinAnEdge) {
+  Pattern shirt = unsewn_hoodie();
+  std::vector<Notch> notches;
+  ChainSeam seam{"round", {{5, 0}, {4, 2}}, {{0, 4}, {1, 4}}, false};
+  const double front = EdgePath(shirt.panels[0], 4).length(),
+               all = chain_length(shirt, seam.second);
+  seam.begin = 0.25 * front / all;
+  sew_chains(shirt, {seam}, notches);
+  ASSERT_FALSE(shirt.stitches.empty());
+  const Stitch& last = shirt.stitches.back();
+  EXPECT_EQ(last.second.panel, 0) << "the second run begins at a quarter of the front's neck";
+  EXPECT_NEAR(EdgePath(shirt.panels[0], 4).length(), 0.25 * front, 1e-6);
+}
+
 TEST(KnownGarment, DoubtsKeepItFromBeingSewnUnasked) {
   Pattern more = unsewn_tshirt();
   more.panels.push_back(more.panels[2]);

@@ -7,6 +7,7 @@
 #include "loosefit/pattern/curve_chain.h"
 #include "loosefit/pattern/drafting.h"
 #include "loosefit/pattern/known_garment.h"
+#include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/place_pieces.h"
 #include "support/simple_patterns.h"
 
@@ -127,6 +128,42 @@ inline pattern::Pattern unsewn_trousers(double waist = 0.84, double hip = 1.00, 
   return pattern;
 }
 
+/// A strip that is drawn upright, longer than wide.
+inline pattern::Panel upright_strip(const std::string& name, double length, double width) {
+  return numbered_panel(name,
+                        {straight({0, 0}, {width, 0}), straight({width, 0}, {width, length}),
+                         straight({width, length}, {0, length}), straight({0, length}, {0, 0})});
+}
+
+/// Half of a hood as the wearer's left one, seen from outside: neck, back (over the head), face.
+/// \param neck length of its neck edge [m]
+inline std::vector<pattern::CurveChain> hood_half(double neck, double height = 0.35,
+                                                  double depth = 0.26) {
+  const double rise = 0.2;  // [rad], of the neck to the shoulder and up again
+  const Vec2 shoulder(0.5 * neck * std::cos(rise), -0.5 * neck * std::sin(rise)),
+      nape(neck * std::cos(rise), 0), fullest(depth, 0.55 * height), top(0, height);
+  pattern::CurveChain edge = straight({0, 0}, shoulder), over;
+  edge.line_to(nape);
+  over.start = nape;
+  over.cubic_to(nape + Vec2(0, 0.15 * height), fullest - Vec2(0, 0.2 * height), fullest)
+      .cubic_to(fullest + Vec2(0, 0.25 * height), Vec2(0.55 * depth, 1.01 * height), top);
+  return {edge, over, straight(top, {0, 0})};
+}
+
+/// A T-shirt and the halves of a hood, right then left, as long as its neck, which a strip of that
+/// width may join; the strip is drawn upright.
+inline pattern::Pattern unsewn_hoodie(double strip = 0) {
+  pattern::Pattern pattern = unsewn_tshirt();
+  double neck = 0;
+  for (const pattern::Panel& panel : {pattern.panels[0], pattern.panels[1]})
+    neck += pattern::EdgePath(panel, 4).length();
+  const auto half = hood_half(0.5 * (neck - strip));
+  pattern.panels.push_back(mirrored_panel("hood", half));
+  pattern.panels.push_back(numbered_panel("hood_2", half));
+  if (strip > 0) pattern.panels.push_back(upright_strip("hood_center", half[1].length(), strip));
+  return pattern;
+}
+
 /// Front, back, right sleeve, left sleeve; the raglan of the back is longer.
 inline pattern::Pattern unsewn_raglan() {
   const double w = 0.26, under = 0.38, n = 0.07;
@@ -186,13 +223,6 @@ inline pattern::Pattern unsewn_leggings(double waist = 0.74, double hip = 0.95, 
   pattern.name = "leggings";
   pattern.panels = {numbered_panel("leg", left), mirrored_panel("leg_mirrored", left)};
   return pattern;
-}
-
-/// A strip that is drawn upright, longer than wide.
-inline pattern::Panel upright_strip(const std::string& name, double length, double width) {
-  return numbered_panel(name,
-                        {straight({0, 0}, {width, 0}), straight({width, 0}, {width, length}),
-                         straight({width, length}, {0, length}), straight({0, length}, {0, 0})});
 }
 
 /// Sewn by what its pieces are and placed by nobody: its pieces lie at the origin.

@@ -128,11 +128,13 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
   std::set<std::string> names;
   std::vector<pattern::ChainSeam> seams;
   for (ConfigReader& seam : reader.tables("seam")) {
-    seam.only({"first", "second", "reversed", "name"});
+    seam.only({"first", "second", "reversed", "begin", "name"});
     pattern::ChainSeam sewing;
     sewing.first = read_run(seam, "first", pattern, sewn);
     sewing.second = read_run(seam, "second", pattern, sewn);
     sewing.reversed = seam.boolean("reversed", false);
+    sewing.begin = seam.number("begin", 0, {0, 1, "a fraction"},
+                               "of closed runs: of the second, where the first begins");
     sewing.name =
         seam.text("name", fmt::format("seam_{}", pattern.stitches.size() + seams.size() + 1));
     if (!names.insert(sewing.name).second)
@@ -182,6 +184,7 @@ std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamPropo
     text += "first = " + run_text(pattern, proposal.seam.first) + "\n";
     text += "second = " + run_text(pattern, proposal.seam.second) + "\n";
     if (proposal.seam.reversed) text += "reversed = true\n";
+    if (proposal.seam.begin > 0) text += fmt::format("begin = {:.4f}\n", proposal.seam.begin);
   }
   return text;
 }

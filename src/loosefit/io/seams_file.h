@@ -22,6 +22,7 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 ///     [[seam]]
 ///     first = "SLEEVE.e3"      # a run of edges, each where the one before ends
 ///     second = ["BACK.e2", "FRONT.e8"]
+///     begin = 0.25             # of closed runs: share of the second where the first begins
 ///     [[elastic]]
 ///     edges = ["FRONT.e4"]     # tape along them
 ///     ratio = 0.8              # of the edge's length (io/elastic_table.h)

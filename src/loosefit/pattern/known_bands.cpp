@@ -1,42 +1,16 @@
 #include "loosefit/pattern/known_bands.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/pattern/known_pieces.h"
 #include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::pattern {
 namespace {
 
-constexpr double kLongerThanWide = 2.5;
-constexpr double kEndsAlike = 0.05, kSidesAlike = 0.15;  ///< relative differences of lengths
-constexpr double kShortest = 0.6, kLongest = 1.03;       ///< of a band over its loop
-constexpr double kStraightEnd = 0.05;                    ///< bulge of an end, at most
-
-double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
-
-/// The two sides and ends of a strip; the first side is the longer one, which is sewn on: a band
-/// that is cut in a curve is narrower at its free edge.
-struct Strip {
-  Section side, first_end, second_end;
-};
-
-std::optional<Strip> as_strip(const Panel& panel) {
-  const std::vector<Section> s = outline_sections(panel);
-  if (s.size() != 4) return {};
-  const std::size_t i = s[0].length + s[2].length > s[1].length + s[3].length ? 0 : 1;
-  const Section &a = s[i], &b = s[i + 2], &end_a = s[i + 1], &end_b = s[(i + 3) % 4];
-  if (difference(a.length, b.length) > kSidesAlike ||
-      difference(end_a.length, end_b.length) > kEndsAlike ||
-      std::min(a.length, b.length) < kLongerThanWide * std::max(end_a.length, end_b.length) ||
-      std::max(std::abs(end_a.bulge), std::abs(end_b.bulge)) > kStraightEnd)
-    return {};
-  if (a.length >= b.length) return Strip{a, end_a, end_b};
-  return Strip{b, end_b, end_a};
-}
+constexpr double kShortest = 0.6, kLongest = 1.03;  ///< of a band over its loop
 
 bool says_a_band(const PieceWords& w) {
   return w.neck || w.armhole || w.cuff || w.waist || w.hem || w.sleeve;
@@ -86,7 +60,7 @@ KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
   for (const int p : panels) {
     const Panel& panel = pattern.panels[p];
     const PieceWords w = words_of(panel.name + " " + panel.label);
-    const auto strip = as_strip(panel);
+    const auto strip = as_strip(outline_sections(panel));
     if (!strip || w.pocket || w.hood || w.yoke) continue;
     std::vector<int> fit;
     std::set<LoopKind> kinds;

@@ -10,6 +10,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/known_bands.h"
+#include "loosefit/pattern/known_hood.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -39,6 +40,7 @@ class Knower {
     else if (skirts_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       skirt();
     if (garment_.kind.empty()) return std::move(garment_);
+    hood();
     for (const ChainSeam& seam : garment_.seams) {
       const double a = chain_length(pattern_, seam.first), b = chain_length(pattern_, seam.second);
       if (difference(a, b) > kSameLength)
@@ -131,12 +133,31 @@ class Knower {
     to.insert(to.end(), more.begin(), more.end());
   }
 
-  /// Of what is left the bands at open loops.
-  void bands() {
+  std::vector<int> unknown_pieces() const {
     std::vector<int> rest;
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p)
       if (garment_.pieces[p].role == PieceRole::unknown) rest.push_back(static_cast<int>(p));
-    KnownBands known = know_bands(pattern_, rest, loops_);
+    return rest;
+  }
+
+  /// Of what is left a hood, which takes the neck.
+  void hood() {
+    const auto neck = std::find_if(loops_.begin(), loops_.end(), [](const OpenLoop& loop) {
+      return loop.kind == LoopKind::neck;
+    });
+    if (neck == loops_.end()) return;
+    KnownHood known = know_hood(pattern_, unknown_pieces(), *neck, front_middle_);
+    for (const std::string& why : known.doubts) doubt(why);
+    if (!known.found()) return;
+    for (KnownHood::Part& part : known.parts) garment_.pieces[part.panel] = std::move(part.piece);
+    for (ChainSeam& seam : known.seams) garment_.seams.push_back(std::move(seam));
+    garment_.kind = "hooded " + garment_.kind;
+    loops_.erase(neck);
+  }
+
+  /// Of what is left the bands at open loops.
+  void bands() {
+    KnownBands known = know_bands(pattern_, unknown_pieces(), loops_);
     for (KnownBand& band : known.bands) {
       garment_.pieces[band.panel].role = PieceRole::band;
       garment_.pieces[band.panel].side = loops_[band.loop].side;
@@ -150,6 +171,13 @@ class Knower {
                 const std::vector<Stitch::Side>& more = {}) {
     append(first, more);
     loops_.push_back({name, kind, side, std::move(first)});
+  }
+
+  /// The neck, which begins with that of the front.
+  void add_neck(const std::vector<Stitch::Side>& front, const std::vector<Stitch::Side>& rest) {
+    front_middle_ = chain_length(pattern_, front) / 2;
+    front_middle_ /= 2 * front_middle_ + chain_length(pattern_, rest);
+    add_loop("neck", LoopKind::neck, 0, front, rest);
   }
 
   void shirt() {
@@ -169,7 +197,7 @@ class Knower {
     add("side_R", sides(front, last), sides(back, 1));
     add_loop("hem", LoopKind::hem, 0, sides(front, 0), sides(back, 0));
     if (raglan) return raglan_sleeves(front, back);
-    add_loop("neck", LoopKind::neck, 0, sides(front, 4), sides(back, 4));
+    add_neck(sides(front, 4), sides(back, 4));
     add("shoulder_L", sides(front, 3), sides(back, 5));
     add("shoulder_R", sides(front, 5), sides(back, 3));
     if (sleeves_.empty()) {
@@ -214,13 +242,13 @@ class Knower {
       add_loop("wrist" + name, LoopKind::wrist, left ? 1 : -1, sides(p, 0));
     }
     // From front to back over the right sleeve, back over the left one.
-    std::vector<Stitch::Side> neck = sides(front, 3);
+    std::vector<Stitch::Side> neck;
     for (const int side : {-1, 1}) {
       for (const int p : sleeves_)
         if (garment_.pieces[p].side == side) append(neck, sides(p, 3));
       if (side < 0) append(neck, sides(back, 3));
     }
-    add_loop("neck", LoopKind::neck, 0, std::move(neck));
+    add_neck(sides(front, 3), neck);
   }
 
   /// How much less the half of a cap behind its top (at the end of the outline's way) bulges than
@@ -382,6 +410,7 @@ class Knower {
   KnownGarment garment_;
   std::vector<int> trunks_, sleeves_, legs_, whole_legs_, skirts_;
   std::vector<OpenLoop> loops_;
+  double front_middle_ = 0;  ///< of the neck: share of its length in the middle of the front
 };
 
 }  // namespace

@@ -19,9 +19,10 @@ struct KnownGarment {
 
 /// Tells T-shirts, long-sleeve and raglan shirts (front, back, two sleeves in one piece each), tank
 /// tops, trousers (two fronts, two backs; two legs in one piece) and skirts (front, back) by the
-/// sections of their outlines, by symmetry and by names; bands at their edges (known_bands.h); and
-/// how they are sewn. Doubts: pieces that are no part of it, lengths of a seam that differ by more
-/// than 2 % and that no band gathers, more than one way to tell a piece.
+/// sections of their outlines, by symmetry and by names; hoods at their neck (known_hood.h) and
+/// bands at their edges (known_bands.h); and /// how they are sewn. Doubts: pieces that are no part
+/// of it, lengths of a seam that differ by more than 2 % and that no band gathers, more than one
+/// way to tell a piece.
 KnownGarment know_garment(const Pattern& pattern);
 
 }  // namespace loosefit::pattern

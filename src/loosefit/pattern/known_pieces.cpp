@@ -9,6 +9,10 @@ namespace {
 constexpr double kSameLength = 0.02;  // of lengths that mirror each other
 constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
 constexpr double kConcave = -0.01;    // bulge of what is cut out
+constexpr double kOverHead = 0.1;     // bulge by which the back of a hood is told from its face
+constexpr double kLongerThanWide = 2.5;
+constexpr double kEndsAlike = 0.05, kSidesAlike = 0.15;  // of strips, relative differences
+constexpr double kStraightEnd = 0.05;                    // bulge of an end, at most
 
 double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
 
@@ -129,6 +133,33 @@ std::optional<KnownPiece> as_whole_leg(const std::vector<Section>& sections) {
     found = piece;
   }
   return found;
+}
+
+std::optional<KnownPiece> as_hood_half(const std::vector<Section>& sections) {
+  if (sections.size() != 3) return {};
+  std::size_t back = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (sections[i].bulge > sections[back].bulge) back = i;
+  const Section &after = sections[(back + 1) % 3], &before = sections[(back + 2) % 3];
+  if (sections[back].bulge < std::max(after.bulge, before.bulge) + kOverHead) return {};
+  KnownPiece piece;
+  piece.role = PieceRole::hood;
+  piece.side = before.length < after.length ? 1 : -1;
+  piece.sections = from(sections, piece.side > 0 ? (back + 2) % 3 : (back + 1) % 3);
+  return piece;
+}
+
+std::optional<Strip> as_strip(const std::vector<Section>& s) {
+  if (s.size() != 4) return {};
+  const std::size_t i = s[0].length + s[2].length > s[1].length + s[3].length ? 0 : 1;
+  const Section &a = s[i], &b = s[i + 2], &end_a = s[i + 1], &end_b = s[(i + 3) % 4];
+  if (difference(a.length, b.length) > kSidesAlike ||
+      difference(end_a.length, end_b.length) > kEndsAlike ||
+      std::min(a.length, b.length) < kLongerThanWide * std::max(end_a.length, end_b.length) ||
+      std::max(std::abs(end_a.bulge), std::abs(end_b.bulge)) > kStraightEnd)
+    return {};
+  if (a.length >= b.length) return Strip{a, end_a, b, end_b};
+  return Strip{b, end_b, a, end_a};
 }
 
 }  // namespace loosefit::pattern

@@ -17,6 +17,7 @@ enum class PieceRole {
   leg,
   front_skirt,
   back_skirt,
+  hood,
   band
 };
 
@@ -29,7 +30,8 @@ struct KnownPiece {
   /// side, raglan, neck, raglan, side. Of sleeves: cuff, underarm, cap, underarm; cuff, underarm,
   /// raglan, neck, raglan, underarm. Of skirts: hem, side, waist, side. Of legs: hem and, in the
   /// order of the outline, the next ones of hem, outseam, waist, crotch, inseam or the other way
-  /// round. Of legs in one piece: hem, inseam, crotch, waist, crotch, inseam.
+  /// round. Of legs in one piece: hem, inseam, crotch, waist, crotch, inseam. Of the left half of a
+  /// hood neck, back, face, of the right one neck, face, back.
   std::vector<Section> sections;
 };
 
@@ -50,5 +52,17 @@ std::optional<KnownPiece> as_leg(const std::vector<Section>& sections);
 /// Six sections: hem, inseam, crotch, waist, crotch, inseam; the crotches are cut out, the inseams
 /// the longest pair that are alike.
 std::optional<KnownPiece> as_whole_leg(const std::vector<Section>& sections);
+/// Three sections: the one over the back of the head bulges most, the neck is the shorter of the
+/// others. Sets `side`: on a left half the back comes next after the neck.
+std::optional<KnownPiece> as_hood_half(const std::vector<Section>& sections);
+
+/// The two sides and ends of a strip. The first side is the longer one, which a band is sewn on by:
+/// one that is cut in a curve is narrower at its free edge. In the order of the outline: side,
+/// first end, other side, second end.
+struct Strip {
+  Section side, first_end, other_side, second_end;
+};
+/// Four sections, in pairs that are alike, at least 2.5 times as long as wide, with straight ends.
+std::optional<Strip> as_strip(const std::vector<Section>& sections);
 
 }  // namespace loosefit::pattern

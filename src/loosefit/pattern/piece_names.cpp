@@ -79,6 +79,7 @@ const std::vector<Known>& known() {
        {"pk", "pkt"},
        {"pocket", "tasche"}},
       {&W::hood, {"hood", "kapuze", "capuche", "capucha"}, {"ho"}, {"hood", "kapuze"}},
+      {&W::centre, {"center", "centre", "mitte", "centro", "gusset"}, {}, {}},
       {&W::neck,
        {"neck", "collar", "kragen", "hals", "col", "cuello"},
        {"co", "nr", "nb"},

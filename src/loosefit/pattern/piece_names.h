@@ -9,6 +9,7 @@ namespace loosefit::pattern {
 struct PieceWords {
   bool front = false, back = false, left = false, right = false;
   bool sleeve = false, leg = false, skirt = false, yoke = false, pocket = false, hood = false;
+  bool centre = false;  ///< a strip between halves
   bool neck = false, armhole = false, cuff = false, waist = false,
        hem = false;                                               ///< of bands, ribs and collars
   bool grain = false, fold = false, notch = false, seam = false;  ///< of lines

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kBefore = 0.20;        ///< of fronts and backs from the middle [m]
 constexpr double kBesideMiddle = 0.25;  ///< of legs in one piece [m]
+constexpr double kBesideHead = 0.14;    ///< of halves of a hood [m]
 constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
 constexpr double kArmDown = 0.7;        ///< of arms below the horizontal [rad]
 constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
@@ -68,8 +69,10 @@ class Placer {
 
   std::vector<std::string> place() {
     tell_facing();
-    for (std::size_t p = 0; p < n_; ++p)
+    for (std::size_t p = 0; p < n_; ++p) {
       pattern_.panels[p].rotation = facing_rotation(facing_[p], known_.pieces[p].upright);
+      if (is_half_of_hood(p)) stand_on_neck(p);
+    }
     lay_first();
     // Whatever is sewn to what lies already, by most seams first; bands last, in the middle of all
     // that they go round.
@@ -116,6 +119,11 @@ class Placer {
           break;
         case PieceRole::leg:
           facing_[p] = piece.side > 0 ? Facing::left_side : Facing::right_side;
+          break;
+        case PieceRole::hood:
+          facing_[p] = piece.side > 0   ? Facing::left_side
+                       : piece.side < 0 ? Facing::right_side
+                                        : Facing::back;
           break;
         case PieceRole::sleeve:
           facing_[p] = piece.side > 0 ? Facing::left_arm : Facing::right_arm;
@@ -200,13 +208,26 @@ class Placer {
     return role == PieceRole::front_leg || role == PieceRole::back_leg || role == PieceRole::leg;
   }
 
+  bool is_half_of_hood(std::size_t p) const {
+    return known_.pieces[p].role == PieceRole::hood && known_.pieces[p].side != 0;
+  }
+
+  /// Turns half of a hood in its plane until its neck lies below it.
+  void stand_on_neck(std::size_t p) {
+    const Section& neck = known_.pieces[p].sections.front();
+    const Vec2 along = neck.to - neck.from;
+    pattern_.panels[p].rotation *=
+        Eigen::AngleAxisd(-std::atan2(along.y(), along.x()), Vec3::UnitZ()).toRotationMatrix();
+  }
+
   /// Where a piece goes that is before or behind: its distance, and beside the middle what is for
   /// one side.
   void lay_flat(int p, double x, double z) {
     Panel& panel = pattern_.panels[p];
     if (facing_[p] == Facing::left_side || facing_[p] == Facing::right_side) {
       const geometry::Box3 box = box_of(p);
-      panel.translation = Vec3(facing_[p] == Facing::left_side ? kBesideMiddle : -kBesideMiddle,
+      const double beside = is_half_of_hood(p) ? kBesideHead : kBesideMiddle;
+      panel.translation = Vec3(facing_[p] == Facing::left_side ? beside : -beside,
                                -0.5 * (box.min().y() + box.max().y()) + panel.translation.y(), z);
       placed_[p] = 1;
       return;
@@ -277,7 +298,9 @@ class Placer {
 
   void lay_beside_seams(int p) {
     Panel& panel = pattern_.panels[p];
-    if (known_.pieces[p].role == PieceRole::unknown || known_.pieces[p].role == PieceRole::band)
+    const PieceRole role = known_.pieces[p].role;
+    if (role == PieceRole::unknown || role == PieceRole::band ||
+        (role == PieceRole::hood && !is_half_of_hood(p)))
       turn_to_seams(p);
     panel.translation = Vec3::Zero();
     Vec3 sum = Vec3::Zero(), target = Vec3::Zero();

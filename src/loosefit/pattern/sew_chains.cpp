@@ -84,6 +84,17 @@ class Cutter {
     }
   }
 
+  /// Turns a closed run until it begins at this share of its length.
+  void begin_at(std::vector<Stitch::Side>& chain, double share) {
+    const double total = chain_length(pattern_, chain);
+    cut(chain, {share});
+    double sum = 0;
+    std::size_t first = 0;
+    while (first < chain.size() && sum < share * total - kSameEnd)
+      sum += length_of(pattern_, chain[first++]);
+    std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(first), chain.end());
+  }
+
  private:
   void split(const Stitch::Side& side, double share) {
     auto& [name, parts] = names_[{side.panel, pattern_.panels[side.panel].edges[side.edge].name}];
@@ -134,6 +145,7 @@ void sew_chains(Pattern& pattern, std::vector<ChainSeam> seams, std::vector<Notc
     ChainSeam& seam = seams[s];
     if (seam.first.empty() || seam.second.empty())
       throw GeometryError({{}, 0, seam.name}, "a seam with one side", "two sides");
+    if (seam.begin > 0) cutter.begin_at(seam.second, seam.begin);
     if (seam.first.size() > 1 || seam.second.size() > 1) {
       std::vector<double> a = joints(pattern, seam.first), b = joints(pattern, seam.second);
       if (!seam.reversed) {

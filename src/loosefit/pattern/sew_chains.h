@@ -14,6 +14,8 @@ struct ChainSeam {
   std::vector<Stitch::Side> first, second;
   bool reversed =
       false;  ///< start meets start; otherwise the end of one meets the start of the other
+  double begin =
+      0;  ///< of closed runs: share of the second's length where the first begins, 0 to 1
 };
 
 /// Length of a run [m].

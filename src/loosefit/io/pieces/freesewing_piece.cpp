@@ -42,7 +42,8 @@ DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count)
   if (!piece.fold && !marked && (words.front || words.back) && begins_at(points, part.middle))
     piece.fold = part.middle;
   count = {};
-  if (!piece.fold && (words.sleeve || words.cuff || words.leg || words.front || words.back))
+  if (!piece.fold && (words.sleeve || words.cuff || words.leg || words.front || words.back ||
+                      (words.hood && !words.centre)))
     count.mirrored = 1;
   set_outline(piece, std::move(points), part.nodes);
   return piece;
