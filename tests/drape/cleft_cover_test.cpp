@@ -82,5 +82,43 @@ TEST(ArmpitCovers, ThereAreNoneWhereClothHasRoomOrTheArmHangsOrNoArmpitIsKnown) 
   EXPECT_TRUE(armpit_covers(two_balls(0.002)).empty());
 }
 
+/// A ball with a disc of 6 cm beside it, 8 mm away from it where it is nearest.
+body::Body head_with_ear() {
+  body::Body body;
+  const geometry::TriangleMesh ball = support::sphere(0.08, 60, 120);
+  body.surface = ball;
+  const int first = static_cast<int>(ball.vertices.size());
+  for (const Vec3& p : ball.vertices)  // the same ball, flat
+    body.surface.vertices.push_back(Vec3(0.05 * p.x(), 0.4 * p.y(), 0.4 * p.z()) +
+                                    Vec3(0.092, 0, 0));
+  for (const Triangle& t : ball.triangles)
+    body.surface.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
+  body.segment.assign(body.surface.vertices.size(), body::Segment::head);
+  body.joints["shoulder_L"] = Vec3(0.15, 0, -0.2);
+  body.joints["shoulder_R"] = Vec3(-0.15, 0, -0.2);
+  return body;
+}
+
+TEST(EarCovers, FillTheFurrowBehindAnEarAndNothingElse) {
+  const body::Body body = head_with_ear();
+  const std::vector<geometry::TriangleMesh> covers = ear_covers(body);
+  ASSERT_EQ(covers.size(), 1u);
+  for (const double up : {-0.012, 0.0, 0.012})
+    EXPECT_LT(distance_to(covers, Vec3(0.084, 0, up)), 0) << "between ear and head";
+  EXPECT_GT(distance_to(covers, Vec3(0.1, 0, 0)), 0);
+  EXPECT_GT(distance_to(covers, Vec3(-0.084, 0, 0)), 0.1);
+}
+
+TEST(EarCovers, ThereAreNoneWithoutAHeadOrShoulders) {
+  body::Body body = head_with_ear();
+  body.segment.assign(body.surface.vertices.size(), body::Segment::torso);
+  EXPECT_TRUE(ear_covers(body).empty());
+  body = head_with_ear();
+  body.joints.clear();
+  EXPECT_TRUE(ear_covers(body).empty());
+  EXPECT_TRUE(ear_covers(two_balls(0.002)).empty());
+}
+
 }  // namespace
 }  // namespace loosefit::drape

@@ -1,5 +1,6 @@
 #include "loosefit/drape/cleft_cover.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -22,6 +23,10 @@ constexpr double kArmpit = 0.09;  ///< from its front end, where folds are looke
 constexpr double kAlong = 0.025;  ///< of a fold, that one hull fills [m]
 constexpr double kOverlap = 0.006;
 constexpr double kRaised = radians(45);
+
+constexpr double kBehindEar = 0.02;  ///< width of the furrow there, and of hollows in an ear [m]
+constexpr double kBesideFace = 0.6;  ///< of half of the head's width: eyes and mouth are no ears
+constexpr double kUnderEar = 0.01;   ///< that the hull reaches into the head [m]
 
 /// From hanging down along the trunk; `side`: "L" or "R". Not raised where joints are not known.
 bool arm_is_raised(const body::Body& body, const std::string& side) {
@@ -51,9 +56,9 @@ std::set<Place> places_along_fold(const Vec3& off) {
 }
 
 /// Half of the cleft away from the skin there is other skin nearer than that.
-bool faces_other_skin(const body::PosedBody& body, std::size_t vertex) {
-  const Vec3 middle = body->surface.vertices[vertex] + kNarrow / 2 * body->normals[vertex];
-  return body.tree().signed_distance(middle) < kNarrow / 4;
+bool faces_other_skin(const body::PosedBody& body, std::size_t vertex, double width = kNarrow) {
+  const Vec3 middle = body->surface.vertices[vertex] + width / 2 * body->normals[vertex];
+  return body.tree().signed_distance(middle) < width / 4;
 }
 
 }  // namespace
@@ -94,6 +99,33 @@ std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body) {
     }
     for (const auto& [place, sides] : parts)
       if (static_cast<int>(sides.size()) >= kFew) covers.push_back(geometry::convex_hull(sides));
+  }
+  return covers;
+}
+
+std::vector<geometry::TriangleMesh> ear_covers(const body::PosedBody& body) {
+  const auto &skin = body->surface.vertices, &normals = body->normals;
+  const auto left = body->joints.find("shoulder_L"), right = body->joints.find("shoulder_R");
+  std::vector<geometry::TriangleMesh> covers;
+  if (normals.size() != skin.size() || body->segment.size() != skin.size() ||
+      left == body->joints.end() || right == body->joints.end())
+    return covers;
+  const Vec3 aside = (left->second - right->second).normalized();
+  std::vector<double> across;  // of the head
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    if (body->segment[i] == body::Segment::head) across.push_back(aside.dot(skin[i]));
+  if (across.empty()) return covers;
+  const auto [least, most] = std::minmax_element(across.begin(), across.end());
+  const double middle = (*least + *most) / 2, half = (*most - *least) / 2;
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Vec3> ear;
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      if (body->segment[i] != body::Segment::head) continue;
+      const double out = side * (aside.dot(skin[i]) - middle);
+      if (out < kBesideFace * half || !faces_other_skin(body, i, kBehindEar)) continue;
+      for (const double under : {0.0, kUnderEar}) ear.emplace_back(skin[i] - side * under * aside);
+    }
+    if (static_cast<int>(ear.size()) >= kFew) covers.push_back(geometry::convex_hull(ear));
   }
   return covers;
 }

@@ -18,4 +18,8 @@ geometry::TriangleMesh cleft_cover(const body::PosedBody& body);
 /// centimetres along a fold; none where no armpits are known.
 std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body);
 
+/// The hull of each ear and of the skin behind it: an ear gives way, a rigid one would catch the
+/// edge of a hood. None where no head or shoulders are known.
+std::vector<geometry::TriangleMesh> ear_covers(const body::PosedBody& body);
+
 }  // namespace loosefit::drape

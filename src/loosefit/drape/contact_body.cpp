@@ -41,6 +41,7 @@ std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geomet
   if (geometry::TriangleMesh cleft = cleft_cover(body); !cleft.triangles.empty())
     covers.push_back(std::move(cleft));
   for (geometry::TriangleMesh& fold : armpit_covers(body)) covers.push_back(std::move(fold));
+  for (geometry::TriangleMesh& ear : ear_covers(body)) covers.push_back(std::move(ear));
   auto field = std::make_shared<const contact::DistanceField>(
       body.tree(),
       geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),

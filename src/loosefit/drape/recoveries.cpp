@@ -26,7 +26,7 @@ bool step_is_blocked(ClothState& state) {
 }
 
 bool lags_behind(ClothState& state) {
-  return state.last.residual > state.tuning.follow.lagging * step_plan(state).tolerance;
+  return state.last.residual > state.tuning.follow.lagging * state.tuning.follow.plan.tolerance;
 }
 
 bool has_left_field(ClothState& state) { return !state.body->field->covers(bounds(state.x)); }
@@ -84,7 +84,7 @@ void halve_step(ClothState& state) { state.step.length /= 2; }
 
 void settle_longer(ClothState& state) {
   const FollowTuning& tuning = state.tuning.follow;
-  const StepPlan& plan = step_plan(state);
+  const StepPlan& plan = tuning.plan;
   state.settle(
       {tuning.lagging * plan.tolerance, tuning.longer * plan.iterations, tuning.first_dt, true});
 }

@@ -50,7 +50,7 @@ bool is_caught(ClothState& state, double deepest) {
     // What was carried lies deep in the layer here and there: all of it would throw the cloth off.
     if (!state.is_as_worn())
       state.model->set_hardening(state.tuning.penetrations.look_hardening.front());
-    state.settle({tuning.one_layer.tolerance, tuning.longer * tuning.one_layer.iterations,
+    state.settle({tuning.plan.tolerance, tuning.longer * tuning.plan.iterations,
                   tuning.finest_first_dt, true});
     deepest = depth_in_skin(state.x, state.body->body);
   }

@@ -92,12 +92,10 @@ void add_plan(Fields& fields, const std::string& name, StepPlan& plan) {
 
 Fields follow_fields(FollowTuning& t) {
   Fields fields("follow");
-  add_plan(fields, "one_layer", t.one_layer);
-  add_plan(fields, "layers", t.layers);
+  add_plan(fields, "plan", t.plan);
   return fields.number("lagging", t.lagging, 1, kMostResidual)
       .share("free_share", t.free_share)
       .share("layers_free_share", t.layers_free_share)
-      .length("layers_deviation", t.layers_deviation)
       .length("deepest", t.deepest)
       .number("limb_share", t.limb_share, 0.1, 10)
       .length("shallow", t.shallow)

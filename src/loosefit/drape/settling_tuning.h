@@ -113,9 +113,7 @@ struct WearInTuning {
 
 /// The body moves, the cloth goes along.
 struct FollowTuning {
-  StepPlan one_layer = {};  ///< F; half the turn gave the same states at twice the fields
-  /// Of several layers: what the body pushes out has to push the next one. Chosen by experiment.
-  StepPlan layers = {0.04, 5, 100};
+  StepPlan plan = {};  ///< F; half the turn gave the same states at twice the fields
   /// Residual after a step, in StepPlan::tolerance, beyond which it is settled longer [–]: cloth
   /// pressed deep into the skin would be pulled through it on the next step. Experiment.
   double lagging = 5;
@@ -124,9 +122,6 @@ struct FollowTuning {
   double free_share = 0.999;
   /// The same of several layers [–]: they touch, so that a little is always cut off.
   double layers_free_share = 0.9;
-  /// How far rigid impact zones may lead layers off their displacements [m]; beyond, all would be
-  /// taken along like one rigid piece. Chosen by experiment.
-  double layers_deviation = 0.002;
   /// Depth in the skin after a step for which it is halved [m]; F.
   double deepest = 0.012;
   /// The same in thin limbs: a step is halved when cloth comes to lie deeper than this part of the

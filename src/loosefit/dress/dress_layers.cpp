@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <queue>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/surface_distance.h"
@@ -20,10 +22,10 @@ constexpr double kMostClearance = 0.08;
 constexpr double kStep = 1.1, kFirstStep = 1.35;  ///< of the clearance, and beyond the layer below
 constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
 constexpr double kDepthShares[] = {1.0, 1.5};
-/// Tries for a garment that is placed over others: how much farther from the skin [m].
-constexpr double kThicker[] = {0, 0.02, 0.03, 0.045, 0.06, 0.08, 0.11};
-/// Skin so far from the nearest vertices of cloth is covered, and beyond the other not padded [m].
-constexpr double kCovered = 0.03, kBeside = 0.10;
+/// Tries for a garment that is placed over others: how much farther from the skin than they are
+/// [m].
+constexpr double kFarther[] = {0.002, 0.005, 0.01, 0.02, 0.03};
+constexpr double kSlope = 0.5;  ///< of padding towards skin that nothing covers
 
 /// Everything that is on already.
 struct Dressed {
@@ -63,23 +65,42 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
   return {};
 }
 
-/// How far each vertex of the skin is over the surface from what is under the cloth's vertices [m].
-std::vector<double> from_cloth(const body::PosedBody& body, const std::vector<Vec3>& cloth) {
-  std::vector<int> covered;
-  for (const Vec3& p : cloth)
-    for (const int v : body->surface.triangles[body.tree().query(p).triangle]) covered.push_back(v);
-  return body::surface_distance(body->surface, covered);
+/// How far what is on stands off each vertex of the skin [m], on to the skin beside it, where it
+/// falls by kSlope: the skin moved outwards by so much encloses it.
+std::vector<double> stand_off(const body::PosedBody& body, const std::vector<Vec3>& cloth) {
+  const geometry::TriangleMesh& skin = body->surface;
+  std::vector<double> off(skin.vertices.size(), 0);
+  for (const Vec3& p : cloth) {
+    const auto nearest = body.tree().query(p);
+    for (const int v : skin.triangles[nearest.triangle])
+      off[v] = std::max(off[v], (p - nearest.point).norm());
+  }
+  // The largest first, as in Dijkstra's method: what has come off the queue grows no more.
+  const auto neighbours = body::neighbours_of(skin);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry> queue;
+  for (std::size_t v = 0; v < off.size(); ++v)
+    if (off[v] > 0) queue.push({off[v], static_cast<int>(v)});
+  while (!queue.empty()) {
+    const auto [from, v] = queue.top();
+    queue.pop();
+    if (from < off[v]) continue;
+    for (const int other : neighbours[v]) {
+      const double here = from - kSlope * (skin.vertices[v] - skin.vertices[other]).norm();
+      if (here > off[other]) queue.push({off[other] = here, other});
+    }
+  }
+  return off;
 }
 
-/// The same person with so much more round what is covered [m], as if it wore padding: hands that
-/// grew too would leave no room in the cuffs. Folds of its skin may pass through each other.
-body::PosedBody thicker(const body::Body& body, const std::vector<double>& from_cloth, double by) {
+/// The same person thicker by what is on, and by so much more there [m], as if it wore padding:
+/// hands that grew too would leave no room in the cuffs. Folds of its skin may pass through each
+/// other.
+body::PosedBody padded(const body::Body& body, const std::vector<double>& off, double by) {
   body::Body more = body;
   const auto normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    const double share = (kBeside - from_cloth[v]) / (kBeside - kCovered);
-    more.surface.vertices[v] += by * std::clamp(share, 0.0, 1.0) * normals[v];
-  }
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    more.surface.vertices[v] += (off[v] + std::min(by, off[v])) * normals[v];
   return more;
 }
 
@@ -87,10 +108,10 @@ body::PosedBody thicker(const body::Body& body, const std::vector<double>& from_
 std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
                              const body::PosedBody& body) {
   const garment::Garment& garment = *layer.garment;
-  const std::vector<double> apart = from_cloth(body, under.positions);
+  const std::vector<double> off = stand_off(body, under.positions);
   std::string why;
-  for (const double by : kThicker) try {
-      std::vector<Vec3> x = layer.place(by > 0 ? thicker(body, apart, by) : body);
+  for (const double by : kFarther) try {
+      std::vector<Vec3> x = layer.place(under.positions.empty() ? body : padded(body, off, by));
       const auto cuts =
           geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
       if (cuts.empty()) return x;
@@ -98,7 +119,7 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
                         garment.panel_names[garment.triangle_panel[cuts.front().first]]);
       if (under.positions.empty()) break;
     } catch (const NoRoom&) {
-      if (by == 0) throw;
+      if (by == kFarther[0]) throw;
     }
   throw GeometryError(
       "pattern: the placed panels cut through the garments under them, " + why,

@@ -12,12 +12,6 @@
 namespace loosefit::drape {
 namespace {
 
-double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).squaredNorm());
-  return std::sqrt(most);
-}
-
 /// A step of the body, and where the cloth would be after it.
 struct Move {
   body::PosedBody body;
@@ -85,14 +79,11 @@ Move plan_move(const ClothState& state, const body::PosedBody& to) {
   const double share = model.self().max_step(x, free);
   move.x = x;
   for (std::size_t i = 0; i < x.size(); ++i) move.x[i] += share * free[i];
-  // A body that goes where the cloth cannot follow would pass through it. Layers that lie on each
-  // other have little room, and would be taken along like one rigid piece: shorter steps, and
-  // settling makes room anew.
-  move.blocked = state.is_single() ? !(share >= tuning.free_share &&
-                                       depth_in_skin(move.x, move.body) <= tuning.deepest &&
-                                       !presses_through(state, move))
-                                   : !(share >= tuning.layers_free_share &&
-                                       largest_distance(carried, free) <= tuning.layers_deviation);
+  // A body that goes where the cloth cannot follow would pass through it. Settling makes room anew:
+  // the skin pushes the layer on it, and that the next.
+  const double least = state.is_single() ? tuning.free_share : tuning.layers_free_share;
+  move.blocked = !(share >= least && depth_in_skin(move.x, move.body) <= tuning.deepest &&
+                   !presses_through(state, move));
   return move;
 }
 
@@ -139,13 +130,9 @@ double depth_in_skin(const std::vector<Vec3>& x, const body::PosedBody& body) {
       [](double a, double b) { return std::max(a, b); });
 }
 
-const StepPlan& step_plan(const ClothState& state) {
-  return state.is_single() ? state.tuning.follow.one_layer : state.tuning.follow.layers;
-}
-
 void follow_path(ClothState& state, const body::BodyPath& path, const PathEnd& path_end) {
   const FollowTuning& tuning = state.tuning.follow;
-  const StepPlan& plan = step_plan(state);
+  const StepPlan& plan = tuning.plan;
   const double turn = largest_turn(state.body->body, path(1.0), tuning);
   const double usual = 1.0 / usual_steps(turn, plan);
   PostureStep& step = state.step;

@@ -23,9 +23,6 @@ struct PathEnd {
 /// The same along any path that begins where the body stands; also of a body that does not turn.
 void follow_path(ClothState& state, const body::BodyPath& path, const PathEnd& end);
 
-/// How the steps are made of this state: of one layer or several.
-const StepPlan& step_plan(const ClothState& state);
-
 /// Largest rotation that any skin undergoes from one posture to another [rad].
 double largest_turn(const body::Body& from, const body::Body& to, const FollowTuning& tuning);
 

@@ -74,7 +74,7 @@ double settle_coarse_levels_as_worn(ClothState& state) {
   double deepest = 0;
   while (!state.is_finest()) {
     state.model->set_hardening(0);
-    state.settle({state.tuning.levels.tolerance, tuning.longer * tuning.one_layer.iterations,
+    state.settle({state.tuning.levels.tolerance, tuning.longer * tuning.plan.iterations,
                   state.tuning.levels.first_dt});
     deepest = std::max(deepest, depth_in_skin(state.x, state.body->body));
     refine_as_worn(state);
