@@ -32,5 +32,20 @@ TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
   }
 }
 
+TEST(HoodieWorn, OverATShirtNothingCutsAndTheHoodIsNotCaughtOnAnEar) {
+  const CaseResult result = support::only_draped(
+      "[body]\nsex = \"male\"\nage = 35\nheight = 1.78\n[garment]\npattern = \"hoodie\"\n"
+      "[material]\nname = \"wool\"\n[[under]]\npattern = \"t-shirt\"\n[under.material]\nname = "
+      "\"cotton-jersey\"\n[simulation]\nedge_length = 0.03\n[donning]\nmovements = []\n");
+  ASSERT_EQ(result.garments.size(), 2u);
+  // What is worn is settled, else only_draped has failed; the hood is still over the head.
+  const auto& x = result.studied().drape.positions;
+  double top = 0;
+  for (const int v : result.studied().mesh().find_part("hood_L", "back")->vertices)
+    top = std::max(top, x[v].z());
+  const double neck = result.body.body->landmarks.at("hps_L").z();
+  EXPECT_GT(top, neck + result.body.body->measured.at("hps_to_crown") - 0.02);
+}
+
 }  // namespace
 }  // namespace loosefit::pipeline
