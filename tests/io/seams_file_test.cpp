@@ -9,6 +9,7 @@
 #include "loosefit/pattern/outline.h"
 #include "support/dxf_text.h"
 #include "support/mutate.h"
+#include "support/unsewn_garments.h"
 
 namespace loosefit::io {
 namespace {
@@ -99,6 +100,41 @@ TEST(SeamsFile, MistakesAreToldWithTheirLine) {
   told("[[seam]]\nfirst = \"SLEEVE.e2\"\n", "second");
   told("[[seem]]\n", "seem");
   told("[[seam]]\nfirst = 3\nsecond = \"SLEEVE.e2\"\n", "found 3");
+}
+
+TEST(SeamsFile, AProposalForAHoodIsReadAsItWasProposed) {
+  PatternFile file;
+  file.pattern = testing_support::unsewn_hoodie();
+  const std::string text = seams_text(file.pattern, pattern::propose_seams(file.pattern, {}));
+  EXPECT_NE(text.find("begin = 0.3"), std::string::npos) << text;
+  pattern::Pattern known = file.pattern;
+  std::vector<pattern::Notch> notches;
+  pattern::sew_chains(known, pattern::know_garment(known).seams, notches);
+  parse_seams(text, "hoodie.seams.toml", file);
+  ASSERT_EQ(file.pattern.stitches.size(), known.stitches.size());
+  for (std::size_t i = 0; i < known.stitches.size(); ++i) {
+    EXPECT_EQ(file.pattern.stitches[i].first.edge, known.stitches[i].first.edge);
+    EXPECT_EQ(file.pattern.stitches[i].second.panel, known.stitches[i].second.panel);
+    EXPECT_EQ(file.pattern.stitches[i].second.edge, known.stitches[i].second.edge);
+  }
+}
+
+TEST(SeamsFile, ASideThatDoesNotGoAllTheWayRoundHasNoBeginning) {
+  PatternFile file = tee();
+  const pattern::Pattern before = file.pattern;
+  try {
+    parse_seams(
+        "[[seam]]\nname = \"cap\"\nfirst = \"SLEEVE.e1\"\nsecond = \"SLEEVE.e2\"\n"
+        "begin = 0.4\n",
+        "tee.seams.toml", file);
+    FAIL();
+  } catch (const GeometryError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("tee.seams.toml: seam cap"), std::string::npos) << told;
+    EXPECT_NE(told.find("does not end where it begins"), std::string::npos) << told;
+  }
+  for (std::size_t p = 0; p < before.panels.size(); ++p)
+    EXPECT_EQ(file.pattern.panels[p].edges.size(), before.panels[p].edges.size());
 }
 
 TEST(SeamsFile, DamagedFilesAreRefusedOrRead) {

@@ -150,6 +150,21 @@ TEST(KnownGarment, AHoodIsSewnFromTheMiddleOfTheFront) {
   }
 }
 
+TEST(KnownGarment, ARaglanShirtMayHaveAHood) {
+  Pattern shirt = unsewn_raglan();
+  double neck = 0;
+  for (const int p : {0, 1, 2, 2}) neck += EdgePath(shirt.panels[p], 3).length();
+  const auto half = testing_support::hood_half(neck / 2);
+  shirt.panels.push_back(numbered_panel("hood", half));
+  shirt.panels.push_back(mirrored_panel("hood_2", half));
+  const KnownGarment known = know_garment(shirt);
+  EXPECT_EQ(known.kind, "hooded raglan shirt");
+  ASSERT_TRUE(known.certain()) << known.doubts[0];
+  std::vector<Notch> notches;
+  sew_chains(shirt, known.seams, notches);
+  EXPECT_LT(worst_difference(shirt), 0.02);
+}
+
 TEST(KnownGarment, HoodsThatDoNotFitAreDoubts) {
   Pattern alike = unsewn_hoodie();
   alike.panels[4] = alike.panels[5];
@@ -170,10 +185,14 @@ TEST(SewChains, AClosedRunMayBeginWithinAnEdge) {
   Pattern shirt = unsewn_hoodie();
   std::vector<Notch> notches;
   ChainSeam seam{"round", {{5, 0}, {4, 2}}, {{0, 4}, {1, 4}}, false};
+  const ChainSeam left{"shoulder_L", {{0, 3}}, {{1, 5}}, false};
   const double front = EdgePath(shirt.panels[0], 4).length(),
                all = chain_length(shirt, seam.second);
   seam.begin = 0.25 * front / all;
-  sew_chains(shirt, {seam}, notches);
+  Pattern open = shirt;
+  EXPECT_THROW(sew_chains(open, {seam}, notches), GeometryError) << "the left shoulder is open";
+  EXPECT_EQ(open.panels[0].edges.size(), shirt.panels[0].edges.size());
+  sew_chains(shirt, {left, seam}, notches);
   ASSERT_FALSE(shirt.stitches.empty());
   const Stitch& last = shirt.stitches.back();
   EXPECT_EQ(last.second.panel, 0) << "the second run begins at a quarter of the front's neck";

@@ -57,6 +57,49 @@ void cut_edge(Pattern& pattern, int panel_index, int edge_index, double share,
   panel.edges.insert(panel.edges.begin() + edge_index + 1, second);
 }
 
+/// Points of outlines that seams, and edges that follow each other in a run, lay together.
+class JoinedPoints {
+ public:
+  JoinedPoints(const Pattern& pattern, const std::vector<ChainSeam>& seams) : pattern_(pattern) {
+    for (const ChainSeam& seam : seams) {
+      for (const auto* run : {&seam.first, &seam.second})
+        for (std::size_t i = 0; i + 1 < run->size(); ++i)
+          join(end((*run)[i]), start((*run)[i + 1]));
+      if (seam.begin > 0 || seam.first.empty() || seam.second.empty()) continue;
+      const Point a = start(seam.first.front()), b = end(seam.first.back()),
+                  c = start(seam.second.front()), d = end(seam.second.back());
+      join(a, seam.reversed ? c : d);
+      join(b, seam.reversed ? d : c);
+    }
+  }
+
+  /// Whether a run ends where it begins.
+  bool closed(const std::vector<Stitch::Side>& run) {
+    return root(end(run.back())) == root(start(run.front()));
+  }
+
+ private:
+  using Point = std::pair<int, int>;  // panel, vertex
+
+  Point start(const Stitch::Side& side) const {
+    return {side.panel, pattern_.panels[side.panel].edges[side.edge].start};
+  }
+  Point end(const Stitch::Side& side) const {
+    return {side.panel, pattern_.panels[side.panel].edges[side.edge].end};
+  }
+  Point root(Point p) {
+    for (auto it = parent_.find(p); it != parent_.end(); it = parent_.find(p)) p = it->second;
+    return p;
+  }
+  void join(Point a, Point b) {
+    a = root(a), b = root(b);
+    if (a != b) parent_[a] = b;
+  }
+
+  const Pattern& pattern_;
+  std::map<Point, Point> parent_;
+};
+
 /// Cuts edges and keeps everything that counts edges in step.
 class Cutter {
  public:
@@ -140,6 +183,12 @@ double chain_length(const Pattern& pattern, const std::vector<Stitch::Side>& cha
 }
 
 void sew_chains(Pattern& pattern, std::vector<ChainSeam> seams, std::vector<Notch>& notches) {
+  JoinedPoints joined(pattern, seams);
+  for (const ChainSeam& seam : seams)
+    if (seam.begin > 0 && !seam.second.empty() && !joined.closed(seam.second))
+      throw GeometryError({{}, 0, seam.name},
+                          "a second side that does not end where it begins, which other seams say",
+                          "one that goes all the way round, since begin is given");
   Cutter cutter(pattern, seams, notches);
   for (std::size_t s = 0; s < seams.size(); ++s) {
     ChainSeam& seam = seams[s];

@@ -24,7 +24,8 @@ double chain_length(const Pattern& pattern, const std::vector<Stitch::Side>& cha
 /// Adds seams. Where an edge begins within the other run, edges are cut there, by shares of the
 /// length of the runs (within 3 mm of an end: at the end), so that each stitch joins one edge to
 /// one; the parts of edge e3 are e3_1, e3_2. Every edge is in one seam at most.
-/// Notches move along with their edges. \throws GeometryError for an empty run.
+/// Notches move along with their edges. \throws GeometryError for an empty run, and for one that is
+/// not closed by the other seams where `begin` says that it is.
 void sew_chains(Pattern& pattern, std::vector<ChainSeam> seams, std::vector<Notch>& notches);
 
 }  // namespace loosefit::pattern
