@@ -25,7 +25,7 @@ constexpr double kDepthShares[] = {1.0, 1.5};
 /// Tries for a garment that is placed over others: how much farther from the skin than they are
 /// [m].
 constexpr double kFarther[] = {0.002, 0.005, 0.01, 0.02, 0.03};
-constexpr double kSlope = 0.5;  ///< of padding towards skin that nothing covers
+constexpr double kSlope = 0.3;  ///< of padding towards skin that nothing covers
 
 /// Everything that is on already.
 struct Dressed {
@@ -110,17 +110,26 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
   const garment::Garment& garment = *layer.garment;
   const std::vector<double> off = stand_off(body, under.positions);
   std::string why;
+  std::optional<std::vector<Vec3>> cutting_skin;
   for (const double by : kFarther) try {
       std::vector<Vec3> x = layer.place(under.positions.empty() ? body : padded(body, off, by));
       const auto cuts =
           geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);
-      if (cuts.empty()) return x;
+      if (cuts.empty()) {
+        if (under.positions.empty() ||
+            geometry::mesh_intersections(x, garment.triangles, body.tree()).empty())
+          return x;
+        // Where padding ends, cloth may cut the skin: settling frees it if nothing better comes.
+        if (!cutting_skin) cutting_skin = std::move(x);
+        continue;
+      }
       why = fmt::format("{} triangle pairs, the first in panel {}", cuts.size(),
                         garment.panel_names[garment.triangle_panel[cuts.front().first]]);
       if (under.positions.empty()) break;
     } catch (const NoRoom&) {
       if (by == kFarther[0]) throw;
     }
+  if (cutting_skin) return *std::move(cutting_skin);
   throw GeometryError(
       "pattern: the placed panels cut through the garments under them, " + why,
       "place the panels farther out (translation), so that they enclose what is under them");
