@@ -15,7 +15,7 @@ struct Knob {
 constexpr Knob kKnobs[] = {{"sex", &BodyParameters::sex, 0, 1, 0.4, 0.02},
                            {"age", &BodyParameters::age, 3, 80, 12, 1},
                            {"muscle", &BodyParameters::muscle, 0, 1, 0.25, 0.02},
-                           {"weight", &BodyParameters::weight, 0, 1.4, 0.3, 0.02},
+                           {"weight", &BodyParameters::weight, 0, 1.6, 0.3, 0.02},
                            {"height", &BodyParameters::height, 0, 1, 0.3, 0.02},
                            {"proportions", &BodyParameters::proportions, 0, 1, 0.25, 0.02},
                            {"cup", &BodyParameters::cup, 0, 1, 0.25, 0.02}};

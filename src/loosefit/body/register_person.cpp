@@ -32,11 +32,24 @@ constexpr double kPressedCounts = 0.1;         // weight of skin that other skin
 constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
+double robust_cost(double r, double scale) { return r * r / (r * r + scale * scale); }
+double robust_weight(double r, double scale) {
+  const double s = scale * scale / (r * r + scale * scale);
+  return s * s;
+}
+
 /// One point-to-plane distance: a vertex of the model against a point of the scan.
 struct Match {
   int vertex = 0;
   Vec3 point, normal;
   double weight = 1;
+  bool pressed = false;  ///< by other skin: the person reaches there or farther
+
+  double counts() const { return pressed ? kPressedCounts * weight : weight; }
+  /// In the fit, of a distance r of the vertex outwards from the point.
+  double weight_at(double r, double scale) const {
+    return pressed && r > 0 ? 0 : counts() * robust_weight(r, scale);
+  }
 };
 
 /// Points of the scan's skin, evenly spread, with their normals.
@@ -64,12 +77,6 @@ SkinSamples spread_samples(const TriangleMesh& mesh, int count) {
   return samples;
 }
 
-double robust_cost(double r, double scale) { return r * r / (r * r + scale * scale); }
-double robust_weight(double r, double scale) {
-  const double s = scale * scale / (r * r + scale * scale);
-  return s * s;
-}
-
 class Registration {
  public:
   Registration(const BodyModel& model, const TriangleMesh& scan)
@@ -84,7 +91,7 @@ class Registration {
     const int step = std::max(1, data_.body_vertices / kSamples);
     for (int v = 0; v < data_.body_vertices; v += step) sampled_.push_back(v);
     for (std::size_t i = 0; i < samples_.point.size(); ++i)
-      seen_.push_back(seen_at(samples_.point[i], samples_.normal[i]));
+      pressed_.push_back(is_pressed(samples_.point[i], samples_.normal[i]));
     for (const Vec3& p : scan.vertices) height_ = std::max(height_, p.z());
   }
 
@@ -176,7 +183,7 @@ class Registration {
           tree_.query(p, reach, [&](int t) { return scan_normal(t).dot(n) > kSameSide; });
       if (c.triangle < 0) continue;
       const Vec3 m = scan_normal(c.triangle);
-      found.push_back({v, c.point, m, weight_of(v) * seen_at(c.point, m)});
+      found.push_back({v, c.point, m, weight_of(v), is_pressed(c.point, m)});
     }
     // Scan to model.
     const ClosestPointTree tree(mesh);
@@ -191,18 +198,16 @@ class Registration {
       c.barycentric.maxCoeff(&nearest);
       const int v = coarse_[std::size_t(c.triangle)][std::size_t(nearest)];
       // The plane is moved by as much as the vertex is from the closest point.
-      found.push_back({v, p + surface[std::size_t(v)] - c.point, n, weight_of(v) * seen_[i]});
+      found.push_back(
+          {v, p + surface[std::size_t(v)] - c.point, n, weight_of(v), pressed_[i] != 0});
     }
     return found;
   }
 
-  /// What a place of the scan's skin says of the person's shape: less where other skin faces it
-  /// nearby and has pressed it.
-  double seen_at(const Vec3& p, const Vec3& n) const {
+  /// Whether other skin faces a place of the scan's skin nearby and may press it.
+  bool is_pressed(const Vec3& p, const Vec3& n) const {
     return faces_skin(
-               tree_, [&](int t) { return scan_normal(t); }, p, n)
-               ? kPressedCounts
-               : 1;
+        tree_, [&](int t) { return scan_normal(t); }, p, n);
   }
 
   Vec3 scan_normal(int triangle) const {
@@ -232,7 +237,7 @@ class Registration {
     const VectorXd r0 = residuals(now, rows);
     VectorXd weight(m);
     for (Eigen::Index i = 0; i < m; ++i)
-      weight[i] = matched[std::size_t(i)].weight * robust_weight(r0[i], scale);
+      weight[i] = matched[std::size_t(i)].weight_at(r0[i], scale);
     MatrixXd jacobian = MatrixXd::Zero(m, n);
     for (Eigen::Index j = 0; j < n; ++j) {
       VectorXd y = x;
@@ -261,7 +266,7 @@ class Registration {
     x = variables.clamped(x + change / most);
     double cost = 0;
     for (Eigen::Index i = 0; i < m; ++i)
-      cost += matched[std::size_t(i)].weight * robust_cost(r0[i], scale);
+      cost += matched[std::size_t(i)].counts() * robust_cost(r0[i], scale);
     // What found no partner costs as an outlier does.
     return cost + double(sampled_.size() + samples_.point.size()) - double(m);
   }
@@ -273,7 +278,7 @@ class Registration {
   ClosestPointTree tree_;
   std::vector<Vec3> normals_;
   SkinSamples samples_;
-  std::vector<double> seen_;  ///< weight of each
+  std::vector<char> pressed_;  ///< each
   std::vector<Triangle> coarse_;
   std::vector<int> sampled_;
   double height_ = 0;

@@ -120,11 +120,10 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   const auto count = Eigen::Index(data.body_vertices);
   const ClosestPointTree tree(scan);
   const auto normals = geometry::vertex_normals(scan.vertices, scan.triangles);
-  const auto faces = [&](int t, const Vec3& n) {
-    const Triangle& c = scan.triangles[std::size_t(t)];
-    const Vec3 m =
-        normals[std::size_t(c[0])] + normals[std::size_t(c[1])] + normals[std::size_t(c[2])];
-    return m.dot(n) > kSameSide * m.norm();
+  const auto scan_normal = [&](int t) -> Vec3 {
+    const auto& [a, b, c] = scan.triangles[std::size_t(t)];
+    return (normals[std::size_t(a)] + normals[std::size_t(b)] + normals[std::size_t(c)])
+        .normalized();
   };
   std::set<std::pair<int, int>> edges;
   for (const auto& quad : data.quads)
@@ -139,20 +138,31 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   std::vector<Vec3> moved(std::size_t(count), Vec3::Zero());  // so far, in the scan's frame
   for (const double stiffness : kStiffness) {
     const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
-    const std::vector<char> hidden = hidden_vertices(laid, outward, data.body_vertices);
+    std::vector<char> pressed = hidden_vertices(laid, outward, data.body_vertices);
+    std::vector<ClosestPoint> closest;
+    for (std::size_t v = 0; v < pressed.size(); ++v) {
+      const auto faces = [&](int t) { return scan_normal(t).dot(outward[v]) > kSameSide; };
+      const ClosestPoint& c = closest.emplace_back(tree.query(laid.surface[v], kReach, faces));
+      if (c.triangle >= 0 && !pressed[v])
+        pressed[v] = faces_skin(tree, scan_normal, c.point, scan_normal(c.triangle));
+    }
+    // Skin that is pressed drags its neighbours along.
+    const std::vector<char> touched = pressed;
+    for (const auto& [a, b] : edges)
+      if (touched[std::size_t(a)] || touched[std::size_t(b)])
+        pressed[std::size_t(a)] = pressed[std::size_t(b)] = 1;
     // Smooth shifts: Σ |d - target|² + stiffness Σ |d_i - d_j|² over the edges.
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(count, 3);
     for (Eigen::Index v = 0; v < count; ++v) {
       double known = kAlone;
-      const Vec3 &p = laid.surface[std::size_t(v)], &n = outward[std::size_t(v)];
-      const Segment segment = model.segments()[std::size_t(v)];
-      if (segment != Segment::hand && segment != Segment::foot && !hidden[std::size_t(v)]) {
-        const ClosestPoint c = tree.query(p, kReach, [&](int t) { return faces(t, n); });
-        if (c.triangle >= 0) {
-          known = 1;
-          right.row(v) = (moved[std::size_t(v)] + n * n.dot(c.point - p)).transpose();
-        }
+      const auto i = std::size_t(v);
+      const Vec3& n = outward[i];
+      const Segment segment = model.segments()[i];
+      if (segment != Segment::hand && segment != Segment::foot && !pressed[i] &&
+          closest[i].triangle >= 0) {
+        known = 1;
+        right.row(v) = (moved[i] + n * n.dot(closest[i].point - laid.surface[i])).transpose();
       }
       entries.emplace_back(v, v, known);
     }
