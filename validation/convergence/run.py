@@ -23,7 +23,7 @@ sys.path.insert(0, str(REPOSITORY / "bench"))
 from records import json_lines  # noqa: E402
 
 # Edge length [mm] -> number of drapes.
-PLAN = {20: 8, 14: 8, 10: 8, 7: 4}
+PLAN = {20: 8, 14: 8, 10: 8, 7: 4, 5: 3}
 MAPS = ["strain_warp", "strain_weft", "shear_angle_deg", "strain_max", "distance_mm", "angular_deviation_deg"]
 STATISTICS = ["area_mean", "median", "p95"]
 
