@@ -4,7 +4,7 @@
 usage: twins.py --out DIR [--binary FILE] [--noise METRES] [--seed N]
 
 Each twin is posed by the program, then loses all that tells where it came from: a third of the edges are flipped, vertices slide
-along the skin, bumps of two widths are added to it (2 mm in sum), soles, crown, armpits and crotch get holes, and vertices are
+along the skin, bumps of two widths are added to it (2 mm in sum), soles, crown and crotch get holes, and vertices are
 shuffled, turned, moved and stored in centimetres with y up. Beside NAME.obj lies NAME.json with the measures of the parametric twin.
 Needs numpy (python3-numpy).
 """

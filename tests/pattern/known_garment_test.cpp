@@ -95,6 +95,19 @@ TEST(KnownGarment, TrousersSkirtsAndTankTopsAreTold) {
   EXPECT_TRUE(know_garment(unsewn_skirt()).certain());
 }
 
+TEST(KnownGarment, ASkirtOnItsHeadOrWithoutAFrontIsNotSewnUnasked) {
+  Pattern head = unsewn_skirt();
+  turn_panel(head.panels[1]);
+  EXPECT_FALSE(know_garment(head).certain()) << "its hem would be sewn to a waist";
+  EXPECT_FALSE(know_garment(unsewn_skirt(1.0, 0.9)).certain()) << "it tapers";
+  Pattern alike = unsewn_skirt();
+  alike.panels[0].name = "skirt_1", alike.panels[1].name = "skirt_2";
+  EXPECT_TRUE(know_garment(alike).certain()) << "front and back may change places";
+  alike.panels[1] = unsewn_skirt(0.84).panels[0];
+  alike.panels[1].name = "skirt_2";
+  EXPECT_FALSE(know_garment(alike).certain());
+}
+
 TEST(KnownGarment, ARaglanShirtIsSewnByTheLengthsOfItsRaglans) {
   Pattern shirt = unsewn_raglan();
   const KnownGarment known = know_garment(shirt);
@@ -166,6 +179,14 @@ TEST(KnownGarment, ARaglanShirtMayHaveAHood) {
 }
 
 TEST(KnownGarment, HoodsThatDoNotFitAreDoubts) {
+  Pattern faced = unsewn_hoodie(0.1);
+  Panel facing = faced.panels.back();
+  facing.name = "hood_facing";
+  faced.panels.insert(faced.panels.end() - 1, facing);
+  for (const ChainSeam& seam : know_garment(faced).seams)
+    for (const auto* chain : {&seam.first, &seam.second})
+      for (const Stitch::Side& side : *chain)
+        EXPECT_NE(faced.panels[side.panel].name, "hood_facing") << seam.name;
   Pattern alike = unsewn_hoodie();
   alike.panels[4] = alike.panels[5];
   alike.panels[4].name = "hood_3";

@@ -106,7 +106,8 @@ def draw(results, edges):
         axis.set_xlabel("edge length [mm]")
         axis.set_title(f"{title} [{unit}]", fontsize=10)
         axis.set_xlim(0, 22)
-        axis.set_ylim(bottom=0)
+        if not name.startswith("strain_w"):
+            axis.set_ylim(bottom=0)
         axis.grid(alpha=0.3)
     axes[0, 0].legend(fontsize=7, frameon=False)
     figure.tight_layout()
@@ -116,7 +117,8 @@ def draw(results, edges):
 
 def main():
     results = json.loads((HERE / "results.json").read_text())
-    edges = sorted(results, key=float, reverse=True)
+    edges = [e for e in sorted(results, key=float, reverse=True)
+             if any(r["settled"] for r in results[e].values())]
     lines = []
     count = {e: sum(r["settled"] for r in results[e].values()) for e in edges}
     lines.append("Drapes settled: " + ", ".join(f"{e} mm {count[e]} of {len(results[e])}"

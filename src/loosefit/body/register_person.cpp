@@ -43,7 +43,7 @@ struct Match {
   int vertex = 0;
   Vec3 point, normal;
   double weight = 1;
-  bool pressed = false;  ///< by other skin: the person reaches there or farther
+  bool pressed = false;  ///< maybe, by other skin: the person reaches there or farther
 
   double counts() const { return pressed ? kPressedCounts * weight : weight; }
   /// In the fit, of a distance r of the vertex outwards from the point.

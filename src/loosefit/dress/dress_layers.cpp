@@ -23,7 +23,7 @@ constexpr double kStep = 1.1, kFirstStep = 1.35;  ///< of the clearance, and bey
 constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
 constexpr double kDepthShares[] = {1.0, 1.5};
 /// Tries for a garment that is placed over others: how much farther from the skin than they are
-/// [m].
+/// [m], where they are as far from it.
 constexpr double kFarther[] = {0.002, 0.005, 0.01, 0.02, 0.03};
 constexpr double kSlope = 0.3;  ///< of padding towards skin that nothing covers
 
@@ -66,7 +66,7 @@ std::optional<std::vector<Vec3>> lay_over(const LayerToDress& to_dress, const bo
 }
 
 /// How far what is on stands off each vertex of the skin [m], on to the skin beside it, where it
-/// falls by kSlope: the skin moved outwards by so much encloses it.
+/// falls by kSlope: the skin moved outwards by so much encloses it, but for its folds.
 std::vector<double> stand_off(const body::PosedBody& body, const std::vector<Vec3>& cloth) {
   const geometry::TriangleMesh& skin = body->surface;
   std::vector<double> off(skin.vertices.size(), 0);
@@ -110,8 +110,12 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
   const garment::Garment& garment = *layer.garment;
   const std::vector<double> off = stand_off(body, under.positions);
   std::string why;
+  double last = 0;
   std::optional<std::vector<Vec3>> cutting_skin;
+  const double farthest = off.empty() ? 0 : *std::ranges::max_element(off);
   for (const double by : kFarther) try {
+      if (by != kFarther[0] && farthest <= last) break;  // the same again
+      last = by;
       std::vector<Vec3> x = layer.place(under.positions.empty() ? body : padded(body, off, by));
       const auto cuts =
           geometry::mesh_intersections(x, garment.triangles, under.positions, under.triangles);

@@ -108,12 +108,24 @@ class Knower {
     return deepest;
   }
 
+  /// Whether all sections of two pieces are as long and bulge as much.
+  bool are_alike(int p, int q) const {
+    return std::ranges::equal(garment_.pieces[p].sections, garment_.pieces[q].sections,
+                              [](const Section& a, const Section& b) {
+                                return std::abs(a.length - b.length) < kDeeper &&
+                                       std::abs(a.bulge - b.bulge) * a.length < kDeeper;
+                              });
+  }
+
   /// Orders two pieces: the front first. By their names, else by `deeper`.
   void front_first(std::vector<int>& two, double deeper_by) {
     const PieceWords a = words(two[0]), b = words(two[1]);
     const int first = int(a.front) - int(a.back), second = int(b.front) - int(b.back);
     if (first == second && std::abs(deeper_by) < kDeeper) {
       // Front and back that are alike may change places without harm.
+      if (first == 0 && !are_alike(two[0], two[1]))
+        doubt("which of " + printable(panel(two[0]).name) + " and " +
+              printable(panel(two[1]).name) + " is the front is not told");
       if (first != 0)
         doubt("both " + printable(panel(two[0]).name) + " and " + printable(panel(two[1]).name) +
               " are called " + (first > 0 ? "front" : "back"));
@@ -396,6 +408,14 @@ class Knower {
 
   void skirt() {
     front_first(skirts_, 0);
+    for (const int p : skirts_) {
+      const std::vector<Section>& s = garment_.pieces[p].sections;
+      if (s[0].chord() < s[2].chord() - kDeeper)
+        doubt(
+            "piece " + printable(panel(p).name) +
+            " is narrower at its lower end than at its upper one: either it tapers, or it lies on "
+            "its head");
+    }
     const int front = skirts_[0], back = skirts_[1];
     garment_.kind = "skirt";
     garment_.pieces[front].role = PieceRole::front_skirt;

@@ -22,7 +22,8 @@ KnownHood know_hood(const Pattern& pattern, const std::vector<int>& panels, cons
   std::optional<Strip> strip;
   for (const int p : panels) {
     const Panel& panel = pattern.panels[p];
-    if (!words_of(panel.name + " " + panel.label).hood) continue;
+    const PieceWords w = words_of(panel.name + " " + panel.label);
+    if (!w.hood || w.pocket) continue;  // its facing or lining
     const std::vector<Section> sections = outline_sections(panel);
     if (auto half = as_hood_half(sections)) {
       halves.push_back({p, *half});
@@ -56,7 +57,7 @@ KnownHood know_hood(const Pattern& pattern, const std::vector<int>& panels, cons
   // From the middle of the front round the wearer's left: against the way of the neck.
   std::vector<Stitch::Side> round = sides(left, kNeck);
   if (between) {
-    // Seen from outside, behind: the first end is at the neck, from the left to the right.
+    // Seen from outside, behind: the second end is at the neck, from the left to the right.
     const auto of_strip = [&](const Section& s) {
       return s.sides(pattern.panels[*between], *between);
     };

@@ -38,7 +38,6 @@ std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
       worst = std::max(worst,
                        difference(sections[(i + k) % n].length, sections[(i + n - k) % n].length));
     if (worst >= best) continue;
-    best = worst;
     const bool hem_first = sections[i].chord() > sections[i + across].chord();
     KnownPiece piece;
     piece.sections = from(sections, hem_first ? i : i + across);
@@ -47,6 +46,7 @@ std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
     if (s[across].bulge > -kConcave || s[2].bulge > kCapBulge || s[n - 2].bulge > kCapBulge)
       continue;
     piece.upright = middle(s[across]).y() > middle(s[0]).y();
+    best = worst;
     found = piece;
   }
   return found;

@@ -105,6 +105,9 @@ CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress
                           "one standing person, scanned in tight clothes",
                           "without body.posture and [postures] it is dressed as scanned");
     add(scan.warnings);
+    warnings.push_back(
+        "the body model cannot be laid on this surface, which is dressed as it is: clothes, if it "
+        "wears any, are taken for skin");
     return as_scanned(std::move(scan.body), std::move(warnings));
   }
   add(person->warnings);
