@@ -75,6 +75,17 @@ TEST(ScanPerson, LiesOnTheTwinAndHasItsMeasures) {
   }
 }
 
+TEST(ScanPerson, ASmallOldWomanIsNotTakenForAChild) {
+  const Body known =
+      body_model().build(person(0, 70, 1.46, 0.98, 0.88, 1.00), stances()[1].posture);
+  const auto found = person_from_scan(body_model(), as_scan(known), {"scan.obj", "cm", "y"});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->parameters.age, 50);
+  for (const char* measure : {"chest", "waist", "hip", "armscye", "back_length", "front_balance",
+                              "scye_depth", "upper_arm", "neck"})
+    EXPECT_NEAR(found->body.measured.at(measure), known.measured.at(measure), kTape) << measure;
+}
+
 TEST(ScanPerson, StandsLikeTheTwinWhenPosed) {
   // Scanned with level arms, then with hanging ones: where the twin is when she lowers hers.
   const BodyParameters twin = person(0, 30, 1.66, 0.94, 0.78, 1.00);

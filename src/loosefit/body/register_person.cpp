@@ -29,6 +29,7 @@ constexpr double kPeers = 300;        // samples that know something of their ow
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
 constexpr double kPressedCounts = 0.1;         // weight of skin that other skin presses
+constexpr double kAdult = 30;                  // years to start from
 constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
@@ -95,12 +96,18 @@ class Registration {
     for (const Vec3& p : scan.vertices) height_ = std::max(height_, p.z());
   }
 
+  /// How old somebody of the scan's stature may be: an adult, below 1.50 m a child as well
+  /// (roughly 5 years at 1.10 m, 11 years at 1.45 m).
+  std::vector<double> ages() const {
+    if (height_ >= 1.50) return {kAdult};
+    return {std::clamp(5 + (height_ - 1.10) / 0.058, 3.0, 14.0), kAdult};
+  }
+
   /// An upright person of the scan's stature with the arms so far aside.
-  PosedPerson start(double abduction) const {
+  PosedPerson start(double age, double abduction) const {
     PosedPerson person;
     BodyParameters& p = person.parameters;
-    // Statures of children by age, roughly (5 years 1.10 m, 11 years 1.45 m).
-    p.age = height_ < 1.50 ? std::clamp(5 + (height_ - 1.10) / 0.058, 3.0, 14.0) : 30;
+    p.age = age;
     for (double low = 0, high = 1; high - low > 0.01;) {
       p.height = (low + high) / 2;
       auto rows = morph_.rows(p);
@@ -291,11 +298,12 @@ RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& sca
   // Arms hanging, as the model has them, and level: a registration finds its way over some 30°.
   PosedPerson best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double abduction : {10.0, 42.0, 82.0}) {
-    PosedPerson person = registration.start(radians(abduction));
-    const double cost = registration.improve(person, kUnsure, kFarthest[0], kFarthest[0] / 4);
-    if (cost < least) least = cost, best = person;
-  }
+  for (const double age : registration.ages())
+    for (const double abduction : {10.0, 42.0, 82.0}) {
+      PosedPerson person = registration.start(age, radians(abduction));
+      const double cost = registration.improve(person, kUnsure, kFarthest[0], kFarthest[0] / 4);
+      if (cost < least) least = cost, best = person;
+    }
   registration.improve(best, kSure, kFarthest[0] / 4, kFarthest[1]);
   return lay_skin(model, scan, best);
 }
