@@ -324,7 +324,8 @@ void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
     unread.note(panel, {"label", "translation", "rotation", "vertices", "edges", kClothKey});
     const Node edges = panel.at("edges");
     for (std::size_t i = 0; i < edges.value.size(); ++i)
-      unread.note(edges.item(i), {"endpoints", "curvature", "label", "name", kFinishKey});
+      unread.note(edges.item(i),
+                  {"endpoints", "curvature", "label", "name", kFinishKey, kElasticKey});
   }
   unread.warn(warnings);
 }

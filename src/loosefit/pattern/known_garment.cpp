@@ -64,6 +64,7 @@ class Knower {
   void sort(int p) {
     const PieceWords w = words(p);
     if (w.pocket || w.hood || w.yoke || w.cuff || w.waist || w.hem) return;
+    if (w.neck && !w.front && !w.back && !w.sleeve) return;
     const std::vector<Section> sections = outline_sections(panel(p));
     if (!w.sleeve && !w.leg && (sections.size() == 8 || w.front || w.back))
       if (auto piece = as_trunk(sections)) {

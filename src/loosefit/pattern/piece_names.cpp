@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 #include <vector>
 
 namespace loosefit::pattern {
@@ -54,7 +55,7 @@ const std::vector<Known>& known() {
        {"front"}},
       {&W::back,
        {"back", "rueck", "ruck", "hinter", "dos", "espald", "dietro", "achter", "costas"},
-       {"bk", "rt", "ht", "cb", "bck"},
+       {"bk", "ht", "cb", "bck"},
        {"back"}},
       {&W::left, {"left", "link", "gauche", "izq", "sinistr"}, {"l", "lt", "lh"}, {}},
       {&W::right, {"right", "recht", "droit", "derech", "destr"}, {"r", "rh"}, {}},
@@ -128,9 +129,21 @@ bool says(const Known& known, const std::string& word) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  for (const std::string& word : split(name.substr(0, 200)))
+  bool rt = false, mirrored = false, side = false;
+  for (const std::string& word : split(name.substr(0, 200))) {
+    rt |= word == "rt", mirrored |= word == "mirrored", side |= word == "side";
     for (const Known& one : known())
       if (!word.empty() && says(one, word)) words.*one.what = true;
+  }
+  // In German lists the back ("Rückenteil"), in those of CAD systems the right hand of something.
+  if (rt) {
+    const bool of_something = words.front || words.back || words.sleeve || words.leg ||
+                              words.skirt || words.yoke || words.pocket || words.hood ||
+                              words.neck || words.cuff || words.waist || side;
+    (of_something ? words.right : words.back) = true;
+  }
+  // A twin keeps the name of the piece that it mirrors.
+  if (mirrored) std::swap(words.left, words.right);
   // A back of trousers, not "Bruststück": names that say both say neither.
   if (words.left && words.right) words.left = words.right = false;
   if (words.front && words.back) words.front = words.back = false;

@@ -125,9 +125,13 @@ class Placer {
                        : piece.side < 0 ? Facing::right_side
                                         : Facing::back;
           break;
-        case PieceRole::sleeve:
-          facing_[p] = piece.side > 0 ? Facing::left_arm : Facing::right_arm;
+        case PieceRole::sleeve: {
+          // Of a garment that is not known the name may tell the side.
+          const bool left =
+              piece.side == 0 ? words_of(pattern_.panels[p].name).left : piece.side > 0;
+          facing_[p] = left ? Facing::left_arm : Facing::right_arm;
           break;
+        }
         case PieceRole::band:  // with what it is sewn to
         case PieceRole::unknown: {
           const Panel& panel = pattern_.panels[p];

@@ -149,14 +149,17 @@ std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   return points;
 }
 
-/// First line on a layer that has two ends apart.
-std::optional<Axis> first_axis(const DxfBlock& block, int layer, double metre) {
+/// Longest line on a layer: others may be the heads of its arrow.
+std::optional<Axis> longest_axis(const DxfBlock& block, int layer, double metre) {
+  std::optional<Axis> found;
+  double longest = kSamePoint;
   for (const DxfEntity& e : block.entities)
     if (e.layer == layer && e.points.size() > 1) {
       const Axis axis(metre * e.points.front(), metre * e.points.back());
-      if ((axis.second - axis.first).norm() > kSamePoint) return axis;
+      const double length = (axis.second - axis.first).norm();
+      if (length > longest) longest = length, found = axis;
     }
-  return {};
+  return found;
 }
 
 }  // namespace
@@ -169,8 +172,8 @@ DrawnPiece drawn_piece(const DxfPiece& piece, double metre) {
   result.outline = std::move(best.outline);
   result.fault = std::move(best.fault);
   result.notches = notch_points(block, metre);
-  result.fold = first_axis(block, 6, metre);
-  result.grain = first_axis(block, 7, metre);
+  result.fold = longest_axis(block, 6, metre);
+  result.grain = longest_axis(block, 7, metre);
   if (!result.grain)
     result.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
   return result;

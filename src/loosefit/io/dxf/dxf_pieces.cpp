@@ -72,7 +72,8 @@ bool parse_quantity(const std::string& text, PieceCount& count) {
       return false;
   }
   count = {numbers[0], numbers[1]};
-  if (comma == std::string::npos && numbers[0] == 2) count = {1, 1};
+  // One number counts both hands.
+  if (comma == std::string::npos && numbers[0] % 2 == 0) count = {numbers[0] / 2, numbers[0] / 2};
   return true;
 }
 

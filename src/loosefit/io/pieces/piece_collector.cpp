@@ -30,8 +30,9 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
   (made.on_sew_line ? on_sew_line_ : on_cut_line_) += 1;
   unfolded_ += made.unfolded;
   if (count.as_drawn > 1 || count.mirrored > 1)
-    warn(fmt::format("{}: it is cut {} times; one of each hand is taken, further ones are not",
-                     called, count.as_drawn + count.mirrored));
+    warn(fmt::format("{}: it is cut {} times; one {}is taken, further ones are not", called,
+                     count.as_drawn + count.mirrored,
+                     count.as_drawn > 0 && count.mirrored > 0 ? "of each hand " : ""));
   for (const pattern::PanelEdge& edge : made.panel.edges) points_ += edge.curves.size();
   if (points_ > kMostPoints)
     throw InvalidInput(called, fmt::format("at most {} points in all pieces", kMostPoints));
