@@ -117,6 +117,11 @@ def draw(results, edges):
 
 def main():
     results = json.loads((HERE / "results.json").read_text())
+    missing = [m for m in MAPS for runs in results.values() for r in runs.values()
+               if r["settled"] and m not in r["maps"]]
+    if missing:
+        raise SystemExit(f"error: {HERE / 'results.json'}: found no {missing[0]}, expected all of "
+                         f"{', '.join(MAPS)}; run run.py again")
     edges = [e for e in sorted(results, key=float, reverse=True)
              if any(r["settled"] for r in results[e].values())]
     lines = []
