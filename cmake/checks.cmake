@@ -48,8 +48,8 @@ if(LOOSEFIT_NODE)
     -o ${loosefit_page}/run --quiet)
   set_tests_properties(page_run PROPERTIES FIXTURES_SETUP page TIMEOUT 300)
   add_test(NAME page_in_a_browser COMMAND ${LOOSEFIT_NODE} ${PROJECT_SOURCE_DIR}/tests/web/page_test.mjs
-    ${loosefit_page}/run ${loosefit_page}/work ${loosefit_page}/screenshots)
-  add_test(NAME page_types COMMAND ${LOOSEFIT_NODE} ${loosefit_page}/work/node_modules/typescript/bin/tsc
-    -p ${loosefit_page}/work)
+    ${loosefit_page}/run ${loosefit_page}/npm ${loosefit_page}/screenshots)
+  add_test(NAME page_types COMMAND ${LOOSEFIT_NODE} ${loosefit_page}/npm/node_modules/typescript/bin/tsc
+    -p ${loosefit_page}/npm)
   set_tests_properties(page_in_a_browser PROPERTIES FIXTURES_REQUIRED page TIMEOUT 300)
 endif()

@@ -9,9 +9,9 @@ set -euo pipefail
 target=${1:?usage: build_page.sh TARGET_FOLDER [program]}
 what=${2:-tests}
 source=$(cd "$(dirname "$0")/../web" && pwd)
-mkdir -p "$target/work"
+mkdir -p "$target/npm"
 target=$(cd "$target" && pwd)
-work=$target/work
+work=$target/npm
 
 # What tells the compiler that they are others.
 stamp() {
