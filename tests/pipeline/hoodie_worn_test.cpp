@@ -1,11 +1,28 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "loosefit/drape/worn.h"
 #include "support/only_draped.h"
 
 namespace loosefit::pipeline {
 namespace {
+
+/// The hood turned about the neck to behind the shoulders.
+std::vector<Vec3> with_the_hood_thrown_back(const CaseResult& result) {
+  const garment::Garment& hoodie = result.studied().mesh();
+  std::vector<Vec3> x = result.studied().drape.positions;
+  const Vec3 axis = result.body.body->landmarks.at("c7");
+  for (int v = 0; v < hoodie.vertex_count; ++v) {
+    if (!hoodie.panel_names[hoodie.vertex_panel[v]].starts_with("hood")) continue;
+    // As far as it stands above the neck; the seam stays.
+    const double share = std::clamp((x[v].z() - axis.z()) / 0.05, 0.0, 1.0);
+    const Eigen::AngleAxisd back(-share * radians(110), Vec3::UnitX());
+    x[v] = axis + back * (x[v] - axis);
+  }
+  return x;
+}
 
 TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
   for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
@@ -27,6 +44,10 @@ TEST(HoodieWorn, HoodIsOverTheHeadOfWomanManAndChild) {
     const double neck = marks.at("hps_L").z();
     EXPECT_GT(highest("hood_L", "back"),
               neck + result.body.body->measured.at("hps_to_crown") - 0.02);
+    const pattern::Pattern& cut = result.studied().pattern.pattern;
+    EXPECT_EQ(drape::why_not_worn(hoodie, cut, x, result.body.body), std::vector<std::string>{});
+    EXPECT_EQ(drape::why_not_worn(hoodie, cut, with_the_hood_thrown_back(result), result.body.body),
+              std::vector<std::string>{"the hood has slid off the head"});
     EXPECT_LT(highest("hem_band_back", "rim"), marks.at("back_waist").z());
     EXPECT_LT(highest("cuff_L_front", "rim"), result.body.body->joints.at("elbow_L").z());
   }

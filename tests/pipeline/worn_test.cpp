@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "loosefit/drape/openings.h"
+#include "loosefit/drape/worn_way.h"
 #include "loosefit/garment/hierarchy.h"
 #include "loosefit/io/garmentcode_read.h"
 #include "support/sewn_garments.h"
@@ -234,6 +235,45 @@ TEST(Worn, ASkirtThatWasPlacedForSomebodyTallerHangsAtTheWaist) {
   const std::vector<Vec3> x = round_the_body(skirt, neck_height(woman()) + 0.02 - waist);
   EXPECT_EQ(skirt.on(x), Reasons{});
   EXPECT_FALSE(skirt.on(moved(x, {0, 0, -0.3})).empty());
+}
+
+// A file may place it so; what its edges are for is told by their labels.
+TEST(Worn, NotASkirtThatIsWornUpsideDown) {
+  const double waist = woman()->measured.at("waist_level");
+  pattern::Pattern cut = two_panels(0.60, 0.42, 0.5, 0, waist);
+  const std::vector<Vec3> x = round_the_body(Sewn(cut), 0);
+  EXPECT_EQ(Sewn(cut).on(x), Reasons{}) << "a tube without labels may be narrow at its hem";
+  for (pattern::Panel& panel : cut.panels) panel.edges[0].label = "lower_interface";
+  const Reasons labelled = Sewn(cut).on(x);
+  EXPECT_EQ(labelled, (Reasons{"the waistband has slid to the knees",
+                               "the garment is upside down: its hem lies above its waist"}));
+}
+
+TEST(WornWay, InsideOutAndTurnedAreTold) {
+  const Sewn skirt(two_panels(0.42, 0.60, 0.5, 0, woman()->measured.at("waist_level")));
+  const std::vector<Vec3> x = round_the_body(skirt, 0);
+  const auto told = [&](auto&& change) {
+    std::vector<Vec3> changed = x;
+    for (Vec3& p : changed) p = change(p);
+    return drape::unusual_way_round(skirt.mesh(), changed, woman());
+  };
+  EXPECT_EQ(told([](const Vec3& p) { return p; }), Reasons{});
+  const auto turned = [&](double angle) {
+    const Eigen::AngleAxisd turn(radians(angle), Vec3::UnitZ());
+    return told([turn](const Vec3& p) { return Vec3(turn * p); });
+  };
+  EXPECT_EQ(turned(40), Reasons{});
+  // The wearer faces −y, her left is +x.
+  EXPECT_EQ(turned(90), Reasons{"the garment is worn turned: the pieces for the front lie 90° to "
+                                "the left of the wearer's front"});
+  EXPECT_EQ(turned(-90), Reasons{"the garment is worn turned: the pieces for the front lie 90° to "
+                                 "the right of the wearer's front"});
+  const Reasons mirrored = told([](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); });
+  ASSERT_EQ(mirrored.size(), 1u);
+  EXPECT_TRUE(mirrored[0].starts_with("the garment is worn inside out")) << mirrored[0];
+  body::Body statue = woman();
+  statue.joints.clear();
+  EXPECT_EQ(drape::unusual_way_round(skirt.mesh(), moved(x, {0, 0, 0}), statue), Reasons{});
 }
 
 TEST(Worn, AStockingOnItsLegAndNotBesideIt) {

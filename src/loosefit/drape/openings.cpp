@@ -51,6 +51,14 @@ std::string panel_label(const std::vector<int>& loop, const garment::Garment& ga
   return most == votes.end() ? std::string() : most->first;
 }
 
+/// Of every panel, whether its name says that it is a waistband.
+std::vector<char> waistbands(const garment::Garment& garment) {
+  std::vector<char> named;
+  for (const std::string& name : garment.panel_names)
+    named.push_back(pattern::words_of(name).waist);
+  return named;
+}
+
 /// Whether all panels of each piece of cloth, by its number, are of legs, skirts or waistbands.
 std::map<int, bool> pieces_of_legs(const std::vector<int>& piece, const garment::Garment& garment,
                                    const pattern::Pattern& pattern) {
@@ -84,9 +92,10 @@ class Uses {
     sort_out();
     const std::size_t middles = middle_ones_.size(), pairs = pairs_.size();
     if (middles == 2 && pairs == 0 && !open_front_ && of_.size() == 2) {
-      use(middle_ones_[0],
-          at_waist(middle_ones_[0]) ? kinds::OpeningUse::waist : kinds::OpeningUse::upper);
-      use(middle_ones_[1], kinds::OpeningUse::hem);
+      int top = middle_ones_[0], bottom = middle_ones_[1];
+      if (!is_upper_end(all_[top], all_[bottom])) std::swap(top, bottom);
+      use(top, at_waist(top) ? kinds::OpeningUse::waist : kinds::OpeningUse::upper);
+      use(bottom, kinds::OpeningUse::hem);
     } else if (middles == 0 && pairs == 0 && of_.size() == 2) {
       for (int i : of_) use(i, kinds::OpeningUse::limb);
     } else if (middles == 2 && pairs == 1 && of_.size() == 4) {
@@ -201,6 +210,11 @@ bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garmen
 
 }  // namespace
 
+bool is_upper_end(const Opening& a, const Opening& b) {
+  const auto named = [](const Opening& o) { return o.at_waist || o.at_chest || o.of_waistband; };
+  return named(a) != named(b) ? named(a) : a.placed.z() >= b.placed.z();
+}
+
 std::vector<Vec3> placed_by_pattern(const garment::Garment& garment,
                                     const pattern::Pattern& pattern) {
   std::vector<Vec3> sum(garment.vertex_count, Vec3::Zero());
@@ -244,6 +258,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   const std::map<int, bool> of_legs = pieces_of_legs(piece, garment, pattern);
   const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
                          chest = labelled_vertices(garment, pattern, "strapless_top");
+  const std::vector<char> bands = waistbands(garment);
   std::vector<Opening> openings;
   std::vector<std::string> labels;
   std::map<int, std::vector<int>> of_piece;
@@ -265,6 +280,8 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     };
     opening.at_waist = on(waist);
     opening.at_chest = on(chest);
+    opening.of_waistband = std::all_of(loop.begin(), loop.end(),
+                                       [&](int v) { return bands[garment.vertex_panel[v]] != 0; });
     labels.push_back(panel_label(loop, garment, pattern));
     opening.piece = piece[loop.front()];
     opening.of_legs = of_legs.at(opening.piece);
@@ -288,7 +305,7 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
   for (auto& [piece, ends] : of_piece) {
     const auto labelled = [](const Opening* o) { return o->at_waist || o->at_chest; };
     if (ends.size() != 2 || std::any_of(ends.begin(), ends.end(), labelled)) continue;
-    if (ends[0]->placed.z() < ends[1]->placed.z()) std::swap(ends[0], ends[1]);
+    if (!is_upper_end(*ends[0], *ends[1])) std::swap(ends[0], ends[1]);
     Opening &upper = *ends[0], &lower = *ends[1];
     const LimbNumbers round = limbs_through_openings(upper.loop, placed, lines);
     const bool one_limb =

@@ -21,7 +21,12 @@ struct Opening {
   bool at_chest = false;              ///< an edge is labelled "strapless_top"
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
   bool of_legs = false;
+  bool of_waistband = false;  ///< its edges are of waistbands by name
 };
+
+/// Whether `a`, of two ends of a tube, is the upper one: by what labels and names say (a waistband,
+/// the top of a strapless dress), else by where the pattern places it.
+bool is_upper_end(const Opening& a, const Opening& b);
 
 /// The openings, in the order of their first vertices. What each was made for is told by the kind
 /// of the garment (GarmentKind::openings) or, where that does not know, by how they lie to each

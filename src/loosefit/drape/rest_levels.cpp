@@ -54,14 +54,16 @@ std::map<std::string, Vec3> RestLevels::joints() const {
   return at;
 }
 
-double RestLevels::of(const Vec3& p) const {
+double RestLevels::of(const Vec3& p) const { return at_rest(p).z(); }
+
+Vec3 RestLevels::at_rest(const Vec3& p) const {
   const auto& corners = body_->surface.triangles;
   const bool parted = body_->segment.size() == body_->surface.vertices.size();
   const geometry::ClosestPoint at = body_.tree().query(
       p, std::numeric_limits<double>::infinity(),
       [&](int triangle) { return !parted || !is_arm(body_->segment[corners[triangle][0]]); });
-  if (at.triangle < 0) return p.z() - soles_;
-  return in_rest(corners[at.triangle][0], p).z() - soles_;
+  const Vec3 rest = at.triangle < 0 ? p : in_rest(corners[at.triangle][0], p);
+  return rest - soles_ * Vec3::UnitZ();
 }
 
 double RestLevels::of(const std::vector<int>& vertices, const std::vector<Vec3>& x) const {

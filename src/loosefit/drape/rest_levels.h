@@ -13,7 +13,10 @@ namespace loosefit::drape {
 class RestLevels {
  public:
   explicit RestLevels(body::PosedBody body);
-  /// Of a point of cloth; arms and hands are passed over, for they hang beside everything.
+  /// A point of cloth as it would be if its wearer stood upright, soles at z = 0 [m]: it goes back
+  /// with the nearest skin, arms and hands left out.
+  Vec3 at_rest(const Vec3& p) const;
+  /// Height of a point of cloth; arms and hands are passed over, for they hang beside everything.
   double of(const Vec3& p) const;
   /// Mean over vertices.
   double of(const std::vector<int>& vertices, const std::vector<Vec3>& x) const;

@@ -11,6 +11,7 @@
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/tube_rings.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::drape {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not ma
 constexpr double kTouch = 0.010;      ///< [m]
 constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
 constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
+constexpr double kFolded = 0.5;       ///< of a tube's length, a fold that turns no tube over
 constexpr double kSleeve = 0.6;       ///< of the chest's girth, the widest tube for a limb
 
 const char* const kLimbNames[] = {"the head", "the left arm", "the right arm", "the left leg",
@@ -68,6 +70,7 @@ class Verdict {
     for (const auto& [piece, of] : of_piece) {
       check_sunk(of);
       check_tube(of);
+      check_way_up(of);
       check_open_front(of);
     }
     if (openings.empty()) check_sunk({});
@@ -141,6 +144,8 @@ class Verdict {
   }
 
   void check_neck(const Opening& o) {
+    if (limbs_through_openings(o.loop, x_, lines_) == kRoundNeck && is_of_hood(o))
+      return say("the hood has slid off the head");
     if (goes_round(o, kRoundNeck)) return;
     // The head is in a hood, not through its opening: the hood's seam goes round the neck.
     if (const auto seam = hood_seam(garment_, openings_, o);
@@ -158,6 +163,14 @@ class Verdict {
       say("the head is not through the neck opening");
     else
       say("the neck opening goes round " + round_what(round_));
+  }
+
+  /// Whether most of a rim is of hoods, by the names of their pieces.
+  bool is_of_hood(const Opening& o) const {
+    const auto hood = std::count_if(o.loop.begin(), o.loop.end(), [&](int v) {
+      return pattern::words_of(garment_.panel_names[garment_.vertex_panel[v]]).hood;
+    });
+    return 2 * static_cast<std::size_t>(hood) > o.loop.size();
   }
 
   void check_arm(const Opening& o, Limb limb, const std::string& side) {
@@ -209,7 +222,7 @@ class Verdict {
   /// A tube that is placed round nothing known: whatever goes through one end, through the other.
   void check_tube(const std::vector<const Opening*>& ends) {
     if (ends.size() != 2 || ends[0]->use != kinds::OpeningUse::tube) return;
-    const bool first = ends[0]->placed.z() >= ends[1]->placed.z();
+    const bool first = is_upper_end(*ends[0], *ends[1]);
     const Opening &upper = *ends[first ? 0 : 1], &lower = *ends[first ? 1 : 0];
     const LimbNumbers up = limbs_through_openings(upper.loop, x_, lines_);
     if (up == kRoundNeck) return check_cape_hem(lower);
@@ -220,6 +233,19 @@ class Verdict {
       say("nothing goes through both ends of a tube");
     else if (up == kRoundTrunk)
       check_upper(upper);
+  }
+
+  /// The top of a tube round the trunk lies above its hem. Folded cloth may have both on a level.
+  void check_way_up(const std::vector<const Opening*>& of) {
+    const Opening *top = nullptr, *hem = nullptr;
+    for (const Opening* o : of) {
+      if (o->use == kinds::OpeningUse::waist || o->use == kinds::OpeningUse::upper) top = o;
+      if (o->use == kinds::OpeningUse::hem) hem = o;
+    }
+    if (!top || !hem) return;
+    const double length = share() * (top->placed - hem->placed).norm();
+    if (levels_.of(hem->loop, x_) > levels_.of(top->loop, x_) + kFolded * length)
+      say("the garment is upside down: its hem lies above its waist");
   }
 
   /// The body of a jacket that is open in front is held by no ring: its sleeves begin at the

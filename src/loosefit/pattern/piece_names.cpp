@@ -51,11 +51,11 @@ const std::vector<Known>& known() {
   static const std::vector<Known> list = {
       {&W::front,
        {"front", "vorder", "vorne", "devant", "delant", "davant", "voor", "frente"},
-       {"fr", "vt", "cf", "frt", "fnt"},
+       {"fr", "vt", "cf", "frt", "fnt", "ftorso"},
        {"front"}},
       {&W::back,
        {"back", "rueck", "ruck", "hinter", "dos", "espald", "dietro", "achter", "costas"},
-       {"bk", "ht", "cb", "bck"},
+       {"bk", "ht", "cb", "bck", "btorso"},
        {"back"}},
       {&W::left, {"left", "link", "gauche", "izq", "sinistr"}, {"l", "lt", "lh"}, {}},
       {&W::right, {"right", "recht", "droit", "derech", "destr"}, {"r", "rh"}, {}},

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/drape/worn.h"
+#include "loosefit/drape/worn_way.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
 
@@ -14,8 +15,9 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-void add(Lines& all, const std::string& stage, const Lines& warnings) {
-  for (const std::string& text : warnings) all.push_back(stage + ": " + text);
+void add(Lines& all, const std::string& stage, const Lines& warnings,
+         const std::string& garment = "") {
+  for (const std::string& text : warnings) all.push_back(stage + ": " + garment + text);
 }
 
 /// Of patterns and materials; the studied garment first.
@@ -29,20 +31,53 @@ void add_garments(Lines& all, const CaseResult& result) {
   }
 }
 
-/// How the studied garment fits, and whether its cloth was measured as far as it is strained.
+/// "under 1: " for a garment under the studied one; nothing for that one.
+std::string under(std::size_t garment, const CaseResult& result) {
+  return garment + 1 < result.garments.size() ? fmt::format("under {}: ", garment + 1) : "";
+}
+
+/// How a garment is worn in one drape, where not as usual.
+Lines way_of_wearing(const CaseGarment& garment, const drape::Drape& drape,
+                     const body::PosedBody& body) {
+  Lines told = drape::risen_waists(garment.mesh(), garment.pattern.pattern, drape.positions, body);
+  for (std::string& line : drape::unusual_way_round(garment.mesh(), drape.positions, body))
+    told.push_back(std::move(line));
+  return told;
+}
+
+/// The same in states that count, where the reference state has nothing to tell: what the first of
+/// them has, and the names of all.
+Lines way_of_wearing_in_states(const CaseResult& result, std::size_t g) {
+  Lines first, where;
+  for (const CaseState& state : result.wear.states) {
+    if (!state.counts()) continue;
+    Lines told =
+        way_of_wearing(result.garments[g], state.drapes[g], result.body_in(state.id.posture));
+    if (told.empty()) continue;
+    if (first.empty()) first = std::move(told);
+    if (std::ranges::count(where, state.name) == 0) where.push_back(state.name);
+  }
+  for (std::string& line : first) line += " (in " + join(where) + ")";
+  return first;
+}
+
+/// How the garments fit, and whether their cloth was measured as far as it is strained.
 void add_fit(Lines& all, const CaseResult& result) {
-  const CaseGarment& studied = result.studied();
-  const scenario::ScenarioGarment& asked = result.scenario.studied();
-  add(all, "fit", ease_warnings(station_eases(studied.pattern, asked.spec), studied.maps.load));
-  if (studied.drape.certificate.worn())
-    add(all, "fit",
-        drape::risen_waists(studied.mesh(), studied.pattern.pattern, studied.drape.positions,
-                            result.body.body));
-  add(all, "fit", comfort_warnings(studied.maps));
-  for (std::size_t g = 0; g < result.garments.size(); ++g)
-    add(all, "material",
-        strain_range_warnings(result.garments[g].maps.strain_range,
-                              result.scenario.garments[g].material));
+  for (std::size_t g = 0; g < result.garments.size(); ++g) {
+    const CaseGarment& garment = result.garments[g];
+    const scenario::ScenarioGarment& asked = result.scenario.garments[g];
+    Lines told = ease_warnings(station_eases(garment.pattern, asked.spec), garment.maps.load);
+    const auto tell = [&told](const Lines& more) {
+      told.insert(told.end(), more.begin(), more.end());
+    };
+    if (result.certificate().worn()) {
+      const Lines way = way_of_wearing(garment, garment.drape, result.body.body);
+      tell(way.empty() ? way_of_wearing_in_states(result, g) : way);
+    }
+    tell(comfort_warnings(garment.maps));
+    add(all, "fit", told, under(g, result));
+    add(all, "material", strain_range_warnings(garment.maps.strain_range, asked.material));
+  }
 }
 
 void add_certificate(Lines& all, const drape::Certificate& certificate) {

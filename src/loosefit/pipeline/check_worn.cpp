@@ -32,11 +32,11 @@ std::vector<drape::Drape> with_reasons(std::vector<drape::Drape> drapes,
 }
 
 /// Whether unusual openings have the limbs through them that they have in the reference state.
-bool worn_as_in_reference(const CaseState& state, const body::PosedBody& body,
+bool worn_as_in_reference(const std::vector<drape::Drape>& drapes, const body::PosedBody& body,
                           const CaseResult& reference) {
   for (std::size_t g = 0; g < reference.garments.size(); ++g) {
     const CaseGarment& garment = reference.garments[g];
-    if (!drape::worn_alike(garment.mesh(), garment.pattern.pattern, state.drapes[g].positions, body,
+    if (!drape::worn_alike(garment.mesh(), garment.pattern.pattern, drapes[g].positions, body,
                            garment.drape.positions, reference.body.body))
       return false;
   }
@@ -52,14 +52,20 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes,
   return with_reasons(std::move(drapes), found);
 }
 
-CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference) {
-  if (!state.certificate().settled()) return state;
-  std::vector<std::string> found = reasons(state.drapes, reference.garments, body);
-  if (found.empty() && !worn_as_in_reference(state, body, reference))
+std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const body::PosedBody& body,
+                                     const CaseResult& reference) {
+  std::vector<std::string> found = reasons(drapes, reference.garments, body);
+  if (found.empty() && !worn_as_in_reference(drapes, body, reference))
     found.push_back(
         "a limb or the trunk has left the opening it went through, or gone through the cloth");
-  state.drapes = with_reasons(std::move(state.drapes), found);
-  if (!found.empty()) state.left_out = "not worn: " + join(found, "; ");
+  return with_reasons(std::move(drapes), found);
+}
+
+CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference) {
+  if (!state.certificate().settled()) return state;
+  state.drapes = check_worn(std::move(state.drapes), body, reference);
+  if (const drape::Certificate c = state.certificate(); !c.worn())
+    state.left_out = "not worn: " + join(c.worn_reasons, "; ");
   return state;
 }
 

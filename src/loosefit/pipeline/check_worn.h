@@ -11,9 +11,14 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes,
                                      const std::vector<CaseGarment>& garments,
                                      const body::PosedBody& body);
 
-/// The same of a state of `reference`, when it is settled, on the body in its posture. It is left
-/// out with the reasons when it is not worn; also when a limb no longer goes through an opening of
-/// an unusual cut that it goes through in the reference state (worn_alike).
+/// The same of one more drape of the garments of `reference`, one each, on the body in its posture:
+/// also not worn when a limb no longer goes through an opening of an unusual cut that it goes
+/// through in the reference state (worn_alike).
+std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const body::PosedBody& body,
+                                     const CaseResult& reference);
+
+/// The same of a state of `reference`, when it is settled. It is left out with the reasons when it
+/// is not worn.
 CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference);
 
 }  // namespace loosefit::pipeline

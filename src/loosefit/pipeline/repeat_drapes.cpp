@@ -72,7 +72,7 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
     warn(fmt::format("did not settle ({}); left out", c.stop_reason));
     return made;
   }
-  drapes = check_worn(std::move(drapes), result.garments, body.body);
+  drapes = check_worn(std::move(drapes), body.body, result);
   const drape::Drape& drape = drapes.back();
   if (!drape.certificate.worn()) {
     warn(fmt::format("is not worn ({}); left out", join(drape.certificate.worn_reasons, "; ")));

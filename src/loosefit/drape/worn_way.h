@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "loosefit/body/posed_body.h"
+#include "loosefit/garment/garment.h"
+
+namespace loosefit::drape {
+
+/// Which way round a garment at x [m] is worn by `body`, where that is not the usual one, as
+/// sentences: inside out, when more of the outside of its cloth faces the wearer than looks away;
+/// turned, when the middle of its pieces for the front, as their names say, lies more than 60°
+/// beside that of the wearer, as seen from the middle of the pieces for the back. A garment that is
+/// worn so is worn all the same: left and right of its sites are those of the wearer, not of the
+/// tailor.
+std::vector<std::string> unusual_way_round(const garment::Garment& garment,
+                                           const std::vector<Vec3>& x, const body::PosedBody& body);
+
+}  // namespace loosefit::drape
