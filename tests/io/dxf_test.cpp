@@ -133,6 +133,30 @@ TEST(Dxf, UnitsThatLieAreFoundOrAskedFor) {
   EXPECT_NEAR(width(70, "METRIC"), 0.7, 1e-12) << "centimetres under METRIC";
   EXPECT_NEAR(width(118, "ENGLISH"), 1.18, 1e-12) << "3 m in inches: centimetres";
   EXPECT_NEAR(width(40, "", "inch"), 1.016, 1e-12);
+  const auto warnings = [&](double side, const std::string& units) {
+    return parse_dxf_pattern(one_piece(square(side), units), "u").warnings;
+  };
+  EXPECT_FALSE(any_has(warnings(20, "ENGLISH"), "units")) << "0.2 m would be no garment";
+  EXPECT_TRUE(any_has(warnings(40, "ENGLISH"), "largest piece 0.4 m in centimetres"));
+  EXPECT_NEAR(width(40, "ENGLISH"), 1.016, 1e-12);
+  const std::string both = refusal(one_piece(square(62), "ENGLISH"));
+  EXPECT_NE(both.find("1.57 m in inches"), std::string::npos) << both;
+  EXPECT_NE(both.find("0.62 m in centimetres"), std::string::npos) << both;
+  try {
+    parse_dxf_pattern(one_piece(square(62), "ENGLISH"), "u");
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(error.hint().find("--units mm, cm, m or inch, in a scenario garment.units"),
+              std::string::npos)
+        << error.hint();
+  }
+  EXPECT_NEAR(width(62, "ENGLISH", "inch"), 1.5748, 1e-12);
+  std::string of_clo = one_piece(square(62), "ENGLISH");
+  of_clo.replace(of_clo.find("Units: "), 7,
+                 "Author: CLO Virtual Fashion Inc.\n  0\nTEXT\n  8\n1\n"
+                 " 10\n0\n 20\n0\n  1\nUnits: ");
+  const PatternFile clo = parse_dxf_pattern(of_clo, "u");
+  EXPECT_NEAR(extent(clo.pattern.panels[0]).x(), 0.62, 1e-12);
+  EXPECT_TRUE(any_has(clo.warnings, "CLO Virtual Fashion Inc., writes centimetres"));
   const std::string message = refusal(one_piece(square(40), ""));
   EXPECT_NE(message.find("units: found a largest piece of 40 file units"), std::string::npos)
       << message;
@@ -270,6 +294,156 @@ TEST(Dxf, WhatCannotBeReadSaysWhere) {
   line_message("  0\nSECTION\n  2\nENTITIES\n  0\nENDSEC\n  0\nEOF\n",
                "none with lines on layer 1");
   line_message("AutoCAD Binary DXF\r\n\x1a", "binary");
+}
+
+/// Pieces by name, of which some are drawn by `draw`.
+std::string pieces_of(
+    const std::vector<std::pair<std::string, std::function<void(DxfText&)>>>& all) {
+  DxfText d;
+  d.section("BLOCKS");
+  for (const auto& [name, draw] : all) {
+    d.block(name).note("Piece Name: " + name);
+    draw(d);
+    d.end_block();
+  }
+  d.end_section().section("ENTITIES").note("Units: METRIC");
+  return d.end_section().group(0, "EOF").text();
+}
+
+/// Width at the lower end.
+double width_below(const pattern::Panel& panel) {
+  double low = 0, high = 0;
+  for (const Vec2& p : pattern::outline_polygon(panel))
+    if (p.y() < 1e-9) low = std::min(low, p.x()), high = std::max(high, p.x());
+  return high - low;
+}
+
+TEST(Dxf, WhichEndOfTheGrainLineIsDrawnFirstDoesNotMatter) {
+  // 500 wide below, 300 above, leaning by 10 degrees in one of them.
+  const auto upright = [](const Vec2& from, const Vec2& to) {
+    return [from, to](DxfText& d) {
+      d.polyline({{0, 0}, {500, 0}, {400, 600}, {100, 600}}, true).line(7, from, to);
+    };
+  };
+  for (const bool down : {false, true}) {
+    const Vec2 low(250, 100), high(250, 500);
+    const pattern::Panel panel = panel_of(down ? upright(high, low) : upright(low, high));
+    EXPECT_NEAR(width_below(panel), 0.5, 1e-9) << down;
+  }
+  const Vec2 lean = 100 * Vec2(std::sin(radians(50)), std::cos(radians(50)));
+  for (const double sign : {-1.0, 1.0}) {
+    const pattern::Panel bias = panel_of(upright({0, 0}, sign * lean));
+    EXPECT_LT(bias.vertices[bias.edges[0].start].y(), 0.4) << "turned by 50 degrees, not by 130";
+  }
+  // Sideways all go the way that most point to.
+  const auto sideways = [](double to) {
+    return [to](DxfText& d) {
+      d.polyline({{0, 0}, {600, 100}, {600, 400}, {0, 500}}, true);
+      d.line(7, {300, 250}, {300 + to, 250 + to / 20});
+    };
+  };
+  const PatternFile right = parse_dxf_pattern(
+      pieces_of({{"a", sideways(90)}, {"b", sideways(-90)}, {"c", sideways(90)}}), "p.dxf");
+  for (const pattern::Panel& panel : right.pattern.panels) {
+    const double top = extent(panel).y();
+    EXPECT_GT(panel.vertices[panel.edges[1].start].y(), top / 2) << panel.name;
+  }
+  const PatternFile left = parse_dxf_pattern(
+      pieces_of({{"a", sideways(-90)}, {"b", sideways(-90)}, {"c", sideways(90)}}), "p.dxf");
+  for (const pattern::Panel& panel : left.pattern.panels)
+    EXPECT_LT(panel.vertices[panel.edges[1].start].y(), extent(panel).y() / 2) << panel.name;
+}
+
+TEST(Dxf, LinesBesideTheOutlineAreTold) {
+  const auto square = [](DxfText& d) {
+    d.polyline({{0, 0}, {500, 0}, {500, 400}, {0, 400}}, true);
+  };
+  const PatternFile second = parse_dxf_pattern(one_piece([&](DxfText& d) {
+                                                 square(d);
+                                                 d.polyline({{600, 0}, {900, 0}, {900, 200}}, true);
+                                                 d.polyline({{0, 500}, {100, 500}, {100, 600}});
+                                               }),
+                                               "p.dxf");
+  ASSERT_EQ(second.pattern.panels.size(), 1u);
+  EXPECT_NEAR(area(second.pattern.panels[0]), 0.2, 1e-12);
+  EXPECT_TRUE(any_has(second.warnings, "piece P: layer 1 has 1 closed and 1 open lines beside"));
+  // The same outline once more is no other one.
+  const PatternFile twice = parse_dxf_pattern(one_piece([&](DxfText& d) {
+                                                square(d);
+                                                square(d);
+                                              }),
+                                              "p.dxf");
+  EXPECT_FALSE(any_has(twice.warnings, "beside the largest one"));
+  // A boundary with a gap and a hole that closes: the hole is not the piece.
+  const std::string message = refusal(one_piece([](DxfText& d) {
+    d.polyline({{0, 0}, {500, 0}, {500, 400}, {0, 400}, {0, 3}});
+    d.polyline({{100, 100}, {200, 100}, {200, 200}}, true);
+  }));
+  EXPECT_NE(message.find("open by 3.00 mm"), std::string::npos) << message;
+}
+
+TEST(Dxf, SewLineHasItsOwnCornersWhereTurnPointsAreThoseOfTheBoundary) {
+  for (const int layer : {8, 14})
+    for (const bool hem_in_common : {false, true}) {
+      SCOPED_TRACE(layer);
+      const double hem = hem_in_common ? 0 : 10;
+      const pattern::Panel panel = panel_of([&](DxfText& d) {
+        const std::vector<Vec2> cut{{0, 0}, {500, 0}, {500, 400}, {0, 400}};
+        d.polyline(cut, true);
+        for (const Vec2& p : cut) d.point(2, p);
+        if (hem_in_common) d.point(2, {10, 0});
+        d.polyline({{10, hem}, {490, hem}, {490, 390}, {250, 380}, {10, 390}}, true, layer);
+      });
+      EXPECT_EQ(panel.edges.size(), 4u);
+    }
+}
+
+TEST(Dxf, PiecesOfAnotherClothAreLeftOut) {
+  const auto of = [](const std::string& text) {
+    return [text](DxfText& d) {
+      d.note(text).polyline({{0, 0}, {500, 0}, {500, 400}, {0, 400}}, true);
+    };
+  };
+  const PatternFile file =
+      parse_dxf_pattern(pieces_of({{"A", of("Fabric: SELF")},
+                                   {"B", of("Fabric: Interlining 2")},
+                                   {"C", of("Category: FUTTER")},
+                                   {"D", of("Annotation: Cut 2 Fusible")},
+                                   {"E", of("Material: Entretela")},
+                                   {"F", of("Annotation: fusible tape at the neck")},
+                                   {"G", of("Fabric: Self, Lining")}}),
+                        "p.dxf");
+  std::string kept;
+  for (const pattern::Panel& panel : file.pattern.panels) kept += panel.name;
+  EXPECT_EQ(kept, "AFG");
+  EXPECT_TRUE(any_has(file.warnings, "piece B: left out"));
+  EXPECT_TRUE(any_has(file.warnings, "Category \"FUTTER\""));
+  EXPECT_FALSE(any_has(file.unused, "other sizes"));
+  const PatternFile lining = parse_dxf_pattern(
+      pieces_of({{"A", of("Fabric: LINING")}, {"B", of("Fabric: LINING")}}), "p.dxf");
+  EXPECT_EQ(lining.pattern.panels.size(), 2u) << "somebody wears a lining alone";
+}
+
+TEST(Dxf, NotchesMayBeDrawnAsLinesOfAnyKind) {
+  const auto along = [](const std::function<void(DxfText&)>& notch) {
+    const PatternFile file = parse_dxf_pattern(
+        one_piece([&](DxfText& d) {
+          d.polyline({{0, 0}, {500, 0}}).polyline({{500, 0}, {500, 400}, {0, 400}, {0, 0}});
+          notch(d);
+        }),
+        "p.dxf");
+    return file.notches.size() == 1 && file.notches[0].edge == 0 ? file.notches[0].along : -1;
+  };
+  EXPECT_NEAR(along([](DxfText& d) { d.point(4, {200, 0}); }), 0.4, 1e-9);
+  EXPECT_NEAR(along([](DxfText& d) { d.polyline({{200, 0}, {200, 6}}, false, 4); }), 0.4, 1e-9);
+  EXPECT_NEAR(along([](DxfText& d) {
+                d.polyline({{198, 0}, {200, 6}, {202, 0}}, false, 80);
+              }),
+              0.4, 1e-9);
+  EXPECT_NEAR(along([](DxfText& d) {
+                d.polyline({{198, 0}, {202, 0}, {202, 6}, {198, 6}}, true, 4);
+              }),
+              0.4, 1e-9);
 }
 
 }  // namespace

@@ -167,6 +167,114 @@ TEST(InkscapeSvg, OpenLinesOfAGroupThatCloseTogetherAreAPiece) {
   EXPECT_EQ(file.pattern.panels[0].edges.size(), 4u);
 }
 
+TEST(FreesewingSvg, PartsOfOneHandAreNotMirroredWhereTheOtherHandsStandsInTheFile) {
+  const auto drawing = [&](const std::vector<std::string>& parts) {
+    std::string text =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" freesewing=\"4.10.2\" width=\"2000mm\" "
+        "height=\"700mm\" viewBox=\"0 0 2000 700\">\n";
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      text += freesewing_part(parts[i], parts[i].find("front") == 0 ? kFrontHalf : kSleeve,
+                              std::to_string(200 + 320 * i) + ", 110");
+    return text + "</svg>\n";
+  };
+  const auto names = [&](const std::vector<std::string>& parts) {
+    std::string all;
+    for (const pattern::Panel& panel : read(drawing(parts)).pattern.panels) all += panel.name + " ";
+    return all;
+  };
+  EXPECT_EQ(names({"sleeve"}), "sleeve sleeve_mirrored ");
+  EXPECT_EQ(names({"sleeveLeft"}), "sleeveLeft sleeveLeft_mirrored ")
+      << "the other hand is missing";
+  EXPECT_EQ(names({"sleeveLeft", "sleeveRight"}), "sleeveLeft sleeveRight ");
+  EXPECT_EQ(names({"frontLeft", "frontRight", "sleeve"}),
+            "frontLeft frontRight sleeve sleeve_mirrored ");
+  std::string json = freesewing_json();
+  json.replace(json.find("tee.front"), 9, "tee.sleeveLeft");
+  json.replace(json.find("tee.back"), 8, "tee.sleeveRight");
+  EXPECT_EQ(parse_freesewing_json(json, "p.json").pattern.panels.size(), 4u)
+      << "one of them cut twice";
+  for (const pattern::Panel& panel : read(drawing({"frontLeft", "frontRight"})).pattern.panels)
+    EXPECT_LT(pattern::signed_area(pattern::outline_polygon(panel)), 0.15)
+        << "a half, not unfolded";
+}
+
+TEST(InkscapeSvg, PiecesWhoseNamesSpeakOfFoldOrNotchArePieces) {
+  const std::string page = "width=\"1500mm\" height=\"900mm\" viewBox=\"0 0 1500 900\"";
+  const PatternFile file =
+      read(svg(page,
+               "<path inkscape:label=\"front on fold\" d=\"M0 0h300v600h-300z\"/>"
+               "<path inkscape:label=\"notched collar\" d=\"M400 0h300v90h-300z\"/>"
+               // Arrows and brackets, in a piece and across its side.
+               "<path inkscape:label=\"grain\" d=\"M150 100l20 40h-10v260h-20v-260h-10z\"/>"
+               "<path inkscape:label=\"fold\" d=\"M800 100h10v400h-10z\"/>"
+               "<path inkscape:label=\"fold\" d=\"M1390 100h20v400h-20z\"/>"
+               "<path id=\"back\" d=\"M1100 0h300v600h-300z\"/>"
+               // A dart in a group that is called after its piece.
+               "<g id=\"sleeve_on_fold\"><path d=\"M400 300h300v400h-300z\"/>"
+               "<path d=\"M400 400l90 10\"/></g>"));
+  std::string names;
+  for (const pattern::Panel& panel : file.pattern.panels) names += panel.name + ", ";
+  EXPECT_EQ(names, "front on fold, notched collar, fold, back, sleeve_on_fold, ");
+  EXPECT_TRUE(tells(file.unused, "open lines that are no grain, fold or notch: 1"));
+  EXPECT_TRUE(tells(file.warnings, "front on fold: its name speaks of a fold"));
+  EXPECT_TRUE(tells(file.warnings, "4 pieces have no grain line"));
+}
+
+TEST(InkscapeSvg, OutlinesOfSeveralSizesInEachOtherAreToldAndCanBePicked) {
+  std::string body;
+  for (const auto& [size, wide] : {std::pair{"S", 400}, {"M", 440}, {"L", 480}}) {
+    const std::string w = std::to_string(wide);
+    body += std::string("<g inkscape:groupmode=\"layer\" inkscape:label=\"size ") + size +
+            "\"><path inkscape:label=\"front\" d=\"M0 0h" + w + "l0 600h-" + w +
+            "z\"/><rect inkscape:label=\"band\" x=\"600\" y=\"0\" width=\"" + w +
+            "\" height=\"60\"/></g>\n";
+  }
+  body += "<path id=\"pocket\" d=\"M600 200h90v90h-90z\"/>";
+  const std::string text = svg("width=\"1500mm\" height=\"900mm\" viewBox=\"0 0 1500 900\"", body);
+  const auto widths = [&](const std::string& size) {
+    const PatternFile file = read(text, {size, ""});
+    EXPECT_EQ(file.pattern.panels.size(), 3u);
+    return std::pair{area(file.pattern.panels[file.pattern.find_panel("front")]) / 0.6,
+                     area(file.pattern.panels[file.pattern.find_panel("band")]) / 0.06};
+  };
+  for (const auto& [size, wide] : {std::pair{"", 0.48}, {"L", 0.48}, {"m", 0.44}, {"S", 0.40}}) {
+    SCOPED_TRACE(size);
+    EXPECT_NEAR(widths(size).first, wide, 1e-9);
+    EXPECT_NEAR(widths(size).second, wide, 1e-9);
+  }
+  EXPECT_TRUE(
+      tells(read(text).warnings, "front: the largest of 3 outlines that lie in each other"));
+  EXPECT_TRUE(tells(read(text, {"M", ""}).about, "size M by the labels of 2 outlines"));
+  EXPECT_TRUE(tells(read(text, {"M", ""}).unused, "outlines of other sizes: 4"));
+  EXPECT_FALSE(tells(read(text, {"M", ""}).warnings, "lie in each other"));
+  for (const char* wrong : {"XL", "size"}) try {
+      read(text, {wrong, ""});
+      ADD_FAILURE() << wrong;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("\"front in size S\""), std::string::npos)
+          << error.what();
+    }
+  EXPECT_THROW(
+      read(svg("width=\"600mm\" height=\"500mm\" viewBox=\"0 0 600 500\"", kInkscape), {"M", ""}),
+      InvalidInput)
+      << "in one size";
+}
+
+TEST(InkscapeSvg, WhichEndOfTheGrainLineIsDrawnFirstDoesNotMatter) {
+  for (const char* grain : {"M200 100V500", "M200 500V100"}) {
+    const PatternFile file =
+        read(svg("width=\"500mm\" height=\"700mm\" viewBox=\"0 0 500 700\"",
+                 std::string("<path id=\"a\" d=\"M100 0h200l100 600h-400z\"/><path id=\"grain\" "
+                             "d=\"") +
+                     grain + "\"/>"));
+    const pattern::Panel& panel = file.pattern.panels.at(0);
+    double below = 0;
+    for (const Vec2& v : panel.vertices)
+      if (v.y() < 1e-9) below = std::max(below, v.x());
+    EXPECT_NEAR(below, 0.2, 1e-9) << grain;
+  }
+}
+
 TEST(InkscapeSvg, UnitsComeFromThePage) {
   const std::string piece = "<path id=\"a\" d=\"M0 0h40v60h-40z\"/>";
   const auto height = [&](const std::string& head, const PatternWish& wish = {}) {

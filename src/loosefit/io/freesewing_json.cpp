@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -225,17 +226,31 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
   PatternFile result;
   result.placed = false;
   result.about.push_back("FreeSewing JSON, in millimetres");
-  PieceCollector collector(result);
+  std::set<std::string> names;
+  for (const FreesewingPart& part : parts)
+    if (!part.seam.points.empty()) names.insert(part.name);
+  struct Drawn {
+    std::string part;
+    DrawnPiece piece;
+    PieceCount count;
+  };
+  std::vector<Drawn> drawn;
   for (FreesewingPart& part : parts) {
     const std::string name = part.name;
     if (part.seam.points.empty()) {
       result.unused.push_back("part " + printable(name) + ": it has no path \"seam\"");
       continue;
     }
-    PieceCount count;
-    DrawnPiece piece = drawn_freesewing(std::move(part), reader.marked(), count);
-    collector.add(std::move(piece), count, "part " + printable(name));
+    Drawn one{name, {}, {}};
+    one.piece = drawn_freesewing(std::move(part), reader.marked(), names, one.count);
+    drawn.push_back(std::move(one));
   }
+  std::vector<DrawnPiece*> pieces;
+  for (Drawn& one : drawn) pieces.push_back(&one.piece);
+  point_grains_up(pieces);
+  PieceCollector collector(result);
+  for (Drawn& one : drawn)
+    collector.add(std::move(one.piece), one.count, "part " + printable(one.part));
   collector.finish(file, "sew line");
   if (reader.left() > 0) result.unused.push_back(fmt::format("other paths: {}", reader.left()));
   return result;

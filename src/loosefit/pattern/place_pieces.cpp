@@ -22,6 +22,7 @@ constexpr double kBesideHead = 0.14;    ///< of halves of a hood [m]
 constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
 constexpr double kArmDown = 0.7;        ///< of arms below the horizontal [rad]
 constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
+constexpr double kLeastRise = 0.01;     ///< of a seam that tells which way up a piece lies [m]
 
 /// The way a piece faces.
 enum class Facing { unknown, front, back, left_side, right_side, left_arm, right_arm };
@@ -286,7 +287,7 @@ class Placer {
         target.emplace_back(at.x(), at.y());
       }
     }
-    if (own.empty()) return;
+    if (own.empty()) return stand_like_neighbours(p);
     // The turn of least squares (Kabsch 1976, in the plane).
     Vec2 a = Vec2::Zero(), b = Vec2::Zero();
     for (std::size_t i = 0; i < own.size(); ++i) a += own[i], b += target[i];
@@ -298,6 +299,31 @@ class Placer {
     }
     if (std::hypot(dot, cross) < 1e-8) return;
     panel.rotation *= Eigen::AngleAxisd(std::atan2(cross, dot), Vec3::UnitZ()).toRotationMatrix();
+  }
+
+  /// A back may lie on its head in the file and its front upright: seams of the two that run up on
+  /// one side and down on the other turn it over its head.
+  void stand_like_neighbours(int p) {
+    Panel& panel = pattern_.panels[p];
+    const auto faces_to_or_fro = [&](int piece) {
+      return facing_[piece] == Facing::front || facing_[piece] == Facing::back;
+    };
+    if (known_.pieces[p].role != PieceRole::unknown || !faces_to_or_fro(p)) return;
+    const auto rise = [&](const Stitch::Side& side) {
+      const EdgePath path(pattern_.panels[side.panel], side.edge);
+      const Vec2 way = path.at(1) - path.at(0);
+      return (pattern_.panels[side.panel].rotation * Vec3(way.x(), way.y(), 0)).z();
+    };
+    double agreement = 0;
+    for (const Stitch& stitch : pattern_.stitches) {
+      const auto* other = other_side(stitch, p);
+      if (!other || !placed_[other->panel] || !faces_to_or_fro(other->panel)) continue;
+      const double product =
+          rise(stitch.first.panel == p ? stitch.first : stitch.second) * rise(*other);
+      agreement += stitch.right_wrong ? product : -product;
+    }
+    if (agreement < -kLeastRise * kLeastRise)
+      panel.rotation *= Eigen::AngleAxisd(kPi, Vec3::UnitZ()).toRotationMatrix();
   }
 
   void lay_beside_seams(int p) {

@@ -89,26 +89,79 @@ bool finer_copy(const Outline& fine, const Outline& coarse) {
 struct Layered {
   Outline outline;
   std::string fault;
+  std::string unused;  ///< other lines of the layer; empty: none
 };
+
+bool near_any(const std::vector<Vec2>& points, const Vec2& p) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vec2& q) { return (p - q).norm() < kChainGap; });
+}
+
+/// Turn points stand on one layer for all lines of a piece. Where most of them are those of the
+/// boundary, a line within it is cut at its kinks as well, as one without turn points is.
+Chained chained_lines(const DxfBlock& block, int layer, double metre,
+                      const std::vector<DrawnLine>& lines) {
+  const std::vector<Vec2> all = points_on(block, 2, metre);
+  if (layer == 1 || layer == 84) return chain_lines(lines, all);
+  std::vector<Vec2> own;
+  for (const Vec2& p : all)
+    if (std::any_of(lines.begin(), lines.end(),
+                    [&](const DrawnLine& line) { return near_any(line.points, p); }))
+      own.push_back(p);
+  if (2 * own.size() >= all.size()) return chain_lines(lines, own);
+  Chained by_kinks = chain_lines(lines, {});
+  if (own.empty()) return by_kinks;
+  for (const Outline& loop : by_kinks.loops)
+    for (const OutlinePoint& p : loop)
+      if (p.corner) own.push_back(p.at);
+  return chain_lines(lines, own);
+}
+
+/// Closed lines that go round what the outline goes round are the outline drawn again.
+bool is_copy(const Outline& loop, const Outline& outline) {
+  const std::vector<Vec2> around = polygon(outline);
+  return std::all_of(
+             loop.begin(), loop.end(),
+             [&](const OutlinePoint& p) { return distance_to(around, p.at) < kChainGap; }) &&
+         std::abs(perimeter(loop) / perimeter(outline) - 1) < 0.01;
+}
 
 Layered outline_on(const DxfBlock& block, int layer, double metre) {
   const std::vector<DrawnLine> lines = lines_on(block, layer, metre);
-  if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer)};
+  if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer), {}};
   std::size_t points = 0;
   for (const DrawnLine& line : lines) points += line.points.size();
   if (lines.size() > kMostLines || points > kMostOutlinePoints)
     return {{},
             fmt::format("layer {} has {} lines with {} points, at most {} and {} are read", layer,
-                        lines.size(), points, kMostLines, kMostOutlinePoints)};
-  Chained chained = chain_lines(lines, points_on(block, 2, metre));
-  for (Outline& loop : chained.loops)
-    if (Outline clean = cleaned(std::move(loop)); !clean.empty()) return {std::move(clean), {}};
-  return {
-      {},
-      fmt::format("its outline on layer {} is open by {:.2f} mm at ({:.6g}, {:.6g}), lines that "
-                  "close within {:g} mm are expected",
-                  layer, kMm * chained.widest_gap, chained.gap_at.x() / metre,
-                  chained.gap_at.y() / metre, kMm * kChainGap)};
+                        lines.size(), points, kMostLines, kMostOutlinePoints),
+            {}};
+  Chained chained = chained_lines(block, layer, metre, lines);
+  Layered result;
+  int closed = 0;
+  for (Outline& loop : chained.loops) {
+    Outline clean = cleaned(std::move(loop));
+    if (clean.empty()) continue;
+    if (result.outline.empty())
+      result.outline = std::move(clean);
+    else
+      closed += !is_copy(clean, result.outline);
+  }
+  // What closes beside a larger line that stays open is a cutout or a mark, not the piece.
+  if (result.outline.empty() || chained.open_area > outline_area(result.outline))
+    return {
+        {},
+        fmt::format("its outline on layer {} is open by {:.2f} mm at ({:.6g}, {:.6g}), lines that "
+                    "close within {:g} mm are expected",
+                    layer, kMm * chained.gap, chained.gap_at.x() / metre,
+                    chained.gap_at.y() / metre, kMm * kChainGap),
+        {}};
+  if (closed + chained.open > 0)
+    result.unused = fmt::format(
+        "layer {} has {} closed and {} open lines beside the largest one, which is its outline; "
+        "they are not used",
+        layer, closed, chained.open);
+  return result;
 }
 
 Layered best_outline(const DxfBlock& block, double metre, DrawnPiece& result) {
@@ -117,12 +170,14 @@ Layered best_outline(const DxfBlock& block, double metre, DrawnPiece& result) {
   if (!fine.outline.empty() && (cut.outline.empty() || finer_copy(fine.outline, cut.outline)))
     cut = std::move(fine);
   if (cut.outline.empty()) return cut;
+  if (!cut.unused.empty()) result.notes.push_back(cut.unused);
   const double enough = kShareOfPiece * outline_area(cut.outline);
   Layered sewn = outline_on(block, 14, metre);
   if (!lines_on(block, 14, metre).empty()) {
     if (!sewn.outline.empty() && outline_area(sewn.outline) >= enough &&
         lies_within(sewn.outline, cut.outline)) {
       result.on_sew_line = true;
+      if (!sewn.unused.empty()) result.notes.push_back(sewn.unused);
       return sewn;
     }
     result.notes.push_back("its sew line (layer 14) is not taken, " +
@@ -140,12 +195,22 @@ Layered best_outline(const DxfBlock& block, double metre, DrawnPiece& result) {
   return cut;
 }
 
+/// Where a notch lies along the outline: a point, a line from the outline inwards, or the two legs
+/// of a V or the frame of a square, whose middle counts.
 std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   std::vector<Vec2> points;
-  for (const DxfEntity& e : block.entities)
-    if ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty() &&
-        (e.kind == "POINT" || e.kind == "LINE"))
-      points.push_back(metre * e.points[0]);
+  for (const DxfEntity& e : block.entities) {
+    const bool text = e.kind == "TEXT" || e.kind == "MTEXT";
+    if ((e.layer != 4 && (e.layer < 80 || e.layer > 83)) || e.points.empty() || text) continue;
+    Vec2 at = e.points[0];
+    if (e.closed) {
+      at = Vec2::Zero();
+      for (const Vec2& p : e.points) at += p / static_cast<double>(e.points.size());
+    } else if (e.points.size() > 2) {
+      at = (e.points.front() + e.points.back()) / 2;
+    }
+    points.push_back(metre * at);
+  }
   return points;
 }
 

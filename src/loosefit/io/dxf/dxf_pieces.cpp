@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <optional>
+#include <utility>
 
 namespace loosefit::io {
 namespace {
@@ -50,6 +51,43 @@ void set_once(std::string& to, const std::string& value) {
   if (to.empty()) to = shortened(value);
 }
 
+/// Runs of letters, small ones where they are Latin.
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    const unsigned char u = c;
+    if (std::isalpha(u) || u >= 0x80)
+      words.back() += static_cast<char>(std::tolower(u));
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+/// Linings, interlinings and fusibles in English, German, French, Spanish, Italian, Portuguese and
+/// Dutch.
+bool is_other_cloth(const std::string& word) {
+  for (const char* begins :
+       {"lining", "interlin", "interfac", "fusible", "fusing", "futter", "einlage", "vlieseline",
+        "doublure", "entoil", "thermocoll", "entretela", "forro", "fodera", "voering"})
+    if (word.starts_with(begins)) return true;
+  return false;
+}
+
+bool is_own_cloth(const std::string& word) {
+  for (const char* is : {"self", "shell", "main", "outer", "body", "fabric", "oberstoff", "tissu",
+                         "tela", "tecido", "tessuto", "stof"})
+    if (word == is) return true;
+  return false;
+}
+
+bool tells_how_often(const std::string& word) {
+  for (const char* is : {"cut", "x", "of", "pc", "pcs", "piece", "pieces", "pair", "only"})
+    if (word == is) return true;
+  return false;
+}
+
 }  // namespace
 
 bool is_known_text(const std::string& text) {
@@ -77,6 +115,23 @@ bool parse_quantity(const std::string& text, PieceCount& count) {
   return true;
 }
 
+std::string of_other_cloth(const DxfPiece& piece) {
+  for (const auto& [key, text] :
+       {std::pair{"Fabric", &piece.fabric}, std::pair{"Category", &piece.category},
+        std::pair{"Annotation", &piece.annotation}}) {
+    const std::vector<std::string> words = words_in(*text);
+    if (std::none_of(words.begin(), words.end(), is_other_cloth)) continue;
+    const bool names_own = std::any_of(words.begin(), words.end(), is_own_cloth);
+    const bool says_more = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return !is_other_cloth(word) && !tells_how_often(word);
+    });
+    // "Fusible tape at the neck" is an annotation of a piece of the garment's cloth.
+    if (!names_own && !(says_more && text == &piece.annotation))
+      return std::string(key) + " \"" + *text + '"';
+  }
+  return {};
+}
+
 DxfStyle find_pieces(const DxfDocument& document) {
   DxfStyle style;
   for (const DxfEntity& e : document.entities)
@@ -84,6 +139,8 @@ DxfStyle find_pieces(const DxfDocument& document) {
       if (text->key == "style name") set_once(style.name, text->value);
       if (text->key == "sample size") set_once(style.sample_size, text->value);
       if (text->key == "units") set_once(style.units, text->value);
+      if (text->key == "author" || text->key == "product")
+        style.maker = shortened(style.maker + " " + text->value);
     }
   for (const DxfBlock& block : document.blocks) {
     if (block.name.starts_with("*") || !has_outline(block)) continue;

@@ -18,6 +18,7 @@ struct DxfPiece {
 /// A pattern: its pieces in all sizes, and what the texts of the style say.
 struct DxfStyle {
   std::string name, sample_size, units;
+  std::string maker;  ///< "Author" and "Product", the program that wrote the file
   std::vector<DxfPiece> pieces;
   std::vector<std::string> sizes;  ///< in the order of the file; pieces without one are not counted
 };
@@ -29,6 +30,11 @@ DxfStyle find_pieces(const DxfDocument& document);
 /// "1", "2" (one as drawn, one mirrored), "1,1" (as drawn, mirrored), "0" (optional).
 /// \return false for anything else, and count is one as drawn.
 bool parse_quantity(const std::string& text, PieceCount& count);
+
+/// The text that says that the piece is cut from another cloth than the garment's, as linings,
+/// interlinings and fusibles are: 'Fabric "LINING"'. Empty where none says so, and where it names
+/// the garment's cloth as well. An annotation has to say nothing else.
+std::string of_other_cloth(const DxfPiece& piece);
 
 /// Whether a text of this key is read by find_pieces.
 bool is_known_text(const std::string& text);

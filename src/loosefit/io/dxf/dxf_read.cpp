@@ -130,6 +130,23 @@ double longest_side(const std::vector<const DxfPiece*>& pieces) {
   return longest;
 }
 
+/// Without pieces of another cloth, which would stand for pieces of the garment. A file of nothing
+/// else is that of a lining, which is read.
+std::vector<const DxfPiece*> of_own_cloth(const std::vector<const DxfPiece*>& pieces,
+                                          std::vector<std::string>& warnings) {
+  std::vector<const DxfPiece*> own;
+  std::vector<std::string> told;
+  for (const DxfPiece* piece : pieces)
+    if (const std::string why = of_other_cloth(*piece); why.empty())
+      own.push_back(piece);
+    else
+      told.push_back("piece " + printable(piece->name) + ": left out, it is of another cloth by " +
+                     printable(why));
+  if (own.empty()) return pieces;
+  warnings.insert(warnings.end(), told.begin(), told.end());
+  return own;
+}
+
 /// Counts what the blocks hold beyond what a panel is made of.
 void list_unused(const std::vector<const DxfPiece*>& pieces, const DxfDocument& document,
                  bool sew_lines, std::vector<std::string>& unused) {
@@ -138,10 +155,12 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, const DxfDocument& 
     for (const DxfEntity& e : piece->block->entities) {
       const bool text = e.kind == "TEXT" || e.kind == "MTEXT";
       const bool line = e.points.size() > 1;
-      const bool used = text ? is_known_text(e.text)
-                             : (line && (e.layer == 1 || e.layer == 6 || e.layer == 7 ||
-                                         e.layer == 84 || (e.layer == 14 && sew_lines))) ||
-                                   e.layer == 2 || e.layer == 4 || (e.layer >= 80 && e.layer <= 83);
+      const bool used =
+          text ? is_known_text(e.text)
+               : (line && (e.layer == 1 || e.layer == 6 || e.layer == 7 || e.layer == 84 ||
+                           (e.layer == 14 && sew_lines))) ||
+                     e.layer == 2 ||
+                     ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty());
       if (!used) ++left[e.layer][e.kind];
     }
   for (const auto& [layer, kinds] : left) {
@@ -184,27 +203,33 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   result.placed = false;
   result.pattern.name = style.name;
   const std::string size = chosen_size(style, wish.size, file);
-  const std::vector<const DxfPiece*> pieces = pieces_of(style, size, result.warnings);
+  const std::vector<const DxfPiece*> all = pieces_of(style, size, result.warnings);
+  const std::vector<const DxfPiece*> pieces = of_own_cloth(all, result.warnings);
   if (pieces.size() > kMostPieces)
     throw InvalidInput({file, 0, "BLOCKS"}, fmt::format("{} pieces of one size", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
-  const FileUnits units =
-      choose_units(wish.units, style.units, document.insunits, longest_side(pieces), file);
+  const FileUnits units = choose_units(wish.units, {style.units, document.insunits, style.maker},
+                                       longest_side(pieces), file);
   result.about.push_back("DXF-AAMA or ASTM D6673, in " + units.name);
   if (!units.warning.empty()) result.warnings.push_back(units.warning);
   if (!size.empty())
     result.about.push_back(fmt::format("size {} of {}{}", printable(size),
                                        printable(join(style.sizes), 300),
                                        size == style.sample_size ? ", the sample size" : ""));
+  std::vector<DrawnPiece> drawn;
+  for (const DxfPiece* piece : pieces) drawn.push_back(drawn_piece(*piece, units.metre));
+  std::vector<DrawnPiece*> pointers;
+  for (DrawnPiece& piece : drawn) pointers.push_back(&piece);
+  point_grains_up(pointers);
   PieceCollector collector(result);
-  for (const DxfPiece* piece : pieces)
-    collector.add(drawn_piece(*piece, units.metre), count_of(*piece, result.warnings),
-                  fmt::format("block at line {}", piece->block->line));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    collector.add(std::move(drawn[i]), count_of(*pieces[i], result.warnings),
+                  fmt::format("block at line {}", pieces[i]->block->line));
   collector.finish(file, "sew line (layer 14)");
   list_unused(pieces, document, true, result.unused);
-  if (pieces.size() < style.pieces.size())
+  if (all.size() < style.pieces.size())
     result.unused.push_back(
-        fmt::format("{} pieces of other sizes", style.pieces.size() - pieces.size()));
+        fmt::format("{} pieces of other sizes", style.pieces.size() - all.size()));
   return result;
 }
 

@@ -45,6 +45,12 @@ struct PiecePanel {
 /// node; what is wrong with it goes to piece.fault.
 void set_outline(DrawnPiece& piece, std::vector<Vec2> points, const std::vector<Vec2>& nodes);
 
+/// Turns grain lines about that point down: which end of one is up no file says, and programs draw
+/// their arrows either way. Up is up in the drawing, so that no piece turns by more than a right
+/// angle. Where pieces lie sideways, as those of Gerber do, up is the side to which most of their
+/// grain lines point, to the right where as many point to the left, the same one for all of them.
+void point_grains_up(const std::vector<DrawnPiece*>& pieces);
+
 /// Unfolds a half piece at its fold, turns its grain to y, cuts its outline into edges at the
 /// corners and puts every notch on the nearest edge within 3 cm, a wide allowance.
 PiecePanel panel_of_piece(DrawnPiece piece);

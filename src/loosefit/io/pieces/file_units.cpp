@@ -13,6 +13,7 @@
 namespace loosefit::io {
 namespace {
 
+constexpr double kMostInches = 50;  // of a piece that is as long as one in centimetres
 constexpr double kShortest = 0.25, kLongest = 1.7;  // longest side of a garment's largest piece [m]
 
 struct Unit {
@@ -53,19 +54,56 @@ const Unit* claimed_unit(std::string claimed, std::optional<int> insunits) {
                           : nullptr;
 }
 
+/// CLO and Marvelous Designer export centimetres under ENGLISH.
+bool written_in_centimetres(const std::string& maker) {
+  for (const char* name : {"CLO ", "CLO3D", "Marvelous"})
+    if ((maker + " ").find(name) != std::string::npos) return true;
+  return false;
+}
+
 }  // namespace
 
 const char* const kUnitNames = "mm, cm, m or inch";
 
-FileUnits choose_units(const std::string& asked, const std::string& claimed,
-                       std::optional<int> insunits, double extent, const std::string& file) {
+FileUnits choose_units(const std::string& asked, const SaidUnits& says, double extent,
+                       const std::string& file) {
   if (!asked.empty()) {
     for (const Unit& unit : kUnits)
       if (asked == unit.name) return {unit.metre, unit.title, {}};
     throw InvalidInput({{}, 0, "units"}, '"' + printable(asked) + '"', kUnitNames);
   }
-  const Unit* said = claimed_unit(claimed, insunits);
-  if (said && plausible(*said, extent)) return {said->metre, said->title, {}};
+  const std::string& claimed = says.claimed;
+  const Unit* said = claimed_unit(claimed, says.insunits);
+  const std::string words = claimed.empty() ? said ? "the header says " + std::string(said->title)
+                                                   : std::string("the file does not name its units")
+                                            : "the file says Units: " + printable(claimed);
+  const auto refuse = [&](const std::string& expected) {
+    throw InvalidInput(
+        {file, 0, "units"},
+        fmt::format("a largest piece of {:.6g} file units, {}", extent, sizes_in_all(extent)),
+        expected,
+        words + "; name the unit: --units " + kUnitNames + ", in a scenario garment.units");
+  };
+  const auto taken_as = [&](const Unit& unit, const std::string& why) -> FileUnits {
+    return {
+        unit.metre, unit.title,
+        fmt::format("units: {}{}; taken as {}, in which it is {:.3g} m (--units says otherwise)",
+                    words, why, unit.title, unit.metre * extent)};
+  };
+  const Unit& cm = kUnits[1];
+  if (said && plausible(*said, extent)) {
+    if (said->metric || !plausible(cm, extent)) return {said->metre, said->title, {}};
+    if (written_in_centimetres(says.maker))
+      return taken_as(cm, ", under which the program that wrote it, " + printable(says.maker, 60) +
+                              ", writes centimetres");
+    if (extent > kMostInches)
+      refuse(fmt::format("no more than {:g} inches where centimetres make a garment as well",
+                         kMostInches));
+    return taken_as(*said,
+                    ", under which some programs write centimetres, which would make the "
+                    "largest piece " +
+                        size_in(cm, extent));
+  }
   // The same system first: a file in centimetres says METRIC.
   std::vector<const Unit*> fitting;
   for (const bool same : {true, false}) {
@@ -74,23 +112,11 @@ FileUnits choose_units(const std::string& asked, const std::string& claimed,
       if ((!same || (said && unit.metric == said->metric)) && plausible(unit, extent))
         fitting.push_back(&unit);
   }
-  const std::string words = claimed.empty() ? said ? "the header says " + std::string(said->title)
-                                                   : std::string("the file does not name its units")
-                                            : "the file says Units: " + printable(claimed);
   if (fitting.size() != 1)
-    throw InvalidInput(
-        {file, 0, "units"},
-        fmt::format("a largest piece of {:.6g} file units, {}", extent, sizes_in_all(extent)),
-        fmt::format("{:g} to {:g} m in one of them", kShortest, kLongest),
-        words + "; name the unit: --units " + kUnitNames);
-  const Unit& unit = *fitting[0];
-  return {unit.metre, unit.title,
-          fmt::format("units: {}{}; taken as {}, in which it is {:.3g} m (--units says otherwise)",
-                      words,
-                      said ? ", in which the largest piece would be " +
-                                 fmt::format("{:.3g} m", said->metre * extent)
-                           : "",
-                      unit.title, unit.metre * extent)};
+    refuse(fmt::format("{:g} to {:g} m in one of them", kShortest, kLongest));
+  return taken_as(*fitting[0], said ? ", in which the largest piece would be " +
+                                          fmt::format("{:.3g} m", said->metre * extent)
+                                    : "");
 }
 
 }  // namespace loosefit::io

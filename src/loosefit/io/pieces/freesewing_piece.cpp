@@ -1,6 +1,7 @@
 #include "loosefit/io/pieces/freesewing_piece.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "loosefit/geometry/flat_triangle.h"
@@ -25,10 +26,31 @@ bool begins_at(const std::vector<Vec2>& points, const Axis& middle) {
   return (low > -kOnAxis || high < kOnAxis) && on > kShareOfFold * (last - first);
 }
 
+/// Designs of FreeSewing are named in English: frontLeft and frontRight, leftSleeve and
+/// rightSleeve.
+bool other_hand_stands_in(const std::set<std::string>& parts, const std::string& name) {
+  const auto lower = [](std::string s) {
+    std::transform(s.begin(), s.end(), s.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return s;
+  };
+  std::string other = lower(name);
+  if (const std::size_t left = other.find("left"); left != std::string::npos)
+    other.replace(left, 4, "right");
+  else if (const std::size_t right = other.find("right"); right != std::string::npos)
+    other.replace(right, 5, "left");
+  else
+    return false;
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const std::string& part) { return lower(part) == other; });
+}
+
 }  // namespace
 
-DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count) {
+DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, const std::set<std::string>& parts,
+                            PieceCount& count) {
   DrawnPiece piece;
+  const bool one_hand = other_hand_stands_in(parts, part.name);
   const std::size_t dot = part.name.rfind('.');
   piece.name = dot == std::string::npos ? part.name : part.name.substr(dot + 1);
   const pattern::PieceWords words = pattern::words_of(piece.name);
@@ -39,11 +61,13 @@ DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count)
   // Halves may be drawn open at the fold, where nothing is sewn.
   std::vector<Vec2>& points = part.seam.points;
   if (points.size() > 2 && (points.front() - points.back()).norm() < kChainGap) points.pop_back();
-  if (!piece.fold && !marked && (words.front || words.back) && begins_at(points, part.middle))
+  if (!piece.fold && !marked && !one_hand && (words.front || words.back) &&
+      begins_at(points, part.middle))
     piece.fold = part.middle;
   count = {};
-  if (!piece.fold && (words.sleeve || words.cuff || words.leg || words.front || words.back ||
-                      (words.hood && !words.centre)))
+  if (!piece.fold && !one_hand &&
+      (words.sleeve || words.cuff || words.leg || words.front || words.back ||
+       (words.hood && !words.centre)))
     count.mirrored = 1;
   set_outline(piece, std::move(points), part.nodes);
   return piece;

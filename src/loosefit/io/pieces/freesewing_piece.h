@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,11 @@ struct FreesewingPart {
 /// FreeSewing draws front and back as halves from the line x = 0 of the part on, as "cut on fold"
 /// says where all marks are drawn. Without these, a part called front or back whose outline begins
 /// with a straight line there is one too. Sleeves, cuffs and legs are cut for both hands.
-/// \param marked the file draws such marks \param count how often it is cut
-DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, PieceCount& count);
+/// A part that names a hand, as `frontLeft`, is whole and cut once where the other hand's stands in
+/// the file as well.
+/// \param marked the file draws such marks \param parts names of all parts of the file
+/// \param count how often it is cut
+DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, const std::set<std::string>& parts,
+                            PieceCount& count);
 
 }  // namespace loosefit::io

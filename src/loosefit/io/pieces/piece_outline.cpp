@@ -103,9 +103,17 @@ Chained chain_lines(const std::vector<DrawnLine>& lines, const std::vector<Vec2>
       take_loop(std::move(chain), inner);
       continue;
     }
+    if (std::all_of(chain.begin(), chain.end(), [&](const OutlinePoint& p) {
+          return (p.at - chain.front().at).norm() < kChainGap;
+        }))
+      continue;  // a line of no length
+    const double area = std::abs(outline_area(chain));
+    if (result.open == 0 || area > result.open_area) {
+      result.open_area = area;
+      result.gap = (chain.front().at - chain.back().at).norm();
+      result.gap_at = chain.back().at;
+    }
     ++result.open;
-    const double gap = (chain.front().at - chain.back().at).norm();
-    if (gap > result.widest_gap) result.widest_gap = gap, result.gap_at = chain.back().at;
   }
   std::stable_sort(result.loops.begin(), result.loops.end(), [](const auto& a, const auto& b) {
     return std::abs(outline_area(a)) > std::abs(outline_area(b));

@@ -30,9 +30,10 @@ inline constexpr std::size_t kMostOutlinePoints = 5000;
 /// What lines make together.
 struct Chained {
   std::vector<Outline> loops;  ///< the largest by area first
-  double widest_gap = 0;       ///< of what stays open: the shortest way between its ends [m]
-  Vec2 gap_at = Vec2::Zero();  ///< one of these ends
   int open = 0;                ///< how many chains stay open
+  double open_area = 0;        ///< of the largest of them, closed by a straight line [m²]
+  double gap = 0;              ///< between its ends [m]
+  Vec2 gap_at = Vec2::Zero();  ///< one of these ends
 };
 
 /// Joins lines end to end, in their order where that leads on, else by the nearest end within

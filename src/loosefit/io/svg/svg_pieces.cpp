@@ -6,26 +6,20 @@
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <set>
-#include <sstream>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/pieces/freesewing_piece.h"
+#include "loosefit/io/svg/svg_lines.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
 
-constexpr double kTolerance = 2e-5;       // of chords [m]
-constexpr double kSmallestPiece = 4e-4;   // [m²]
-constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of its piece
-constexpr double kNearOutline = 0.03;     // of notches and fold lines that have no group [m]
-constexpr double kWholePage = 0.95;       // of its width and height
-constexpr double kBeforeAllOthers = 1e6;  // [m²]
-constexpr std::string_view kPartMark = "-part-";  // in the id of a part of FreeSewing
-constexpr const char* kOtherLines[] = {"sa", "help", "hidden", "dashed", "lashed", "dotted"};
+constexpr double kSmallestPiece = 4e-4;  // [m²]
+constexpr double kShareOfPiece = 0.5;    // of a piece, what its sew line and its next sizes enclose
+constexpr double kNearOutline = 0.03;    // of notches and fold lines that have no group [m]
+constexpr double kWholePage = 0.95;      // of its width and height
 constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
@@ -35,23 +29,6 @@ struct Run {
   SampledRun line;  ///< [m], y up
   double area = 0;
 };
-
-std::vector<Vec2> in_metres(std::vector<Vec2> points, double unit) {
-  for (Vec2& p : points) p = Vec2(unit * p.x(), -unit * p.y());
-  return points;
-}
-
-SampledRun sampled_in_metres(const SvgRun& run, double unit) {
-  SampledRun line = sampled(run, kTolerance / unit);
-  line.points = in_metres(std::move(line.points), unit);
-  line.nodes = in_metres(std::move(line.nodes), unit);
-  if (!line.closed && line.points.size() > 3 &&
-      (line.points.front() - line.points.back()).norm() < kChainGap) {
-    line.points.pop_back();
-    line.closed = true;
-  }
-  return line;
-}
 
 std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
   std::optional<Axis> best;
@@ -89,18 +66,15 @@ std::string clean_name(std::string name) {
   return name;
 }
 
-bool has_class(const SvgShape& shape, const std::string& wanted) {
-  std::istringstream words(shape.classes);
-  for (std::string word; words >> word;)
-    if (word == wanted) return true;
-  return false;
+Eigen::AlignedBox2d box_of(const std::vector<Vec2>& points) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : points) box.extend(p);
+  return box;
 }
 
 /// Whether the extent of one lies in that of the other, which is quickly told.
 bool may_lie_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
-  Eigen::AlignedBox2d a, b;
-  for (const Vec2& p : inner) a.extend(p);
-  for (const Vec2& p : outer) b.extend(p);
+  const Eigen::AlignedBox2d a = box_of(inner), b = box_of(outer);
   return a.min().x() > b.min().x() - kChainGap && a.min().y() > b.min().y() - kChainGap &&
          a.max().x() < b.max().x() + kChainGap && a.max().y() < b.max().y() + kChainGap;
 }
@@ -113,10 +87,28 @@ bool lies_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer)
   });
 }
 
+bool names_a_piece(const pattern::PieceWords& w) {
+  return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
+         w.neck || w.cuff || w.waist || w.hem;
+}
+
+/// Small letters and digits of a text, in words with a blank before and after each.
+std::string in_words(const std::string& text) {
+  std::string words = " ";
+  for (const char c : text) {
+    const unsigned char u = c;
+    if (std::isalnum(u) || u >= 0x80)
+      words += static_cast<char>(std::tolower(u));
+    else if (words.back() != ' ')
+      words += ' ';
+  }
+  return words.back() == ' ' ? words : words + ' ';
+}
+
 class Sorter {
  public:
-  Sorter(const SvgDocument& document, double unit, const std::string& file)
-      : document_(document), unit_(unit), file_(file) {}
+  Sorter(const SvgDocument& document, double unit, const std::string& file, const std::string& size)
+      : document_(document), unit_(unit), file_(file), size_(size) {}
 
   std::vector<SvgPiece> sort(std::vector<std::string>& unused) {
     gather();
@@ -126,31 +118,49 @@ class Sorter {
     std::map<int, int> pieces_of_group;
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (within_[i] < 0) ++pieces_of_group[innermost(*closed_[i].shape)];
-    int within = 0;
+    int within = 0, other_sizes = 0;
     for (std::size_t i = 0; i < closed_.size(); ++i) {
       if (within_[i] >= 0) {
         ++within;
         continue;
       }
+      const std::vector<std::size_t> sizes = outlines_within(i);
+      const std::size_t cut = size_.empty() || sizes.empty() ? i : of_asked_size(i, sizes);
       SvgPiece piece;
-      const SvgShape& shape = *closed_[i].shape;
+      const SvgShape& shape = *closed_[cut].shape;
       piece.line = shape.line;
+      piece.of_size = !size_.empty() && !sizes.empty();
       piece.piece.name = name_of(shape, pieces_of_group, pieces.size());
-      const Run* outline = &closed_[i];
-      if (const Run* seam = sew_line(i)) outline = seam, piece.piece.on_sew_line = true, --within;
+      const Run* outline = &closed_[cut];
+      if (const Run* seam = sew_line(cut)) outline = seam, piece.piece.on_sew_line = true, --within;
       if (words(*outline->shape).seam) piece.piece.on_sew_line = true;
       set_outline(piece.piece, outline->line.points, outline->line.nodes);
+      if (piece.of_size) {
+        within -= static_cast<int>(sizes.size());
+        other_sizes += static_cast<int>(sizes.size());
+      } else if (!sizes.empty()) {
+        piece.piece.notes.push_back(fmt::format(
+            "the largest of {} outlines that lie in each other is taken, not {}: a word of its "
+            "label picks one of another size (--size, in a scenario garment.size), and a sew line "
+            "is one that is called \"seam\"",
+            sizes.size() + 1, labels_of(sizes)));
+      }
       groups_.push_back(pieces_of_group[innermost(shape)] == 1 ? innermost(shape) : -1);
-      outlines_.push_back(closed_[i].line.points);
+      outlines_.push_back(closed_[cut].line.points);
       pieces.push_back(std::move(piece));
     }
     chain_groups(pieces, pieces_of_group);
     const int marks = give_marks(pieces);
+    for (SvgPiece& piece : pieces)
+      if (!piece.piece.fold && pattern::words_of(piece.piece.name).fold)
+        piece.piece.notes.push_back(
+            "its name speaks of a fold, but no line called \"fold\" says where: not unfolded");
     const int open = static_cast<int>(open_.size()) - chained_;
     const auto tell = [&](int count, const char* what) {
       if (count > 0) unused.push_back(fmt::format("{}: {}", what, count));
     };
     tell(within, "closed lines within pieces");
+    tell(other_sizes, "outlines of other sizes");
     tell(small_, "closed lines of less than 4 cm2");
     tell(open, "open lines that are no grain, fold or notch");
     tell(marks, "marks that belong to no piece");
@@ -182,41 +192,77 @@ class Sorter {
   }
 
   void gather() {
+    std::vector<const SvgShape*> large_marks;
     for (const SvgShape& shape : document_.shapes) {
       const pattern::PieceWords own = words(shape), group = group_words(shape);
       if (own.sheet || group.sheet) {
         ++sheets_;
         continue;
       }
+      // A piece, or the group round it, may be called "front on fold" or "notched collar".
       const bool mark = own.grain || own.fold || own.notch;
-      // A group may be called after its piece, whatever else its name says.
-      if (mark || ((group.grain || group.fold || group.notch) && !encloses_a_piece(shape))) {
+      if (!mark && (names_a_piece(group) || !(group.grain || group.fold || group.notch)))
+        take(shape);
+      else if (!encloses_a_piece(shape))
         marks_.push_back(&shape);
-        continue;
-      }
-      for (const SvgRun& run : shape.runs) {
-        Run one{&shape, sampled_in_metres(run, unit_), 0};
-        if (one.line.points.size() < 2) continue;
-        points_ += one.line.points.size();
-        if (points_ > kMostPoints)
-          throw InvalidInput({file_, shape.line, {}},
-                             fmt::format("lines with more than {} points", kMostPoints),
-                             "a pattern");
-        if (one.line.closed && one.line.points.size() > 2) {
-          // Letters drawn as paths are many and small.
-          one.area = std::abs(pattern::signed_area(one.line.points));
-          if (one.area < kSmallestPiece)
-            ++small_;
-          else
-            closed_.push_back(std::move(one));
-        } else {
-          open_.push_back(std::move(one));
-        }
+      else if (mark)
+        large_marks.push_back(&shape);
+      else
+        take(shape);
+    }
+    const std::size_t certain = closed_.size();
+    for (const SvgShape* shape : large_marks) take(*shape);
+    part_large_marks(certain);
+    // In the order of the file.
+    std::stable_sort(closed_.begin(), closed_.end(),
+                     [](const Run& a, const Run& b) { return a.shape < b.shape; });
+  }
+
+  /// Sorts the lines of a shape.
+  void take(const SvgShape& shape) {
+    for (const SvgRun& run : shape.runs) {
+      Run one{&shape, sampled_in_metres(run, unit_), 0};
+      if (one.line.points.size() < 2) continue;
+      points_ += one.line.points.size();
+      if (points_ > kMostPoints)
+        throw InvalidInput({file_, shape.line, {}},
+                           fmt::format("lines with more than {} points", kMostPoints), "a pattern");
+      if (one.line.closed && one.line.points.size() > 2) {
+        // Letters drawn as paths are many and small.
+        one.area = std::abs(pattern::signed_area(one.line.points));
+        if (one.area < kSmallestPiece)
+          ++small_;
+        else
+          closed_.push_back(std::move(one));
+      } else {
+        open_.push_back(std::move(one));
       }
     }
     if (closed_.size() > kMostClosed)
-      throw InvalidInput({file_, 0, {}}, fmt::format("{} closed lines", closed_.size()),
-                         fmt::format("a pattern of at most {}", kMostClosed));
+      throw InvalidInput({file_, 0, {}}, fmt::format("more than {} closed lines", kMostClosed),
+                         "a pattern");
+  }
+
+  /// Arrows and brackets drawn as closed lines: they lie at least with a part of them in a piece
+  /// that is much larger.
+  void part_large_marks(std::size_t certain) {
+    std::vector<Run> pieces(closed_.begin(),
+                            closed_.begin() + static_cast<std::ptrdiff_t>(certain));
+    for (std::size_t i = certain; i < closed_.size(); ++i) {
+      const Run& run = closed_[i];
+      const bool mark = std::any_of(closed_.begin(), closed_.end(), [&](const Run& piece) {
+        if (run.area >= kShareOfPiece * piece.area) return false;
+        const Eigen::AlignedBox2d box = box_of(piece.line.points);
+        return std::any_of(run.line.points.begin(), run.line.points.end(), [&](const Vec2& p) {
+          return box.contains(p) && pattern::inside_polygon(piece.line.points, p);
+        });
+      });
+      if (!mark)
+        pieces.push_back(run);
+      else if (marks_.empty() || marks_.back() != run.shape)
+        marks_.push_back(run.shape);
+    }
+    closed_ = std::move(pieces);
   }
 
   bool is_rectangle(const Run& run) const {
@@ -238,13 +284,19 @@ class Sorter {
         frame[i] = 1;
         continue;
       }
-      int others = 0;
-      for (std::size_t j = 0; j < closed_.size() && others < 2; ++j)
-        others += j != i && closed_[j].area >= kSmallestPiece &&
-                  closed_[j].area < closed_[i].area &&
-                  words(*closed_[j].shape).seam == words(*closed_[i].shape).seam &&
-                  lies_inside(closed_[j].line.points, closed_[i].line.points);
-      frame[i] = others >= 2;
+      // Nearly as large are only other sizes of it, which lie in each other.
+      int others = 0, nearly_as_large = 0;
+      for (std::size_t j = 0; j < closed_.size() && others + nearly_as_large < 2; ++j) {
+        if (j == i || closed_[j].area >= closed_[i].area ||
+            words(*closed_[j].shape).seam != words(*closed_[i].shape).seam ||
+            !lies_inside(closed_[j].line.points, closed_[i].line.points))
+          continue;
+        if (closed_[j].area > kShareOfPiece * closed_[i].area)
+          nearly_as_large = 1;
+        else
+          ++others;
+      }
+      frame[i] = others + nearly_as_large >= 2;
     }
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (frame[i])
@@ -264,13 +316,71 @@ class Sorter {
           within_[i] = static_cast<int>(j);
   }
 
-  /// The sew line within a cut line.
-  const Run* sew_line(std::size_t outer) const {
+  /// Lines within an outline that enclose nearly as much and are not called its sew line: other
+  /// sizes, as a rule.
+  std::vector<std::size_t> outlines_within(std::size_t outer) const {
+    std::vector<std::size_t> found;
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (within_[i] == static_cast<int>(outer) && words(*closed_[i].shape).seam &&
-          closed_[i].area > kShareOfPiece * closed_[outer].area)
-        return &closed_[i];
-    return nullptr;
+      if (i != outer && outermost(i) == outer &&
+          closed_[i].area > kShareOfPiece * closed_[outer].area && !words(*closed_[i].shape).seam)
+        found.push_back(i);
+    return found;
+  }
+
+  std::size_t outermost(std::size_t line) const {
+    while (within_[line] >= 0) line = static_cast<std::size_t>(within_[line]);
+    return line;
+  }
+
+  /// Labels of a line and of all groups round it.
+  std::string all_labels(const SvgShape& shape) const {
+    std::string all = shape.label + " " + shape.id;
+    for (const int g : shape.groups)
+      all += " " + document_.groups[g].label + " " + document_.groups[g].id;
+    return all;
+  }
+
+  std::string labels_of(const std::vector<std::size_t>& lines) const {
+    std::vector<std::string> labels;
+    for (const std::size_t i : lines) {
+      const SvgShape& shape = *closed_[i].shape;
+      std::string name = own_name(shape.label, shape.id);
+      if (const int g = innermost(shape); g >= 0) {
+        const SvgGroup& group = document_.groups[g];
+        const std::string around = own_name(group.label, group.id);
+        if (!around.empty()) name += (name.empty() ? "in " : " in ") + around;
+      }
+      labels.push_back(name.empty() ? fmt::format("the one at line {}", shape.line)
+                                    : '"' + printable(name) + '"');
+    }
+    return printable(join(labels), 300);
+  }
+
+  std::size_t of_asked_size(std::size_t outer, std::vector<std::size_t> outlines) const {
+    outlines.insert(outlines.begin(), outer);
+    std::vector<std::size_t> fitting;
+    for (const std::size_t i : outlines)
+      if (in_words(all_labels(*closed_[i].shape)).find(in_words(size_)) != std::string::npos)
+        fitting.push_back(i);
+    if (fitting.size() == 1) return fitting[0];
+    throw InvalidInput(
+        {file_, closed_[outer].shape->line, "size"}, '"' + printable(size_) + '"',
+        fmt::format("a word in the labels of just one of {} outlines that lie in each "
+                    "other ({}); it is in those of {}",
+                    outlines.size(), labels_of(outlines), fitting.size()),
+        "label the outlines, or the groups round them, with their sizes");
+  }
+
+  /// The largest sew line within a cut line.
+  const Run* sew_line(std::size_t outer) const {
+    const Run* best = nullptr;
+    for (std::size_t i = 0; i < closed_.size(); ++i)
+      if (outermost(i) == outermost(outer) && closed_[i].area < closed_[outer].area &&
+          closed_[i].area > kShareOfPiece * closed_[outer].area &&
+          (!best || closed_[i].area > best->area) && words(*closed_[i].shape).seam &&
+          lies_inside(closed_[i].line.points, closed_[outer].line.points))
+        best = &closed_[i];
+    return best;
   }
 
   std::string name_of(const SvgShape& shape, const std::map<int, int>& pieces_of_group,
@@ -360,7 +470,7 @@ class Sorter {
 
   const SvgDocument& document_;
   double unit_;
-  const std::string& file_;
+  const std::string &file_, &size_;
   std::vector<Run> closed_, open_;
   std::vector<int> within_;  ///< index of a closed line round it; −1
   std::vector<const SvgShape*> marks_;
@@ -372,96 +482,10 @@ class Sorter {
 
 }  // namespace
 
-std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit,
-                                        std::vector<std::string>& unused) {
-  std::map<int, FreesewingPart> parts;
-  std::map<int, int> line_of;
-  std::map<int, double> largest_of;
-  std::map<std::string, int> left;
-  bool marked = false;
-  for (const SvgShape& shape : document.shapes)
-    marked = marked || shape.marker.find("cutonfold") != std::string::npos ||
-             shape.marker.find("grainline") != std::string::npos;
-  const auto is_part = [](const SvgGroup& group) {
-    return group.id.find(kPartMark) != std::string::npos;
-  };
-  const auto part_name = [](const SvgGroup& group) {
-    return group.id.substr(group.id.find(kPartMark) + kPartMark.size()).substr(0, 100);
-  };
-  const auto part_group = [&](const SvgShape& shape) {
-    for (std::size_t k = shape.groups.size(); k-- > 0;)
-      if (is_part(document.groups[shape.groups[k]])) return shape.groups[k];
-    return -1;
-  };
-  for (const SvgShape& shape : document.shapes) {
-    const int g = part_group(shape);
-    if (g < 0) {
-      if (has_class(shape, "fabric")) ++left["lines of class \"fabric\" in no part"];
-      continue;
-    }
-    FreesewingPart& part = parts[g];
-    if (part.name.empty()) {
-      const SvgGroup& group = document.groups[g];
-      part.name = part_name(group);
-      const std::vector<Vec2> middle =
-          in_metres({group.place * Vec2(0, 0), group.place * Vec2(0, 1)}, unit);
-      part.middle = {middle[0], middle[1]};
-      line_of[g] = shape.line;
-    }
-    if (shape.kind == "notch") {
-      part.notches.push_back(in_metres({shape.runs[0].start}, unit)[0]);
-      continue;
-    }
-    const bool fold = shape.marker.find("cutonfold") != std::string::npos;
-    if (fold || shape.marker.find("grainline") != std::string::npos) {
-      const SampledRun line = sampled_in_metres(shape.runs[0], unit);
-      const Axis axis(line.points.front(), line.points.back());
-      if ((axis.second - axis.first).norm() > kSamePoint) (fold ? part.fold : part.grain) = axis;
-      continue;
-    }
-    // Some designs leave the class of a part's outline away.
-    const bool plain = shape.classes.empty(), fabric = has_class(shape, "fabric");
-    const bool other = std::any_of(std::begin(kOtherLines), std::end(kOtherLines),
-                                   [&](const char* c) { return has_class(shape, c); });
-    if ((!fabric && !plain) || other) {
-      ++left[has_class(shape, "sa") ? "seam allowances" : "other lines"];
-      continue;
-    }
-    // Of several the one that encloses most; one of fabric before all others.
-    double& largest = largest_of[g];
-    for (const SvgRun& run : shape.runs) {
-      SampledRun line = sampled_in_metres(run, unit);
-      if (line.points.size() < 3) continue;
-      const double area =
-          std::abs(pattern::signed_area(line.points)) + (fabric ? kBeforeAllOthers : 0);
-      if (area <= largest) continue;
-      largest = area;
-      part.seam.points = std::move(line.points);
-      part.nodes = std::move(line.nodes);
-    }
-  }
-  for (const auto& [what, count] : left) unused.push_back(fmt::format("{}: {}", what, count));
-  for (std::size_t g = 0; g < document.groups.size(); ++g)
-    if (is_part(document.groups[g]) && !parts.contains(static_cast<int>(g)))
-      unused.push_back("part " + printable(part_name(document.groups[g])) + ": it is empty");
-  std::vector<SvgPiece> pieces;
-  for (auto& [group, part] : parts) {
-    if (part.seam.points.empty()) {
-      unused.push_back("part " + printable(part.name) +
-                       ": it has no closed path of class \"fabric\"");
-      continue;
-    }
-    SvgPiece piece;
-    piece.line = line_of[group];
-    piece.piece = drawn_freesewing(std::move(part), marked, piece.count);
-    pieces.push_back(std::move(piece));
-  }
-  return pieces;
-}
-
 std::vector<SvgPiece> drawn_pieces(const SvgDocument& document, double unit,
-                                   const std::string& file, std::vector<std::string>& unused) {
-  return Sorter(document, unit, file).sort(unused);
+                                   const std::string& file, const std::string& size,
+                                   std::vector<std::string>& unused) {
+  return Sorter(document, unit, file, size).sort(unused);
 }
 
 }  // namespace loosefit::io

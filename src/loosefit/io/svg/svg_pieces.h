@@ -11,18 +11,18 @@ namespace loosefit::io {
 struct SvgPiece {
   DrawnPiece piece;
   PieceCount count;
-  int line = 0;  ///< of the file
+  int line = 0;          ///< of the file
+  bool of_size = false;  ///< picked among several by the size that was asked for
 };
 
-/// Pieces of a drawing that FreeSewing wrote: paths of class "fabric" without "sa" in the groups
-/// "fs-stack-DESIGN.PART-part-DESIGN.PART". \param unit length of a unit of the drawing [m]
-std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit,
-                                        std::vector<std::string>& unused);
-
-/// Pieces of any other drawing: closed lines that lie in no other one, and open ones of a group
-/// that close together. Frames, backgrounds and test squares are left out. A closed line called
-/// seam within a piece is its outline. \throws InvalidInput for more than 1000 closed lines.
+/// Pieces of a drawing that FreeSewing did not write: closed lines that lie in no other one, and
+/// open ones of a group that close together. Frames, backgrounds and test squares are left out. A
+/// closed line called seam within a piece is its outline. Of outlines that lie in each other, as
+/// those of graded sizes, the one is taken whose label, or that of a group round it, has `size` as
+/// a word; the largest one if that is empty. \throws InvalidInput for more than 1000 closed lines,
+/// and for a size that is in the label of none or several of them.
 std::vector<SvgPiece> drawn_pieces(const SvgDocument& document, double unit,
-                                   const std::string& file, std::vector<std::string>& unused);
+                                   const std::string& file, const std::string& size,
+                                   std::vector<std::string>& unused);
 
 }  // namespace loosefit::io

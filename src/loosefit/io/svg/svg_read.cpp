@@ -8,6 +8,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/pieces/file_units.h"
 #include "loosefit/io/pieces/piece_collector.h"
+#include "loosefit/io/svg/svg_freesewing.h"
 #include "loosefit/io/svg/svg_pieces.h"
 #include "loosefit/io/text_file.h"
 
@@ -21,10 +22,10 @@ constexpr double kShortest = 0.25,
                  kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
 
 std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
-                                std::vector<std::string>& unused) {
+                                const std::string& size, std::vector<std::string>& unused) {
   unused.clear();
   return document.freesewing ? freesewing_pieces(document, unit, unused)
-                             : drawn_pieces(document, unit, file, unused);
+                             : drawn_pieces(document, unit, file, size, unused);
 }
 
 double longest_side(const std::vector<SvgPiece>& pieces) {
@@ -44,18 +45,18 @@ bool plausible(double metres) { return metres >= kShortest && metres <= kLongest
 
 PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
                               const PatternWish& wish) {
-  if (!wish.size.empty())
-    throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
-                       "none: an SVG drawing is in one size");
   const SvgDocument document = parse_svg(text, file);
+  if (document.freesewing && !wish.size.empty())
+    throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
+                       "none: FreeSewing drafts one size");
   const double named = document.unit_mm.value_or(document.points ? 25.4 / 72 : document.pixel_mm);
   std::vector<std::string> left;
   // What is too small for a piece is told by the unit, which the largest piece may have to tell.
   double measured_in =
-      wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, {}, 1, file).metre;
-  std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, left);
+      wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, 1, file).metre;
+  std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, wish.size, left);
   if (pieces.empty() && !document.unit_mm && wish.units.empty())
-    pieces = pieces_in(document, measured_in = kLargestUnit, file, left);
+    pieces = pieces_in(document, measured_in = kLargestUnit, file, wish.size, left);
   if (pieces.empty())
     throw InvalidInput({file, 0, "pieces"},
                        fmt::format("{} shapes, none of them a closed line of more than 4 cm2",
@@ -65,6 +66,11 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   if (pieces.size() > kMostPieces)
     throw InvalidInput({file, 0, "pieces"}, fmt::format("{} pieces", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
+  const auto of_size = std::count_if(pieces.begin(), pieces.end(),
+                                     [](const SvgPiece& piece) { return piece.of_size; });
+  if (!wish.size.empty() && of_size == 0)
+    throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
+                       "none: no outlines of several sizes lie in each other in this drawing");
   PatternFile result;
   result.placed = false;
   // The page, or the usual pixel, says how large things are, unless somebody knows better.
@@ -72,11 +78,11 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   double unit = named / 1000;
   std::string units = fmt::format("a unit of {:.4g} mm", named);
   if (!wish.units.empty() || !plausible(extent)) {
-    const FileUnits chosen = choose_units(wish.units, {}, {}, extent / (named / 1000), file);
+    const FileUnits chosen = choose_units(wish.units, {}, extent / (named / 1000), file);
     if (!chosen.warning.empty()) result.warnings.push_back(chosen.warning);
     unit = chosen.metre;
     units = chosen.name;
-    pieces = pieces_in(document, unit, file, left);
+    pieces = pieces_in(document, unit, file, wish.size, left);
   } else if (!document.unit_mm) {
     result.warnings.push_back(fmt::format(
         "units: the file does not name its units; taken as {}, in which the largest piece is "
@@ -85,6 +91,12 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   }
   result.about.push_back(
       fmt::format("{}, in {}", document.freesewing ? "FreeSewing SVG" : "SVG", units));
+  if (of_size > 0)
+    result.about.push_back(
+        fmt::format("size {} by the labels of {} outlines", printable(wish.size), of_size));
+  std::vector<DrawnPiece*> drawn;
+  for (SvgPiece& piece : pieces) drawn.push_back(&piece.piece);
+  point_grains_up(drawn);
   PieceCollector collector(result);
   int without_grain = 0;
   for (SvgPiece& piece : pieces) {
