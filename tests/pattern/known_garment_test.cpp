@@ -366,6 +366,32 @@ TEST(PlacePieces, FrontsLieBeforeBacksBehindAndSleevesBeside) {
   }
 }
 
+TEST(PlacePieces, ABackOnItsHeadIsTurnedByItsSeamsToTheFront) {
+  // A tunic with sides of its own each, of no garment that is known.
+  const std::vector<CurveChain> tunic = {
+      straight({-0.2, 0}, {0.2, 0}),       straight({0.2, 0}, {0.4, 0.4}),
+      straight({0.4, 0.4}, {0.25, 1.0}),   straight({0.25, 1.0}, {-0.25, 1.0}),
+      straight({-0.25, 1.0}, {-0.4, 0.5}), straight({-0.4, 0.5}, {-0.2, 0})};
+  Pattern pattern;
+  pattern.panels = {numbered_panel("front", tunic), mirrored_panel("back", tunic)};
+  turn_panel(pattern.panels[1]);
+  for (const auto& [a, b] : {std::pair{1, 4}, {2, 3}, {4, 1}, {5, 0}})
+    pattern.stitches.push_back({{0, a}, {1, b}, false, "side"});
+  ASSERT_EQ(know_garment(pattern).kind, "");
+  place_pieces(pattern);
+  const auto at = [&](const Stitch::Side& side, double share) -> Vec3 {
+    const Panel& panel = pattern.panels[side.panel];
+    const Vec2 p = EdgePath(panel, side.edge).at(share);
+    return panel.rotation * Vec3(p.x(), p.y(), 0) + panel.translation;
+  };
+  for (const Stitch& s : pattern.stitches)
+    for (const double share : {0.0, 1.0}) {
+      const Vec3 gap = at(s.first, share) - at(s.second, 1 - share);
+      EXPECT_LT(std::hypot(gap.x(), gap.z()), 1e-9) << share;
+    }
+  EXPECT_NEAR(pattern.panels[1].rotation.col(2).y(), 1, 1e-12) << "its outside looks backwards";
+}
+
 TEST(PlacePieces, SaysWhatItCannotPlace) {
   Pattern loose = unsewn_tshirt();
   loose.stitches.push_back({{0, 1}, {1, 7}, false, "side"});
