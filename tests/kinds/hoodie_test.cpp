@@ -1,6 +1,9 @@
 #include "loosefit/kinds/hoodie/hoodie.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "loosefit/base/error.h"
 #include "loosefit/kinds/body_measures.h"
@@ -57,6 +60,32 @@ TEST(Hoodie, TheHoodReachesOverTheHead) {
         length_of(hoodie, "hood_L", "neck_front") + length_of(hoodie, "hood_L", "neck_back"),
         length_of(hoodie, "front", "neck_L") + length_of(hoodie, "back", "neck_L"), 1e-9);
   }
+}
+
+TEST(Hoodie, AHoodTooLowForTheHeadIsRefusedOrGivesWay) {
+  for (const body::Body& body : people()) {
+    const double least = body.measured.at("hps_to_crown") + 0.03;
+    try {
+      drafted(body, {{"hood_height", least - 0.001}});
+      ADD_FAILURE() << "a hood that slides off the head";
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(error.place().key, "fit.hood_height");
+      EXPECT_NE(std::string(error.what()).find(fmt::format("at least {:.3f} m", least)),
+                std::string::npos)
+          << error.what();
+    }
+    EXPECT_NEAR(length_of(drafted(body, {{"hood_height", least}}).pattern, "hood_L", "face"), least,
+                1e-9);
+    const GarmentKind kind = hoodie();
+    const DraftedGarment higher = kind.draft(
+        {draft_measures(kind, body.measured), "", {{"hood_height", 0.16}}, {"fit.hood_height"}});
+    EXPECT_NEAR(length_of(higher.pattern, "hood_L", "face"), least, 1e-9);
+    EXPECT_TRUE(std::ranges::any_of(higher.notes, [](const std::string& note) {
+      return note.starts_with("fit.hood_height: ") && note.find("of 0.16") != std::string::npos;
+    }));
+  }
+  // Whose head is not known is told nothing of it.
+  EXPECT_NO_THROW(hoodie().draft({{}, "women-38", {}, {}}));
 }
 
 TEST(Hoodie, HalvesAreMirrorImages) {

@@ -1,5 +1,6 @@
 #include "loosefit/kinds/shirt/shirt_adapt.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -222,6 +223,62 @@ TEST(AdaptedShirt, MeasuresBeyondPeopleAreTakenAtTheirEndUnlessGiven) {
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.place().key, "measures.shoulder_slope");
   }
+}
+
+/// How far the underarm of the pieces lies below the armpit.
+double underarm_below_armpit(const DraftedGarment& made, const ShirtMeasures& m) {
+  const pattern::Panel& front = made.pattern.panels[made.pattern.find_part("front")];
+  const pattern::EdgePath side(front, pattern::find_edge_part(front, "side_L"));
+  return -std::max(side.at(0).y(), side.at(1).y()) -
+         std::sin(m.shoulder_slope) * m.shoulder_length - m.scye_depth;
+}
+
+TEST(ShirtNotes, AnUnderarmThatLiesElsewhereThanAskedIsToldInOneLine) {
+  int told = 0;
+  for (const char* name : {"long-sleeve-shirt", "t-shirt", "hoodie"})
+    for (const ShirtMeasures& m : {ShirtMeasures{}, kBoy})
+      for (const double ease : {0.0, 0.025, 0.06, 0.10}) {
+        const GarmentKind& kind = garment_kind(name);
+        const DraftedGarment made =
+            kind.draft({named(m), "", {{"scye_ease", ease}}, all_but({"scye_ease"})});
+        const double below = underarm_below_armpit(made, m);
+        std::vector<std::string> notes;
+        for (const std::string& note : made.notes)
+          if (note.starts_with("fit.scye_ease")) notes.push_back(note);
+        SCOPED_TRACE(fmt::format("{}, asked {}, found {}", name, ease, below));
+        ASSERT_EQ(notes.size(), std::abs(below - ease) > 0.002 ? 1u : 0u);
+        if (notes.empty()) continue;
+        ++told;
+        EXPECT_EQ(
+            notes[0].rfind(
+                fmt::format("fit.scye_ease: {:.3g} instead of {:.3g}, since ", below, ease), 0),
+            0u)
+            << notes[0];
+        EXPECT_EQ(notes[0].find("fit.cap_ratio") != std::string::npos, below > ease) << notes[0];
+      }
+  EXPECT_GT(told, 3);
+}
+
+TEST(ShirtNotes, ACapThatIsLowerThanSoughtIsToldWithItsRatio) {
+  const GarmentKind& kind = garment_kind("long-sleeve-shirt");
+  const NamedValues fit = {{"sleeve", 0.60}, {"cap_ratio", 0.85}};
+  const DraftedGarment made = kind.draft({named(ShirtMeasures{}), "", fit, {}});
+  ASSERT_EQ(made.notes.size(), 1u);
+  const std::size_t at = made.notes[0].find("with that it is ");
+  ASSERT_NE(at, std::string::npos) << made.notes[0];
+  const double ratio = std::stod(made.notes[0].substr(at + 16));
+  EXPECT_GT(ratio, 0.48);
+  EXPECT_LT(ratio, 0.84);
+  // The same figure as in the line for tailors.
+  EXPECT_NE(made.details.find(fmt::format("ratio {:.2f}", ratio)), std::string::npos)
+      << made.details;
+}
+
+TEST(ShirtNotes, WhatNobodyAskedForIsNotTold) {
+  for (const char* name : {"long-sleeve-shirt", "t-shirt", "hoodie"})
+    EXPECT_TRUE(garment_kind(name).draft({named(ShirtMeasures{}), "", {}, {}}).notes.empty());
+  for (const char* name : {"long-sleeve-shirt", "t-shirt"})
+    EXPECT_TRUE(garment_kind(name).draft({{}, "women-38", {}, {}}).notes.empty());
 }
 
 }  // namespace

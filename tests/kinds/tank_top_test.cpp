@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "loosefit/base/error.h"
 #include "loosefit/dress/lay_round.h"
 #include "loosefit/garment/assemble.h"
@@ -33,6 +36,29 @@ double length_of(const pattern::Pattern& pattern, int panel, const std::string& 
       .length();
 }
 
+body::BodyParameters stout_man_parameters() {
+  body::BodyParameters p = man_parameters();
+  p.age = 55;
+  p.weight = 0.95;
+  p.muscle = 0.3;
+  return p;
+}
+
+/// Ends of an edge, the upper one first.
+std::pair<Vec2, Vec2> ends_of(const pattern::Pattern& pattern, int panel, const std::string& edge) {
+  const pattern::EdgePath path(pattern.panels[panel],
+                               pattern::find_edge(pattern.panels[panel], edge));
+  return path.at(0).y() > path.at(1).y() ? std::pair(path.at(0), path.at(1))
+                                         : std::pair(path.at(1), path.at(0));
+}
+
+/// Garment girth / body girth − 1 of the pieces at a level of the shirt's fits.
+double level(const DraftedGarment& made, const std::string& name) {
+  for (const FitLevel& l : tank_top().levels(made.pattern, made.measures, made.fit))
+    if (l.name == name && l.body) return l.garment / *l.body - 1;
+  return -99;
+}
+
 TEST(TankTop, HasStrapsOfTheAskedWidthAndSeamsThatClose) {
   for (const body::BodyParameters& person : people()) {
     const body::Body body = support::standing(person, 40);
@@ -40,15 +66,97 @@ TEST(TankTop, HasStrapsOfTheAskedWidthAndSeamsThatClose) {
     const double shoulder =
         (of("shoulder_breadth") / 2 - of("neck") / 5) / std::cos(of("shoulder_slope"));
     for (const double width : {0.3, 0.45}) {
-      const pattern::Pattern tank = drafted(body, {{"strap_width", width}}).pattern;
+      const DraftedGarment made =
+          drafted(body, {{"strap_width", width}, {"chest", 0.12}, {"hip", 0.2}});
+      const pattern::Pattern& tank = made.pattern;
       ASSERT_EQ(tank.panels.size(), 2u);
-      EXPECT_NEAR(length_of(tank, 0, "shoulder_L"), width * shoulder, 1e-9);
+      EXPECT_NEAR(level(made, "chest"), 0.12, 1e-9);
+      EXPECT_NEAR(level(made, "hip"), 0.2, 1e-9);
+      for (const int piece : {0, 1}) {
+        EXPECT_NEAR(length_of(tank, piece, "shoulder_L"), width * shoulder, 1e-9);
+        // The strap begins so far down the shoulder from the side of the neck.
+        const double in = of("neck") / 5, along = 0.45 * (1 - width) * shoulder;
+        const Vec2 begins = ends_of(tank, piece, "shoulder_L").first;
+        EXPECT_NEAR(std::hypot(std::abs(begins.x()) - in, begins.y()), along, 1e-9);
+        const auto [underarm, hem] = ends_of(tank, piece, "side_L");
+        const double down = std::sin(of("shoulder_slope")) * shoulder + of("scye_depth") + 0.02;
+        EXPECT_NEAR(underarm.y(), -down, 1e-9);
+        EXPECT_NEAR(hem.y(), -of("hps_to_hip"), 1e-9);
+      }
       for (const pattern::Stitch& s : tank.stitches)
         EXPECT_NEAR(pattern::EdgePath(tank.panels[s.first.panel], s.first.edge).length(),
                     pattern::EdgePath(tank.panels[s.second.panel], s.second.edge).length(), 1e-12)
             << s.name;
     }
   }
+}
+
+// As in the shirt: what a body has before its sides, cloth has too.
+TEST(TankTop, FrontIsLongerAndWiderByWhatTheBodyIsAndTheSidesGoRoundABelly) {
+  const GarmentKind kind = tank_top();
+  NamedValues m = kind.sizes.front().measures;
+  for (const auto& [name, value] : {std::pair{"chest", 1.10},
+                                    {"waist", 1.20},
+                                    {"hip", 1.12},
+                                    {"neck", 0.42},
+                                    {"shoulder_breadth", 0.46},
+                                    {"hps_to_waist", 0.47},
+                                    {"hps_to_hem", 0.70}})
+    m[name] = value;
+  const DraftedGarment flat = kind.draft({m, "", {}, {}});
+  m["front_balance"] = 0.045;
+  m["front_fullness"] = 0.03;
+  const DraftedGarment made = kind.draft({m, "", {}, {}});
+  const auto centre_of_hem = [&](const DraftedGarment& tank, int piece) {
+    double low = 0;
+    for (const pattern::PanelEdge& edge : tank.pattern.panels[piece].edges)
+      if (edge.part == "hem") {
+        for (const Vec2& knot : edge.knots) low = std::min(low, knot.y());
+        low = std::min(low, tank.pattern.panels[piece].vertices[edge.start].y());
+      }
+    return low;
+  };
+  EXPECT_NEAR(centre_of_hem(made, 0), -0.70 - 0.045, 1e-9);
+  EXPECT_NEAR(centre_of_hem(made, 1), -0.70, 1e-9);
+  EXPECT_NEAR(centre_of_hem(flat, 0), -0.70, 1e-9);
+  // Half of the girth and of the fullness before, and the same less behind.
+  const auto half_width = [&](int piece) {
+    return std::abs(ends_of(made.pattern, piece, "side_L").first.x());
+  };
+  EXPECT_NEAR(half_width(0), 1.05 * (1.10 / 4 + 0.015), 1e-9);
+  EXPECT_NEAR(half_width(1), 1.05 * (1.10 / 4 - 0.015), 1e-9);
+  EXPECT_NEAR(level(made, "chest"), 0.05, 1e-9);
+  EXPECT_NEAR(level(made, "hip"), 0.06, 1e-9);
+  // Between the mobilities of chest and hip at the waist, where a straight side left −3 %.
+  EXPECT_GT(level(made, "waist"), 0.0499);
+  EXPECT_LT(level(made, "waist"), 0.0601);
+  EXPECT_NEAR(level(kind.draft({m, "", {{"waist", 0.2}}, {}}), "waist"), 0.2, 1e-9);
+}
+
+TEST(TankTop, AStoutManGetsALongerFrontAndRoomForHisBelly) {
+  const body::Body body = support::standing(stout_man_parameters(), 40);
+  const double balance = body.measured.at("front_balance");
+  ASSERT_GT(balance, 0.01);
+  const DraftedGarment made = drafted(body);
+  const auto lowest = [&](int piece) {
+    double low = 0;
+    for (const pattern::PanelEdge& edge : made.pattern.panels[piece].edges)
+      for (const Vec2& knot : edge.knots) low = std::min(low, knot.y());
+    return std::min(low, ends_of(made.pattern, piece, "side_L").second.y());
+  };
+  EXPECT_NEAR(lowest(1) - lowest(0), balance, 1e-6);
+  EXPECT_GT(level(made, "waist"), 0.0499);
+}
+
+TEST(TankTop, AFrontBeyondItsRangeIsTakenAtItsEndUnlessItWasAskedFor) {
+  const GarmentKind kind = tank_top();
+  NamedValues m = kind.sizes.front().measures;
+  m["front_balance"] = 0.30;
+  const DraftedGarment kept = kind.draft({m, "", {}, {"measures.front_balance"}});
+  EXPECT_EQ(kept.measures.at("front_balance"), 0.25);
+  ASSERT_EQ(kept.notes.size(), 1u);
+  EXPECT_EQ(kept.notes[0].rfind("measures.front_balance: 0.25 instead of 0.3", 0), 0u);
+  EXPECT_THROW(kind.draft({m, "", {}, {}}), InvalidInput);
 }
 
 TEST(TankTop, NecklineIsDeeperInFrontAndDeepensWithItsKey) {

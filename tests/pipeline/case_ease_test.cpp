@@ -20,6 +20,16 @@ maps::BodyLoad pressing(double newton, double squeezed = 0) {
 
 const Stations kLoose = {{"chest", 0.12, 0.12}, {"sleeve", 0.2, 0.2}, {"elbow", 0.02, {}}};
 
+TEST(CaseEase, ALittleAskedEaseThatIsMissingIsToldToo) {
+  EXPECT_EQ(ease_warnings({{"chest", -0.01, 0.04}}, {}),
+            (std::vector<std::string>{"chest: -1 % of ease where 4 % was asked"}));
+  EXPECT_EQ(ease_warnings({{"hip", -0.03, 0.0}}, {}).size(), 1u);
+  // Two hundredths are less than bodies are taped to, and what was asked to be tight presses
+  // anyway.
+  EXPECT_TRUE(ease_warnings({{"chest", 0.021, 0.04}, {"hip", -0.02, 0.0}}, {}).empty());
+  EXPECT_TRUE(ease_warnings({{"hip", -0.15, -0.1}}, {}).empty());
+}
+
 TEST(CaseEase, StationsOfADraftKnowWhatWasAskedAndThoseOfASizeDoNot) {
   CasePattern pattern;
   pattern.levels = {{"chest", 1.0, 0.9}, {"neck", 0.4, {}}};

@@ -19,6 +19,17 @@ constexpr double kToldShare = 0.001;
 /// Skin pressed beyond comfort from which on it is said [m²]: less is a fold in the armpit.
 constexpr double kToldPressedArea = 10e-4;
 
+/// Ease missing where hardly any was asked for, 0 to kLooseEase, from which on it is said [–]: a
+/// share of so little is less than what bodies are taped to.
+constexpr double kToldShortfall = 0.02;
+
+/// Whether a station is cut tighter than it was asked for. What was asked to be tight presses
+/// anyway, and is not judged.
+bool is_short_of_asked(const StationEase& s) {
+  if (!s.asked || *s.asked < 0) return false;
+  return s.cut < (*s.asked >= kLooseEase ? kCutShare * *s.asked : *s.asked - kToldShortfall);
+}
+
 std::optional<double> asked_ease(const std::string& station, const scenario::GarmentSpec& spec) {
   if (!spec.file.empty() || !spec.size.empty()) return std::nullopt;
   for (const kinds::KindKey& key : kinds::garment_kind(spec.kind).keys) {
@@ -84,7 +95,7 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
                                        const std::optional<maps::BodyLoad>& load) {
   std::vector<std::string> lines;
   for (const StationEase& s : stations)
-    if (s.asked && *s.asked >= kLooseEase && s.cut < kCutShare * *s.asked)
+    if (is_short_of_asked(s))
       lines.push_back(printable(s.name) + ": " + percent(s.cut) + " of ease where " +
                       percent(*s.asked) + " was asked");
   if (!load || !is_asked_loose(stations) || !(load->weight > 0)) return lines;

@@ -1,7 +1,10 @@
 #include "loosefit/kinds/hoodie/hoodie.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "loosefit/base/error.h"
 #include "loosefit/kinds/check_values.h"
 #include "loosefit/kinds/hoodie/hood_draft.h"
 #include "loosefit/kinds/match_parts.h"
@@ -13,6 +16,8 @@ namespace {
 constexpr char kCrown[] = "hps_to_crown";
 /// The hood's front edge beyond the height of the head, which it goes round.
 constexpr double kHeadRoom = 0.10;
+/// The least that it is beyond that: a lower one slides off the head (judgement).
+constexpr double kLeastHeadRoom = 0.03;
 constexpr double kDepth = 0.72;  ///< of the hood, of its height
 
 ShirtFit usual_fit() {
@@ -68,6 +73,24 @@ double height_of_head(const NamedValues& measures) {
   return known != measures.end() ? known->second : 0.12 + 0.42 * measures.at("hps_to_waist");
 }
 
+/// A hood that is too low for the wearer's head is refused, or gives way if it may.
+void check_hood_height(double& height, DraftedGarment& drafted, bool yields) {
+  const auto crown = drafted.measures.find(kCrown);
+  if (crown == drafted.measures.end()) return;
+  const double least = crown->second + kLeastHeadRoom;
+  if (height >= least) return;
+  if (!yields)
+    throw InvalidInput({{}, 0, "fit.hood_height"}, fmt::format("{:.4g} m", height),
+                       fmt::format("at least {:.3f} m, over a head of {:.3f} m from neck to crown",
+                                   least, crown->second),
+                       "without fit.hood_height it is as high as the head needs");
+  drafted.notes.push_back(fmt::format(
+      "fit.hood_height: {:.3g} instead of {:.3g}, since otherwise the hood would not stay on the "
+      "head",
+      least, height));
+  height = least;
+}
+
 DraftedGarment draft(const DraftRequest& request) {
   NamedValues own;
   DraftRequest shirt = request;
@@ -85,6 +108,7 @@ DraftedGarment draft(const DraftRequest& request) {
   if (crown != request.measures.end() && request.size.empty())
     drafted.measures[kCrown] = crown->second;
   if (!own.count("hood_height")) own["hood_height"] = height_of_head(drafted.measures) + kHeadRoom;
+  check_hood_height(own["hood_height"], drafted, request.yielding.count("fit.hood_height") > 0);
 
   const auto fit = [&](const char* key) { return drafted.fit.at(key); };
   pattern::Pattern& pattern = drafted.pattern;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "loosefit/kinds/find_size.h"
 #include "loosefit/kinds/match_parts.h"
@@ -84,6 +85,27 @@ std::string details_of(const ShirtDraftReport& report) {
       report.cap_ratio, 1000 * report.deepened, 1000 * report.dropped);
 }
 
+/// Tells where the underarm is not as far below the armpit as fit.scye_ease says, and a cap that is
+/// lower than sought in spite of that; nothing where both are as asked.
+void note_armhole(std::vector<std::string>& notes, const ShirtFit& fit,
+                  const ShirtDraftReport& report) {
+  constexpr double kTold = 0.002;  // [m], less than a step of the draft
+  constexpr double kToldRatio = 0.005;
+  if (std::abs(report.deepened) <= kTold) return;
+  std::string note = fmt::format("fit.scye_ease: {:.3g} instead of {:.3g}, since otherwise ",
+                                 fit.scye_ease + report.deepened, fit.scye_ease);
+  if (report.deepened < 0)
+    note += "the sleeve cap would be too steep for the armhole";
+  else
+    note += fmt::format(
+        "the sleeve cap would be lower than {:.3g} of the armhole's depth "
+        "(fit.cap_ratio)",
+        fit.cap_ratio);
+  if (report.cap_ratio < fit.cap_ratio - kToldRatio)
+    note += fmt::format("; with that it is {:.2f}", report.cap_ratio);
+  notes.push_back(std::move(note));
+}
+
 /// Bands and hems, which may be asked for beside a size.
 void take_making(ShirtFit& fit, const ShirtFit& asked) {
   fit.neckband = asked.neckband;
@@ -111,6 +133,9 @@ DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const Draft
   }
   AdaptedShirt shirt = draft_adapted_shirt(measures, fit, request.yielding);
   shirt.pattern.name = shirt.pattern.kind = kind;
+  // Nobody is told of what nobody asked for: the usual armhole, or that of a size.
+  const bool asked = request.fit.count("scye_ease") || request.fit.count("cap_ratio");
+  if (asked && request.size.empty()) note_armhole(shirt.notes, shirt.fit, shirt.report);
   return {std::move(shirt.pattern), named(shirt.measures), named(shirt.fit), std::move(shirt.notes),
           details_of(shirt.report)};
 }

@@ -79,23 +79,55 @@ double shoulder_half_width(const ShirtMeasures& m) {
   return 0.5 * m.neck_width + std::cos(m.shoulder_slope) * m.shoulder_length;
 }
 
+double side_shift(const TorsoLevels& l, bool front) {
+  const double fullness =
+      std::clamp(l.front_fullness, -kMostFullness * l.chest, kMostFullness * l.chest);
+  return (front ? 0.5 : -0.5) * (1 + l.chest_fit) * fullness;
+}
+
+pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
+  const double forward = side_shift(l, front);
+  const Vec2 underarm((1 + l.chest_fit) * l.chest / 4 + forward, l.underarm_y);
+  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward, l.hem_y);
+  pattern::CurveChain side;
+  side.start = underarm;
+  const double share = (l.underarm_y - l.waist_y) / (l.underarm_y - l.hem_y);
+  const double straight = underarm.x() + share * (hem.x() - underarm.x());
+  const double needed =
+      (1 + l.chest_fit + share * (l.hip_fit - l.chest_fit)) * l.waist / 4 + forward;
+  const bool between = share > 0 && share < 1;
+  if (l.waist_fit || (between && needed > straight)) {
+    const Vec2 waist(l.waist_fit ? (1 + *l.waist_fit) * l.waist / 4 + forward : needed, l.waist_y);
+    const Vec2 above(0, 0.4 * (l.underarm_y - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
+    side.cubic_to(underarm - above, waist + above, waist).cubic_to(waist - below, hem + below, hem);
+  } else {
+    side.line_to(hem);
+  }
+  return side;
+}
+
 TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double underarm_depth,
                            bool front, double drop) {
   const NeckOpening neck = fit_neck(m, fit);
-  // A bust needs its width in front: the side seams lie where the body's sides are. All levels move
-  // alike, which keeps both side seams equal. On a trunk that is as wide in front as at the side the
-  // widest place says nothing of where a tailor would sew it.
-  const double fullness =
-      std::clamp(m.front_fullness, -kMostFullness * m.chest, kMostFullness * m.chest);
-  const double forward = (front ? 0.5 : -0.5) * (1 + fit.chest) * fullness;
+  // Tied to the body's shoulder point, so that a wide shoulder does not lower the underarm.
+  const double y_underarm = -std::sin(m.shoulder_slope) * m.shoulder_length - underarm_depth;
+  const TorsoLevels levels = {.chest = m.chest,
+                              .waist = m.waist,
+                              .hip = m.hip,
+                              .chest_fit = fit.chest,
+                              .hip_fit = fit.hip,
+                              .waist_fit = fit.waist,
+                              .front_fullness = m.front_fullness,
+                              .underarm_y = y_underarm,
+                              .waist_y = -m.hps_to_waist,
+                              .hem_y = -m.hps_to_hem};
+  // All levels move alike, which keeps both side seams equal.
+  const double forward = side_shift(levels, front);
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
-  const double x_hem = (1 + fit.hip) * m.hip / 4 + forward;
   const double narrow = (1 + fit.chest) * m.chest / 4 - std::abs(forward);
   const double x_shoulder = std::min(shoulder_half_width(m, fit) + drop, 0.97 * narrow);
   const double slope = std::tan(m.shoulder_slope);
   const double y_shoulder = -slope * (x_shoulder - neck.half_width) - neck.shoulder;
-  // Tied to the body's shoulder point, so that a wide shoulder does not lower the underarm.
-  const double y_underarm = -std::sin(m.shoulder_slope) * m.shoulder_length - underarm_depth;
   const double depth = y_shoulder - y_underarm;
   const double x_pitch =
       std::min(0.97 * x_shoulder, 0.95 * x_underarm) - (front ? 0.010 * m.chest : 0.0);
@@ -116,24 +148,10 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
       .cubic_to(shoulder_point + 0.20 * depth * inward, pitch + Vec2(0, 0.25 * depth), pitch)
       .cubic_to(pitch - Vec2(0, 0.30 * depth), underarm - Vec2(0.75 * (x_underarm - x_pitch), 0),
                 underarm);
-  half.side.start = underarm;
-  const Vec2 hem(x_hem, -m.hps_to_hem);
-  // A straight side that a belly leaves less room than was asked for above and below goes round it.
-  const double share = (m.hps_to_waist + y_underarm) / (m.hps_to_hem + y_underarm);
-  const double straight = x_underarm + share * (x_hem - x_underarm);
-  const double needed = (1 + fit.chest + share * (fit.hip - fit.chest)) * m.waist / 4 + forward;
-  const bool between = share > 0 && share < 1;
-  if (fit.waist || (between && needed > straight)) {
-    const Vec2 waist(fit.waist ? (1 + *fit.waist) * m.waist / 4 + forward : needed,
-                     -m.hps_to_waist);
-    const Vec2 above(0, 0.4 * (y_underarm - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
-    half.side.cubic_to(underarm - above, waist + above, waist)
-        .cubic_to(waist - below, hem + below, hem);
-  } else {
-    half.side.line_to(hem);
-  }
+  half.side = draft_side(levels, front);
   // The way down over bust or belly is longer than over the back: the front ends lower in its
   // middle and meets the back at the sides.
+  const Vec2& hem = half.side.end();
   half.hem = draft_hem(hem, hem.y() - (front ? m.front_balance : 0.0));
   return half;
 }

@@ -42,6 +42,24 @@ double shoulder_half_width(const ShirtMeasures& measures);
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
                            double underarm_depth, bool front, double drop);
 
+/// Levels of a torso piece of which the side seam is drawn.
+struct TorsoLevels {
+  double chest = 0, waist = 0, hip = 0;           ///< girths of the body [m]
+  double chest_fit = 0, hip_fit = 0;              ///< mobilities
+  std::optional<double> waist_fit;                ///< absent: as the body needs
+  double front_fullness = 0;                      ///< as ShirtMeasures
+  double underarm_y = 0, waist_y = 0, hem_y = 0;  ///< [m], upwards
+};
+/// How far the sides of the front lie beyond a quarter of the girth, and those of the back inside
+/// of it [m]: a bust needs its width in front, the side seams lie where the body's sides are. On a
+/// trunk that is as wide in front as at the side the widest place says nothing of where a tailor
+/// would sew it.
+double side_shift(const TorsoLevels& levels, bool front);
+/// Side seam of half a torso piece, underarm → hem: straight, or through the asked girth of the
+/// waist, or round a belly that a straight seam leaves less room than was asked for above and
+/// below.
+pattern::CurveChain draft_side(const TorsoLevels& levels, bool front);
+
 /// Hem of half a torso piece, from the side seam to the centre line, level at both ends.
 pattern::CurveChain draft_hem(const Vec2& side, double centre_level);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "loosefit/base/types.h"
 #include "loosefit/dress/front_neckline.h"
 #include "loosefit/dress/sheets.h"
@@ -25,7 +27,9 @@ std::vector<KindMeasure> measures() {
           {"shoulder_slope", "shoulder_slope", 0, radians(45), "rad"},
           {"scye_depth", "scye_depth", 0.05, 0.35},
           {"hps_to_waist", "hps_to_waist", 0.15, 0.80},
-          {"hps_to_hem", "hps_to_hip", 0.20, 1.60}};
+          {"hps_to_hem", "hps_to_hip", 0.20, 1.60},
+          {"front_fullness", "front_fullness", -0.10, 0.15, "m", false},
+          {"front_balance", "front_balance", -0.10, 0.25, "m", false}};
 }
 
 std::vector<KindKey> keys() {
@@ -66,6 +70,23 @@ void make_room_for_straps(DraftedGarment& drafted, const std::set<std::string>& 
   give_way("strap_place", strap_room(drafted.measures, drafted.fit).place);
 }
 
+/// What makes the front of a body differ from its back is taken at the end of its range, unless it
+/// was asked for.
+void keep_front_in_range(DraftedGarment& drafted, const std::set<std::string>& yielding) {
+  for (const KindMeasure& measure : measures()) {
+    const auto value = drafted.measures.find(measure.name);
+    const std::string key = "measures." + measure.name;
+    if (measure.required || value == drafted.measures.end() || !yielding.count(key)) continue;
+    const double kept = std::clamp(value->second, measure.low, measure.high);
+    if (kept == value->second) continue;
+    drafted.notes.push_back(
+        fmt::format("{}: {:.3g} instead of {:.3g}, since otherwise the body's own is beyond what "
+                    "the draft knows",
+                    key, kept, value->second));
+    value->second = kept;
+  }
+}
+
 DraftedGarment draft(const DraftRequest& request) {
   DraftedGarment drafted;
   drafted.measures = request.measures;
@@ -84,6 +105,7 @@ DraftedGarment draft(const DraftRequest& request) {
   }
   // A body so short that the hem would end at the underarm gets a longer one.
   NamedValues& m = drafted.measures;
+  keep_front_in_range(drafted, request.yielding);
   check_values(measures(), m, keys(), drafted.fit);
   const double least = shortest_tank_top(m, drafted.fit);
   if (m.at("hps_to_hem") < least && request.yielding.count("measures.hps_to_hem")) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/pattern/drafting.h"
 
 namespace loosefit::kinds {
@@ -22,23 +23,50 @@ struct Half {
   pattern::CurveChain strap;    ///< inner → outer end
   pattern::CurveChain armhole;  ///< strap → underarm
   pattern::CurveChain side;     ///< underarm → hem
+  pattern::CurveChain hem;      ///< side → centre
 };
 
-Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) {
+double measure(const NamedValues& m, const char* name) {
+  const auto found = m.find(name);
+  return found == m.end() ? 0 : found->second;
+}
+
+TorsoLevels levels_of(const NamedValues& m, const NamedValues& fit) {
+  const double shoulder = m.at("shoulder_breadth") / 2 - m.at("neck") / 5;
+  TorsoLevels levels;
+  levels.chest = m.at("chest"), levels.waist = m.at("waist"), levels.hip = m.at("hip");
+  levels.chest_fit = fit.at("chest"), levels.hip_fit = fit.at("hip");
+  if (const auto waist = fit.find("waist"); waist != fit.end()) levels.waist_fit = waist->second;
+  levels.front_fullness = measure(m, "front_fullness");
+  levels.underarm_y =
+      -std::tan(m.at("shoulder_slope")) * shoulder - m.at("scye_depth") - fit.at("scye_ease");
+  levels.waist_y = -m.at("hps_to_waist");
+  levels.hem_y = -m.at("hps_to_hem");
+  return levels;
+}
+
+/// Half the breadth at the underarm of the narrower piece [m].
+double narrow_underarm(const NamedValues& m, const NamedValues& fit) {
+  const TorsoLevels levels = levels_of(m, fit);
+  return (1 + levels.chest_fit) * levels.chest / 4 - std::abs(side_shift(levels, true));
+}
+
+Half draft_half(const NamedValues& m, const NamedValues& fit, bool front) {
   // The body's shoulder runs from the side of the neck down to the shoulder point.
   const double x_neck = m.at("neck") / 5, x_shoulder = m.at("shoulder_breadth") / 2;
   const double slope = std::tan(m.at("shoulder_slope")), length = x_shoulder - x_neck;
-  const double x_underarm = (1 + fit.at("chest")) * m.at("chest") / 4;
-  const double y_underarm = -slope * length - m.at("scye_depth") - fit.at("scye_ease");
+  Half half;
+  half.side = draft_side(levels_of(m, fit), front);
+  const double x_underarm = half.side.start.x(), y_underarm = half.side.start.y();
   const double width = fit.at("strap_width");
   const double inner = x_neck + fit.at("strap_place") * (1 - width) * length;
   const double outer = inner + width * length;
   const Vec2 strap_inner(inner, -slope * (inner - x_neck)),
       strap_outer(outer, -slope * (outer - x_neck)), underarm(x_underarm, y_underarm);
-  const double y_neck = strap_inner.y() + fit.at(drop) * (y_underarm - strap_inner.y());
+  const double y_neck =
+      strap_inner.y() + fit.at(front ? "neck_drop" : "back_drop") * (y_underarm - strap_inner.y());
   const double depth = strap_outer.y() - y_underarm, fall = strap_inner.y() - y_neck;
 
-  Half half;
   // A scoop: level at the centre, along the strap at its end.
   half.neck.start = Vec2(0, y_neck);
   half.neck.cubic_to({0.62 * inner, y_neck}, {0.97 * inner, y_neck + 0.45 * fall}, strap_inner);
@@ -48,27 +76,23 @@ Half draft_half(const NamedValues& m, const NamedValues& fit, const char* drop) 
   half.armhole.start = strap_outer;
   half.armhole.cubic_to(strap_outer - Vec2(0, 0.62 * depth),
                         underarm - Vec2(0.70 * (x_underarm - outer), 0), underarm);
-  half.side.start = underarm;
-  const Vec2 hem((1 + fit.at("hip")) * m.at("hip") / 4, -m.at("hps_to_hem"));
-  if (const auto waisted = fit.find("waist"); waisted != fit.end()) {
-    const Vec2 waist((1 + waisted->second) * m.at("waist") / 4, -m.at("hps_to_waist"));
-    const Vec2 above(0, 0.4 * (y_underarm - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
-    half.side.cubic_to(underarm - above, waist + above, waist)
-        .cubic_to(waist - below, hem + below, hem);
-  } else {
-    half.side.line_to(hem);
-  }
+  // The way down over bust or belly is longer than over the back: as in the shirt the front ends
+  // lower in its middle and meets the back at the sides. Where it is shorter, the hem stays below
+  // the underarm.
+  const double longer = front ? std::max(measure(m, "front_balance"), -kLeastSide / 2) : 0.0;
+  half.hem = draft_hem(half.side.end(), half.side.end().y() - longer);
   return half;
 }
 
 pattern::Panel piece(const Half& half, bool front) {
   // Which of the wearer's sides lies at x > 0, seen from outside.
   const std::string right = front ? "L" : "R", left = front ? "R" : "L";
-  pattern::CurveChain neck = half.neck.reversed(), other = half.neck.mirrored(), hem;
+  pattern::CurveChain neck = half.neck.reversed(), other = half.neck.mirrored(),
+                      hem = half.hem.mirrored(), rest = half.hem.reversed();
   neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
   neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
-  hem.start = Vec2(-half.side.end().x(), half.side.end().y());
-  hem.line_to(half.side.end());
+  hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
+  hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
   return pattern::draft_panel(front ? "front" : "back", "body",
                               {{"hem", hem},
                                {"side_" + right, half.side.reversed()},
@@ -84,12 +108,13 @@ pattern::Panel piece(const Half& half, bool front) {
 
 StrapRoom strap_room(const NamedValues& m, const NamedValues& fit) {
   const double x_neck = m.at("neck") / 5, length = m.at("shoulder_breadth") / 2 - x_neck;
-  const double x_underarm = (1 + fit.at("chest")) * m.at("chest") / 4;
-  const double width = fit.at("strap_width");
+  const double underarm = narrow_underarm(m, fit), width = fit.at("strap_width");
   StrapRoom room;
-  room.width = std::min(1.0, (kInsideUnderarm * x_underarm - x_neck) / length);
+  room.width = std::min(1.0, (kInsideUnderarm * underarm - x_neck) / length);
   room.place = width < 1 ? std::clamp((room.width - width) / (1 - width), 0.0, 1.0) : 1.0;
-  room.least_chest = 4 * (x_neck + kLeastStrap * length) / (kInsideUnderarm * m.at("chest")) - 1;
+  // The underarm is as broad as 1 + fit.chest.
+  room.least_chest =
+      (x_neck + kLeastStrap * length) / kInsideUnderarm / (underarm / (1 + fit.at("chest"))) - 1;
   return room;
 }
 
@@ -132,8 +157,7 @@ pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
                fmt::format("at most {:.3f}, inside the underarm of this chest", room.place));
   pattern::Pattern tank;
   tank.name = tank.kind = "tank-top";
-  tank.panels = {piece(draft_half(m, fit, "neck_drop"), true),
-                 piece(draft_half(m, fit, "back_drop"), false)};
+  tank.panels = {piece(draft_half(m, fit, true), true), piece(draft_half(m, fit, false), false)};
   for (const std::string side : {"L", "R"}) {
     pattern::sew_edges(tank, "side_" + side, "front", "side_" + side, "back", "side_" + side);
     pattern::sew_edges(tank, "shoulder_" + side, "front", "shoulder_" + side, "back",

@@ -5,9 +5,11 @@
 namespace loosefit::kinds {
 
 /// A sleeveless shirt of two pieces, front and back, and four seams: side_* and shoulder_* (the
-/// straps), with the asked girths exactly. Edges hem, side_*, armhole_*, shoulder_*, neck. Placed
-/// flat before and behind the body. `measures` and `fit` as the kind names them (tank_top.cpp).
-/// \throws InvalidInput for measures that do not make a garment together.
+/// straps), with the asked girths exactly. Edges hem, side_*, armhole_*, shoulder_*, neck. Side
+/// seams and hem are those of the shirt: round a belly, and the front longer and wider by the
+/// body's front_balance and front_fullness, where these are known. Placed flat before and behind
+/// the body. `measures` and `fit` as the kind names them (tank_top.cpp). \throws InvalidInput for
+/// measures that do not make a garment together.
 pattern::Pattern draft_tank_top(const NamedValues& measures, const NamedValues& fit);
 
 /// How much room a chest leaves for the straps, which stand on the shoulder inside the underarm.

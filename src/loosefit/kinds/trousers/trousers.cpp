@@ -90,7 +90,10 @@ DraftedGarment draft(const char* kind, const Usual& usual, const DraftRequest& r
                     least, waist->second));
     waist->second = least;
   }
-  drafted.pattern = draft_trousers(kind, drafted.measures, drafted.fit);
+  std::set<std::string> asked;
+  for (const auto& [name, value] : request.fit)
+    if (!request.yielding.count("fit." + name)) asked.insert(name);
+  drafted.pattern = draft_trousers(kind, drafted.measures, drafted.fit, asked);
   return drafted;
 }
 

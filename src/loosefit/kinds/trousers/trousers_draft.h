@@ -1,39 +1,21 @@
 #pragma once
-#include "loosefit/kinds/named_values.h"
+#include <set>
+#include <string>
+
+#include "loosefit/kinds/trousers/trousers_measures.h"
 #include "loosefit/pattern/pattern.h"
 
 namespace loosefit::kinds {
-
-/// Heights above the floor at which a leg is measured, as shares of the crotch's height: where the
-/// rings of the body model lie on a woman of 1.68 m and a stout one of 1.65 m, within 0.03.
-inline constexpr double kThighLevel = 0.92, kKneeLevel = 0.58, kCalfLevel = 0.445,
-                        kAnkleLevel = 0.145;
-
-/// Legs of a wearer of whom only trunk and crotch are known: girths as shares of the hip's, means
-/// of people of the body model.
-inline constexpr double kThighOfHip = 0.54, kKneeOfHip = 0.335, kCalfOfHip = 0.335,
-                        kAnkleOfHip = 0.175;
-
-/// Girth of the leg at a height above the floor [m], between the levels in proportion.
-double leg_girth_at(const NamedValues& measures, double height);
-
-/// Height of the waist edge of the pieces, where the waistband is sewn on [m]: the band lies with
-/// its middle on the waist.
-double waist_edge_height(const NamedValues& measures, const NamedValues& fit);
-/// Height of the hem above the floor [m].
-double hem_height(const NamedValues& measures, const NamedValues& fit);
-
-/// How narrow the waist of the pieces can be cut: the seams take in a few centimetres each, and
-/// what is wider than the waistband is gathered into it. As a mobility of the waist [–].
-double least_waist(const NamedValues& measures, const NamedValues& fit);
 
 /// Trousers: four pieces, front and back of each leg, with seams outseam_*, inseam_*, centre_front
 /// and centre_back, and a waistband of two strips sewn on with stretch. Pattern y is the height
 /// above the floor [m]. Each piece lies about its crease line, x = 0; the crotch curve reaches
 /// beyond the middle of the body by fit.crotch_width of the girth of the hip, three tenths of it in
-/// front, as drafting books divide it (Aldrich 2008). `measures` and `fit` as the kind names them.
-/// \throws InvalidInput for measures that do not make a garment together.
+/// front, as drafting books divide it (Aldrich 2008). Front and back of a seam are equally long, or
+/// within 2 mm (trousers_seams.h). `measures` and `fit` as the kind names them; `asked`: keys of
+/// the fit that somebody asked for, which are complained of before others. \throws InvalidInput for
+/// measures that do not make a garment together.
 pattern::Pattern draft_trousers(const char* kind, const NamedValues& measures,
-                                const NamedValues& fit);
+                                const NamedValues& fit, const std::set<std::string>& asked = {});
 
 }  // namespace loosefit::kinds
