@@ -55,6 +55,26 @@ TEST(Assemble, OnePanelSewnToItselfIsATube) {
   EXPECT_EQ(g.find_chain("cube", "edge_1"), nullptr);
 }
 
+// Whichever panel comes first in the file.
+TEST(Assemble, ALapelIsTurnedOverAndNotTheCoat) {
+  for (const bool lapel_first : {false, true}) {
+    pattern::Pattern coat;
+    coat.panels = {rectangle_panel("coat", .4, .3), rectangle_panel("lapel", .1, .3)};
+    coat.stitches = {stitch(0, 1, 1, 1, true)};
+    if (lapel_first) {
+      std::swap(coat.panels[0], coat.panels[1]);
+      std::swap(coat.stitches[0].first.panel, coat.stitches[0].second.panel);
+    }
+    const Garment g = assemble(coat, .05, cloth());
+    for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+      const auto& uv = g.triangle_uv[t];
+      const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
+      const bool as_drawn = a.x() * b.y() - a.y() * b.x() > 0;
+      EXPECT_EQ(as_drawn, g.panel_names[g.triangle_panel[t]] == "coat") << lapel_first;
+    }
+  }
+}
+
 TEST(Assemble, VertexMassIsAThirdOfTheAreaAround) {
   pattern::Pattern square;
   square.panels = {rectangle_panel("square", .1, .1)};

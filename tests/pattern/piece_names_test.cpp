@@ -25,6 +25,14 @@ TEST(PieceNames, ATwinIsForTheOtherHand) {
   EXPECT_FALSE(neither.left || neither.right);
 }
 
+TEST(PieceNames, AHoodieIsNoHood) {
+  for (const char* name : {"Hoodie_Front", "hoody back", "Hooded_Tunic_Front", "motherhood_front"})
+    EXPECT_FALSE(words_of(name).hood) << name;
+  for (const char* name :
+       {"hood_L", "Hoodie_Hood", "left_hood", "HoodCentre", "Kapuze", "Kapuzenteil"})
+    EXPECT_TRUE(words_of(name).hood) << name;
+}
+
 TEST(PieceNames, WhatSaysBothSaysNeither) {
   const PieceWords both = words_of("front and back, left right");
   EXPECT_FALSE(both.front || both.back || both.left || both.right);

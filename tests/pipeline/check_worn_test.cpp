@@ -12,6 +12,7 @@
 #include "loosefit/io/vtp_read.h"
 #include "loosefit/io/vtp_write.h"
 #include "loosefit/pipeline/case_files.h"
+#include "loosefit/pipeline/case_warnings.h"
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/map_case.h"
 #include "loosefit/pipeline/run_case.h"
@@ -75,6 +76,36 @@ TEST_F(CheckWorn, ATubeThatClimbsToBelowTheBustIsWornWithAWarning) {
     return warning.starts_with("fit: the waistband lies") &&
            warning.find("is too narrow for this body") != std::string::npos;
   }));
+}
+
+bool warns(const CaseResult& result, const std::string& begin, const std::string& end) {
+  const std::vector<std::string> all = case_warnings(result);
+  return std::any_of(all.begin(), all.end(), [&](const std::string& warning) {
+    return warning.starts_with(begin) && warning.ends_with(end);
+  });
+}
+
+TEST_F(CheckWorn, AWaistThatHasRisenIsToldOfPosturesAndOfGarmentsUnderOthers) {
+  const CaseResult risen = tube(42, 42, 22, 50);
+  const std::string kRisen = "the waistband lies", kEnd = "is too narrow for this body";
+  EXPECT_TRUE(warns(risen, "fit: " + kRisen, kEnd));
+  // Where it was put on it lies at the waist; it rises in two postures.
+  CaseResult later = risen;
+  for (Vec3& p : later.garments[0].drape.positions) p.z() -= 0.08;
+  EXPECT_FALSE(warns(later, "fit: " + kRisen, ""));
+  CaseState reaching;
+  reaching.drapes = {risen.studied().drape};
+  reaching.name = "reaching";
+  CaseState stretching = reaching, not_settled = reaching;
+  stretching.name = "stretching", not_settled.name = "falling";
+  not_settled.left_out = "not settled";
+  later.wear.states = {not_settled, reaching, stretching, reaching};
+  EXPECT_TRUE(warns(later, "fit: " + kRisen, kEnd + " (in reaching; also in stretching)"));
+  // A second garment over it.
+  CaseResult two = risen;
+  two.garments.push_back(two.garments[0]);
+  two.scenario.garments.push_back(two.scenario.garments[0]);
+  EXPECT_TRUE(warns(two, "fit: under 1: " + kRisen, kEnd));
 }
 
 TEST_F(CheckWorn, ATubeThatSlidesToTheCalvesIsSealedNamedAndJudgedAgainWhenItIsRead) {

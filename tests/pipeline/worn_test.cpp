@@ -249,13 +249,43 @@ TEST(Worn, NotASkirtThatIsWornUpsideDown) {
                                "the garment is upside down: its hem lies above its waist"}));
 }
 
+// A rib at the hem of a top may be called a waistband.
+TEST(Worn, AStraplessTopWithABandAtItsHemAndASkirtOnItsHeadByTheNameOfItsBand) {
+  /// Front and back with strips sewn to their lower edges.
+  const auto banded = [](pattern::Pattern cut, double width, const std::string& name) {
+    using namespace testing_support;
+    const double low = cut.panels[0].translation.z() + cut.panels[0].vertices[0].y();
+    for (const bool back : {false, true})
+      cut.panels.push_back(placed(rectangle_panel(back ? "wb_back" : "wb_front", width, 0.04), back,
+                                  (back ? 1 : -1) * width / 2, low - 0.04));
+    for (pattern::Panel& panel : cut.panels)
+      if (!panel.name.starts_with("wb")) panel.name = name + panel.name;
+    for (const auto& seam :
+         {stitch(2, 2, 0, 0), stitch(3, 2, 1, 0), stitch(2, 1, 3, 3), stitch(2, 3, 3, 1)})
+      cut.stitches.push_back(seam);
+    return cut;
+  };
+  const double chest = woman()->measured.at("chest");
+  const double top = woman()->landmarks.at("sternum").z() + 0.03;
+  const Sewn tube(banded(two_panels(0.48 * chest, 0.46 * chest, 0.30, 0, top), 0.46 * chest, ""));
+  EXPECT_EQ(tube.on(round_the_body(tube, 0)), Reasons{});
+  const double waist = woman()->measured.at("waist_level");
+  const Sewn skirt(banded(two_panels(0.60, 0.42, 0.5, 0, waist), 0.42, "skirt_"));
+  EXPECT_EQ(skirt.on(round_the_body(skirt, 0)).back(),
+            "the garment is upside down: its hem lies above its waist");
+}
+
 TEST(WornWay, InsideOutAndTurnedAreTold) {
   const Sewn skirt(two_panels(0.42, 0.60, 0.5, 0, woman()->measured.at("waist_level")));
   const std::vector<Vec3> x = round_the_body(skirt, 0);
   const auto told = [&](auto&& change) {
     std::vector<Vec3> changed = x;
     for (Vec3& p : changed) p = change(p);
-    return drape::unusual_way_round(skirt.mesh(), changed, woman());
+    const drape::WayRound way = drape::way_round(skirt.mesh(), changed, woman());
+    Reasons said;
+    for (const std::string& line : {way.inside_out, way.turned})
+      if (!line.empty()) said.push_back(line);
+    return said;
   };
   EXPECT_EQ(told([](const Vec3& p) { return p; }), Reasons{});
   const auto turned = [&](double angle) {
@@ -273,7 +303,9 @@ TEST(WornWay, InsideOutAndTurnedAreTold) {
   EXPECT_TRUE(mirrored[0].starts_with("the garment is worn inside out")) << mirrored[0];
   body::Body statue = woman();
   statue.joints.clear();
-  EXPECT_EQ(drape::unusual_way_round(skirt.mesh(), moved(x, {0, 0, 0}), statue), Reasons{});
+  std::vector<Vec3> other_hand = x;
+  for (Vec3& p : other_hand) p.x() = -p.x();
+  EXPECT_EQ(drape::way_round(skirt.mesh(), other_hand, statue).inside_out, "");
 }
 
 TEST(Worn, AStockingOnItsLegAndNotBesideIt) {

@@ -280,11 +280,13 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     };
     opening.at_waist = on(waist);
     opening.at_chest = on(chest);
-    opening.of_waistband = std::all_of(loop.begin(), loop.end(),
-                                       [&](int v) { return bands[garment.vertex_panel[v]] != 0; });
     labels.push_back(panel_label(loop, garment, pattern));
     opening.piece = piece[loop.front()];
     opening.of_legs = of_legs.at(opening.piece);
+    // The band at the hem of a top may be called so as well.
+    opening.of_waistband = opening.of_legs && std::all_of(loop.begin(), loop.end(), [&](int v) {
+                             return bands[garment.vertex_panel[v]] != 0;
+                           });
     of_piece[opening.piece].push_back(static_cast<int>(openings.size()));
     opening.loop = std::move(loop);
     openings.push_back(std::move(opening));

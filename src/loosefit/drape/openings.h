@@ -21,7 +21,7 @@ struct Opening {
   bool at_chest = false;              ///< an edge is labelled "strapless_top"
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
   bool of_legs = false;
-  bool of_waistband = false;  ///< its edges are of waistbands by name
+  bool of_waistband = false;  ///< of_legs, and its edges are of waistbands by name
 };
 
 /// Whether `a`, of two ends of a tube, is the upper one: by what labels and names say (a waistband,

@@ -55,23 +55,22 @@ std::optional<Vec2> forward(const garment::Garment& garment, const std::vector<V
 
 }  // namespace
 
-std::vector<std::string> unusual_way_round(const garment::Garment& garment,
-                                           const std::vector<Vec3>& x,
-                                           const body::PosedBody& body) {
-  std::vector<std::string> found;
+WayRound way_round(const garment::Garment& garment, const std::vector<Vec3>& x,
+                   const body::PosedBody& body) {
+  WayRound found;
   if (body->joints.empty()) return found;
   if (const double share = inside_out_share(garment, x, body); share > 0.5)
-    found.push_back(fmt::format(
+    found.inside_out = fmt::format(
         "the garment is worn inside out: the outside of {:.0f} % of its cloth faces the wearer",
-        100 * share));
+        100 * share);
   if (const auto way = forward(garment, x, body)) {
     // The wearer faces −y, +x is the wearer's left.
     const double angle = degrees(std::atan2(way->x(), -way->y()));
     if (std::abs(angle) > kTurned)
-      found.push_back(
-          fmt::format("the garment is worn turned: the pieces for the front lie {:.0f}° to the {} "
-                      "of the wearer's front",
-                      std::abs(angle), angle > 0 ? "left" : "right"));
+      found.turned = fmt::format(
+          "the garment is worn turned: the pieces for the front lie {:.0f}° to the {} of the "
+          "wearer's front",
+          std::abs(angle), angle > 0 ? "left" : "right");
   }
   return found;
 }

@@ -24,7 +24,7 @@ constexpr double kLeastDepth = 0.008;             ///< more for every layer [m]
 constexpr double kDepthShares[] = {1.0, 1.5};
 /// Tries for a garment that is placed over others: how much farther from the skin than they are
 /// [m], where they are as far from it.
-constexpr double kFarther[] = {0.002, 0.005, 0.01, 0.02, 0.03};
+constexpr double kFarther[] = {0.002, 0.005, 0.01, 0.007, 0.014, 0.02, 0.03};
 constexpr double kSlope = 0.3;  ///< of padding towards skin that nothing covers
 
 /// Everything that is on already.

@@ -20,20 +20,35 @@ std::string seam_key(const pattern::Stitch& stitch, std::size_t index) {
   return "stitch " + (stitch.name.empty() ? std::to_string(index) : stitch.name);
 }
 
-/// +1 for panels as drawn, −1 for panels turned over because a right_wrong seam joins them.
-std::vector<int> panel_signs(const pattern::Pattern& pattern) {
+double flat_area(const pattern::PanelMesh& mesh) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec2 a = mesh.vertices[t[1]] - mesh.vertices[t[0]],
+               b = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+    area += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+  }
+  return area;
+}
+
+/// +1 for panels as drawn, −1 for panels turned over because a right_wrong seam joins them. Of each
+/// part that hangs together the larger area is as drawn: a lapel is turned over, not the coat.
+std::vector<int> panel_signs(const pattern::Pattern& pattern,
+                             const std::vector<pattern::PanelMesh>& meshes) {
   std::vector<int> sign(pattern.panels.size(), 0);
   for (std::size_t seed = 0; seed < sign.size(); ++seed) {
     if (sign[seed] != 0) continue;
     sign[seed] = 1;
+    std::vector<std::size_t> part = {seed};
     for (bool grown = true; grown;) {
       grown = false;
       for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
         const pattern::Stitch& stitch = pattern.stitches[s];
-        int &a = sign[stitch.first.panel], &b = sign[stitch.second.panel];
+        const auto first = static_cast<std::size_t>(stitch.first.panel),
+                   second = static_cast<std::size_t>(stitch.second.panel);
+        int &a = sign[first], &b = sign[second];
         const int turn = stitch.right_wrong ? -1 : 1;
-        if (a != 0 && b == 0) b = turn * a, grown = true;
-        if (b != 0 && a == 0) a = turn * b, grown = true;
+        if (a != 0 && b == 0) b = turn * a, grown = true, part.push_back(second);
+        if (b != 0 && a == 0) a = turn * b, grown = true, part.push_back(first);
         if (a != 0 && b != 0 && a != turn * b)
           throw GeometryError(InputPlace{{}, 0, seam_key(stitch, s)},
                               "a seam that makes the cloth one-sided (Möbius strip)",
@@ -41,6 +56,10 @@ std::vector<int> panel_signs(const pattern::Pattern& pattern) {
                               "reverse one side, or use right_wrong on both ends of the band");
       }
     }
+    double as_drawn = 0;
+    for (const std::size_t panel : part) as_drawn += sign[panel] * flat_area(meshes[panel]);
+    if (as_drawn < 0)
+      for (const std::size_t panel : part) sign[panel] = -sign[panel];
   }
   return sign;
 }
@@ -110,7 +129,7 @@ SewnPanels sew_panels(const pattern::Pattern& pattern,
   g.vertex_panel.assign(g.vertex_count, -1);
   g.vertex_uv.assign(g.vertex_count, Vec2::Zero());
   g.vertex_mass.assign(g.vertex_count, 0);
-  const std::vector<int> sign = panel_signs(pattern);
+  const std::vector<int> sign = panel_signs(pattern, meshes);
   for (int p = 0; p < panels; ++p) {
     g.panel_names.push_back(pattern.panels[p].name);
     g.panel_parts.push_back(pattern.panels[p].part);

@@ -41,9 +41,10 @@ std::vector<std::string> split(const std::string& name) {
 
 struct Known {
   bool PieceWords::*what;
-  std::vector<const char*> begins;  ///< the word begins so
-  std::vector<const char*> is;      ///< the word is this
-  std::vector<const char*> holds;   ///< the word has this in it
+  std::vector<const char*> begins;           ///< the word begins so
+  std::vector<const char*> is;               ///< the word is this
+  std::vector<const char*> holds;            ///< the word has this in it
+  std::vector<const char*> not_begins = {};  ///< but a word that begins so says something else
 };
 
 const std::vector<Known>& known() {
@@ -79,7 +80,12 @@ const std::vector<Known>& known() {
         "einlage"},
        {"pk", "pkt"},
        {"pocket", "tasche"}},
-      {&W::hood, {"hood", "kapuze", "capuche", "capucha"}, {"ho"}, {"hood", "kapuze"}},
+      // A hoodie is the garment, whatever piece of it.
+      {&W::hood,
+       {"hood", "kapuze", "capuche", "capucha"},
+       {"ho"},
+       {"kapuze"},
+       {"hoodie", "hoody", "hooded", "kapuzenp", "kapuzenj"}},
       {&W::centre, {"center", "centre", "mitte", "centro", "gusset"}, {}, {}},
       {&W::neck,
        {"neck", "collar", "kragen", "hals", "col", "cuello"},
@@ -120,6 +126,7 @@ bool says(const Known& known, const std::string& word) {
   const auto any = [&](const std::vector<const char*>& list, auto test) {
     return std::any_of(list.begin(), list.end(), test);
   };
+  if (any(known.not_begins, [&](const char* k) { return word.starts_with(k); })) return false;
   return any(known.is, [&](const char* k) { return word == k; }) ||
          any(known.begins, [&](const char* k) { return word.starts_with(k); }) ||
          any(known.holds, [&](const char* k) { return word.find(k) != std::string::npos; });

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "loosefit/base/text.h"
 #include "loosefit/drape/worn.h"
@@ -36,45 +38,65 @@ std::string under(std::size_t garment, const CaseResult& result) {
   return garment + 1 < result.garments.size() ? fmt::format("under {}: ", garment + 1) : "";
 }
 
-/// How a garment is worn in one drape, where not as usual.
-Lines way_of_wearing(const CaseGarment& garment, const drape::Drape& drape,
-                     const body::PosedBody& body) {
-  Lines told = drape::risen_waists(garment.mesh(), garment.pattern.pattern, drape.positions, body);
-  for (std::string& line : drape::unusual_way_round(garment.mesh(), drape.positions, body))
-    told.push_back(std::move(line));
+/// How a garment is worn in one drape, where not as usual, by what is unusual.
+std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const drape::Drape& drape,
+                                            const body::PosedBody& body) {
+  std::map<std::string, Lines> told;
+  told["risen"] =
+      drape::risen_waists(garment.mesh(), garment.pattern.pattern, drape.positions, body);
+  const drape::WayRound way = drape::way_round(garment.mesh(), drape.positions, body);
+  if (!way.inside_out.empty()) told["inside out"] = {way.inside_out};
+  if (!way.turned.empty()) told["turned"] = {way.turned};
+  std::erase_if(told, [](const auto& entry) { return entry.second.empty(); });
   return told;
 }
 
-/// The same in states that count, where the reference state has nothing to tell: what the first of
-/// them has, and the names of all.
-Lines way_of_wearing_in_states(const CaseResult& result, std::size_t g) {
-  Lines first, where;
+/// The same of all states that count: of each kind what the reference state has, or else the first
+/// that has it, and the names of the postures.
+Lines ways_of_wearing(const CaseResult& result, std::size_t g) {
+  const CaseGarment& garment = result.garments[g];
+  const auto in_reference = way_of_wearing(garment, garment.drape, result.body.body);
+  std::map<std::string, Lines> first, where;
   for (const CaseState& state : result.wear.states) {
     if (!state.counts()) continue;
-    Lines told =
-        way_of_wearing(result.garments[g], state.drapes[g], result.body_in(state.id.posture));
-    if (told.empty()) continue;
-    if (first.empty()) first = std::move(told);
-    if (std::ranges::count(where, state.name) == 0) where.push_back(state.name);
+    for (auto& [kind, lines] :
+         way_of_wearing(garment, state.drapes[g], result.body_in(state.id.posture))) {
+      if (in_reference.contains(kind)) continue;
+      first.try_emplace(kind, lines);
+      if (std::ranges::count(where[kind], state.name) == 0) where[kind].push_back(state.name);
+    }
   }
-  for (std::string& line : first) line += " (in " + join(where) + ")";
-  return first;
+  Lines told;
+  for (const auto& [kind, lines] : in_reference)
+    told.insert(told.end(), lines.begin(), lines.end());
+  for (const auto& [kind, lines] : first) {
+    const Lines& names = where[kind];
+    const std::string also =
+        names.size() > 1 ? "; also in " + join(Lines(names.begin() + 1, names.end())) : "";
+    for (const std::string& line : lines)
+      told.push_back(fmt::format("{} (in {}{})", line, names.front(), also));
+  }
+  return told;
 }
 
-/// How the garments fit, and whether their cloth was measured as far as it is strained.
+/// How the garments fit, and whether their cloth was measured as far as it is strained. What the
+/// skin bears at a garment under others is the weight and the tightness of all of them: whether it
+/// is loose by itself cannot be told from it.
 void add_fit(Lines& all, const CaseResult& result) {
   for (std::size_t g = 0; g < result.garments.size(); ++g) {
     const CaseGarment& garment = result.garments[g];
     const scenario::ScenarioGarment& asked = result.scenario.garments[g];
-    Lines told = ease_warnings(station_eases(garment.pattern, asked.spec), garment.maps.load);
+    const bool outermost = g + 1 == result.garments.size();
+    Lines told = ease_warnings(station_eases(garment.pattern, asked.spec),
+                               outermost ? garment.maps.load : std::nullopt);
     const auto tell = [&told](const Lines& more) {
       told.insert(told.end(), more.begin(), more.end());
     };
-    if (result.certificate().worn()) {
-      const Lines way = way_of_wearing(garment, garment.drape, result.body.body);
-      tell(way.empty() ? way_of_wearing_in_states(result, g) : way);
-    }
-    tell(comfort_warnings(garment.maps));
+    if (result.certificate().worn()) tell(ways_of_wearing(result, g));
+    Lines comfort = comfort_warnings(garment.maps);
+    if (!outermost)
+      for (std::string& line : comfort) line += ", with what is worn over it";
+    tell(comfort);
     add(all, "fit", told, under(g, result));
     add(all, "material", strain_range_warnings(garment.maps.strain_range, asked.material));
   }
