@@ -9,6 +9,9 @@
 namespace loosefit::io {
 namespace {
 
+constexpr const char* kParting = ",;+&/";  // of what a text says of several cloths
+constexpr const char* kPartingAndDigits = ",;+&/0123456789";
+
 std::string trimmed(const std::string& s) {
   const std::size_t a = s.find_first_not_of(" \t"), b = s.find_last_not_of(" \t");
   return a == std::string::npos ? std::string() : s.substr(a, b - a + 1);
@@ -76,14 +79,38 @@ bool is_other_cloth(const std::string& word) {
 }
 
 bool is_own_cloth(const std::string& word) {
-  for (const char* is : {"self", "shell", "main", "outer", "body", "fabric", "oberstoff", "tissu",
-                         "tela", "tecido", "tessuto", "stof"})
+  for (const char* is : {"self", "shell", "main", "outer", "body", "oberstoff"})
     if (word == is) return true;
   return false;
 }
 
-bool tells_how_often(const std::string& word) {
-  for (const char* is : {"cut", "x", "of", "pc", "pcs", "piece", "pieces", "pair", "only"})
+/// Words of any cloth: a garment's own one beside a lining ("Tela, forro"), no other than the
+/// lining where they stand with it ("Tela de forro").
+bool is_any_cloth(const std::string& word) {
+  for (const char* is : {"fabric", "tissu", "tela", "tecido", "tessuto", "stof", "stoff"})
+    if (word == is) return true;
+  return false;
+}
+
+/// Words of the parts of a text, which signs and words for "and" part.
+std::vector<std::vector<std::string>> parts_in(const std::string& text, const char* signs) {
+  std::vector<std::vector<std::string>> parts(1);
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(signs, at), text.size());
+    for (const std::string& word : words_in(text.substr(at, end - at)))
+      if (word == "and" || word == "und" || word == "et" || word == "y" || word == "e")
+        parts.emplace_back();
+      else
+        parts.back().push_back(word);
+    parts.emplace_back();
+    at = end + 1;
+  }
+  return parts;
+}
+
+bool says_nothing_of_cloth(const std::string& word) {
+  for (const char* is :
+       {"cut", "x", "of", "de", "di", "pc", "pcs", "piece", "pieces", "pair", "only"})
     if (word == is) return true;
   return false;
 }
@@ -116,18 +143,28 @@ bool parse_quantity(const std::string& text, PieceCount& count) {
 }
 
 std::string of_other_cloth(const DxfPiece& piece) {
+  const auto has = [](const std::vector<std::string>& words, bool (*is)(const std::string&)) {
+    return std::any_of(words.begin(), words.end(), is);
+  };
+  for (const auto& part : parts_in(piece.fabric, kParting))
+    if (has(part, is_own_cloth) && !has(part, is_other_cloth)) return {};
   for (const auto& [key, text] :
        {std::pair{"Fabric", &piece.fabric}, std::pair{"Category", &piece.category},
         std::pair{"Annotation", &piece.annotation}}) {
-    const std::vector<std::string> words = words_in(*text);
-    if (std::none_of(words.begin(), words.end(), is_other_cloth)) continue;
-    const bool names_own = std::any_of(words.begin(), words.end(), is_own_cloth);
-    const bool says_more = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-      return !is_other_cloth(word) && !tells_how_often(word);
-    });
-    // "Fusible tape at the neck" is an annotation of a piece of the garment's cloth.
-    if (!names_own && !(says_more && text == &piece.annotation))
-      return std::string(key) + " \"" + *text + '"';
+    const bool annotation = text == &piece.annotation;
+    bool other = false, own = false;
+    // "Cut 2 self 2 lining" is an annotation in two parts, "Fabric 2 lining" a cloth.
+    for (const auto& part : parts_in(*text, annotation ? kPartingAndDigits : kParting)) {
+      const bool of_other = has(part, is_other_cloth);
+      other |= of_other;
+      own |= !of_other && (has(part, is_own_cloth) || has(part, is_any_cloth));
+      // "Fusible tape at the neck" is an annotation of a piece of the garment's cloth.
+      own |= annotation && std::any_of(part.begin(), part.end(), [](const std::string& word) {
+               return !is_other_cloth(word) && !is_own_cloth(word) && !is_any_cloth(word) &&
+                      !says_nothing_of_cloth(word);
+             });
+    }
+    if (other && !own) return std::string(key) + " \"" + *text + '"';
   }
   return {};
 }

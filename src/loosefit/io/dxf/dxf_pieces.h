@@ -32,8 +32,11 @@ DxfStyle find_pieces(const DxfDocument& document);
 bool parse_quantity(const std::string& text, PieceCount& count);
 
 /// The text that says that the piece is cut from another cloth than the garment's, as linings,
-/// interlinings and fusibles are: 'Fabric "LINING"'. Empty where none says so, and where it names
-/// the garment's cloth as well. An annotation has to say nothing else.
+/// interlinings and fusibles are: 'Fabric "LINING"', "Tela de forro", "BODY LINING". Empty where
+/// none says so, where another part of that text names the garment's cloth ("Self, Lining"; parts
+/// end at , ; + & / and words for "and", in an annotation at numbers too), and where the fabric
+/// is the garment's own by a word for it that is not one of any cloth. An annotation has to say
+/// nothing else.
 std::string of_other_cloth(const DxfPiece& piece);
 
 /// Whether a text of this key is read by find_pieces.

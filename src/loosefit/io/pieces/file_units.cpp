@@ -92,10 +92,15 @@ FileUnits choose_units(const std::string& asked, const SaidUnits& says, double e
   };
   const Unit& cm = kUnits[1];
   if (said && plausible(*said, extent)) {
-    if (said->metric || !plausible(cm, extent)) return {said->metre, said->title, {}};
-    if (written_in_centimetres(says.maker))
-      return taken_as(cm, ", under which the program that wrote it, " + printable(says.maker, 60) +
-                              ", writes centimetres");
+    if (said->metric) return {said->metre, said->title, {}};
+    if (written_in_centimetres(says.maker)) {
+      const std::string maker =
+          "the program that wrote it, " + printable(says.maker, 60) + ", writes centimetres";
+      if (plausible(cm, extent)) return taken_as(cm, ", under which " + maker);
+      refuse(fmt::format("{:g} to {:g} m in centimetres: under what the file says {}", kShortest,
+                         kLongest, maker));
+    }
+    if (!plausible(cm, extent)) return {said->metre, said->title, {}};
     if (extent > kMostInches)
       refuse(fmt::format("no more than {:g} inches where centimetres make a garment as well",
                          kMostInches));

@@ -26,8 +26,8 @@ struct SaidUnits {
 /// of the largest piece of a garment lies between 0.25 and 1.7 m. What the file says is taken when
 /// it passes; else the only other unit that does, of the same system first, with a warning.
 /// Inches that pass as centimetres too are taken with a warning up to a length of 50 inches, beyond
-/// which both are as likely (judgement: 0.5 m is a T-shirt, 1.27 m a dress); as centimetres where
-/// CLO or Marvelous Designer wrote the file, which write these under ENGLISH.
+/// which both are as likely (judgement: 0.5 m is a T-shirt, 1.27 m a dress). Where CLO or Marvelous
+/// Designer wrote the file, which write centimetres under ENGLISH, it is not taken as inches.
 /// \param asked  mm, cm, m or inch; empty: to be found
 /// \param extent  longest side of the largest piece [file units]
 /// \throws InvalidInput where no unit or several would do, with the sizes they would give.

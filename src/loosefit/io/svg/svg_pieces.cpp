@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/svg/svg_labels.h"
 #include "loosefit/io/svg/svg_lines.h"
+#include "loosefit/io/svg/svg_sizes.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -24,12 +26,6 @@ constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
-struct Run {
-  const SvgShape* shape;
-  SampledRun line;  ///< [m], y up
-  double area = 0;
-};
-
 std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
   std::optional<Axis> best;
   double longest = kSamePoint;
@@ -42,67 +38,10 @@ std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
   return best;
 }
 
-/// "path3", "rect12-5", "g7": ids that programs give by themselves.
-bool given_by_program(const std::string& id) {
-  std::size_t letters = 0;
-  while (letters < id.size() && std::isalpha(static_cast<unsigned char>(id[letters]))) ++letters;
-  const std::string word = id.substr(0, letters);
-  const bool counted =
-      id.find_first_not_of("0123456789-_.", letters) == std::string::npos && letters < id.size();
-  for (const char* known : {"path", "rect", "polygon", "polyline", "ellipse", "circle", "line", "g",
-                            "use", "layer", "svg", "shape", "group", "image", "fs"})
-    if (word == known && (counted || id == word)) return true;
-  return false;
-}
-
-std::string own_name(const std::string& label, const std::string& id) {
-  if (!label.empty()) return label;
-  return given_by_program(id) ? std::string() : id;
-}
-
 std::string clean_name(std::string name) {
   if (name.starts_with("panel-")) name.erase(0, 6);  // of our own sheets
   name = name.substr(0, 100);
   return name;
-}
-
-Eigen::AlignedBox2d box_of(const std::vector<Vec2>& points) {
-  Eigen::AlignedBox2d box;
-  for (const Vec2& p : points) box.extend(p);
-  return box;
-}
-
-/// Whether the extent of one lies in that of the other, which is quickly told.
-bool may_lie_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
-  const Eigen::AlignedBox2d a = box_of(inner), b = box_of(outer);
-  return a.min().x() > b.min().x() - kChainGap && a.min().y() > b.min().y() - kChainGap &&
-         a.max().x() < b.max().x() + kChainGap && a.max().y() < b.max().y() + kChainGap;
-}
-
-bool lies_inside(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer) {
-  if (!may_lie_inside(inner, outer)) return false;
-  return std::all_of(inner.begin(), inner.end(), [&](const Vec2& p) {
-    return pattern::inside_polygon(outer, p) ||
-           (pattern::closest_on_polygon(outer, p) - p).norm() < kChainGap;
-  });
-}
-
-bool names_a_piece(const pattern::PieceWords& w) {
-  return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
-         w.neck || w.cuff || w.waist || w.hem;
-}
-
-/// Small letters and digits of a text, in words with a blank before and after each.
-std::string in_words(const std::string& text) {
-  std::string words = " ";
-  for (const char c : text) {
-    const unsigned char u = c;
-    if (std::isalnum(u) || u >= 0x80)
-      words += static_cast<char>(std::tolower(u));
-    else if (words.back() != ' ')
-      words += ' ';
-  }
-  return words.back() == ' ' ? words : words + ' ';
 }
 
 class Sorter {
@@ -126,13 +65,17 @@ class Sorter {
       }
       const std::vector<std::size_t> sizes = outlines_within(i);
       const std::size_t cut = size_.empty() || sizes.empty() ? i : of_asked_size(i, sizes);
+      std::vector<std::size_t> others{i};
+      others.insert(others.end(), sizes.begin(), sizes.end());
+      others.erase(std::find(others.begin(), others.end(), cut));
       SvgPiece piece;
       const SvgShape& shape = *closed_[cut].shape;
       piece.line = shape.line;
       piece.of_size = !size_.empty() && !sizes.empty();
-      piece.piece.name = name_of(shape, pieces_of_group, pieces.size());
-      const Run* outline = &closed_[cut];
-      if (const Run* seam = sew_line(cut)) outline = seam, piece.piece.on_sew_line = true, --within;
+      piece.piece.name = name_of(shape, others, pieces_of_group, pieces.size());
+      const SvgLine* outline = &closed_[cut];
+      if (const SvgLine* seam = sew_line(cut, others, piece.piece.notes))
+        outline = seam, piece.piece.on_sew_line = true, --within;
       if (words(*outline->shape).seam) piece.piece.on_sew_line = true;
       set_outline(piece.piece, outline->line.points, outline->line.nodes);
       if (piece.of_size) {
@@ -191,6 +134,20 @@ class Sorter {
     });
   }
 
+  /// A group called "front on fold" holds the piece, one called "front fold" a line of it.
+  bool holds_a_piece(int group) {
+    if (!groups_with_pieces_) {
+      groups_with_pieces_.emplace();
+      for (const SvgShape& shape : document_.shapes) {
+        const pattern::PieceWords own = words(shape);
+        if ((!(own.grain || own.fold || own.notch) || names_a_piece(own)) &&
+            encloses_a_piece(shape))
+          groups_with_pieces_->insert(shape.groups.begin(), shape.groups.end());
+      }
+    }
+    return groups_with_pieces_->count(group) > 0;
+  }
+
   void gather() {
     std::vector<const SvgShape*> large_marks;
     for (const SvgShape& shape : document_.shapes) {
@@ -201,7 +158,9 @@ class Sorter {
       }
       // A piece, or the group round it, may be called "front on fold" or "notched collar".
       const bool mark = own.grain || own.fold || own.notch;
-      if (!mark && (names_a_piece(group) || !(group.grain || group.fold || group.notch)))
+      const bool of_marks = (group.grain || group.fold || group.notch) &&
+                            !(names_a_piece(group) && holds_a_piece(innermost(shape)));
+      if (!mark && !of_marks)
         take(shape);
       else if (!encloses_a_piece(shape))
         marks_.push_back(&shape);
@@ -215,13 +174,13 @@ class Sorter {
     part_large_marks(certain);
     // In the order of the file.
     std::stable_sort(closed_.begin(), closed_.end(),
-                     [](const Run& a, const Run& b) { return a.shape < b.shape; });
+                     [](const SvgLine& a, const SvgLine& b) { return a.shape < b.shape; });
   }
 
   /// Sorts the lines of a shape.
   void take(const SvgShape& shape) {
     for (const SvgRun& run : shape.runs) {
-      Run one{&shape, sampled_in_metres(run, unit_), 0};
+      SvgLine one{&shape, sampled_in_metres(run, unit_), 0};
       if (one.line.points.size() < 2) continue;
       points_ += one.line.points.size();
       if (points_ > kMostPoints)
@@ -246,11 +205,11 @@ class Sorter {
   /// Arrows and brackets drawn as closed lines: they lie at least with a part of them in a piece
   /// that is much larger.
   void part_large_marks(std::size_t certain) {
-    std::vector<Run> pieces(closed_.begin(),
-                            closed_.begin() + static_cast<std::ptrdiff_t>(certain));
+    std::vector<SvgLine> pieces(closed_.begin(),
+                                closed_.begin() + static_cast<std::ptrdiff_t>(certain));
     for (std::size_t i = certain; i < closed_.size(); ++i) {
-      const Run& run = closed_[i];
-      const bool mark = std::any_of(closed_.begin(), closed_.end(), [&](const Run& piece) {
+      const SvgLine& run = closed_[i];
+      const bool mark = std::any_of(closed_.begin(), closed_.end(), [&](const SvgLine& piece) {
         if (run.area >= kShareOfPiece * piece.area) return false;
         const Eigen::AlignedBox2d box = box_of(piece.line.points);
         return std::any_of(run.line.points.begin(), run.line.points.end(), [&](const Vec2& p) {
@@ -265,14 +224,14 @@ class Sorter {
     closed_ = std::move(pieces);
   }
 
-  bool is_rectangle(const Run& run) const {
+  bool is_rectangle(const SvgLine& run) const {
     return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
   }
 
   /// Rectangles that cover the page, or several other closed lines.
   void drop_frames() {
     const Vec2 page = unit_ * (document_.high - document_.low);
-    std::vector<Run> kept;
+    std::vector<SvgLine> kept;
     std::vector<char> frame(closed_.size(), 0);
     for (std::size_t i = 0; i < closed_.size(); ++i) {
       if (!is_rectangle(closed_[i])) continue;
@@ -332,27 +291,13 @@ class Sorter {
     return line;
   }
 
-  /// Labels of a line and of all groups round it.
-  std::string all_labels(const SvgShape& shape) const {
-    std::string all = shape.label + " " + shape.id;
-    for (const int g : shape.groups)
-      all += " " + document_.groups[g].label + " " + document_.groups[g].id;
-    return all;
+  std::string labels_round(std::size_t line) const {
+    return all_labels(document_, *closed_[line].shape);
   }
 
   std::string labels_of(const std::vector<std::size_t>& lines) const {
     std::vector<std::string> labels;
-    for (const std::size_t i : lines) {
-      const SvgShape& shape = *closed_[i].shape;
-      std::string name = own_name(shape.label, shape.id);
-      if (const int g = innermost(shape); g >= 0) {
-        const SvgGroup& group = document_.groups[g];
-        const std::string around = own_name(group.label, group.id);
-        if (!around.empty()) name += (name.empty() ? "in " : " in ") + around;
-      }
-      labels.push_back(name.empty() ? fmt::format("the one at line {}", shape.line)
-                                    : '"' + printable(name) + '"');
-    }
+    for (const std::size_t i : lines) labels.push_back(described(document_, *closed_[i].shape));
     return printable(join(labels), 300);
   }
 
@@ -360,8 +305,7 @@ class Sorter {
     outlines.insert(outlines.begin(), outer);
     std::vector<std::size_t> fitting;
     for (const std::size_t i : outlines)
-      if (in_words(all_labels(*closed_[i].shape)).find(in_words(size_)) != std::string::npos)
-        fitting.push_back(i);
+      if (has_words(labels_round(i), size_)) fitting.push_back(i);
     if (fitting.size() == 1) return fitting[0];
     throw InvalidInput(
         {file_, closed_[outer].shape->line, "size"}, '"' + printable(size_) + '"',
@@ -371,42 +315,73 @@ class Sorter {
         "label the outlines, or the groups round them, with their sizes");
   }
 
-  /// The largest sew line within a cut line.
-  const Run* sew_line(std::size_t outer) const {
-    const Run* best = nullptr;
+  /// The sew line within a cut line.
+  /// \param others  outlines of other sizes
+  const SvgLine* sew_line(std::size_t cut, const std::vector<std::size_t>& others,
+                          std::vector<std::string>& notes) const {
+    std::vector<const SvgLine*> of_others, seams;
+    for (const std::size_t i : others) of_others.push_back(&closed_[i]);
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (outermost(i) == outermost(outer) && closed_[i].area < closed_[outer].area &&
-          closed_[i].area > kShareOfPiece * closed_[outer].area &&
-          (!best || closed_[i].area > best->area) && words(*closed_[i].shape).seam &&
-          lies_inside(closed_[i].line.points, closed_[outer].line.points))
-        best = &closed_[i];
-    return best;
+      if (outermost(i) == outermost(cut) && words(*closed_[i].shape).seam &&
+          closed_[i].area > kShareOfPiece * closed_[cut].area)
+        seams.push_back(&closed_[i]);
+    return seam_of_size(document_, closed_[cut], of_others, seams, size_, notes);
   }
 
-  std::string name_of(const SvgShape& shape, const std::map<int, int>& pieces_of_group,
-                      std::size_t number) const {
-    std::string name = own_name(shape.label, shape.id);
+  /// How many pieces have a closed line in a group, or in groups in it.
+  std::ptrdiff_t pieces_in(int group) const {
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < closed_.size(); ++i)
+      count += within_[i] < 0 && stands_in(*closed_[i].shape, group);
+    return count;
+  }
+
+  /// The label, else that of a group round it. A label that says of several outlines in each other
+  /// which one this is, as sizes do, gives way to one that they share.
+  std::string name_of(const SvgShape& shape, const std::vector<std::size_t>& others,
+                      const std::map<int, int>& pieces_of_group, std::size_t number) const {
+    std::vector<std::pair<std::string, int>> names;  // and the group; the innermost first
+    const std::string own = own_name(shape.label, shape.id);
     // "cut" and "seam" are what the line is, its group is what the piece is.
-    if (name == "cut" || name == "cutline" || pattern::words_of(name).seam) name.clear();
-    for (std::size_t k = shape.groups.size(); name.empty() && k-- > 0;) {
+    if (!own.empty() && own != "cut" && own != "cutline" && !pattern::words_of(own).seam)
+      names.emplace_back(own, -1);
+    for (std::size_t k = shape.groups.size(); k-- > 0;) {
       const SvgGroup& group = document_.groups[shape.groups[k]];
       const auto count = pieces_of_group.find(shape.groups[k]);
-      const bool several = count != pieces_of_group.end() && count->second > 1;
-      if (group.layer && several) break;
-      name = own_name(group.label, group.id);
+      if (group.layer && count != pieces_of_group.end() && count->second > 1) break;
+      const std::string name = own_name(group.label, group.id);
+      if (!name.empty()) names.emplace_back(name, shape.groups[k]);
     }
-    name = clean_name(name);
-    return name.empty() ? fmt::format("piece_{}", number + 1) : name;
+    const auto shared = [&](const std::string& name) {
+      return std::any_of(others.begin(), others.end(),
+                         [&](std::size_t i) { return has_words(labels_round(i), name); });
+    };
+    const auto is_piece = [](const std::string& name) {
+      return names_a_piece(pattern::words_of(name));
+    };
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::string& name = names[k].first;
+      const bool is_size = !size_.empty() && in_words(name) == in_words(size_);
+      const bool better_round_it = !others.empty() && !shared(name) &&
+                                   std::any_of(names.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                                               names.end(), [&](const auto& round) {
+                                                 return shared(round.first) &&
+                                                        pieces_in(round.second) == 1 &&
+                                                        (is_piece(round.first) || !is_piece(name));
+                                               });
+      if (!is_size && !better_round_it) return clean_name(name);
+    }
+    return names.empty() ? fmt::format("piece_{}", number + 1) : clean_name(names[0].first);
   }
 
   /// Groups without a closed line whose open ones close together.
   void chain_groups(std::vector<SvgPiece>& pieces, const std::map<int, int>& pieces_of_group) {
-    std::map<int, std::vector<const Run*>> open;
-    for (const Run& run : open_) open[innermost(*run.shape)].push_back(&run);
+    std::map<int, std::vector<const SvgLine*>> open;
+    for (const SvgLine& run : open_) open[innermost(*run.shape)].push_back(&run);
     for (const auto& [group, runs] : open) {
       if (pieces_of_group.count(group) || runs.size() > kMostOpen || runs.size() < 2) continue;
       std::vector<DrawnLine> lines;
-      for (const Run* run : runs) lines.push_back({run->line.points, false, true});
+      for (const SvgLine* run : runs) lines.push_back({run->line.points, false, true});
       Chained chained = chain_lines(lines, {});
       int made = 0;
       for (Outline& loop : chained.loops) {
@@ -471,11 +446,12 @@ class Sorter {
   const SvgDocument& document_;
   double unit_;
   const std::string &file_, &size_;
-  std::vector<Run> closed_, open_;
+  std::vector<SvgLine> closed_, open_;
   std::vector<int> within_;  ///< index of a closed line round it; −1
   std::vector<const SvgShape*> marks_;
   std::vector<int> groups_;                  ///< per piece: the group that is its own; −1
   std::vector<std::vector<Vec2>> outlines_;  ///< per piece
+  std::optional<std::set<int>> groups_with_pieces_;
   int sheets_ = 0, chained_ = 0, small_ = 0;
   std::size_t points_ = 0;
 };

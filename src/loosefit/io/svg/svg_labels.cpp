@@ -1,0 +1,77 @@
+#include "loosefit/io/svg/svg_labels.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <sstream>
+
+#include "loosefit/base/text.h"
+
+namespace loosefit::io {
+namespace {
+
+bool given_by_program(const std::string& id) {
+  std::size_t letters = 0;
+  while (letters < id.size() && std::isalpha(static_cast<unsigned char>(id[letters]))) ++letters;
+  const std::string word = id.substr(0, letters);
+  const bool counted =
+      id.find_first_not_of("0123456789-_.", letters) == std::string::npos && letters < id.size();
+  for (const char* known : {"path", "rect", "polygon", "polyline", "ellipse", "circle", "line", "g",
+                            "use", "layer", "svg", "shape", "group", "image", "fs"})
+    if (word == known && (counted || id == word)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string own_name(const std::string& label, const std::string& id) {
+  if (!label.empty()) return label;
+  return given_by_program(id) ? std::string() : id;
+}
+
+std::string all_labels(const SvgDocument& document, const SvgShape& shape) {
+  std::string all = own_name(shape.label, shape.id);
+  for (const int g : shape.groups)
+    all += " " + own_name(document.groups[g].label, document.groups[g].id);
+  return all;
+}
+
+std::string in_words(const std::string& text) {
+  std::string words = " ";
+  for (const char c : text) {
+    const unsigned char u = c;
+    if (std::isalnum(u) || u >= 0x80)
+      words += static_cast<char>(std::tolower(u));
+    else if (words.back() != ' ')
+      words += ' ';
+  }
+  return words.back() == ' ' ? words : words + ' ';
+}
+
+bool has_words(const std::string& text, const std::string& wanted) {
+  return in_words(text).find(in_words(wanted)) != std::string::npos;
+}
+
+bool has_words_of_other(const std::string& text, const std::string& other, const std::string& own) {
+  std::istringstream words(in_words(other));
+  for (std::string word; words >> word;)
+    if (!has_words(own, word) && has_words(text, word)) return true;
+  return false;
+}
+
+std::string described(const SvgDocument& document, const SvgShape& shape) {
+  std::string name = own_name(shape.label, shape.id);
+  if (!shape.groups.empty()) {
+    const SvgGroup& group = document.groups[shape.groups.back()];
+    const std::string around = own_name(group.label, group.id);
+    if (!around.empty()) name += (name.empty() ? "in " : " in ") + around;
+  }
+  return name.empty() ? fmt::format("the one at line {}", shape.line) : '"' + printable(name) + '"';
+}
+
+bool names_a_piece(const pattern::PieceWords& w) {
+  return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
+         w.neck || w.cuff || w.waist || w.hem;
+}
+
+}  // namespace loosefit::io

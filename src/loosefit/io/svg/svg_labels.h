@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "loosefit/io/svg/svg_document.h"
+#include "loosefit/pattern/piece_names.h"
+
+namespace loosefit::io {
+
+/// The label, else the id unless a program gave it by itself ("path3", "rect12-5", "layer1").
+std::string own_name(const std::string& label, const std::string& id);
+
+/// Own names of a shape and of all groups round it, with a blank between them.
+std::string all_labels(const SvgDocument& document, const SvgShape& shape);
+
+/// Small letters and digits of a text, in words with a blank before and after each.
+std::string in_words(const std::string& text);
+
+/// Whether the words of one stand in the other, in their order.
+bool has_words(const std::string& text, const std::string& wanted);
+
+/// Whether a word of `other` that is not in `own` stands in the text: "seam S" where an outline is
+/// called "front S" and another one "front M".
+bool has_words_of_other(const std::string& text, const std::string& other, const std::string& own);
+
+/// A line of the file as messages name it: "front" in size M; the one at line 12.
+std::string described(const SvgDocument& document, const SvgShape& shape);
+
+bool names_a_piece(const pattern::PieceWords& words);
+
+}  // namespace loosefit::io
