@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
 #include "loosefit/base/text.h"
 #include "loosefit/kinds/registry.h"
+#include "loosefit/pattern/outline.h"
 
 namespace loosefit::kinds {
 namespace {
@@ -41,6 +43,29 @@ TEST(GarmentDocs, HaveTheKeysOfEveryKindWithRangeDefaultAndMeaning) {
     EXPECT_EQ(rows, kind.keys.size());
     for (const KindKey& key : kind.keys)
       EXPECT_NE(section.find(row_of(key)), std::string::npos) << row_of(key);
+  }
+}
+
+// What a key says of a garment without it is what is drafted.
+TEST(GarmentDocs, SidesWithoutAWaistGoOutwardsWhereABellyNeedsRoomAsTheKeySays) {
+  for (const char* name : {"long-sleeve-shirt", "t-shirt", "hoodie", "tank-top"}) {
+    SCOPED_TRACE(name);
+    const GarmentKind& kind = garment_kind(name);
+    NamedValues slim = kind.sizes.front().measures, belly = slim;
+    belly["waist"] = 1.15 * std::max(slim.at("chest"), slim.at("hip"));
+    const auto is_straight = [&](const NamedValues& measures) {
+      const DraftedGarment made = kind.draft({measures, "", {}, {}});
+      const pattern::Panel& front = made.pattern.panels[made.pattern.find_part("front")];
+      const pattern::EdgePath side(front, pattern::find_edge_part(front, "side_L"));
+      return side.length() - (side.at(1) - side.at(0)).norm() < 1e-9;
+    };
+    EXPECT_TRUE(is_straight(slim));
+    EXPECT_FALSE(is_straight(belly));
+    const auto waist = std::ranges::find(kind.keys, "waist", &KindKey::name);
+    ASSERT_NE(waist, kind.keys.end());
+    EXPECT_NE(waist->meaning.find("run straight, and outwards where a belly needs room"),
+              std::string::npos)
+        << waist->meaning;
   }
 }
 

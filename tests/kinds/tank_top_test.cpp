@@ -1,5 +1,6 @@
 #include "loosefit/kinds/tank_top/tank_top.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -157,6 +158,85 @@ TEST(TankTop, AFrontBeyondItsRangeIsTakenAtItsEndUnlessItWasAskedFor) {
   ASSERT_EQ(kept.notes.size(), 1u);
   EXPECT_EQ(kept.notes[0].rfind("measures.front_balance: 0.25 instead of 0.3", 0), 0u);
   EXPECT_THROW(kind.draft({m, "", {}, {}}), InvalidInput);
+}
+
+/// How much higher the middle of the front's hem lies than its ends [m].
+double front_rises(const DraftedGarment& made) {
+  double high = -9;
+  for (const pattern::PanelEdge& edge : made.pattern.panels[0].edges)
+    if (edge.part == "hem")
+      for (const Vec2& knot : edge.knots) high = std::max(high, knot.y());
+  return high - ends_of(made.pattern, 0, "side_L").second.y();
+}
+
+TEST(TankTop, AFrontIsAsMuchShorterAsTheBodyIsWhereTheSidesAreLongEnough) {
+  const GarmentKind kind = tank_top();
+  NamedValues m = kind.sizes.front().measures;
+  m["front_balance"] = -0.08;
+  const DraftedGarment made = kind.draft({m, "", {}, {}});
+  EXPECT_NEAR(front_rises(made), 0.08, 1e-9);
+  EXPECT_EQ(made.measures.at("front_balance"), -0.08);
+  EXPECT_TRUE(made.notes.empty());
+}
+
+TEST(TankTop, AFrontThatWouldEndAtTheUnderarmIsLongerUnlessItWasAskedFor) {
+  const GarmentKind kind = tank_top();
+  NamedValues m = kind.sizes.front().measures;
+  const auto underarm = [&] {
+    return std::tan(m.at("shoulder_slope")) * (m.at("shoulder_breadth") / 2 - m.at("neck") / 5) +
+           m.at("scye_depth") + 0.02;
+  };
+  for (const double side : {0.0604, 0.0733, 0.0867, 0.1001}) {
+    SCOPED_TRACE(side);
+    m["hps_to_hem"] = underarm() + side;
+    m["front_balance"] = -0.08;
+    const DraftedGarment made = kind.draft({m, "", {}, {"measures.front_balance"}});
+    const double told = made.measures.at("front_balance"), least = 0.03 - side;
+    EXPECT_GE(told, least);
+    EXPECT_LT(told, least + 0.001);
+    EXPECT_NEAR(front_rises(made), -told, 1e-9);
+    ASSERT_EQ(made.notes.size(), 1u);
+    EXPECT_TRUE(made.notes[0].starts_with(
+        fmt::format("measures.front_balance: {:.3g} instead of -0.08, since otherwise ", told)))
+        << made.notes[0];
+    try {
+      kind.draft({m, "", {}, {}});
+      ADD_FAILURE() << "a front that ends at the underarm";
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(error.place().key, "measures.front_balance");
+      const std::string said = error.what();
+      ASSERT_NE(said.find("at least "), std::string::npos) << said;
+      m["front_balance"] = std::stod(said.substr(said.find("at least ") + 9));
+      EXPECT_EQ(m.at("front_balance"), told);
+      EXPECT_NEAR(front_rises(kind.draft({m, "", {}, {}})), -told, 1e-9);
+    }
+  }
+}
+
+// What is told to fit into a chest does, as it is written.
+TEST(TankTop, StrapsAsWideAsARefusalSaysAreDrafted) {
+  const GarmentKind kind = tank_top();
+  const NamedValues m = kind.sizes.front().measures;
+  int told = 0;
+  for (double chest = -0.35; chest < -0.1; chest += 0.0137)
+    for (const char* key : {"strap_width", "strap_place"}) {
+      // The widest straps lie at the neck.
+      NamedValues fit = {{"chest", chest}, {"strap_place", 0}};
+      fit[key] = 1;
+      const NamedValues wide = fit;
+      try {
+        kind.draft({m, "", fit, {}});
+      } catch (const InvalidInput& error) {
+        const std::string said = error.what();
+        const std::size_t at = said.find("at most ");
+        if (at == std::string::npos || error.place().key != std::string("fit.") + key) continue;
+        ++told;
+        fit[key] = std::stod(said.substr(at + 8));
+        EXPECT_NO_THROW(kind.draft({m, "", fit, {}})) << said;
+        EXPECT_EQ(kind.draft({m, "", wide, {std::string("fit.") + key}}).fit.at(key), fit[key]);
+      }
+    }
+  EXPECT_GT(told, 10);
 }
 
 TEST(TankTop, NecklineIsDeeperInFrontAndDeepensWithItsKey) {

@@ -27,7 +27,6 @@ constexpr double kLift = 0.6;        ///< that holds shoulders up, per length of
 constexpr double kPad = 0.008;       ///< distance at which the skin begins to press [m]
 constexpr double kSkin = 5e5;        ///< how hard [Pa/m]
 constexpr double kField = 0.010;     ///< spacing of the field of distances [m]
-constexpr double kClosed = 0.002;    ///< gap at which a seam counts as closed [m]
 constexpr double kStretched = 1.02;  ///< area over that as cut, from which a triangle is stretched
 constexpr double kInLimb = 0.006;    ///< depth at which a closed seam goes through a limb [m]
 constexpr double kTolerance = 20;    ///< residual ‖F‖/‖W‖ [–]

@@ -9,6 +9,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 #include "loosefit/kinds/shirt/shirt_bands.h"
+#include "loosefit/kinds/told_limit.h"
 #include "loosefit/pattern/drafting.h"
 #include "loosefit/pattern/outline.h"
 
@@ -72,8 +73,9 @@ std::vector<std::pair<std::string, pattern::CurveChain>> hood_half(const HoodSha
   const Vec2 start(0, 0), shoulder(front * std::cos(kRise), -front * std::sin(kRise)),
       nape = shoulder + back * Vec2(std::cos(kRise), std::sin(kRise));
   if (const double least = least_depth(front, back); shape.depth < least)
-    throw InvalidInput({{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
-                       fmt::format("at least {:.3f} m, over the back of the neckline", least));
+    throw InvalidInput(
+        {{}, 0, "fit.hood_depth"}, fmt::format("{:.3f} m", shape.depth),
+        fmt::format("at least {:.3f} m, over the back of the neckline", told_least(least)));
   const double h = shape.height, d = shape.depth;
   const Vec2 top(0, h), fullest(d, kFullest * h);
   pattern::CurveChain to_shoulder, on_back, over, face;

@@ -9,6 +9,7 @@
 #include "loosefit/kinds/hoodie/hood_draft.h"
 #include "loosefit/kinds/match_parts.h"
 #include "loosefit/kinds/shirt/shirt.h"
+#include "loosefit/kinds/told_limit.h"
 
 namespace loosefit::kinds {
 namespace {
@@ -73,7 +74,8 @@ double height_of_head(const NamedValues& measures) {
   return known != measures.end() ? known->second : 0.12 + 0.42 * measures.at("hps_to_waist");
 }
 
-/// A hood that is too low for the wearer's head is refused, or gives way if it may.
+/// A hood that is too low for the wearer's head is refused, or gives way if it may, to the least
+/// height that may be asked for.
 void check_hood_height(double& height, DraftedGarment& drafted, bool yields) {
   const auto crown = drafted.measures.find(kCrown);
   if (crown == drafted.measures.end()) return;
@@ -82,13 +84,13 @@ void check_hood_height(double& height, DraftedGarment& drafted, bool yields) {
   if (!yields)
     throw InvalidInput({{}, 0, "fit.hood_height"}, fmt::format("{:.4g} m", height),
                        fmt::format("at least {:.3f} m, over a head of {:.3f} m from neck to crown",
-                                   least, crown->second),
+                                   told_least(least), crown->second),
                        "without fit.hood_height it is as high as the head needs");
   drafted.notes.push_back(fmt::format(
-      "fit.hood_height: {:.3g} instead of {:.3g}, since otherwise the hood would not stay on the "
+      "fit.hood_height: {:.3f} instead of {:.3g}, since otherwise the hood would not stay on the "
       "head",
-      least, height));
-  height = least;
+      told_least(least), height));
+  height = told_least(least);
 }
 
 DraftedGarment draft(const DraftRequest& request) {

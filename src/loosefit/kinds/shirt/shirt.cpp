@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "loosefit/base/text.h"
 #include "loosefit/kinds/find_size.h"
 #include "loosefit/kinds/match_parts.h"
 #include "loosefit/kinds/shirt/lay_shirt.h"
@@ -32,7 +34,9 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
   return {
       {"chest", usual.chest, -0.35, 2, kMobility, "girth under the arms", true},
       {"waist", usual.waist, -0.35, 2, kMobility,
-       "girth at the waist; without it the side seams run straight", true},
+       "girth at the waist; without it the side seams run straight, and outwards where a belly "
+       "needs room",
+       true},
       {"hip", usual.hip, -0.35, 2, kMobility, "girth of the hem", true},
       {"sleeve", usual.sleeve, -0.35, 2, kMobility, "girth of the sleeve at the upper arm", true},
       {"elbow", usual.elbow, -0.35, 2, kMobility,
@@ -85,25 +89,29 @@ std::string details_of(const ShirtDraftReport& report) {
       report.cap_ratio, 1000 * report.deepened, 1000 * report.dropped);
 }
 
-/// Tells where the underarm is not as far below the armpit as fit.scye_ease says, and a cap that is
-/// lower than sought in spite of that; nothing where both are as asked.
-void note_armhole(std::vector<std::string>& notes, const ShirtFit& fit,
-                  const ShirtDraftReport& report) {
+/// Where the underarm is not as far below the armpit as fit.scye_ease wished, whoever moved it, and
+/// a cap that is lower than sought in spite of that; nothing where it lies as wished. `change`:
+/// that of the wished value, if it gave way.
+std::optional<std::string> note_of_armhole(double wished, const ShirtChange* change,
+                                           const ShirtFit& fit, const ShirtDraftReport& report) {
   constexpr double kTold = 0.002;  // [m], less than a step of the draft
   constexpr double kToldRatio = 0.005;
-  if (std::abs(report.deepened) <= kTold) return;
-  std::string note = fmt::format("fit.scye_ease: {:.3g} instead of {:.3g}, since otherwise ",
-                                 fit.scye_ease + report.deepened, fit.scye_ease);
-  if (report.deepened < 0)
-    note += "the sleeve cap would be too steep for the armhole";
-  else
-    note += fmt::format(
-        "the sleeve cap would be lower than {:.3g} of the armhole's depth "
-        "(fit.cap_ratio)",
-        fit.cap_ratio);
+  const double lies = fit.scye_ease + report.deepened, moved = lies - wished;
+  if (std::abs(moved) <= kTold) return {};
+  // What moved it back again in part is no reason.
+  std::vector<std::string> reasons;
+  if (change && (change->after > change->before) == (moved > 0)) reasons.push_back(change->reason);
+  if (report.deepened < 0 && moved < 0)
+    reasons.push_back("the sleeve cap would be too steep for the armhole");
+  if (report.deepened > 0 && moved > 0)
+    reasons.push_back(fmt::format(
+        "the sleeve cap would be lower than {:.3g} of the armhole's depth (fit.cap_ratio)",
+        fit.cap_ratio));
+  std::string note =
+      ShirtChange{"fit.scye_ease", wished, lies, join(reasons, ", and since ")}.told();
   if (report.cap_ratio < fit.cap_ratio - kToldRatio)
     note += fmt::format("; with that it is {:.2f}", report.cap_ratio);
-  notes.push_back(std::move(note));
+  return note;
 }
 
 /// Bands and hems, which may be asked for beside a size.
@@ -134,9 +142,19 @@ DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const Draft
   AdaptedShirt shirt = draft_adapted_shirt(measures, fit, request.yielding);
   shirt.pattern.name = shirt.pattern.kind = kind;
   // Nobody is told of what nobody asked for: the usual armhole, or that of a size.
-  const bool asked = request.fit.count("scye_ease") || request.fit.count("cap_ratio");
-  if (asked && request.size.empty()) note_armhole(shirt.notes, shirt.fit, shirt.report);
-  return {std::move(shirt.pattern), named(shirt.measures), named(shirt.fit), std::move(shirt.notes),
+  const bool tell_armhole =
+      request.size.empty() && (request.fit.count("scye_ease") || request.fit.count("cap_ratio"));
+  const ShirtChange* of_armhole = nullptr;
+  std::vector<std::string> notes;
+  for (const ShirtChange& change : shirt.changes)
+    if (tell_armhole && change.key == "fit.scye_ease")
+      of_armhole = &change;
+    else
+      notes.push_back(change.told());
+  if (tell_armhole)
+    if (auto note = note_of_armhole(fit.scye_ease, of_armhole, shirt.fit, shirt.report))
+      notes.push_back(std::move(*note));
+  return {std::move(shirt.pattern), named(shirt.measures), named(shirt.fit), std::move(notes),
           details_of(shirt.report)};
 }
 

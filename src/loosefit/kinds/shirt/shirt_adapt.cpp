@@ -269,15 +269,15 @@ class Adapter {
   }
 
   void tell() {
-    const auto note = [&](const std::string& key, double before, double after) {
+    const auto tell_of = [&](const std::string& key, double before, double after) {
       if (std::abs(after - before) < kVisible) return;
-      shirt_.notes.push_back(fmt::format("{}: {:.3g} instead of {:.3g}, since otherwise {}", key,
-                                         after, before, reason_of(why_.at(key))));
+      shirt_.changes.push_back({key, before, after, reason_of(why_.at(key))});
     };
-    for (const auto& [key, field] : fit_values()) note(key, first_fit_.*field, shirt_.fit.*field);
+    for (const auto& [key, field] : fit_values())
+      tell_of(key, first_fit_.*field, shirt_.fit.*field);
     for (const ShirtMeasure& measure : shirt_measure_list())
-      note(std::string("measures.") + measure.name, first_m_.*measure.field,
-           shirt_.measures.*measure.field);
+      tell_of(std::string("measures.") + measure.name, first_m_.*measure.field,
+              shirt_.measures.*measure.field);
   }
 
   const ShirtMeasures first_m_;
@@ -289,6 +289,11 @@ class Adapter {
 };
 
 }  // namespace
+
+std::string ShirtChange::told() const {
+  return fmt::format("{}: {:.3g} instead of {:.3g}, since otherwise {}", key, after, before,
+                     reason);
+}
 
 AdaptedShirt draft_adapted_shirt(const ShirtMeasures& measures, const ShirtFit& fit,
                                  const std::set<std::string>& yielding) {

@@ -7,13 +7,22 @@
 
 namespace loosefit::kinds {
 
+/// A value that gave way.
+struct ShirtChange {
+  std::string key;               ///< "fit.scye_ease", "measures.neck", …
+  double before = 0, after = 0;  ///< wished and drafted, in the unit of the key
+  std::string reason;            ///< what would otherwise be, as a clause
+  /// "fit.sleeve: 0.2 instead of 0.4, since otherwise …"
+  std::string told() const;
+};
+
 /// A shirt and what it was drafted from.
 struct AdaptedShirt {
   pattern::Pattern pattern;
   ShirtMeasures measures;
   ShirtFit fit;
   ShirtDraftReport report;
-  std::vector<std::string> notes;  ///< one for every value that differs from the wished one
+  std::vector<ShirtChange> changes;  ///< every value that differs from the wished one, visibly
 };
 
 /// The shirt of these measures and this fit where it can be drafted: then exactly draft_shirt.

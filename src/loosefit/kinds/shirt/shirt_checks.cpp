@@ -6,6 +6,7 @@
 
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_refusal.h"
+#include "loosefit/kinds/told_limit.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
@@ -78,8 +79,9 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
     if (value >= low && value <= high) return;
     throw ShirtRefusal(
         {InputPlace{{}, 0, key}, fmt::format("{:.4g} m", value),
-         high < 10 ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", low, high)
-                   : fmt::format("at least {:.3f} m, below the underarm", low)},
+         high < 10 ? fmt::format("{:.3f} to {:.3f} m, between underarm and hem", told_least(low),
+                                 told_most(high))
+                   : fmt::format("at least {:.3f} m, below the underarm", told_least(low))},
         rule, value < low ? low - value : high - value);
   };
   level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
@@ -111,7 +113,7 @@ void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,
     throw ShirtRefusal(
         {InputPlace{{}, 0, "measures.arm_length"}, fmt::format("{:.4g} m", m.arm_length),
          fmt::format("at least {:.3f} m for this armhole and sleeve",
-                     m.arm_length + least - under_length)},
+                     told_least(m.arm_length + least - under_length))},
         ShirtRule::sleeve_length, least - under_length);
   for (const pattern::Panel& panel : shirt.panels) {
     const std::vector<Vec2> outline = pattern::outline_polygon(panel);

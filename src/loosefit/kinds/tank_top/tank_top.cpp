@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "loosefit/base/text.h"
 #include "loosefit/base/types.h"
 #include "loosefit/dress/front_neckline.h"
 #include "loosefit/dress/sheets.h"
@@ -14,6 +15,7 @@
 #include "loosefit/kinds/shirt/shirt_levels.h"
 #include "loosefit/kinds/shirt/shirt_sizes.h"
 #include "loosefit/kinds/tank_top/tank_top_draft.h"
+#include "loosefit/kinds/told_limit.h"
 
 namespace loosefit::kinds {
 namespace {
@@ -41,7 +43,8 @@ std::vector<KindKey> keys() {
        -0.35,
        2,
        kMobility,
-       "girth at the waist; without it the side seams run straight",
+       "girth at the waist; without it the side seams run straight, and outwards where a belly "
+       "needs room",
        true},
       {"hip", 0.06, -0.35, 2, kMobility, "girth of the hem", true},
       {"strap_width", 0.45, 0.15, 1, kFraction, "of the body's shoulder, neck to shoulder point"},
@@ -60,11 +63,12 @@ void make_room_for_straps(DraftedGarment& drafted, const std::set<std::string>& 
   const auto give_way = [&](const char* key, double most) {
     double& value = drafted.fit[key];
     if (value <= most || !yielding.count(std::string("fit.") + key)) return;
+    const double given = told_most(most);
     drafted.notes.push_back(fmt::format(
-        "fit.{}: {:.3g} instead of {:.3g}, since otherwise the straps would end outside the "
+        "fit.{}: {} instead of {:.3g}, since otherwise the straps would end outside the "
         "underarm",
-        key, most, value));
-    value = most;
+        key, shortest(given), value));
+    value = given;
   };
   give_way("strap_width", strap_room(drafted.measures, drafted.fit).width);
   give_way("strap_place", strap_room(drafted.measures, drafted.fit).place);
@@ -103,18 +107,24 @@ DraftedGarment draft(const DraftRequest& request) {
         drafted.fit[level] = girth->second;
     }
   }
-  // A body so short that the hem would end at the underarm gets a longer one.
   NamedValues& m = drafted.measures;
+  const auto raise = [&](const char* name, double least, const char* otherwise) {
+    double& value = m.at(name);
+    const std::string key = std::string("measures.") + name;
+    if (value >= least || !request.yielding.count(key)) return;
+    const double given = told_least(least);
+    drafted.notes.push_back(fmt::format("{}: {} instead of {:.3g}, since otherwise {}", key,
+                                        shortest(given), value, otherwise));
+    value = given;
+  };
   keep_front_in_range(drafted, request.yielding);
   check_values(measures(), m, keys(), drafted.fit);
-  const double least = shortest_tank_top(m, drafted.fit);
-  if (m.at("hps_to_hem") < least && request.yielding.count("measures.hps_to_hem")) {
-    drafted.notes.push_back(
-        fmt::format("measures.hps_to_hem: {:.3g} instead of {:.3g}, since otherwise the hem would "
-                    "end at the underarm",
-                    least, m.at("hps_to_hem")));
-    m["hps_to_hem"] = least;
-  }
+  // A body so short that the hem would end at the underarm gets a longer one, and one whose front
+  // alone would end there a longer front.
+  raise("hps_to_hem", shortest_tank_top(m, drafted.fit), "the hem would end at the underarm");
+  if (m.count("front_balance"))
+    raise("front_balance", least_front_balance(m, drafted.fit),
+          "the front would end at the underarm");
   make_room_for_straps(drafted, request.yielding);
   drafted.pattern = draft_tank_top(m, drafted.fit);
   return drafted;

@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
+#include "loosefit/kinds/told_limit.h"
 #include "loosefit/pattern/drafting.h"
 
 namespace loosefit::kinds {
@@ -77,9 +78,8 @@ Half draft_half(const NamedValues& m, const NamedValues& fit, bool front) {
   half.armhole.cubic_to(strap_outer - Vec2(0, 0.62 * depth),
                         underarm - Vec2(0.70 * (x_underarm - outer), 0), underarm);
   // The way down over bust or belly is longer than over the back: as in the shirt the front ends
-  // lower in its middle and meets the back at the sides. Where it is shorter, the hem stays below
-  // the underarm.
-  const double longer = front ? std::max(measure(m, "front_balance"), -kLeastSide / 2) : 0.0;
+  // lower in its middle and meets the back at the sides.
+  const double longer = front ? measure(m, "front_balance") : 0.0;
   half.hem = draft_hem(half.side.end(), half.side.end().y() - longer);
   return half;
 }
@@ -124,16 +124,23 @@ double shortest_tank_top(const NamedValues& m, const NamedValues& fit) {
          kLeastSide;
 }
 
+double least_front_balance(const NamedValues& m, const NamedValues& fit) {
+  return shortest_tank_top(m, fit) - kLeastSide / 2 - m.at("hps_to_hem");
+}
+
 pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
   const auto refuse_below = [&](const char* key, double least, const char* why) {
     if (!(m.at(key) >= least))
       throw InvalidInput({{}, 0, std::string("measures.") + key},
                          fmt::format("{:.4g} m", m.at(key)),
-                         fmt::format("at least {:.3f} m, {}", least, why));
+                         fmt::format("at least {:.3f} m, {}", told_least(least), why));
   };
   refuse_below("shoulder_breadth", 2 * (m.at("neck") / 5 + kLeastShoulder),
                "so that the shoulders leave room for straps beside the neck");
   refuse_below("hps_to_hem", shortest_tank_top(m, fit), "below the underarm");
+  if (m.count("front_balance"))
+    refuse_below("front_balance", least_front_balance(m, fit),
+                 "so that the front too ends below the underarm");
   if (fit.count("waist")) {
     refuse_below("hps_to_waist", shortest_tank_top(m, fit) - kLeastSide / 2, "below the underarm");
     refuse_below("hps_to_hem", m.at("hps_to_waist") + kLeastSide / 2, "below the waist");
@@ -148,13 +155,13 @@ pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
   if (room.width < kLeastStrap)
     refuse_fit("chest", fmt::format("at least {:.3f}, so that straps have room between neck and "
                                     "underarm",
-                                    room.least_chest));
+                                    told_least(room.least_chest)));
   if (fit.at("strap_width") > room.width + kRounding)
-    refuse_fit("strap_width",
-               fmt::format("at most {:.3f}, inside the underarm of this chest", room.width));
+    refuse_fit("strap_width", fmt::format("at most {:.3f}, inside the underarm of this chest",
+                                          told_most(room.width)));
   if (fit.at("strap_place") > room.place + kRounding)
-    refuse_fit("strap_place",
-               fmt::format("at most {:.3f}, inside the underarm of this chest", room.place));
+    refuse_fit("strap_place", fmt::format("at most {:.3f}, inside the underarm of this chest",
+                                          told_most(room.place)));
   pattern::Pattern tank;
   tank.name = tank.kind = "tank-top";
   tank.panels = {piece(draft_half(m, fit, true), true), piece(draft_half(m, fit, false), false)};

@@ -23,4 +23,8 @@ StrapRoom strap_room(const NamedValues& measures, const NamedValues& fit);
 /// The least measures.hps_to_hem that it can be drafted with [m].
 double shortest_tank_top(const NamedValues& measures, const NamedValues& fit);
 
+/// The least measures.front_balance that it can be drafted with [m]: the middle of a front that is
+/// shorter than the back still ends as far below the underarm as half the shortest side seam.
+double least_front_balance(const NamedValues& measures, const NamedValues& fit);
+
 }  // namespace loosefit::kinds

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/kinds/check_values.h"
 #include "loosefit/kinds/match_parts.h"
+#include "loosefit/kinds/told_limit.h"
 #include "loosefit/kinds/trousers/lay_trousers.h"
 #include "loosefit/kinds/trousers/trousers_draft.h"
 #include "loosefit/pattern/outline.h"
@@ -80,15 +82,13 @@ DraftedGarment draft(const char* kind, const Usual& usual, const DraftRequest& r
   check_values(measures(), drafted.measures, keys(usual), drafted.fit);
   const double least = least_waist(drafted.measures, drafted.fit);
   if (const auto waist = drafted.fit.find("waist"); waist == drafted.fit.end()) {
-    // Not below the waist itself, where hardly anything has to be taken in.
-    const double close = std::max(least, std::min(0.02, drafted.fit.at("hip")));
-    drafted.fit["waist"] = close;
+    drafted.fit["waist"] = usual_waist(drafted.measures, drafted.fit);
   } else if (waist->second < least && request.yielding.count("fit.waist")) {
     drafted.notes.push_back(
-        fmt::format("fit.waist: {:.3g} instead of {:.3g}, which is all that the seams can take in "
+        fmt::format("fit.waist: {} instead of {:.3g}, which is all that the seams can take in "
                     "above this hip",
-                    least, waist->second));
-    waist->second = least;
+                    shortest(told_least(least)), waist->second));
+    waist->second = told_least(least);
   }
   std::set<std::string> asked;
   for (const auto& [name, value] : request.fit)

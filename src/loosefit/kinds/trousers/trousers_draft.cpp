@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "loosefit/base/error.h"
+#include "loosefit/kinds/told_limit.h"
 #include "loosefit/kinds/trousers/trousers_leg.h"
 #include "loosefit/kinds/trousers/trousers_seams.h"
 #include "loosefit/pattern/drafting.h"
@@ -83,7 +84,7 @@ void place(pattern::Pattern& trousers, double waist_edge) {
 void check_lengths(const NamedValues& m, const NamedValues& fit) {
   const auto refuse = [](const std::string& key, double found, double least, const char* why) {
     throw InvalidInput({{}, 0, key}, fmt::format("{:.4g}", found),
-                       fmt::format("at least {:.3f}, {}", least, why));
+                       fmt::format("at least {:.3f}, {}", told_least(least), why));
   };
   const double crotch = m.at("crotch_height"),
                band = m.at("waist_level") - waist_edge_height(m, fit);
@@ -101,7 +102,7 @@ void check_lengths(const NamedValues& m, const NamedValues& fit) {
     throw InvalidInput({{}, 0, "fit.waist"}, fmt::format("{:.4g}", fit.at("waist")),
                        fmt::format("at least {:.3f}, which is all that the seams can take in above "
                                    "this hip",
-                                   least),
+                                   told_least(least)),
                        "the waistband gathers what is left; without fit.waist it is that");
 }
 

@@ -1,5 +1,6 @@
 #include "loosefit/kinds/trousers/trousers_measures.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -51,6 +52,11 @@ double least_waist(const NamedValues& m, const NamedValues& fit) {
   // Both pieces are cut in proportion.
   const double front = kFrontShare * hip_girth(m, fit) / 2 - kFrontIntake;
   return 2 * front / kFrontShare / m.at("waist") - 1;
+}
+
+double usual_waist(const NamedValues& m, const NamedValues& fit) {
+  // Not below the waist itself, where hardly anything has to be taken in.
+  return std::max(least_waist(m, fit), std::min(0.02, fit.at("hip")));
 }
 
 }  // namespace loosefit::kinds

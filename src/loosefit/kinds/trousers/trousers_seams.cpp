@@ -47,29 +47,32 @@ bool seams_close(const NamedValues& m, const NamedValues& fit) {
          std::abs(excess(m, fit, easing, &Leg::outseam)) < kSewnIn;
 }
 
-/// The next lower value of a key with which the seams close; none where its range has none.
-/// `waist_follows`: the waist is taken in above a narrower hip as much as it is now.
+/// The next lower value of a key with which the seams close, in thousandths, so that what is told
+/// is what was tried; none where its range has none. `waist_follows`: the waist is what it is where
+/// nobody asks for one.
 std::optional<double> most_that_closes(const NamedValues& m, const NamedValues& fit,
                                        const std::string& key, double least, bool waist_follows) {
-  constexpr int kSteps = 16, kHalvings = 10;
+  constexpr int kSteps = 16;
   NamedValues tried = fit;
-  const auto closes = [&](double v) {
-    tried[key] = v;
-    if (waist_follows)
-      tried["waist"] = fit.at("waist") + least_waist(m, tried) - least_waist(m, fit);
+  const auto closes = [&](int thousandths) {
+    tried[key] = thousandths / 1000.0;
+    if (waist_follows) tried["waist"] = usual_waist(m, tried);
     return seams_close(m, tried);
   };
-  double high = fit.at(key);
-  const double step = (high - least) / kSteps;
-  if (!(step > 0)) return std::nullopt;
-  double low = high - step;
-  for (int i = 1; !closes(low); ++i, high = low, low -= step)
-    if (i == kSteps) return std::nullopt;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
+  const int top = static_cast<int>(std::ceil(1000 * fit.at(key))),
+            bottom = static_cast<int>(std::lround(1000 * least));
+  if (top <= bottom) return std::nullopt;
+  int low = top, high = top;
+  for (int i = 1; low == top || !closes(low); ++i) {
+    if (i > kSteps) return std::nullopt;
+    high = low;
+    low = top - (top - bottom) * i / kSteps;
+  }
+  while (high - low > 1) {
+    const int middle = low + (high - low) / 2;
     (closes(middle) ? low : high) = middle;
   }
-  return low;
+  return low / 1000.0;
 }
 
 }  // namespace
