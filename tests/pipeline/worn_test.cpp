@@ -281,7 +281,7 @@ TEST(WornWay, InsideOutAndTurnedAreTold) {
   const auto told = [&](auto&& change) {
     std::vector<Vec3> changed = x;
     for (Vec3& p : changed) p = change(p);
-    const drape::WayRound way = drape::way_round(skirt.mesh(), changed, woman());
+    const drape::WayRound way = drape::way_round(skirt.mesh(), skirt.pattern, changed, woman());
     Reasons said;
     for (const std::string& line : {way.inside_out, way.turned})
       if (!line.empty()) said.push_back(line);
@@ -305,7 +305,7 @@ TEST(WornWay, InsideOutAndTurnedAreTold) {
   statue.joints.clear();
   std::vector<Vec3> other_hand = x;
   for (Vec3& p : other_hand) p.x() = -p.x();
-  EXPECT_EQ(drape::way_round(skirt.mesh(), other_hand, statue).inside_out, "");
+  EXPECT_EQ(drape::way_round(skirt.mesh(), skirt.pattern, other_hand, statue).inside_out, "");
 }
 
 TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
@@ -319,6 +319,34 @@ TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
             "an opening made for the left leg goes round no part of the body");
   EXPECT_EQ(stocking.on(moved(x, {-2 * knee.x(), 0, 0})),
             Reasons{"an opening made for the left leg goes round the right leg"});
+}
+
+// Its file may place it anywhere.
+TEST(Worn, ASkirtThatIsPlacedRoundOneLegIsNoStocking) {
+  const double waist = woman()->measured.at("waist_level");
+  const Sewn skirt(two_panels(0.40, 0.60, 0.5, 0.24, waist - 0.12));
+  const std::vector<Vec3> x = moved(round_the_body(skirt, 0), {-0.24, 0, 0.12});
+  EXPECT_EQ(skirt.on(x), Reasons{});
+}
+
+TEST(WornWay, ATubeThatIsWiderAtItsTopMayBeUpsideDown) {
+  const auto told = [](double top, double bottom, const std::string& label = "") {
+    pattern::Pattern cut = two_panels(top, bottom, 0.5, 0, woman()->measured.at("waist_level"));
+    for (pattern::Panel& panel : cut.panels) panel.edges[2].label = panel.edges[3].label = label;
+    const Sewn skirt(cut);
+    return drape::way_round(skirt.mesh(), cut, round_the_body(skirt, 0), woman()).upside_down;
+  };
+  EXPECT_EQ(told(0.42, 0.60), "");
+  EXPECT_EQ(told(0.60, 0.50), "") << "a tulip";
+  EXPECT_NE(told(0.60, 0.42).find("upside down"), std::string::npos);
+  EXPECT_EQ(told(0.60, 0.42, "lower_interface"), "") << "its label says which is the waist";
+}
+
+TEST(Worn, NoArmIsInWhatIsCalledASleeve) {
+  pattern::Pattern cut = two_panels(0.42, 0.60, 0.5, 0, woman()->measured.at("waist_level"));
+  for (pattern::Panel& panel : cut.panels) panel.name = "sleeve_" + panel.name;
+  const Sewn sleeve(cut);
+  EXPECT_EQ(sleeve.on(round_the_body(sleeve, 0)), Reasons{"no arm is in a sleeve"});
 }
 
 TEST(Worn, ATubeThatIsPlacedRoundNothingGoesRoundWhateverIsInBothEnds) {

@@ -20,9 +20,10 @@ namespace {
 
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
 constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
-constexpr double kOffCentre = 0.25;  ///< of an opening's own width, likewise
-constexpr double kAlike = 0.25;      ///< relative difference of girth between two of a pair
-constexpr double kOpenFront = 0.6;   ///< of the garment's height, over which an open front runs
+constexpr double kOffCentre = 0.25;   ///< of an opening's own width, likewise
+constexpr double kAlike = 0.25;       ///< relative difference of girth between two of a pair
+constexpr double kWidestLimb = 0.67;  ///< of the widest cape's girth: wider tubes are for no limb
+constexpr double kOpenFront = 0.6;    ///< of the garment's height, over which an open front runs
 
 struct Pair {
   int left, right;
@@ -211,8 +212,7 @@ bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garmen
 }  // namespace
 
 bool is_upper_end(const Opening& a, const Opening& b) {
-  const auto named = [](const Opening& o) { return o.at_waist || o.at_chest || o.of_waistband; };
-  return named(a) != named(b) ? named(a) : a.placed.z() >= b.placed.z();
+  return a.is_named_top() != b.is_named_top() ? a.is_named_top() : a.placed.z() >= b.placed.z();
 }
 
 std::vector<Vec3> placed_by_pattern(const garment::Garment& garment,
@@ -310,8 +310,9 @@ void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
     if (!is_upper_end(*ends[0], *ends[1])) std::swap(ends[0], ends[1]);
     Opening &upper = *ends[0], &lower = *ends[1];
     const LimbNumbers round = limbs_through_openings(upper.loop, placed, lines);
-    const bool one_limb =
-        round != kRoundNeck && std::count(round.begin(), round.end(), 0) == kLimbs - 1;
+    const bool one_limb = round != kRoundNeck &&
+                          std::count(round.begin(), round.end(), 0) == kLimbs - 1 &&
+                          upper.girth < kWidestLimb * cape;
     if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
       upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape) {

@@ -22,6 +22,9 @@ struct Opening {
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
   bool of_legs = false;
   bool of_waistband = false;  ///< of_legs, and its edges are of waistbands by name
+
+  /// Labels or names say that it is the upper end of what it belongs to.
+  bool is_named_top() const { return at_waist || at_chest || of_waistband; }
 };
 
 /// Whether `a`, of two ends of a tube, is the upper one: by what labels and names say (a waistband,
@@ -41,9 +44,9 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
 /// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the
 /// pattern is placed (`placed`, [m]) on a wearer with these lines in rest posture. The trunk: a
 /// skirt or a strapless dress; the neck: a cape or a poncho, unless it is too wide for one
-/// (`cape`, widest girth [m]) or of legs, a skirt that was placed for somebody taller; one limb: a
-/// stocking; anything else, as of a pattern that was placed for another wearer: what goes through
-/// both ends. Labels of edges come before.
+/// (`cape`, widest girth [m]) or of legs, a skirt that was placed for somebody taller; one limb,
+/// unless it is too wide for one: a stocking; anything else, as of a pattern that was placed for
+/// another wearer: what goes through both ends. Labels of edges come before.
 void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
                 const LimbLines& lines, double cape);
 

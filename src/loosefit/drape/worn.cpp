@@ -74,6 +74,7 @@ class Verdict {
       check_open_front(of);
     }
     if (openings.empty()) check_sunk({});
+    check_sleeves();
     check_labels();
     return reasons_;
   }
@@ -350,6 +351,28 @@ class Verdict {
     const double sunk = made - levels_.of(of, x_);
     if (sunk > kGone * way_)
       say(fmt::format("the garment lies {:.2f} m below where it was put on", sunk));
+  }
+
+  /// Of an unusual cut with pieces that are called sleeves, an arm is in one, and each is where
+  /// there are sleeves for both.
+  void check_sleeves() {
+    bool left = false, right = false, any = false;
+    for (const std::string& name : garment_.panel_names) {
+      const pattern::PieceWords words = pattern::words_of(name);
+      any = any || words.sleeve;
+      left = left || (words.sleeve && words.left);
+      right = right || (words.sleeve && words.right);
+    }
+    if (!any || std::ranges::any_of(openings_, is_arm)) return;
+    const auto in_one = [&](Limb arm) {
+      return std::ranges::any_of(openings_,
+                                 [&](const Opening& o) { return goes_round(o, round_limb(arm)); });
+    };
+    const bool left_in = in_one(kLeftArm), right_in = in_one(kRightArm);
+    if (!left_in && !right_in)
+      say("no arm is in a sleeve");
+    else if (left && right && !(left_in && right_in))
+      say(fmt::format("the {} arm is in no sleeve", left_in ? "right" : "left"));
   }
 
   void check_labels() {

@@ -24,6 +24,7 @@ namespace loosefit::drape {
 /// * a tube with two ends goes round what it is placed round: the trunk, the neck (a poncho, whose
 ///   hem may lie on the arms) or one limb (a stocking); when that is nothing known, whatever is in
 ///   one end is in the other; the hem of a skirt is not above its waist;
+/// * arms are in what is called a sleeve;
 /// * a garment that is open in front has its armholes at the shoulders and its edge behind the
 /// neck;
 /// * the highest opening of an unusual cut, and cloth without openings, has not gone down by more

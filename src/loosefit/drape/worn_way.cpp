@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "loosefit/base/types.h"
+#include "loosefit/drape/openings.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -13,6 +15,7 @@ namespace loosefit::drape {
 namespace {
 
 constexpr double kTurned = 60;  ///< degrees
+constexpr double kWider = 1.25;
 
 /// Share of the cloth's area whose outside faces the wearer [–].
 double inside_out_share(const garment::Garment& garment, const std::vector<Vec3>& x,
@@ -53,10 +56,26 @@ std::optional<Vec2> forward(const garment::Garment& garment, const std::vector<V
   return Vec2(sum[1] / count[1] - sum[0] / count[0]);
 }
 
+std::string wider_at_the_top(const garment::Garment& garment, const pattern::Pattern& pattern) {
+  std::map<int, std::vector<Opening>> of_piece;
+  for (Opening& o : garment_openings(garment, pattern)) of_piece[o.piece].push_back(std::move(o));
+  for (const auto& [piece, ends] : of_piece) {
+    if (ends.size() != 2) continue;
+    const bool first = is_upper_end(ends[0], ends[1]);
+    const Opening &upper = ends[first ? 0 : 1], &lower = ends[first ? 1 : 0];
+    if (!upper.is_named_top() && upper.girth > kWider * lower.girth)
+      return fmt::format(
+          "the garment may be worn upside down: its upper end is {:.2f} m round, its lower end "
+          "{:.2f} m, and no label says which is which",
+          upper.girth, lower.girth);
+  }
+  return {};
+}
+
 }  // namespace
 
-WayRound way_round(const garment::Garment& garment, const std::vector<Vec3>& x,
-                   const body::PosedBody& body) {
+WayRound way_round(const garment::Garment& garment, const pattern::Pattern& pattern,
+                   const std::vector<Vec3>& x, const body::PosedBody& body) {
   WayRound found;
   if (body->joints.empty()) return found;
   if (const double share = inside_out_share(garment, x, body); share > 0.5)
@@ -72,6 +91,7 @@ WayRound way_round(const garment::Garment& garment, const std::vector<Vec3>& x,
           "wearer's front",
           std::abs(angle), angle > 0 ? "left" : "right");
   }
+  found.upside_down = wider_at_the_top(garment, pattern);
   return found;
 }
 

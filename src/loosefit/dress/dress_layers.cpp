@@ -136,7 +136,8 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
   if (cutting_skin) return *std::move(cutting_skin);
   throw GeometryError(
       "pattern: the placed panels cut through the garments under them, " + why,
-      "place the panels farther out (translation), so that they enclose what is under them");
+      "more room in the outer garment, or a closer one under it; panels of a file that gives them "
+      "places may be placed farther out (translation)");
 }
 
 }  // namespace

@@ -44,9 +44,11 @@ std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const dr
   std::map<std::string, Lines> told;
   told["risen"] =
       drape::risen_waists(garment.mesh(), garment.pattern.pattern, drape.positions, body);
-  const drape::WayRound way = drape::way_round(garment.mesh(), drape.positions, body);
+  const drape::WayRound way =
+      drape::way_round(garment.mesh(), garment.pattern.pattern, drape.positions, body);
   if (!way.inside_out.empty()) told["inside out"] = {way.inside_out};
   if (!way.turned.empty()) told["turned"] = {way.turned};
+  if (!way.upside_down.empty()) told["upside down"] = {way.upside_down};
   std::erase_if(told, [](const auto& entry) { return entry.second.empty(); });
   return told;
 }
