@@ -4,6 +4,9 @@ import math
 
 STEPS = 100
 
+# Bands that are cut shorter than what they are sewn to, and leggings.
+STRETCHED = {"drawn_sweat", "drawn_hoodie", "drawn_leggings", "drawn_joggers"}
+
 
 def length(a, c1, c2, b):
     points = []
@@ -127,7 +130,7 @@ def build(make_for=None):
     """name → (class, SVG text); make_for as in garments.build."""
     m = make_for or {"height": 172, "bust": 92, "waist": 76, "hip": 98}
     b = {"chest": m["bust"], "waist": m["waist"], "hip": m["hip"], "shoulder": 0.0553 * m["height"] + 0.107 * m["bust"],
-         "arm": 0.33 * m["bust"] + 2, "rise": 0.155 * m["height"], "height": m["height"]}
+         "arm": 1.25 * m["biceps"] if "biceps" in m else 0.33 * m["bust"] + 2, "rise": 0.155 * m["height"], "height": m["height"]}
     long, inseam = 0.36 * m["height"], 0.39 * m["height"]
     kind = "drawn, without seams or places"
     return {
