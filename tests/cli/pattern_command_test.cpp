@@ -181,6 +181,25 @@ TEST_F(PatternCommand, AScenarioChoosesSizeUnitsAndSeamsOfAFile) {
   EXPECT_NE(unsewn.output.find("--propose-seams"), std::string::npos) << unsewn.output;
 }
 
+TEST_F(PatternCommand, ComparesAPatternFileWithABody) {
+  pattern::Pattern shirt = kinds::draft_shirt({});
+  for (pattern::Panel& panel : shirt.panels) panel.part.clear();
+  shirt.kind = "pattern-file";
+  for (pattern::Stitch& stitch : shirt.stitches) stitch.name.clear();
+  std::string text = io::garmentcode_text(shirt);
+  for (std::size_t at = 0; (at = text.find("\"front\"", at)) != std::string::npos;)
+    text.replace(at, 7, "\"front part\"");
+  const std::string name = file("p.json", text);
+  const ProgramRun run =
+      pattern("--file " + name + " --body " +
+              file("body.json",
+                   "{\"chest\": 0.9, \"waist\": 0.75, \"hip\": 1.0, \"hps_to_waist\": 0.43, "
+                   "\"hps_to_hip\": 0.63, \"upper_arm\": 0.28}"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  for (const char* words : {"chest         0.9000", "waist         0.7500", "upper arm     0.2800"})
+    EXPECT_NE(run.output.find(words), std::string::npos) << words << "\n" << run.output;
+}
+
 TEST_F(PatternCommand, NamesOfAFileReachTheTerminalHarmless) {
   pattern::Pattern shirt = kinds::draft_shirt({});
   shirt.panels[0].name = "a\x1b[2Jb\nc";

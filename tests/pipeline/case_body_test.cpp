@@ -159,7 +159,7 @@ class PutOn : public ::testing::Test {
 };
 
 TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
-  EXPECT_FALSE(put_on(session_, body_).positions.empty());
+  EXPECT_FALSE(put_on(session_, body_, {}, &scenario_).positions.empty());
   ASSERT_FALSE(body_.warnings.empty());
   EXPECT_NE(body_.warnings.back().find("arms wide apart"), std::string::npos);
   EXPECT_NEAR(arm_angle(body_.path(0)), 55, 2) << "the next donning goes there at once";
@@ -168,12 +168,46 @@ TEST_F(PutOn, SpreadsTheArmsWhereTheUsualPostureLeavesNoRoom) {
 TEST_F(PutOn, DoesNotAdviseWiderArmsWhereTheyDidNotHelp) {
   body_.wide_path = body_.path;
   try {
-    put_on(session_, body_);
+    put_on(session_, body_, {}, &scenario_);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("even with the arms wide apart"), std::string::npos);
     EXPECT_NE(error.hint().find("a smaller garment.fit"), std::string::npos) << error.hint();
     EXPECT_EQ(error.hint().find("abduction"), std::string::npos) << error.hint();
+  }
+}
+
+// A pattern file has no fit, and a file without sizes no size.
+TEST_F(PutOn, AdvisesOnlyKeysThatTheGarmentHas) {
+  body_.wide_path = body_.path;
+  const auto hint = [&] {
+    try {
+      put_on(session_, body_, {}, &scenario_);
+    } catch (const GeometryError& error) {
+      return error.hint();
+    }
+    return std::string("no error");
+  };
+  scenario_.studied().spec.file = "/tmp/tee.json";
+  EXPECT_EQ(hint().find("garment.fit"), std::string::npos) << hint();
+  EXPECT_EQ(hint().find("garment.size"), std::string::npos) << hint();
+  EXPECT_NE(hint().find("a pattern of less width"), std::string::npos) << hint();
+  scenario_.studied().spec.size = "XL";
+  EXPECT_NE(hint().find("another garment.size of its file"), std::string::npos) << hint();
+  scenario_.studied().spec.file.clear();
+  scenario_.studied().spec.size = "women-38";
+  EXPECT_NE(hint().find("a smaller garment.size"), std::string::npos) << hint();
+}
+
+TEST_F(PutOn, DoesNotAdviseAPostureThatItHasAlready) {
+  body_.wide_path = {};
+  body_.from = body::kArmsWide;
+  try {
+    put_on(session_, body_, {}, &scenario_);
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.hint().find("posture"), std::string::npos) << error.hint();
+    EXPECT_NE(error.hint().find("garment.fit"), std::string::npos) << error.hint();
   }
 }
 
@@ -183,7 +217,7 @@ TEST_F(PutOn, TriesNoOtherPostureForABodyThatLacksWhatAShirtHangsOn) {
     bare.landmarks.clear();
     return bare;
   };
-  EXPECT_THROW(put_on(session_, body_), GeometryError);
+  EXPECT_THROW(put_on(session_, body_, {}, &scenario_), GeometryError);
   EXPECT_TRUE(body_.warnings.empty());
 }
 
@@ -191,7 +225,7 @@ TEST_F(PutOn, KeepsToThePostureThatWasAskedForAndSaysWhichOneMayDo) {
   body_.wide_path = {};
   const auto hint = [&] {
     try {
-      put_on(session_, body_);
+      put_on(session_, body_, {}, &scenario_);
     } catch (const GeometryError& error) {
       return error.hint();
     }

@@ -34,6 +34,13 @@ TEST(FitAlong, BodyHasItsMeasuresAtTheirStations) {
   EXPECT_EQ(forearm.asked, 0.5);
 }
 
+// Where the trunk has ended there is no body, which is no error.
+TEST(FitAlong, BelowTheCrotchThereIsNoTrunk) {
+  body::Body body = woman();
+  body.joints["hip_L"].z() -= 0.3;  // how far down a tape is laid
+  EXPECT_TRUE(fit_along({{"trunk", 1.0, 1.0, {}}}, body).empty());
+}
+
 TEST(FitAlong, SectionsThatGoRoundTheTrunkTooAreLeftOut) {
   const body::Body body = woman();
   EXPECT_TRUE(fit_along({{"arm", 0.0, 1.0, {}}}, body).empty());

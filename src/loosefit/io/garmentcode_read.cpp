@@ -197,7 +197,7 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
   }
   const auto pose = [&](const char* key) -> Vec3 {
     if (node.has(key)) return node.at(key).triple();
-    warnings.push_back(fmt::format("{}.{}: missing, taken as [0, 0, 0]", node.path, key));
+    warnings.push_back(fmt::format("{}.{}{}", node.path, key, kMissingPose));
     return Vec3::Zero();
   };
   panel.translation = frame_from_y_up() * pose("translation") * rules.metre;

@@ -6,6 +6,9 @@
 
 namespace loosefit::io {
 
+/// How the warnings about panels without translation or rotation end.
+inline constexpr char kMissingPose[] = ": missing, taken as [0, 0, 0]";
+
 /// GarmentCode specification JSON (Korosteleva and Sorkine-Hornung 2023; pygarment 2.0.2).
 /// Read in full: straight, quadratic, cubic and circle edges, the old list form and absolute
 /// coordinates; units_in_meter; pose X = Rz Ry Rx x + t; loops closed by index or by position;

@@ -20,8 +20,9 @@ struct PatternFile {
   std::vector<pattern::Notch> notches;  ///< that the file has; seams are proposed by them
   std::vector<std::string> about;       ///< what the file says of itself: format, units, sizes
   std::vector<std::string> unused;      ///< what stands in the file and was not used
-  bool placed = true;      ///< it says where its panels start, or it was told by what they are
-  std::string not_placed;  ///< why it could not be told
+  bool placed = true;           ///< it says where its panels start, or it was told by what they are
+  std::string not_placed;       ///< why it could not be told
+  std::string not_placed_hint;  ///< what to do about that; empty: seams are missing
 };
 
 }  // namespace loosefit::io

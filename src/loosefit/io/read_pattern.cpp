@@ -15,6 +15,8 @@
 #include "loosefit/io/seams_file.h"
 #include "loosefit/io/svg/svg_read.h"
 #include "loosefit/io/valentina.h"
+#include "loosefit/kinds/registry.h"
+#include "loosefit/pattern/heap.h"
 #include "loosefit/pattern/place_pieces.h"
 
 namespace loosefit::io {
@@ -31,12 +33,18 @@ std::string beginning(const std::filesystem::path& path) {
   return text;
 }
 
-/// Seams of a side file, or those of a known garment.
-void sew(PatternFile& file, const std::filesystem::path& path, const std::filesystem::path& seams) {
+/// The side file that is to be read; empty: there is none.
+std::filesystem::path side_file(const std::filesystem::path& path,
+                                const std::filesystem::path& seams) {
   std::error_code ignored;
   const std::filesystem::path beside = seams_path(path);
-  if (!seams.empty() || std::filesystem::exists(beside, ignored)) {
-    const std::filesystem::path& from = seams.empty() ? beside : seams;
+  if (!seams.empty()) return seams;
+  return std::filesystem::exists(beside, ignored) ? beside : std::filesystem::path();
+}
+
+/// Seams of a side file, or those of a known garment.
+void sew(PatternFile& file, const std::filesystem::path& from) {
+  if (!from.empty()) {
     read_seams(from, file);
     file.about.push_back("seams from " + from.string());
     if (!file.pattern.stitches.empty()) return;
@@ -45,9 +53,10 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
   if (known.certain()) {
     const std::size_t count = known.seams.size();
     pattern::sew_chains(file.pattern, known.seams, file.notches);
-    file.about.push_back(fmt::format(
-        "sewn by what its pieces are, {}: {} seams whose lengths agree or that a band gathers, and no other way to sew it",
-        known.kind, count));
+    file.about.push_back(
+        fmt::format("sewn by what its pieces are, {}: {} seams whose lengths agree or that a band "
+                    "gathers, and no other way to sew it",
+                    known.kind, count));
     return;
   }
   file.not_placed = "it has no seams: none in a side file, and ";
@@ -57,14 +66,35 @@ void sew(PatternFile& file, const std::filesystem::path& path, const std::filesy
           : "as " + known.kind + " it leaves doubts (" + join(known.doubts, "; ") + ")";
 }
 
-void place(PatternFile& file) {
+/// \param side_file that says how it is sewn; empty: none
+void place(PatternFile& file, const std::filesystem::path& side_file) {
   try {
     for (const std::string& note : pattern::place_pieces(file.pattern))
       file.warnings.push_back(note);
     file.placed = true;
   } catch (const GeometryError& error) {
-    file.not_placed = error.what();
+    file.placed = false;
+    file.not_placed = error.found();
+    file.not_placed_hint =
+        side_file.empty() ? error.hint() : "in " + side_file.string() + ": " + error.hint();
   }
+}
+
+/// A file with seams of its own whose panels lie on each other.
+void place_heap(PatternFile& file) {
+  const kinds::GarmentKind& kind = kinds::garment_kind(file.pattern.kind);
+  if (kind.lay || file.pattern.stitches.empty() || !pattern::lies_in_a_heap(file.pattern)) return;
+  std::erase_if(file.warnings,
+                [](const std::string& line) { return line.ends_with(kMissingPose); });
+  place(file, {});
+  if (file.placed)
+    file.warnings.push_back(
+        "the file does not say where its panels go, which lie on each other (translation, "
+        "rotation): they are arranged by what they are");
+  else
+    file.not_placed_hint =
+        "call the panels front, back, sleeve and the like, left or right, or place them round a "
+        "body (translation, rotation)";
 }
 
 }  // namespace
@@ -89,10 +119,12 @@ PatternFile read_pattern(const std::filesystem::path& path, const PatternWish& w
     if (!seams.empty())
       throw InvalidInput({path.string(), 0, "seams"}, '"' + printable(seams.string()) + '"',
                          "none: the file has its seams itself");
+    place_heap(result);
     return result;
   }
-  sew(result, path, seams);
-  if (!result.pattern.stitches.empty()) place(result);
+  const std::filesystem::path from = side_file(path, seams);
+  sew(result, from);
+  if (!result.pattern.stitches.empty()) place(result, from);
   return result;
 }
 

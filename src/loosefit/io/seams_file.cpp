@@ -15,6 +15,7 @@
 #include "loosefit/io/toml_file.h"
 #include "loosefit/pattern/named_cloth.h"
 #include "loosefit/pattern/named_edges.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
@@ -78,6 +79,28 @@ void leave_out(PatternFile& file, const std::vector<std::string>& names,
   std::erase_if(file.notches, [](const pattern::Notch& notch) { return notch.panel < 0; });
 }
 
+/// What pieces are, where their names do not say it.
+void read_pieces(ConfigReader& reader, pattern::Pattern& pattern) {
+  ConfigReader pieces = reader.table("pieces");
+  for (const std::string& name : pieces.keys()) {
+    const int p = pattern.find_panel(name);
+    if (p < 0) {
+      std::vector<std::string> names;
+      for (const pattern::Panel& panel : pattern.panels) names.push_back(panel.name);
+      throw pieces.error(name, "no piece of this name", "a piece that the pattern has",
+                         did_you_mean(name, names));
+    }
+    const std::string what = pieces.text(name, "");
+    const pattern::PieceWords w = pattern::words_of(what);
+    if (!(w.front || w.back || w.left || w.right || w.sleeve || w.leg || w.skirt || w.hood ||
+          w.neck || w.armhole || w.cuff || w.waist || w.hem))
+      throw pieces.error(name, "what the piece is",
+                         "front, back, left, right, sleeve, leg, skirt, hood, collar, cuff, "
+                         "waistband, or several of them: \"front left\"");
+    pattern.panels[p].part = what;
+  }
+}
+
 /// Errors about what is named by `key` get their place.
 template <class Add>
 void each_table(ConfigReader& reader, const std::string& section, const std::string& key, Add add) {
@@ -99,6 +122,28 @@ std::string run_text(const pattern::Pattern& pattern,
   return texts.size() == 1 ? texts[0] : "[" + join(texts) + "]";
 }
 
+/// Which pieces are before and which behind, where no name says it.
+std::string pieces_text(const pattern::Pattern& pattern, const pattern::KnownGarment& known) {
+  const bool told = std::ranges::any_of(pattern.panels, [](const pattern::Panel& panel) {
+    const pattern::PieceWords w = pattern::words_of(panel);
+    return w.front || w.back;
+  });
+  if (told || (!known.kind.empty() && !known.unnamed)) return {};
+  std::string text =
+      "\n[pieces]  # what each is: front, back, left, right, sleeve, waistband, ...\n";
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    using Role = pattern::PieceRole;
+    const Role role = known.pieces[p].role;
+    const char* what = role == Role::front_skirt  ? "front"
+                       : role == Role::back_skirt ? "back"
+                                                  : nullptr;
+    if (known.unnamed && !what) continue;
+    text += fmt::format("{}{} = \"{}\"\n", what ? "" : "# ", toml_quoted(pattern.panels[p].name),
+                        what ? what : "front");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
@@ -109,12 +154,13 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam", "elastic", "band", "confirmed", "leave_out"});
+  reader.only({"seam", "elastic", "band", "pieces", "confirmed", "leave_out"});
   pattern::Pattern& pattern = into.pattern;
   const bool confirmed = reader.boolean("confirmed", true);
   std::vector<std::string> all;
   for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
   leave_out(into, reader.choices("leave_out", {}, all), reader);
+  read_pieces(reader, pattern);
   each_table(reader, "elastic", "edges", [&](const ConfigReader& table) {
     pattern::add_elastic(pattern, read_elastic(table));
   });
@@ -176,6 +222,7 @@ std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamPropo
     for (const std::string& name : proposals.unsewn) names.push_back(toml_quoted(name));
     text += "leave_out = [" + join(names) + "]  # pieces that are not taken\n";
   }
+  text += pieces_text(pattern, proposals.known);
   int number = 0;
   for (const pattern::SeamProposal& proposal : proposals.seams) {
     text += fmt::format("\n# {}: {:.1f} and {:.1f} mm; {}\n[[seam]]\nname = {}\n", ++number,

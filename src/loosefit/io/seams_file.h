@@ -14,6 +14,8 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 /// Adds the seams of a side file to a pattern that has none (docs/patterns.md):
 ///     confirmed = false        # proposed by us, and nobody has looked at it yet
 ///     leave_out = ["POCKET"]   # pieces that are not taken
+///     [pieces]                 # what a piece is, where its name does not say it: words as of
+///     names path12 = "front left"
 ///     [[seam]]
 ///     first = "FRONT.e1"       # panel and edge
 ///     second = "BACK.e3"
@@ -36,7 +38,9 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
 void read_seams(const std::filesystem::path& path, PatternFile& into);
 
 /// The text of a side file with these seams, not confirmed. Each is preceded by a comment with its
-/// lengths and what it rests on. Pieces that are no part of a garment that is known are left out.
+/// lengths and what it rests on. Where no name says what is before and what behind the wearer, a
+/// table [pieces] says it, of a garment that is not known with lines to fill in. Pieces that are no
+/// part of a garment that is known are left out.
 std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals);
 
 }  // namespace loosefit::io

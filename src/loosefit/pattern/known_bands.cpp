@@ -59,7 +59,7 @@ KnownBands know_bands(const Pattern& pattern, const std::vector<int>& panels,
   });
   for (const int p : panels) {
     const Panel& panel = pattern.panels[p];
-    const PieceWords w = words_of(panel.name + " " + panel.label);
+    const PieceWords w = words_of(panel);
     const auto strip = as_strip(outline_sections(panel));
     if (!strip || w.pocket || w.hood || w.yoke) continue;
     std::vector<int> fit;

@@ -11,6 +11,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/known_bands.h"
 #include "loosefit/pattern/known_hood.h"
+#include "loosefit/pattern/known_skirt.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -37,7 +38,7 @@ class Knower {
       trousers();
     else if (whole_legs_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       leggings();
-    else if (skirts_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
+    else if (trunks_.empty() && sleeves_.empty() && legs_.empty())
       skirt();
     if (garment_.kind.empty()) return std::move(garment_);
     hood();
@@ -58,7 +59,7 @@ class Knower {
 
  private:
   const Panel& panel(int p) const { return pattern_.panels[p]; }
-  PieceWords words(int p) const { return words_of(panel(p).name + " " + panel(p).label); }
+  PieceWords words(int p) const { return words_of(panel(p)); }
   void doubt(const std::string& why) { garment_.doubts.push_back(why); }
 
   void sort(int p) {
@@ -91,11 +92,12 @@ class Knower {
         garment_.pieces[p] = *piece;
         return legs_.push_back(p);
       }
-    if (!w.sleeve && (w.skirt || w.front || w.back))
+    if (!w.sleeve && !w.neck && (w.skirt || w.front || w.back))
       if (auto piece = as_skirt(sections)) {
         garment_.pieces[p] = *piece;
         return skirts_.push_back(p);
       }
+    gores_.push_back(p);
   }
 
   /// Height of the top of a trunk's neck above its lowest point.
@@ -407,7 +409,36 @@ class Knower {
     add_loop("waist", LoopKind::waist, 0, sides(left, 3), sides(right, 3));
   }
 
+  /// Of front and back, or of gores.
   void skirt() {
+    std::vector<int> all = skirts_;
+    all.insert(all.end(), gores_.begin(), gores_.end());
+    std::sort(all.begin(), all.end());
+    KnownSkirt known = know_skirt(pattern_, all);
+    const bool of_gores = known.found() && known.pieces.size() > 2;
+    if (skirts_.size() == 2 && !of_gores) return skirt_of_two();
+    for (const int p : skirts_) garment_.pieces[p] = {};
+    if (!known.found() || !is_all_but_bands(known)) return;
+    garment_.kind = "skirt";
+    garment_.unnamed = known.unnamed;
+    for (auto& [p, piece] : known.pieces) garment_.pieces[p] = std::move(piece);
+    garment_.seams = std::move(known.seams);
+    for (const std::string& why : known.doubts) doubt(why);
+    loops_ = std::move(known.loops);
+  }
+
+  /// Whether nothing but strips and what is no piece of the outside is left: gores alone may be of
+  /// any garment.
+  bool is_all_but_bands(const KnownSkirt& known) const {
+    for (int p = 0; p < static_cast<int>(pattern_.panels.size()); ++p) {
+      const bool in_it =
+          std::ranges::any_of(known.pieces, [&](const auto& of) { return of.first == p; });
+      if (!in_it && !words(p).pocket && !as_strip(outline_sections(panel(p)))) return false;
+    }
+    return true;
+  }
+
+  void skirt_of_two() {
     front_first(skirts_, 0);
     for (const int p : skirts_) {
       const std::vector<Section>& s = garment_.pieces[p].sections;
@@ -429,7 +460,7 @@ class Knower {
 
   const Pattern& pattern_;
   KnownGarment garment_;
-  std::vector<int> trunks_, sleeves_, legs_, whole_legs_, skirts_;
+  std::vector<int> trunks_, sleeves_, legs_, whole_legs_, skirts_, gores_;
   std::vector<OpenLoop> loops_;
   double front_middle_ = 0;  ///< of the neck: share of its length in the middle of the front
 };

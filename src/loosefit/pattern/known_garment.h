@@ -13,14 +13,15 @@ struct KnownGarment {
   std::vector<KnownPiece> pieces;   ///< per panel; unknown ones are no part of it
   std::vector<ChainSeam> seams;     ///< of the topology
   std::vector<std::string> doubts;  ///< why nobody should sew it unasked; empty: the only way
+  bool unnamed = false;  ///< which pieces are before and which behind the wearer, nothing tells
 
   bool certain() const { return !kind.empty() && doubts.empty(); }
 };
 
 /// Tells T-shirts, long-sleeve and raglan shirts (front, back, two sleeves in one piece each), tank
-/// tops, trousers (two fronts, two backs; two legs in one piece) and skirts (front, back) by the
+/// tops, trousers (two fronts, two backs; two legs in one piece) and skirts (known_skirt.h) by the
 /// sections of their outlines, by symmetry and by names; hoods at their neck (known_hood.h) and
-/// bands at their edges (known_bands.h); and /// how they are sewn. Doubts: pieces that are no part
+/// bands at their edges (known_bands.h); and how they are sewn. Doubts: pieces that are no part
 /// of it, lengths of a seam that differ by more than 2 % and that no band gathers, more than one
 /// way to tell a piece.
 KnownGarment know_garment(const Pattern& pattern);

@@ -22,7 +22,7 @@ KnownHood know_hood(const Pattern& pattern, const std::vector<int>& panels, cons
   std::optional<Strip> strip;
   for (const int p : panels) {
     const Panel& panel = pattern.panels[p];
-    const PieceWords w = words_of(panel.name + " " + panel.label);
+    const PieceWords w = words_of(panel);
     if (!w.hood || w.pocket) continue;  // its facing or lining
     const std::vector<Section> sections = outline_sections(panel);
     if (auto half = as_hood_half(sections)) {
@@ -36,7 +36,7 @@ KnownHood know_hood(const Pattern& pattern, const std::vector<int>& panels, cons
   if (halves.size() != 2) return hood;
   for (const KnownHood::Part& half : halves) {
     const Panel& panel = pattern.panels[half.panel];
-    const PieceWords w = words_of(panel.name + " " + panel.label);
+    const PieceWords w = words_of(panel);
     if ((w.left && half.piece.side < 0) || (w.right && half.piece.side > 0))
       hood.doubts.push_back("piece " + printable(panel.name) +
                             ": its name and its outline say different sides of a hood");

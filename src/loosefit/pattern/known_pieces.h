@@ -17,6 +17,7 @@ enum class PieceRole {
   leg,
   front_skirt,
   back_skirt,
+  side_skirt,
   hood,
   band
 };

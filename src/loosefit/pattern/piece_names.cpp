@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 #include <vector>
+
+#include "loosefit/pattern/pattern.h"
 
 namespace loosefit::pattern {
 namespace {
@@ -122,6 +125,28 @@ const std::vector<Known>& known() {
   return list;
 }
 
+/// What stands behind letters for the hand and for front or back that are written together with it,
+/// as "sleeve" in "lfsleeve"; empty without them.
+std::string behind_letters(const std::string& word, PieceWords& words) {
+  if (word.size() < 5 || (word[0] != 'l' && word[0] != 'r')) return {};
+  const auto names_a_piece = [](const std::string& rest) {
+    const auto begins = [&](const char* k) { return rest.starts_with(k); };
+    static constexpr const char* kPieces[] = {"front",  "back", "sleeve", "hood",
+                                              "collar", "cuff", "pant",   "leg"};
+    return std::any_of(std::begin(kPieces), std::end(kPieces), begins);
+  };
+  std::string rest = word.substr(1);
+  bool front = false, back = false;
+  if (!names_a_piece(rest)) {
+    front = rest[0] == 'f', back = rest[0] == 'b';
+    rest.erase(0, 1);
+    if (!(front || back) || !names_a_piece(rest)) return {};
+  }
+  words.left |= word[0] == 'l', words.right |= word[0] == 'r';
+  words.front |= front, words.back |= back;
+  return rest;
+}
+
 bool says(const Known& known, const std::string& word) {
   const auto any = [&](const std::vector<const char*>& list, auto test) {
     return std::any_of(list.begin(), list.end(), test);
@@ -139,8 +164,10 @@ PieceWords words_of(const std::string& name) {
   bool rt = false, mirrored = false, side = false;
   for (const std::string& word : split(name.substr(0, 200))) {
     rt |= word == "rt", mirrored |= word == "mirrored", side |= word == "side";
+    const std::string rest = behind_letters(word, words);
     for (const Known& one : known())
-      if (!word.empty() && says(one, word)) words.*one.what = true;
+      if (!word.empty() && (says(one, word) || (!rest.empty() && says(one, rest))))
+        words.*one.what = true;
   }
   // In German lists the back ("Rückenteil"), in those of CAD systems the right hand of something.
   if (rt) {
@@ -155,6 +182,10 @@ PieceWords words_of(const std::string& name) {
   if (words.left && words.right) words.left = words.right = false;
   if (words.front && words.back) words.front = words.back = false;
   return words;
+}
+
+PieceWords words_of(const Panel& panel) {
+  return words_of((panel.part.empty() ? panel.name : panel.part) + " " + panel.label);
 }
 
 }  // namespace loosefit::pattern

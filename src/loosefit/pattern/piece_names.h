@@ -3,6 +3,8 @@
 
 namespace loosefit::pattern {
 
+struct Panel;
+
 /// What the name of a piece or of a line says, in English, German, French, Spanish, Italian,
 /// Portuguese and Dutch, and in the short codes of apparel programs (FR, BK, SL, …). Several may be
 /// said at once: "front_sleeve_L".
@@ -17,6 +19,12 @@ struct PieceWords {
 };
 
 /// Words begin at a capital letter after a small one and at everything that is no letter.
+/// A left or right hand may be a letter before what the piece is, with f or b for front and back
+/// between them: "Lback", "rfsleeve".
 PieceWords words_of(const std::string& name);
+
+/// What is said of a piece: by its part, where its draft or the side file of its pattern tells that
+/// (Panel::part), else by its name; and by its label.
+PieceWords words_of(const Panel& panel);
 
 }  // namespace loosefit::pattern

@@ -11,6 +11,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/piece_facing.h"
 #include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::pattern {
@@ -20,56 +21,25 @@ constexpr double kBefore = 0.20;        ///< of fronts and backs from the middle
 constexpr double kBesideMiddle = 0.25;  ///< of legs in one piece [m]
 constexpr double kBesideHead = 0.14;    ///< of halves of a hood [m]
 constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
-constexpr double kArmDown = 0.7;        ///< of arms below the horizontal [rad]
 constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
 constexpr double kLeastRise = 0.01;     ///< of a seam that tells which way up a piece lies [m]
-
-/// The way a piece faces.
-enum class Facing { unknown, front, back, left_side, right_side, left_arm, right_arm };
-
-Mat3 facing_rotation(Facing facing, bool upright) {
-  Mat3 r;
-  const double c = std::cos(kArmDown), s = std::sin(kArmDown);
-  switch (facing) {
-    case Facing::back:
-      r.col(1) = Vec3::UnitZ();
-      r.col(2) = Vec3::UnitY();
-      break;
-    case Facing::left_side:
-      r.col(1) = Vec3::UnitZ();
-      r.col(2) = Vec3::UnitX();
-      break;
-    case Facing::right_side:
-      r.col(1) = Vec3::UnitZ();
-      r.col(2) = -Vec3::UnitX();
-      break;
-    case Facing::left_arm:
-      r.col(1) = Vec3(-c, 0, s);
-      r.col(2) = Vec3(s, 0, c);
-      break;
-    case Facing::right_arm:
-      r.col(1) = Vec3(c, 0, s);
-      r.col(2) = Vec3(-s, 0, c);
-      break;
-    default:
-      r.col(1) = Vec3::UnitZ();
-      r.col(2) = -Vec3::UnitY();
-  }
-  if (!upright) r.col(1) = -r.col(1);
-  r.col(0) = r.col(1).cross(r.col(2));
-  return r;
-}
 
 class Placer {
  public:
   explicit Placer(Pattern& pattern)
       : pattern_(pattern), known_(know_garment(pattern)), n_(pattern.panels.size()) {
-    facing_.assign(n_, Facing::unknown);
     placed_.assign(n_, 0);
+    // What is before and what behind is not for the order of a file to say.
+    if (known_.unnamed || is_sewn_otherwise()) known_.kind.clear(), known_.pieces.assign(n_, {});
   }
 
   std::vector<std::string> place() {
-    tell_facing();
+    PieceFacings told = tell_facings(pattern_, known_);
+    facing_ = std::move(told.of), half_sleeve_ = std::move(told.half_sleeve);
+    if (!told.guessed.empty())
+      notes_.push_back(
+          "placed beside what they are sewn to, for their names do not say where they go: " +
+          join(told.guessed));
     for (std::size_t p = 0; p < n_; ++p) {
       pattern_.panels[p].rotation = facing_rotation(facing_[p], known_.pieces[p].upright);
       if (is_half_of_hood(p)) stand_on_neck(p);
@@ -94,97 +64,33 @@ class Placer {
     if (!lost.empty())
       throw GeometryError({{}, 0, "pieces"}, "pieces that are sewn to no other one: " + join(lost),
                           "seams that join all pieces",
-                          "write the missing seams into the side file (--propose-seams helps), or "
-                          "take these pieces out of the pattern");
+                          "write the missing seams into the side file, or take these pieces out "
+                          "of the pattern there (leave_out)");
     set_labels();
     return std::move(notes_);
   }
 
  private:
-  /// Sleeves go to the side to which their name or what they are says; what nothing is said of goes
-  /// where its neighbours are.
-  void tell_facing() {
-    std::vector<std::string> guessed;
-    for (std::size_t p = 0; p < n_; ++p) {
-      const KnownPiece& piece = known_.pieces[p];
-      switch (piece.role) {
-        case PieceRole::front:
-        case PieceRole::front_leg:
-        case PieceRole::front_skirt:
-          facing_[p] = Facing::front;
-          break;
-        case PieceRole::back:
-        case PieceRole::back_leg:
-        case PieceRole::back_skirt:
-          facing_[p] = Facing::back;
-          break;
-        case PieceRole::leg:
-          facing_[p] = piece.side > 0 ? Facing::left_side : Facing::right_side;
-          break;
-        case PieceRole::hood:
-          facing_[p] = piece.side > 0   ? Facing::left_side
-                       : piece.side < 0 ? Facing::right_side
-                                        : Facing::back;
-          break;
-        case PieceRole::sleeve: {
-          // Of a garment that is not known the name may tell the side.
-          const bool left =
-              piece.side == 0 ? words_of(pattern_.panels[p].name).left : piece.side > 0;
-          facing_[p] = left ? Facing::left_arm : Facing::right_arm;
-          break;
-        }
-        case PieceRole::band:  // with what it is sewn to
-        case PieceRole::unknown: {
-          const Panel& panel = pattern_.panels[p];
-          const PieceWords w = words_of(panel.name);
-          if (w.sleeve || w.cuff || panel.label == "arm") {
-            if (w.left) facing_[p] = Facing::left_arm;
-            if (w.right) facing_[p] = Facing::right_arm;
-          } else if (w.front) {
-            facing_[p] = Facing::front;
-          } else if (w.back) {
-            facing_[p] = Facing::back;
-          }
-        }
-      }
+  /// Whether most seams between pieces that are known are others than those of the known garment,
+  /// which the outlines of short trousers suggest the wrong way up.
+  bool is_sewn_otherwise() const {
+    std::size_t judged = 0, other = 0;
+    const auto has = [](const std::vector<Stitch::Side>& run, const Stitch::Side& side) {
+      return std::ranges::any_of(run, [&](const Stitch::Side& of) {
+        return of.panel == side.panel && of.edge == side.edge;
+      });
+    };
+    for (const Stitch& stitch : pattern_.stitches) {
+      if (known_.pieces[stitch.first.panel].role == PieceRole::unknown ||
+          known_.pieces[stitch.second.panel].role == PieceRole::unknown)
+        continue;
+      ++judged;
+      other += std::ranges::none_of(known_.seams, [&](const ChainSeam& seam) {
+        return (has(seam.first, stitch.first) && has(seam.second, stitch.second)) ||
+               (has(seam.first, stitch.second) && has(seam.second, stitch.first));
+      });
     }
-    if (std::none_of(facing_.begin(), facing_.end(), [](Facing f) {
-          return f == Facing::front || f == Facing::back || f == Facing::left_side;
-        }))
-      throw GeometryError({{}, 0, "pieces"}, "no piece that is told to be a front or a back",
-                          "names such as front and back",
-                          "name the pieces, or give the file a placement (GarmentCode JSON)");
-    // Of the rest each follows the neighbour with the longest seam, one after the other.
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (std::size_t p = 0; p < n_; ++p) {
-        if (facing_[p] != Facing::unknown) continue;
-        double longest = 0;
-        Facing like = Facing::unknown;
-        for (const Stitch& stitch : pattern_.stitches) {
-          const auto other = other_side(stitch, static_cast<int>(p));
-          if (!other || facing_[other->panel] == Facing::unknown) continue;
-          const double length = EdgePath(pattern_.panels[other->panel], other->edge).length();
-          if (length > longest) longest = length, like = facing_[other->panel];
-        }
-        if (like == Facing::unknown) continue;
-        facing_[p] = like;
-        if (known_.pieces[p].role != PieceRole::band)
-          guessed.push_back(printable(pattern_.panels[p].name));
-        grown = true;
-      }
-    }
-    if (!guessed.empty())
-      notes_.push_back(
-          "placed beside what they are sewn to, for their names do not say where they "
-          "go: " +
-          join(guessed));
-  }
-
-  const Stitch::Side* other_side(const Stitch& stitch, int panel) const {
-    if (stitch.first.panel == panel && stitch.second.panel != panel) return &stitch.second;
-    if (stitch.second.panel == panel && stitch.first.panel != panel) return &stitch.first;
-    return nullptr;
+    return 2 * other > judged;
   }
 
   int seams_to_placed(int panel) const {
@@ -231,7 +137,8 @@ class Placer {
     Panel& panel = pattern_.panels[p];
     if (facing_[p] == Facing::left_side || facing_[p] == Facing::right_side) {
       const geometry::Box3 box = box_of(p);
-      const double beside = is_half_of_hood(p) ? kBesideHead : kBesideMiddle;
+      const bool of_hood = is_half_of_hood(p) || is_named_half_of_hood(pattern_, known_, p);
+      const double beside = of_hood ? kBesideHead : kBesideMiddle;
       panel.translation = Vec3(facing_[p] == Facing::left_side ? beside : -beside,
                                -0.5 * (box.min().y() + box.max().y()) + panel.translation.y(), z);
       placed_[p] = 1;
@@ -247,7 +154,7 @@ class Placer {
 
   int side_by_name(int p) const {
     if (known_.pieces[p].role != PieceRole::unknown) return 0;
-    const PieceWords w = words_of(pattern_.panels[p].name);
+    const PieceWords w = words_of(pattern_.panels[p]);
     return w.left ? 1 : w.right ? -1 : 0;
   }
 
@@ -269,13 +176,16 @@ class Placer {
   }
 
   /// A piece that nothing tells which way up it lies, such as a band drawn upright: turned in its
-  /// plane until its seams lie along those of its neighbours in that plane.
+  /// plane until its seams lie along those of its neighbours in that plane; of one beside the body,
+  /// which lies in a plane of its own, along those of all neighbours.
   void turn_to_seams(int p) {
     Panel& panel = pattern_.panels[p];
+    const bool beside = facing_[p] == Facing::left_side || facing_[p] == Facing::right_side;
     std::vector<Vec2> own, target;
     for (const Stitch& stitch : pattern_.stitches) {
       const auto* other = other_side(stitch, p);
-      if (!other || !placed_[other->panel] || facing_[other->panel] != facing_[p]) continue;
+      if (!other || !placed_[other->panel]) continue;
+      if (facing_[other->panel] != facing_[p] && !beside) continue;
       const Stitch::Side& side = stitch.first.panel == p ? stitch.first : stitch.second;
       const Panel& neighbour = pattern_.panels[other->panel];
       const EdgePath path(panel, side.edge), along(neighbour, other->edge);
@@ -298,7 +208,14 @@ class Placer {
       dot += u.dot(v), cross += u.x() * v.y() - u.y() * v.x();
     }
     if (std::hypot(dot, cross) < 1e-8) return;
-    panel.rotation *= Eigen::AngleAxisd(std::atan2(cross, dot), Vec3::UnitZ()).toRotationMatrix();
+    double turn = std::atan2(cross, dot);
+    // Fronts and backs stand farther apart than they will be worn, and crotches of two halves slant
+    // away from each other: that tilts nothing.
+    const PieceWords w = words_of(panel);
+    const bool stands = (w.front || w.back) && !(w.sleeve || w.cuff || w.neck || w.hood || w.yoke ||
+                                                 w.pocket || w.waist || w.hem);
+    if (beside || stands) turn = kPi / 2 * std::round(turn / (kPi / 2));
+    panel.rotation *= Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
   }
 
   /// A back may lie on its head in the file and its front upright: seams of the two that run up on
@@ -357,7 +274,8 @@ class Placer {
   void set_labels() {
     for (std::size_t p = 0; p < n_; ++p) {
       if (!pattern_.panels[p].label.empty()) continue;
-      const bool arm = facing_[p] == Facing::left_arm || facing_[p] == Facing::right_arm;
+      const bool arm =
+          half_sleeve_[p] || facing_[p] == Facing::left_arm || facing_[p] == Facing::right_arm;
       // A band at an armhole is of the arm, which its seams tell where its label does not.
       if (known_.pieces[p].role == PieceRole::band && !arm) continue;
       pattern_.panels[p].label = arm ? "arm" : is_leg(static_cast<int>(p)) ? "leg" : "body";
@@ -368,7 +286,7 @@ class Placer {
   KnownGarment known_;
   std::size_t n_;
   std::vector<Facing> facing_;
-  std::vector<char> placed_;
+  std::vector<char> half_sleeve_, placed_;
   std::vector<std::string> notes_;
 };
 

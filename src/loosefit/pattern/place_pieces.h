@@ -9,11 +9,10 @@ namespace loosefit::pattern {
 /// Places the pieces of a sewn pattern that has no placement, or only a sheet to lie on: fronts
 /// before the middle, backs behind it, sleeves to the sides along arms held a little down, all by
 /// nobody's measures; whoever puts the garment on a body moves them there (drape/arrange_panels.h).
-/// Pieces of a known garment go by what they are, others by their names (front, back, sleeve, left,
-/// right), and where these say nothing to the side of what they are sewn to by most of their
-/// seams. Heights follow the seams. Labels "body", "arm" and "leg" are set where there are none.
-/// A known piece that stands on its head is turned round.
-/// \return what had to be assumed. \throws GeometryError naming the pieces that nothing tells where
+/// Which way each piece faces is told by tell_facings (pattern/piece_facing.h). Heights follow the
+/// seams. Labels "body", "arm" and "leg" are set where there are none. A known piece that stands on
+/// its head is turned round. \return what had to be assumed. \throws GeometryError naming the
+/// pieces that nothing tells where
 ///         they go: no seam, or neither name nor seam to a piece with one.
 std::vector<std::string> place_pieces(Pattern& pattern);
 

@@ -13,6 +13,7 @@
 #include "loosefit/dress/no_room.h"
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/io/mesh_file.h"
+#include "loosefit/pipeline/no_room_advice.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -167,7 +168,8 @@ std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& 
 }
 
 drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
-                    const std::vector<CaseMovement>& movements) try {
+                    const std::vector<CaseMovement>& movements,
+                    const scenario::Scenario* scenario) try {
   drape::Movements made = movements_of(body.body, body.person, body.to, movements);
   body.movements.clear();
   for (const CaseMovement& wanted : movements)
@@ -182,10 +184,13 @@ drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
   }
   return drape;
 } catch (const dress::NoRoom& error) {
-  if (!body.wide_path) throw GeometryError(error.what(), body.person ? kOtherPosture : kOtherScan);
-  throw GeometryError(std::string(error.what()) + ", even with the arms wide apart",
-                      "a garment so wide finds no room between arms and trunk: a smaller "
-                      "garment.fit, or a smaller size, can be put on");
+  const std::string less_garment = scenario ? no_room_advice(*scenario) : "a smaller garment";
+  if (body.wide_path)
+    throw GeometryError(std::string(error.what()) + ", even with the arms wide apart",
+                        less_garment);
+  const bool can_spread = body.person && body.from.arm_abduction < body::kArmsWide.arm_abduction;
+  if (!can_spread && body.person) throw GeometryError(error.what(), less_garment);
+  throw GeometryError(error.what(), can_spread ? kOtherPosture : kOtherScan);
 }
 
 }  // namespace loosefit::pipeline

@@ -9,6 +9,7 @@
 #include "loosefit/kinds/body_measures.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pipeline/carry_with_scan.h"
+#include "loosefit/pipeline/file_girths.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -16,8 +17,14 @@ namespace {
 void measure_fit(CasePattern& result, const body::Body& body, const kinds::NamedValues& drafted_fit,
                  bool made_to_measure) {
   const kinds::GarmentKind& kind = kinds::garment_kind(result.pattern.kind);
-  result.levels =
-      kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+  if (kind.draft) {
+    result.levels =
+        kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+  } else {
+    FileGirths girths = file_girths(result.pattern, kinds::known_measures(kind, body.measured));
+    result.levels = std::move(girths.levels);
+    result.girths_along = std::move(girths.stations);
+  }
   if (kind.stations)
     result.girths_along = kind.stations(result.pattern, kinds::known_measures(kind, body.measured),
                                         made_to_measure ? drafted_fit : kinds::NamedValues{});
@@ -93,8 +100,10 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
     if (!file.placed)
       throw GeometryError({wished.file, 0, "pieces"}, file.not_placed,
                           "pieces that are sewn together and can be placed round a body",
-                          "`loosefit pattern --file " + printable(wished.file, 200) +
-                              " --propose-seams` proposes seams to confirm");
+                          file.not_placed_hint.empty()
+                              ? "`loosefit pattern --file " + printable(wished.file, 200) +
+                                    " --propose-seams` proposes seams to confirm"
+                              : file.not_placed_hint);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
     carry_with_scan(result.pattern, body, result.warnings);

@@ -62,7 +62,8 @@ void place_on_drape(const scenario::Scenario& scenario, const CaseBody& body,
   CaseBody wearer = clone_wearer(body);
   drape::DrapeSession session(cloth_layers(scenario, coarse), options, progress);
   const drape::Drape drape =
-      split_drape(put_on(session, wearer, usual_movements(scenario.donning)), scenario, coarse)
+      split_drape(put_on(session, wearer, usual_movements(scenario.donning), &scenario), scenario,
+                  coarse)
           .back();
 
   const maps::WornGarment worn = maps::relate(bare, drape.positions, body.body);

@@ -94,8 +94,8 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
   CaseBody body = clone_wearer(reference.body);
   task.session = std::make_shared<drape::DrapeSession>(
       cloth_layers(reference.scenario, reference.garments, how.friction), options, progress);
-  task.state.drapes = split_drape(put_on(*task.session, body, how.movements), reference.scenario,
-                                  reference.garments);
+  task.state.drapes = split_drape(put_on(*task.session, body, how.movements, &reference.scenario),
+                                  reference.scenario, reference.garments);
   task.warnings = warnings_since(reference.body, body);
   return task;
 }

@@ -48,14 +48,18 @@ class TrunkTape {
     }
     return down_.back()[1];
   }
-  /// 0 where the section would go through the arms too.
+  /// 0 where the section would go through the arms too, and below the crotch.
   double girth(double along) const {
     constexpr double kMost = 1.15;  // of the fullest girth
     double fullest = 0;
     for (const char* name : {"chest", "waist", "hip"})
       fullest = std::max(fullest, measure(body_, name));
-    const double girth = body::trunk_girth(body_.surface, height(along));
-    return fullest == 0 || girth < kMost * fullest ? girth : 0;
+    try {
+      const double girth = body::trunk_girth(body_.surface, height(along));
+      return fullest == 0 || girth < kMost * fullest ? girth : 0;
+    } catch (const GeometryError&) {
+      return 0;
+    }
   }
 
  private:

@@ -20,10 +20,10 @@ struct StationFit {
 };
 
 /// The girths of the body at the stations of a pattern. Trunk: level sections where a tape down the
-/// back is as long as the station is far down; where they would cut the arms too there is no
-/// station. Arm: sections square to it, the one at the elbow halves its bend; nor is there one
-/// where they would cut the trunk too. \param body arms apart; its joints, landmarks and measures
-/// are read, and what of them is missing leaves out the limb.
+/// back is as long as the station is far down; where they would cut the arms too, and below the
+/// crotch, there is no station. Arm: sections square to it, the one at the elbow halves its bend;
+/// nor is there one where they would cut the trunk too. \param body arms apart; its joints,
+/// landmarks and measures are read, and what of them is missing leaves out the limb.
 std::vector<StationFit> fit_along(const std::vector<kinds::FitStation>& stations,
                                   const body::Body& body);
 

@@ -14,6 +14,7 @@
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_pattern.h"
+#include "loosefit/pipeline/file_girths.h"
 #include "loosefit/pipeline/pattern_marks.h"
 
 namespace loosefit::pipeline {
@@ -77,6 +78,7 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
   GarmentPattern made;
   // A pattern file tells its kind, which tells the measures that it is compared with.
   std::string kind_name = wish.kind.value_or(kinds::garment_kinds().front().name);
+  bool placed = true;
   if (!wish.file.empty()) {
     io::PatternFile file = io::read_pattern(wish.file, {wish.size, wish.units}, wish.seams);
     made.pattern = std::move(file.pattern);
@@ -84,9 +86,12 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
     made.about = std::move(file.about);
     made.unused = std::move(file.unused);
     made.notches = std::move(file.notches);
-    if (!file.placed)
-      made.warnings.push_back("it cannot be worn yet: " + file.not_placed +
-                              "; --propose-seams proposes seams to confirm");
+    placed = file.placed;
+    if (!placed)
+      made.warnings.push_back("it cannot be worn yet: " + file.not_placed + "; " +
+                              (file.not_placed_hint.empty()
+                                   ? "--propose-seams proposes seams to confirm"
+                                   : file.not_placed_hint));
     kind_name = made.pattern.kind;
   }
   const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);
@@ -102,7 +107,10 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
     asked.insert("measures." + given.key);
   }
   if (!wish.file.empty()) {
-    made.levels = kind.levels(made.pattern, measures, {});
+    if (kind.draft)
+      made.levels = kind.levels(made.pattern, measures, {});
+    else if (placed)
+      made.levels = file_girths(made.pattern, measures).levels;
     return made;
   }
   // A draft; a size is compared with its own body unless there is another one.

@@ -60,7 +60,7 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
   const std::vector<CaseMovement> movements =
       drawn_movements(scenario.donning, options.seed);  // a history of its own
   std::vector<drape::Drape> drapes =
-      split_drape(put_on(session, body, movements), scenario, result.garments);
+      split_drape(put_on(session, body, movements, &scenario), scenario, result.garments);
 
   // Left out with the reason unless it is settled and worn.
   Repeat made;

@@ -32,8 +32,8 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
     settling.others_follow = plan_wear(result.scenario).postures.size() > 1;
     const auto session = std::make_shared<drape::DrapeSession>(
         cloth_layers(result.scenario, result.garments), settling, clock);
-    const drape::Drape drape =
-        put_on(*session, result.body, usual_movements(scenario.donning));  // dress, settle
+    const drape::Drape drape = put_on(*session, result.body, usual_movements(scenario.donning),
+                                      &scenario);  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
                                   result.garments, result.body.body));
     at_once = drapes_at_once();

@@ -33,8 +33,9 @@ std::string against_falling(const scenario::Scenario& scenario, drape::StopReaso
     return "sew what falls to the rest with a stitch in the pattern, or leave it out";
   return scenario.studied().spec.file.empty()
              ? "another garment.fit or garment.size may stay on the body"
-             : "place the panels of the pattern file round the body where "
-               "they are worn, and sew them";
+             : "a pattern that is narrower where it hangs, or has elastic there (garment.elastic), "
+               "may stay on the body; else place the panels of the pattern file round the body "
+               "where they are worn, and sew them";
 }
 
 std::string against_cuts(const scenario::Scenario& scenario, const drape::Unsettled& unsettled) {

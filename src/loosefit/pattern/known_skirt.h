@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "loosefit/pattern/known_bands.h"
+#include "loosefit/pattern/known_pieces.h"
+
+namespace loosefit::pattern {
+
+/// A skirt of two or more gores, sewn side to side.
+struct KnownSkirt {
+  std::vector<std::pair<int, KnownPiece>> pieces;  ///< panel, what it is; in the order of the seams
+  std::vector<ChainSeam> seams;
+  std::vector<OpenLoop> loops;      ///< waist, hem
+  std::vector<std::string> doubts;  ///< why nobody should sew it unasked
+  bool unnamed = false;             ///< no name says which gores are before and which behind
+
+  bool found() const { return !pieces.empty(); }
+};
+
+/// The skirt that these panels are, where their sides are alike by 2 %: of two groups of panels
+/// with different sides the larger one, of as many those that are no strips, then the longer ones.
+/// They go round from right to left before the wearer, and back behind her, as names say (front,
+/// back, left, right); without names in the order of the file, the first half before. Doubts: no
+/// names, gores of one place that are not alike, gores that taper.
+KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels);
+
+}  // namespace loosefit::pattern
