@@ -4,7 +4,7 @@
 usage: corpus.py [--patterns DIR_OR_FILE ...] [--bodies DIR_OR_FILE ...] [--json FILE] [--csv FILE] [--binary FILE]
                  [--edge METRES] [--budget SECONDS] [--only WORD ...] [--keep-versions] [-j N] [--out DIR] [--list]
                  [--write-patterns DIR] [--twins] [--sample N] [--seed N]
-       corpus.py --json FILE [FILE ...] --report FILE.md
+       corpus.py --json FILE [FILE ...] --report FILE
 
 Garments: those of corpus/garments.py, written anew in GarmentCode's grammar, those of corpus/drawn.py, SVG without seams or places,
 those of corpus/cad.py, DXF as CAD programs store it, the drafts of corpus/drafts.py, some of them as DXF that the program writes and

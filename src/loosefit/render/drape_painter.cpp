@@ -20,7 +20,7 @@ void check_count(std::size_t found, std::size_t vertices, const std::string& wha
 geometry::TriangleMesh form_of(const DrawnDrape& drape) {
   check_count(drape.positions.size(), static_cast<std::size_t>(drape.garment.vertex_count),
               "positions");
-  return mannequin(drape.body, drape.garment, drape.positions, drape.under.vertices);
+  return mannequin(drape.body, drape.garment, drape.positions, drape.under);
 }
 
 SceneContent content_of(const DrawnDrape& drape, const geometry::TriangleMesh& form) {

@@ -6,16 +6,18 @@
 
 namespace loosefit::render {
 
-/// The part of the body that pictures show: a dress form. The head is cut off above the neck, and
-/// below the garment's hem the body ends inside the cloth, for faces and anatomy are not the
-/// subject and nobody is shown undressed. What hangs down to the lower legs has a form with legs
-/// and a shoemaker's lasts for feet. Arms and hands stay; a lifted thigh ends in a stub with a lid,
-/// and the form then at the lowest point of the hem. Above what ends below the middle of the trunk,
-/// trousers or a skirt, the form ends too, with a lid and without arms, unless something else is
-/// worn there (`under`: positions of all of that). A body without joints is cut at the hem, and
-/// there, only.
+/// What pictures show of the wearer: a closed dress form without anatomy, for people are not the
+/// subject and nobody is shown undressed. Trunk and limbs are a smooth form (smooth_skin.h) that
+/// keeps within the cloth (clear_of_cloth.h), hands are mittens, feet a shoemaker's lasts.
+///
+/// How much of it there is (form_extent.h): what reaches below the crotch has legs and feet, in any
+/// posture. Above that tops have a form that ends inside the cloth, or at the hips if the cloth
+/// ends well above, with lids; a lifted thigh then ends in a stub. Trousers and skirts have a trunk
+/// without arms, unless those are lifted. A hood has an egg in it; otherwise the neck ends in a
+/// lid. A body without joints is cut at the hem, and there, only. `under`: all that is worn under
+/// the garment; may be empty.
 geometry::TriangleMesh mannequin(const body::Body& body, const garment::Garment& garment,
                                  const std::vector<Vec3>& positions,
-                                 const std::vector<Vec3>& under = {});
+                                 const geometry::TriangleMesh& under = {});
 
 }  // namespace loosefit::render

@@ -208,9 +208,8 @@ Json body_json(const pipeline::CaseResult& result, const pipeline::CaseState* st
       state ? result.body_in(state->id.posture).body() : result.body.body.body();
   const std::vector<Vec3>& positions =
       state ? state->drape().positions : result.studied().drape.positions;
-  return {{"form",
-           surface_json(render::mannequin(body, result.studied().mesh(), positions, under.vertices),
-                        arrays)},
+  return {{"form", surface_json(render::mannequin(body, result.studied().mesh(), positions, under),
+                                arrays)},
           {"under", surface_json(under, arrays)}};
 }
 

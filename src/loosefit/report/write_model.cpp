@@ -53,7 +53,7 @@ void write_model(const std::filesystem::path& folder, const pipeline::CaseResult
   std::vector<io::GlbSurface> surfaces = {std::move(cloth)};
   const geometry::TriangleMesh under = pipeline::surface_under_studied(result);
   const geometry::TriangleMesh form =
-      render::mannequin(result.body.body, garment, positions, under.vertices);
+      render::mannequin(result.body.body, garment, positions, under);
   if (!form.triangles.empty()) surfaces.push_back({"mannequin", form.vertices, form.triangles});
   if (!under.triangles.empty())
     surfaces.push_back({.name = "worn under it",
