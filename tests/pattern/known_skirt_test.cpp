@@ -111,6 +111,25 @@ TEST(KnownSkirt, OtherSidesAreOtherPieces) {
   EXPECT_FALSE(know_skirt(pattern, {0, 2}).found());
 }
 
+// A tube top and a bandeau are rectangles, too.
+TEST(KnownSkirt, NamesOfTopsAreDoubts) {
+  const auto doubts = [](const std::string& before) {
+    Pattern pattern = gores(2, 0.40, 0.40);
+    pattern.panels[0].name = before + "front", pattern.panels[1].name = before + "back";
+    return know_garment(pattern).doubts;
+  };
+  for (const char* name : {"tube top ", "Bandeau_", "Poncho ", "Oberteil "}) {
+    const auto all = doubts(name);
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const std::string& why) {
+      return why.find("is of a top by its name, of a skirt by its shape") != std::string::npos;
+    })) << name;
+  }
+  const auto all = doubts("skirt ");
+  EXPECT_TRUE(std::none_of(all.begin(), all.end(), [](const std::string& why) {
+    return why.find("by its name") != std::string::npos;
+  }));
+}
+
 // Two pieces of a garment that is not known: each hem would agree with the other in length.
 TEST(ProposeSeams, NeitherHemToHemNorWaistToWaistWhereTheSidesAreSewn) {
   Pattern pattern = gores(2, 0.38, 0.56);

@@ -33,6 +33,12 @@ TEST(PieceNames, AHoodieIsNoHood) {
     EXPECT_TRUE(words_of(name).hood) << name;
 }
 
+TEST(PieceNames, BacksOfManyLanguages) {
+  for (const char* name :
+       {"Rock hinten", "ROCK HINTEN", "Derrière", "Trasero", "dos", "achterpand", "Rückenteil"})
+    EXPECT_TRUE(words_of(name).back) << name;
+}
+
 TEST(PieceNames, WhatSaysBothSaysNeither) {
   const PieceWords both = words_of("front and back, left right");
   EXPECT_FALSE(both.front || both.back || both.left || both.right);

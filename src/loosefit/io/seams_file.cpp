@@ -72,6 +72,7 @@ void leave_out(PatternFile& file, const std::vector<std::string>& names,
     now[p] = static_cast<int>(kept.size());
     kept.push_back(std::move(pattern.panels[p]));
   }
+  file.warnings.push_back("left out, as the side file asks: piece " + printable(join(names), 300));
   pattern.panels = std::move(kept);
   for (int& p : pattern.panel_order) p = now[p];
   std::erase(pattern.panel_order, -1);

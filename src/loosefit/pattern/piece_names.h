@@ -11,6 +11,7 @@ struct Panel;
 struct PieceWords {
   bool front = false, back = false, left = false, right = false;
   bool sleeve = false, leg = false, skirt = false, yoke = false, pocket = false, hood = false;
+  bool top = false;     ///< of what is worn on the trunk: bodice, shirt, poncho
   bool centre = false;  ///< a strip between halves
   bool neck = false, armhole = false, cuff = false, waist = false,
        hem = false;                                               ///< of bands, ribs and collars
