@@ -1,4 +1,5 @@
 """The cases of the suite: name, groups, scenario text. Edit here to add one."""
+import pairs
 
 # Two adults and the two children of the study: stature, chest, waist, hip in metres.
 BODIES = {
@@ -33,11 +34,12 @@ STIFF_LINE = "stiffness = 60\nwidth = 0.010\npre_stretch = 0.05\n"
 
 
 class Case:
-    """One scenario. `cores`: processor cores it may use, None = all. `missing`: why it cannot run."""
+    """One scenario. `cores`: processor cores it may use, None = all. `missing`: why it cannot run. `files`: texts by name that
+    have to lie beside the scenario."""
 
-    def __init__(self, name, groups, scenario="", cores=None, missing=None):
+    def __init__(self, name, groups, scenario="", cores=None, missing=None, files=None):
         self.name, self.groups, self.scenario = name, groups, scenario
-        self.cores, self.missing = cores, missing
+        self.cores, self.missing, self.files = cores, missing, files or {}
 
 
 def scenario(garment, body="woman", edge_mm=10.0, budget=600, posture='posture = "standing"',
@@ -111,6 +113,7 @@ friction = 0.3
 name = "cotton-jersey"
 """),
     ]
+    found += [Case(name, ["pairs"], text, files=files) for name, (text, files) in pairs.scenarios().items()]
     return found
 
 

@@ -7,8 +7,9 @@ usage: run_bench.py [CASE|GROUP ...] [--binary FILE] [--runs N] [--pictures] [--
 Without names all cases run, which takes hours: `quick` is a minute. Each case is a process of its
 own; wall and processor seconds and peak memory are those of the whole process. Prints a table;
 --json writes the figures to a file, --record to bench/history/<date>-<commit>.json. Compare two
-such files with compare.py. Exit code 1 when a case failed or did not settle, 0 otherwise; cases
-that cannot be run yet are listed as missing.
+such files with compare.py. Cases of a pair are run in turn and followed by their ratio. Exit code 1 when
+a case failed, did not settle or took more of another's time than the pair allows, 0 otherwise; cases that
+cannot be run yet are listed as missing.
 """
 import argparse
 import datetime
@@ -24,6 +25,7 @@ import threading
 import time
 
 import bench_cases
+import pairs
 from records import write
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -69,6 +71,8 @@ def run_process(command, cores, limit):
 def run_once(case, options, folder):
     scenario = folder.with_suffix(".toml")
     scenario.write_text(case.scenario)
+    for name, text in case.files.items():
+        (folder.parent / name).write_text(text)
     budget = float(re.search(r"time_budget = (\S+)", case.scenario)[1])
     command = [options.binary, "run", str(scenario), "-o", str(folder), "--quiet"]
     if not options.pictures:
@@ -239,21 +243,28 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         out = pathlib.Path(options.out or scratch).resolve()
         out.mkdir(parents=True, exist_ok=True)
-        for case in chosen:
-            if case.missing:
-                entry = {"missing": case.missing}
-            else:
-                runs = [run_once(case, options, out / f"{case.name}-{number}")
-                        for number in range(options.runs)]
-                entry = {"groups": case.groups, "runs": runs}
-                for run in runs:
+        for group in pairs.turns(chosen):
+            runs = {case.name: [] for case in group}
+            for number in range(options.runs):
+                for case in group:
+                    if not case.missing:
+                        runs[case.name].append(run_once(case, options, out / f"{case.name}-{number}"))
+            for case in group:
+                entry = {"missing": case.missing} if case.missing else {"groups": case.groups, "runs": runs[case.name]}
+                for run in runs[case.name]:
                     record["versions"] |= run.pop("versions", {})
-                good = good and status(entry) == "settled"
-            record["cases"][case.name] = entry
-            print_row(case.name, entry)
+                good = good and (bool(case.missing) or status(entry) == "settled")
+                record["cases"][case.name] = entry
+                print_row(case.name, entry)
             for path in targets:  # after every case: a suite that is cut short keeps what it has
                 write(path, record)
+    ratios = {pair.name: found for pair in pairs.PAIRS if (found := pair.ratio(record["cases"], median))}
+    if ratios:
+        pairs.print_ratios(ratios)
+        record["ratios"] = ratios
+        good = good and all(found["holds"] for found in ratios.values())
     for path in targets:
+        write(path, record)
         print(f"written: {path.relative_to(ROOT) if path.is_relative_to(ROOT) else path}")
     return 0 if good else 1
 
