@@ -9,17 +9,17 @@ BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
 
-.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test test-slurm bench bench-kernels format tidy asan clean
+.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test test-slurm bench bench-kernels format tidy asan fuzz clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | validate | test-slurm | paper-claims | deb | bench | bench-kernels | format | tidy | asan | clean"
+	@echo "also: make setup | build | validate | test-slurm | paper-claims | deb | bench | bench-kernels | format | tidy | asan | fuzz | clean"
 
 # What only the tests and the Python module need is left out of a first build of the program alone.
 # `PACKAGES` and `PARTS` of a target hold for what it depends on, too.
 PACKAGES = program
 PARTS = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF -DLOOSEFIT_VALIDATE=OFF)
-test bench-kernels asan tidy: PACKAGES =
+test bench-kernels asan fuzz tidy: PACKAGES =
 test bench-kernels asan tidy: PARTS = -DLOOSEFIT_TESTS=ON -DLOOSEFIT_PYTHON_MODULE=ON -DLOOSEFIT_VALIDATE=ON
 validate: PARTS = -DLOOSEFIT_VALIDATE=ON
 
@@ -104,6 +104,18 @@ asan: setup
 	@cmake --preset asan
 	@cmake --build build-asan -j $(JOBS)
 	@ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build-asan --output-on-failure -j $(JOBS)
+
+# Damaged pattern files of all formats under sanitizers, FUZZ_CASES in all; what became of them goes to FUZZ_TABLE. Without
+# sanitizers: make fuzz FUZZ_PRESET=ci FUZZ_CASES=200 FUZZ_TABLE=/dev/null
+FUZZ_CASES ?= 100000
+FUZZ_PRESET ?= asan
+FUZZ_TABLE ?= bench/reports/fuzz.md
+FUZZ_BUILD = $(if $(filter asan,$(FUZZ_PRESET)),build-asan,$(BUILD))
+fuzz: packages
+	@cmake --preset $(FUZZ_PRESET) -DLOOSEFIT_TESTS=ON > /dev/null
+	@cmake --build $(FUZZ_BUILD) -j $(JOBS) --target test_io
+	@ASAN_OPTIONS=detect_leaks=0 python3 tools/run_fuzz.py $(FUZZ_BUILD)/bin/test_io --cases $(FUZZ_CASES) \
+	  --table $(FUZZ_TABLE) --build "preset $(FUZZ_PRESET)"
 
 clean:
 	rm -rf build build-package build-debug build-asan out

@@ -14,7 +14,9 @@
 #include "loosefit/pattern/propose_seams.h"
 #include "support/drawn_tshirt.h"
 #include "support/fuzz_cases.h"
+#include "support/fuzz_tally.h"
 #include "support/mutate.h"
+#include "support/sound_pieces.h"
 
 // Damaged SVG, FreeSewing JSON and side files: never a crash, never a hang; an error that says
 // where, or sound panels that can be sewn and placed or are told not to be.
@@ -42,36 +44,43 @@ void go_on(PatternFile file) {
   EXPECT_EQ(written.pattern.panels.size(), again.pattern.panels.size());
 }
 
-void fuzz(const std::string& valid, const std::string& name, const Read& read, unsigned usual) {
-  const unsigned cases = fuzz_cases(usual);
-  unsigned refused = 0;
+/// `whole`: the text that the pieces come from, where the damaged one has none.
+void fuzz(const std::string& format, const std::string& valid, const std::string& name,
+          const Read& read, const std::string& whole = {}) {
+  const unsigned cases = fuzz_cases(600);
+  const std::string undamaged = pieces_text(read(valid).pattern);
+  FuzzTally tally(format, cases);
   const auto start = std::chrono::steady_clock::now();
   for (unsigned seed = 0; seed < cases; ++seed) {
     SCOPED_TRACE(seed);
+    const std::string damaged = Mutator(seed)(valid);
+    tally.begin();
     try {
-      PatternFile file = read(Mutator(seed)(valid));
+      PatternFile file = read(damaged);
+      const bool same = pieces_text(file.pattern) == undamaged;
+      EXPECT_EQ(wrong_pieces(file.pattern, 0.001 * largest_number(whole.empty() ? damaged : whole)),
+                "");
       // What is lost is told. A piece whose name no longer says sleeve has no mirrored twin.
       EXPECT_TRUE(file.pattern.panels.size() >= 3 || !file.warnings.empty() ||
                   !file.unused.empty());
       go_on(std::move(file));
+      tally.read(same);
     } catch (const InvalidInput& error) {
-      ++refused;
+      tally.refuse();
       const std::string message = error.what();
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
       EXPECT_LT(message.size(), 900u) << message;
       EXPECT_EQ(message.rfind(name + ":", 0), 0u) << message;
     }
   }
-  EXPECT_GT(refused, cases / 10) << "the damage is real";
-  EXPECT_LT(refused, cases) << "and some files survive it";
+  tally.expect_real_damage(0.1);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   EXPECT_LT(spent.count(), 0.1 * cases + 10);
 }
 
 TEST(DrawingFuzz, FreesewingSvg) {
-  fuzz(
-      testing_support::freesewing_tshirt(true), "fuzz.svg",
-      [](const std::string& text) { return parse_svg_pattern(text, "fuzz.svg"); }, 600);
+  fuzz("SVG of FreeSewing", testing_support::freesewing_tshirt(true), "fuzz.svg",
+       [](const std::string& text) { return parse_svg_pattern(text, "fuzz.svg"); });
 }
 
 TEST(DrawingFuzz, OtherSvg) {
@@ -89,22 +98,22 @@ TEST(DrawingFuzz, OtherSvg) {
           "\"/>\n<path id=\"sleeve_2\" transform=\"translate(700 400) scale(-1 1)\"\n d=\"" +
           testing_support::kSleeve +
           "\"/>\n<rect x=\"1\" y=\"2\" width=\"20\" height=\"30\" rx=\"2\"/>\n</svg>\n";
-  fuzz(
-      text, "fuzz.svg", [](const std::string& t) { return parse_svg_pattern(t, "fuzz.svg"); }, 600);
+  fuzz("SVG of a drawing program", text, "fuzz.svg",
+       [](const std::string& t) { return parse_svg_pattern(t, "fuzz.svg"); });
 }
 
 TEST(DrawingFuzz, FreesewingJson) {
-  fuzz(
-      testing_support::freesewing_json(), "fuzz.json",
-      [](const std::string& text) { return parse_freesewing_json(text, "fuzz.json"); }, 600);
+  fuzz("JSON of FreeSewing", testing_support::freesewing_json(), "fuzz.json",
+       [](const std::string& text) { return parse_freesewing_json(text, "fuzz.json"); });
 }
 
 TEST(DrawingFuzz, RunsOfASideFile) {
-  const PatternFile shirt = parse_svg_pattern(testing_support::freesewing_tshirt(true), "t.svg");
+  const std::string drawing = testing_support::freesewing_tshirt(true);
+  const PatternFile shirt = parse_svg_pattern(drawing, "t.svg");
   const std::string valid =
       seams_text(shirt.pattern, pattern::propose_seams(shirt.pattern, shirt.notches));
   fuzz(
-      valid, "fuzz.toml",
+      "side file (TOML)", valid, "fuzz.toml",
       [&](const std::string& text) {
         PatternFile file = shirt;
         parse_seams(text, "fuzz.toml", file);
@@ -112,7 +121,7 @@ TEST(DrawingFuzz, RunsOfASideFile) {
         file.pattern.stitches.clear();
         return file;
       },
-      600);
+      drawing);
 }
 
 }  // namespace
