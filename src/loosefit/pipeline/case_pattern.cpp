@@ -10,9 +10,19 @@
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pipeline/carry_with_scan.h"
 #include "loosefit/pipeline/file_girths.h"
+#include "loosefit/pipeline/units_doubt.h"
 
 namespace loosefit::pipeline {
 namespace {
+
+/// Before anybody meshes a garment for a giant. \throws GeometryError
+void check_units(const UnitsDoubt& doubt, const std::string& file,
+                 std::vector<std::string>& warnings) {
+  if (doubt.found.empty()) return;
+  if (doubt.wears_nobody)
+    throw GeometryError({file, 0, "units"}, doubt.found, "a garment for a body", doubt.hint);
+  warnings.push_back(doubt.found + ": " + doubt.hint);
+}
 
 void measure_fit(CasePattern& result, const body::Body& body, const kinds::NamedValues& drafted_fit,
                  bool made_to_measure) {
@@ -98,7 +108,7 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   if (!wished.file.empty()) {
     io::PatternFile file = io::read_pattern(wished.file, {wished.size, wished.units}, wished.seams);
     if (!file.placed)
-      throw GeometryError({wished.file, 0, "pieces"}, file.not_placed,
+      throw GeometryError({wished.file, 0, ""}, file.not_placed,
                           "pieces that are sewn together and can be placed round a body",
                           file.not_placed_hint.empty()
                               ? "`loosefit pattern --file " + printable(wished.file, 200) +
@@ -106,6 +116,7 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
                               : file.not_placed_hint);
     result.pattern = std::move(file.pattern);
     result.warnings = std::move(file.warnings);
+    check_units(units_doubt(result.pattern, {}), wished.file, result.warnings);
     carry_with_scan(result.pattern, body, result.warnings);
     warn_of_unsewn(result);
   } else {
@@ -124,6 +135,8 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   each_named(wished.bands, "band", "panels",
              [&](const pattern::NamedCloth& band) { pattern::set_cloth(result.pattern, band); });
   measure_fit(result, body, fit, wished.file.empty() && wished.size.empty());
+  if (!wished.file.empty())
+    check_units(units_doubt(result.pattern, result.levels), wished.file, result.warnings);
   return result;
 }
 

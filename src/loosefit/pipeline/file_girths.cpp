@@ -177,7 +177,9 @@ class Measurer {
       if (with_armhole.count(panel_of(static_cast<int>(v)))) top = std::max(top, placed_[v].z());
     const double whole = top - underarm + kBelowArmhole;
     const auto bust = body("hps_to_bust"), waist = body("hps_to_waist"), hip = body("hps_to_hip");
-    add("chest", trunk(top - std::max(whole, bust.value_or(0))), body("chest"));
+    const double at_bust = trunk(top - std::max(whole, bust.value_or(0)));
+    // One that ends above the bust is measured where it is whole.
+    add("chest", at_bust > 0 ? at_bust : trunk(top - whole), body("chest"));
     const double length = top - lowest_of_trunk();
     if (waist && *waist > whole) add("waist", trunk(top - *waist), body("waist"));
     if (hip && *hip > whole) add("hip", trunk(top - *hip), body("hip"));

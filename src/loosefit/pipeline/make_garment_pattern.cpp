@@ -16,6 +16,7 @@
 #include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/pipeline/file_girths.h"
 #include "loosefit/pipeline/pattern_marks.h"
+#include "loosefit/pipeline/units_doubt.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -109,8 +110,10 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
   if (!wish.file.empty()) {
     if (kind.draft)
       made.levels = kind.levels(made.pattern, measures, {});
-    else if (placed)
+    else if (placed && !units_doubt(made.pattern, {}).wears_nobody)
       made.levels = file_girths(made.pattern, measures).levels;
+    if (const UnitsDoubt doubt = units_doubt(made.pattern, made.levels); !doubt.found.empty())
+      made.warnings.push_back(doubt.found + ": " + doubt.hint);
     return made;
   }
   // A draft; a size is compared with its own body unless there is another one.
