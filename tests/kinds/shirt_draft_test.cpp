@@ -305,6 +305,37 @@ TEST(ShirtDraft, TheLimitItNamesForTheSleeveIsUsable) {
   EXPECT_EQ(message_of(kAdult, fit_of(.05, .05, limit - .03, .1)), "accepted") << limit;
 }
 
+/// What a refusal of a shoulder seam that is too short tells; empty key: it is drafted.
+std::pair<std::string, double> told_for_shoulder(const ShirtMeasures& m, const ShirtFit& fit) try {
+  draft_shirt(m, fit);
+  return {};
+} catch (const InvalidInput& error) {
+  if (std::string(error.hint()).find("shoulder seam") == std::string::npos) return {};
+  const std::string said = error.expected();  // at most 0.123 m, at least -0.2
+  return {error.place().key, std::stod(said.substr(said.find_first_of("-0123456789")))};
+}
+
+TEST(ShirtDraft, TheLimitThatIsToldForAShortShoulderSeamIsTaken) {
+  int necks = 0, chests = 0;
+  for (const double chest : {-.45, -.3, -.1, .1})
+    for (const double shoulder : {.05, .08, .12})
+      for (const double neck : {.15, .20, .25, .30, .35}) {
+        ShirtMeasures m = kAdult;
+        m.neck_width = neck, m.shoulder_length = shoulder;
+        ShirtFit fit = fit_of(chest, .2, .4, .4);
+        const auto [key, limit] = told_for_shoulder(m, fit);
+        if (key.empty()) continue;
+        SCOPED_TRACE(testing::Message() << chest << ' ' << shoulder << ' ' << neck);
+        if (key == "measures.neck_width")
+          m.neck_width = limit, ++necks;
+        else
+          fit.chest = limit, ++chests;
+        EXPECT_EQ(told_for_shoulder(m, fit).first, "") << key << " = " << limit;
+      }
+  EXPECT_GT(necks, 3);
+  EXPECT_GT(chests, 0);
+}
+
 TEST(ShirtDraft, AnyInputInRangeIsDraftedOrRefused) {
   // A deterministic walk through the corners and middles of the input ranges.
   unsigned state = 1;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/kinds/shirt/shirt_blocks.h"
@@ -12,6 +13,8 @@
 
 namespace loosefit::kinds {
 namespace {
+
+constexpr double kShoulderSeam = 0.02;  // at least [m]
 
 void in_range(const std::string& key, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return;  // false for NaN too
@@ -29,6 +32,32 @@ void check_bands(const ShirtFit& fit) {
   in_range("fit.cuff_stretch", fit.cuff_stretch, 0, 0.6, "");
   in_range("fit.band_stiffness", fit.band_stiffness, 0.1, 100, "");
   in_range("fit.edge_finish", fit.edge_finish, 0, 0.05, " m");
+}
+
+/// Refuses a shirt whose shoulder seam, from the neck to `shoulder_x`, is shorter than 20 mm. Where
+/// the chest holds the shoulder point it stays when the neck is narrowed, else it comes in as well;
+/// where no neck is narrow enough the chest is too tight.
+[[noreturn]] void throw_neck_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double neck_x,
+                                      double shoulder_x) {
+  constexpr double kNarrowest = 0.04;  // neck that is taken [m]
+  const double most = shoulder_x - kShoulderSeam, free = shoulder_half_width(m, fit);
+  double width = m.neck_width + 2 * (most - neck_x) / (1 + fit.neck_ease);
+  const double missing = neck_x + kShoulderSeam - free;
+  const double gained = 1 + fit.neck_ease - free / shoulder_half_width(m);
+  if (missing > 0) width = gained > 0 ? std::min(width, m.neck_width - 2 * missing / gained) : 0;
+  const bool has_neck = told_most(width) >= kNarrowest;
+  const std::string expected =
+      has_neck
+          ? fmt::format("at most {:.3f} m for a shoulder length of {:.3f} m at chest fit {:.3g}",
+                        told_most(width), m.shoulder_length, fit.chest)
+          : fmt::format("at least {:.3f} for a neck width of {:.3f} m",
+                        told_least((1 + fit.chest) * (neck_x + kShoulderSeam) / shoulder_x - 1),
+                        m.neck_width);
+  throw ShirtRefusal(
+      {InputPlace{{}, 0, has_neck ? "measures.neck_width" : "fit.chest"},
+       has_neck ? fmt::format("{:.4g} m", m.neck_width) : fmt::format("{:.4g}", fit.chest),
+       expected, "the shoulder seam must be at least 20 mm long"},
+      ShirtRule::neck, neck_x - most);
 }
 
 }  // namespace
@@ -93,15 +122,7 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
 void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,
                           const ShirtFit& fit, double shoulder_x, double under_length) {
   const double neck_x = fit_neck(m, fit).half_width;
-  if (shoulder_x < neck_x + 0.02)
-    throw ShirtRefusal(
-        {InputPlace{{}, 0, "measures.neck_width"}, fmt::format("{:.4g} m", m.neck_width),
-         fmt::format("at most {:.3f} m for a shoulder length of {:.3f} m at chest "
-                     "fit {:.3g}",
-                     m.neck_width + 2 * (shoulder_x - 0.02 - neck_x) / (1 + fit.neck_ease),
-                     m.shoulder_length, fit.chest),
-         "the shoulder seam must be at least 20 mm long"},
-        ShirtRule::neck, neck_x + 0.02 - shoulder_x);
+  if (shoulder_x < neck_x + kShoulderSeam) throw_neck_too_wide(m, fit, neck_x, shoulder_x);
   const double least = fit.sleeve_length < 1 ? 0.03 : 0.05;  // of the underarm seam [m]
   if (under_length < least && fit.sleeve_length < 1)
     throw ShirtRefusal(
