@@ -199,6 +199,45 @@ TEST_F(UnplacedPatterns, AConfirmedSideFileThatDoesNotDoIsToldWhatToChangeInIt) 
   EXPECT_TRUE(read_pattern(svg).placed);
 }
 
+/// A skirt of two rectangles called front and back, with a notch in the waist to be told from hems.
+std::string sideways_skirt() {
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1500mm\" height=\"800mm\" "
+      "viewBox=\"0 0 1500 800\">\n";
+  int x = 10;
+  for (const char* name : {"front", "back"}) {
+    svg += "<path id=\"" + std::string(name) + "\" d=\"M " + std::to_string(x) +
+           " 10 h 500 v 250 l -30 125 l 30 125 h -500 Z\"/>\n";
+    x += 600;
+  }
+  return svg + "</svg>\n";
+}
+
+TEST_F(UnplacedPatterns, ASideFileSaysWhichWayUpAPieceLies) {
+  const fs::path svg = file("skirt.svg", sideways_skirt());
+  const std::vector<pattern::Panel> panels = read_unsewn(svg).pattern.panels;
+  ASSERT_EQ(panels.size(), 2u);
+  std::string seams;
+  for (const char* edges : {"1", "5"})
+    seams += "[[seam]]\nfirst = \"front.e" + std::string(edges) + "\"\nsecond = \"back.e" +
+             (edges[0] == '1' ? "5" : "1") + "\"\n";
+  const auto up_of = [&](const std::string& said, const Vec3& side) {
+    file("skirt.seams.toml", said + seams);
+    const PatternFile skirt = read_pattern(svg);
+    EXPECT_TRUE(skirt.placed) << skirt.not_placed;
+    return (skirt.pattern.panels[skirt.pattern.find_panel("front")].rotation * side).z();
+  };
+  EXPECT_GT(up_of("", Vec3::UnitY()), 0.99);
+  EXPECT_GT(up_of("[up]\nfront = \"right\"\nback = \"right\"\n", Vec3::UnitX()), 0.99);
+  EXPECT_GT(up_of("[up]\nfront = \"down\"\nback = \"down\"\n", -Vec3::UnitY()), 0.99);
+}
+
+TEST_F(UnplacedPatterns, AFileThatIsNotThereIsToldBeforeWhatIsAskedOfIt) {
+  for (const PatternWish& wish : {PatternWish{}, PatternWish{"M", ""}, PatternWish{"", "mm"}}) {
+    EXPECT_THROW(read_pattern(base_ / "none.dxf", wish), IoError);
+  }
+}
+
 TEST(SeamsFilePieces, MistakesAreTold) {
   const auto refused = [](const std::string& text) {
     return support::refusal_of([&] { support::tee_with_side_file(text); });
@@ -207,6 +246,10 @@ TEST(SeamsFilePieces, MistakesAreTold) {
             std::string::npos)
       << refused("[pieces]\nFRNT = \"front\"\n");
   const std::string name = support::tee_with_side_file("").panels.front().name;
+  EXPECT_NE(refused("[up]\nFRNT = \"left\"\n").find("tee.seams.toml:2: up.FRNT"),
+            std::string::npos);
+  EXPECT_NE(refused("[up]\n" + toml_quoted(name) + " = \"north\"\n").find("left"),
+            std::string::npos);
   EXPECT_NE(refused("[pieces]\n" + toml_quoted(name) + " = \"blue\"\n").find("front, back"),
             std::string::npos);
   EXPECT_EQ(support::tee_with_side_file("[pieces]\n" + toml_quoted(name) + " = \"front left\"\n")

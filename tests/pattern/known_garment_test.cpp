@@ -95,6 +95,25 @@ TEST(KnownGarment, TrousersSkirtsAndTankTopsAreTold) {
   EXPECT_TRUE(know_garment(unsewn_skirt()).certain());
 }
 
+TEST(KnownGarment, ShortTrousersAreToldWhicheverWayUpTheyLie) {
+  const Pattern shorts = unsewn_trousers(0.84, 1.00, 0.26, 0.34);
+  // Their hems are nearly as long as their outseams.
+  const std::vector<double> lengths = edge_lengths(shorts.panels[0]);
+  ASSERT_LT(lengths[1], 1.7 * lengths[0]);
+  for (const bool turned : {false, true}) {
+    Pattern pattern = shorts;
+    if (turned)
+      for (Panel& panel : pattern.panels) turn_panel(panel);
+    const KnownGarment known = know_garment(pattern);
+    EXPECT_EQ(known.kind, "trousers");
+    EXPECT_TRUE(known.certain()) << known.doubts.front();
+    for (const KnownPiece& piece : known.pieces) EXPECT_EQ(piece.upright, !turned);
+    const auto outseam = std::ranges::find(known.seams, "outseam_L", &ChainSeam::name);
+    ASSERT_NE(outseam, known.seams.end());
+    EXPECT_EQ(outseam->first.front().edge, outseam->first.front().panel == 0 ? 1 : 3);
+  }
+}
+
 TEST(KnownGarment, ASkirtOnItsHeadOrWithoutAFrontIsNotSewnUnasked) {
   Pattern head = unsewn_skirt();
   turn_panel(head.panels[1]);

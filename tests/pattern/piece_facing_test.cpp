@@ -52,6 +52,52 @@ TEST(PieceFacing, ASleeveInOnePieceGoesRoundTheArm) {
   EXPECT_FALSE(told.half_sleeve[2]);
 }
 
+/// Front, a back in two halves and two sleeves that no name tells a hand of: no known garment.
+Pattern with_back_seam() {
+  Pattern pattern;
+  const std::vector<Vec2> half = {{0, 0},     {0.25, 0},   {0.25, 0.4},
+                                  {0.2, 0.6}, {0.1, 0.65}, {0, 0.65}};
+  std::vector<Vec2> whole(half.begin() + 1, half.end() - 1), twin;
+  for (auto at = half.rbegin() + 1; at != half.rend() - 1; ++at)
+    whole.emplace_back(-at->x(), at->y());
+  for (auto at = half.rbegin(); at != half.rend(); ++at) twin.emplace_back(-at->x(), at->y());
+  pattern.panels = {polygon_panel("FRONT", whole), polygon_panel("BACK", half),
+                    polygon_panel("BACK_mirrored", twin)};
+  for (const char* name : {"SLEEVE", "SLEEVE_mirrored"})
+    pattern.panels.push_back(
+        polygon_panel(name, {{-0.15, 0}, {0.15, 0}, {0.18, 0.15}, {0, 0.27}, {-0.18, 0.15}}));
+  // Sides, the middle of the back, shoulders; then the left armhole and the right one.
+  pattern.stitches = {stitch(0, 0, 2, 3), stitch(0, 6, 1, 1), stitch(1, 5, 2, 5),
+                      stitch(0, 2, 2, 1), stitch(0, 4, 1, 3), stitch(0, 1, 4, 2),
+                      stitch(2, 2, 4, 3), stitch(0, 5, 3, 3), stitch(1, 2, 3, 2)};
+  return pattern;
+}
+
+TEST(PieceFacing, SleevesThatNoNameTellsGoAlongTheArmOfTheirArmhole) {
+  ASSERT_TRUE(know_garment(with_back_seam()).kind.empty());
+  const PieceFacings told = facings(with_back_seam());
+  EXPECT_EQ(told.of[4], Facing::left_arm) << "at the side of the front that is seen right";
+  EXPECT_EQ(told.of[3], Facing::right_arm);
+  EXPECT_TRUE(told.guessed.empty());
+}
+
+TEST(PieceFacing, ATurnThatIsAskedForSetsAPieceUpright) {
+  for (const int turns : {0, 1, 2, 3}) {
+    Pattern pattern;
+    for (const char* name : {"piece_front", "piece_back"})
+      pattern.panels.push_back(
+          polygon_panel(name, {{0, 0}, {0.5, 0}, {0.45, 0.3}, {0.4, 0.6}, {0, 0.6}}));
+    pattern.stitches = {stitch(0, 4, 1, 4)};
+    place_pieces(pattern, {{0, turns}});
+    // What was at the top, the right, the bottom or the left of the drawing.
+    const Vec3 up =
+        pattern.panels[0].rotation *
+        std::vector<Vec3>{Vec3::UnitY(), Vec3::UnitX(), -Vec3::UnitY(), -Vec3::UnitX()}[turns];
+    EXPECT_GT(up.z(), 0.99) << turns;
+    EXPECT_LT(pattern.panels[0].rotation.col(2).y(), -0.99) << turns;
+  }
+}
+
 TEST(PieceFacing, WhatIsCalledLeftBetweenFrontAndBackIsASide) {
   Pattern pattern;
   for (const char* name : {"panel_front", "left", "panel_back", "right"})

@@ -4,6 +4,7 @@
 
 #include "loosefit/pattern/notch.h"
 #include "loosefit/pattern/pattern.h"
+#include "loosefit/pattern/piece_facing.h"
 
 namespace loosefit::io {
 
@@ -20,6 +21,7 @@ struct PatternFile {
   std::vector<pattern::Notch> notches;  ///< that the file has; seams are proposed by them
   std::vector<std::string> about;       ///< what the file says of itself: format, units, sizes
   std::vector<std::string> unused;      ///< what stands in the file and was not used
+  pattern::QuarterTurns turns;          ///< that a side file asks for
   bool placed = true;           ///< it says where its panels start, or it was told by what they are
   std::string not_placed;       ///< why it could not be told
   std::string not_placed_hint;  ///< what to do about that; empty: seams are missing

@@ -69,7 +69,7 @@ void sew(PatternFile& file, const std::filesystem::path& from) {
 /// \param side_file that says how it is sewn; empty: none
 void place(PatternFile& file, const std::filesystem::path& side_file) {
   try {
-    for (const std::string& note : pattern::place_pieces(file.pattern))
+    for (const std::string& note : pattern::place_pieces(file.pattern, file.turns))
       file.warnings.push_back(note);
     file.placed = true;
   } catch (const GeometryError& error) {
@@ -100,6 +100,9 @@ void place_heap(PatternFile& file) {
 }  // namespace
 
 PatternFile read_unsewn(const std::filesystem::path& path, const PatternWish& wish) {
+  // Whatever is asked of a file that is not there: its reader says so.
+  if (std::error_code ignored; !std::filesystem::exists(path, ignored))
+    return read_garmentcode(path);
   const std::string kind = kind_of_file(beginning(path));
   if (kind == "a DXF file") return read_dxf_pattern(path, wish);
   if (kind == "an SVG drawing") return read_svg_pattern(path, wish);

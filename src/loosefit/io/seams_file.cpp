@@ -80,17 +80,21 @@ void leave_out(PatternFile& file, const std::vector<std::string>& names,
   std::erase_if(file.notches, [](const pattern::Notch& notch) { return notch.panel < 0; });
 }
 
+int piece_named(const ConfigReader& table, const std::string& name,
+                const pattern::Pattern& pattern) {
+  const int p = pattern.find_panel(name);
+  if (p >= 0) return p;
+  std::vector<std::string> names;
+  for (const pattern::Panel& panel : pattern.panels) names.push_back(panel.name);
+  throw table.error(name, "no piece of this name", "a piece that the pattern has",
+                    did_you_mean(name, names));
+}
+
 /// What pieces are, where their names do not say it.
 void read_pieces(ConfigReader& reader, pattern::Pattern& pattern) {
   ConfigReader pieces = reader.table("pieces");
   for (const std::string& name : pieces.keys()) {
-    const int p = pattern.find_panel(name);
-    if (p < 0) {
-      std::vector<std::string> names;
-      for (const pattern::Panel& panel : pattern.panels) names.push_back(panel.name);
-      throw pieces.error(name, "no piece of this name", "a piece that the pattern has",
-                         did_you_mean(name, names));
-    }
+    const int p = piece_named(pieces, name, pattern);
     const std::string what = pieces.text(name, "");
     const pattern::PieceWords w = pattern::words_of(what);
     if (!(w.front || w.back || w.left || w.right || w.sleeve || w.leg || w.skirt || w.hood ||
@@ -99,6 +103,18 @@ void read_pieces(ConfigReader& reader, pattern::Pattern& pattern) {
                          "front, back, left, right, sleeve, leg, skirt, hood, collar, cuff, "
                          "waistband, or several of them: \"front left\"");
     pattern.panels[p].part = what;
+  }
+}
+
+/// Which side of a piece in the drawing is its upper one.
+void read_up(ConfigReader& reader, PatternFile& into) {
+  ConfigReader up = reader.table("up");
+  for (const std::string& name : up.keys()) {
+    const int p = piece_named(up, name, into.pattern);
+    // Quarter turns counter-clockwise that bring it up.
+    static const std::vector<std::string> kSides = {"up", "right", "down", "left"};
+    const std::string side = up.choice(name, "up", kSides);
+    into.turns[p] = static_cast<int>(std::ranges::find(kSides, side) - kSides.begin());
   }
 }
 
@@ -155,13 +171,14 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);
-  reader.only({"seam", "elastic", "band", "pieces", "confirmed", "leave_out"});
+  reader.only({"seam", "elastic", "band", "pieces", "up", "confirmed", "leave_out"});
   pattern::Pattern& pattern = into.pattern;
   const bool confirmed = reader.boolean("confirmed", true);
   std::vector<std::string> all;
   for (const pattern::Panel& panel : pattern.panels) all.push_back(panel.name);
   leave_out(into, reader.choices("leave_out", {}, all), reader);
   read_pieces(reader, pattern);
+  read_up(reader, into);
   each_table(reader, "elastic", "edges", [&](const ConfigReader& table) {
     pattern::add_elastic(pattern, read_elastic(table));
   });

@@ -16,6 +16,8 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 ///     leave_out = ["POCKET"]   # pieces that are not taken
 ///     [pieces]                 # what a piece is, where its name does not say it: words as of
 ///     names path12 = "front left"
+///     [up]                     # which side of a piece in the drawing is its upper one
+///     SLEEVE = "left"          # up, down, left, right
 ///     [[seam]]
 ///     first = "FRONT.e1"       # panel and edge
 ///     second = "BACK.e3"

@@ -8,19 +8,21 @@
 #include <optional>
 
 #include "loosefit/base/text.h"
-#include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/pattern/cap_scoop.h"
 #include "loosefit/pattern/known_bands.h"
+#include "loosefit/pattern/known_half_sleeves.h"
 #include "loosefit/pattern/known_hood.h"
+#include "loosefit/pattern/known_one_shoulder.h"
 #include "loosefit/pattern/known_skirt.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
+#include "loosefit/pattern/skirt_below.h"
 
 namespace loosefit::pattern {
 namespace {
 
 constexpr double kSameLength = 0.02;  // of lengths that are sewn or mirrored
 constexpr double kDeeper = 0.01;      // by which a front's neck is lower [m]
-constexpr double kAsymmetric = 0.02;  // of the two halves of a cap that differ
 
 double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
 
@@ -34,6 +36,8 @@ class Knower {
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p) sort(static_cast<int>(p));
     if (trunks_.size() == 2 && (sleeves_.empty() || sleeves_.size() == 2) && legs_.empty())
       shirt();
+    else if (one_shoulders_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
+      one_shoulder();
     else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
       trousers();
     else if (whole_legs_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
@@ -42,6 +46,7 @@ class Knower {
       skirt();
     if (garment_.kind == "skirt") doubt_skirts_of_tops();
     if (garment_.kind.empty()) return std::move(garment_);
+    if (trunks_.size() == 2 && skirts_.size() == 2) skirt_below();
     hood();
     for (const ChainSeam& seam : garment_.seams) {
       const double a = chain_length(pattern_, seam.first), b = chain_length(pattern_, seam.second);
@@ -98,27 +103,17 @@ class Knower {
         garment_.pieces[p] = *piece;
         return skirts_.push_back(p);
       }
+    if (!w.sleeve && !w.leg && !w.skirt)
+      if (auto piece = as_one_shoulder(sections)) {
+        garment_.pieces[p] = *piece;
+        return one_shoulders_.push_back(p);
+      }
     gores_.push_back(p);
   }
 
-  /// Height of the top of a trunk's neck above its lowest point.
   double neck_depth(int p) const {
     const std::vector<Section>& sections = garment_.pieces[p].sections;
-    const Section& neck = sections[sections.size() / 2];
-    double deepest = 0;
-    const Vec2 along = (neck.to - neck.from).normalized();
-    for (const Vec2& q : section_points(panel(p), neck))
-      deepest = std::max(deepest, std::abs(geometry::cross(along, q - neck.from)));
-    return deepest;
-  }
-
-  /// Whether all sections of two pieces are as long and bulge as much.
-  bool are_alike(int p, int q) const {
-    return std::ranges::equal(garment_.pieces[p].sections, garment_.pieces[q].sections,
-                              [](const Section& a, const Section& b) {
-                                return std::abs(a.length - b.length) < kDeeper &&
-                                       std::abs(a.bulge - b.bulge) * a.length < kDeeper;
-                              });
+    return section_depth(panel(p), sections[sections.size() / 2]);
   }
 
   /// Orders two pieces: the front first. By their names, else by `deeper`.
@@ -127,7 +122,7 @@ class Knower {
     const int first = int(a.front) - int(a.back), second = int(b.front) - int(b.back);
     if (first == second && std::abs(deeper_by) < kDeeper) {
       // Front and back that are alike may change places without harm.
-      if (first == 0 && !are_alike(two[0], two[1]))
+      if (first == 0 && !are_alike(garment_.pieces[two[0]], garment_.pieces[two[1]]))
         doubt("which of " + printable(panel(two[0]).name) + " and " +
               printable(panel(two[1]).name) + " is the front is not told");
       if (first != 0)
@@ -138,6 +133,15 @@ class Knower {
     if (first < second || (first == second && deeper_by < 0)) std::swap(two[0], two[1]);
   }
 
+  /// A front's neck is lower than a back's, whatever they are called.
+  void doubt_names(int front, int back, double higher) {
+    garment_.names_against_shapes.push_back(fmt::format(
+        "{} is the front by its name, but the neck of {} is {:.0f} mm deeper, as that of a front "
+        "is: their names may have changed places",
+        printable(panel(front).name), printable(panel(back).name), 1000 * higher));
+    doubt(garment_.names_against_shapes.back());
+  }
+
   void add(const std::string& name, std::vector<Stitch::Side> first,
            std::vector<Stitch::Side> second) {
     garment_.seams.push_back({name, std::move(first), std::move(second), false});
@@ -145,9 +149,7 @@ class Knower {
   std::vector<Stitch::Side> sides(int p, int section) const {
     return garment_.pieces[p].sections[section].sides(panel(p), p);
   }
-  static void append(std::vector<Stitch::Side>& to, const std::vector<Stitch::Side>& more) {
-    to.insert(to.end(), more.begin(), more.end());
-  }
+  static void append(auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); }
 
   std::vector<int> unknown_pieces() const {
     std::vector<int> rest;
@@ -163,10 +165,10 @@ class Knower {
     });
     if (neck == loops_.end()) return;
     KnownHood known = know_hood(pattern_, unknown_pieces(), *neck, front_middle_);
-    for (const std::string& why : known.doubts) doubt(why);
+    append(garment_.doubts, known.doubts);
     if (!known.found()) return;
     for (KnownHood::Part& part : known.parts) garment_.pieces[part.panel] = std::move(part.piece);
-    for (ChainSeam& seam : known.seams) garment_.seams.push_back(std::move(seam));
+    append(garment_.seams, known.seams);
     garment_.kind = "hooded " + garment_.kind;
     loops_.erase(neck);
   }
@@ -180,7 +182,7 @@ class Knower {
       garment_.seams.push_back(std::move(band.side));
       garment_.seams.push_back(std::move(band.ends));
     }
-    for (const std::string& why : known.doubts) doubt(why);
+    append(garment_.doubts, known.doubts);
   }
 
   void add_loop(const std::string& name, LoopKind kind, int side, std::vector<Stitch::Side> first,
@@ -199,6 +201,8 @@ class Knower {
   void shirt() {
     front_first(trunks_, neck_depth(trunks_[0]) - neck_depth(trunks_[1]));
     const int front = trunks_[0], back = trunks_[1];
+    if (const double higher = neck_depth(back) - neck_depth(front); higher > kDeeper)
+      doubt_names(front, back, higher);
     const int last = static_cast<int>(garment_.pieces[front].sections.size()) - 1;
     const bool raglan = last == 5;
     if (garment_.pieces[back].sections.size() != garment_.pieces[front].sections.size()) return;
@@ -217,11 +221,13 @@ class Knower {
     add("shoulder_L", sides(front, 3), sides(back, 5));
     add("shoulder_R", sides(front, 5), sides(back, 3));
     if (sleeves_.empty()) {
+      if (half_sleeves({sides(front, 2), sides(back, 6)}, {sides(front, 6), sides(back, 2)}))
+        return;
       add_loop("armhole_L", LoopKind::armhole, 1, sides(front, 2), sides(back, 6));
       add_loop("armhole_R", LoopKind::armhole, -1, sides(back, 2), sides(front, 6));
       return;
     }
-    tell_sleeves([this](int p) { return scoop(p); });
+    tell_sleeves([this](int p) { return cap_scoop(panel(p), garment_.pieces[p].sections[2]); });
     for (const int p : sleeves_) {
       const bool left = garment_.pieces[p].side > 0;
       const std::string name = left ? "_L" : "_R";
@@ -237,6 +243,51 @@ class Knower {
       add("underarm" + name, sides(p, 1), sides(p, 3));
       add_loop("wrist" + name, LoopKind::wrist, left ? 1 : -1, sides(p, 0));
     }
+  }
+
+  bool half_sleeves(const OpenArmhole& left, const OpenArmhole& right) {
+    KnownHalfSleeves known = know_half_sleeves(pattern_, unknown_pieces(), left, right);
+    if (!known.found()) return false;
+    garment_.kind = "shirt with sleeves in halves";
+    take(known);
+    return true;
+  }
+
+  void take(const auto& known) {
+    for (const auto& [p, piece] : known.pieces) garment_.pieces[p] = piece;
+    append(garment_.seams, known.seams);
+    append(garment_.doubts, known.doubts);
+    append(loops_, known.loops);
+  }
+
+  void one_shoulder() {
+    const auto piece = [this](int p) -> KnownPiece& { return garment_.pieces[p]; };
+    if (piece(one_shoulders_[0]).side == piece(one_shoulders_[1]).side) return;
+    trunks_ = one_shoulders_;
+    front_first(trunks_, 0);
+    const int front = trunks_[0], back = trunks_[1];
+    garment_.kind = "one-shoulder top";
+    garment_.seams = one_shoulder_seams(pattern_, front, piece(front), back, piece(back));
+    loops_ = one_shoulder_loops(pattern_, front, piece(front), back, piece(back));
+    piece(front).role = PieceRole::front, piece(back).role = PieceRole::back;
+    piece(front).side = piece(back).side = 0;  // they lie across the middle
+  }
+
+  /// A dress drawn as bodice and skirt.
+  void skirt_below() {
+    const auto at = [this](int p) { return PieceAt{p, &garment_.pieces[p]}; };
+    std::vector<int> two = skirts_;
+    front_first(two, 0);
+    SkirtBelow below =
+        know_skirt_below(pattern_, at(trunks_[0]), at(trunks_[1]), at(two[0]), at(two[1]));
+    if (!below.found()) return;
+    for (const int p : two) append(garment_.doubts, way_up_doubt(panel(p), garment_.pieces[p]));
+    garment_.pieces[two[0]].role = PieceRole::front_skirt;
+    garment_.pieces[two[1]].role = PieceRole::back_skirt;
+    garment_.kind += " with a skirt";
+    append(garment_.seams, below.seams);
+    std::erase_if(loops_, [](const OpenLoop& loop) { return loop.kind == LoopKind::hem; });
+    loops_.push_back(std::move(below.hem));
   }
 
   /// A sleeve's raglan next to its cuff in the outline is the front's on a right sleeve.
@@ -267,31 +318,6 @@ class Knower {
     add_neck(sides(front, 3), neck);
   }
 
-  /// How much less the half of a cap behind its top (at the end of the outline's way) bulges than
-  /// the half before: the front of a cap is cut out more. Positive: the way begins at the front.
-  double scoop(int p) const {
-    const Section& cap = garment_.pieces[p].sections[2];
-    const std::vector<Vec2> points = section_points(panel(p), cap);
-    const Vec2 along = (cap.to - cap.from).normalized();
-    std::size_t top = 0;
-    double highest = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (const double h = -geometry::cross(along, points[i] - cap.from); h > highest)
-        highest = h, top = i;
-    if (top == 0 || top + 1 >= points.size()) return 0;
-    const auto fill = [&](std::size_t a, std::size_t b) {
-      // Area under the half, against its box.
-      double area = 0;
-      for (std::size_t i = a; i < b; ++i)
-        area -= (geometry::cross(along, points[i] - cap.from) +
-                 geometry::cross(along, points[i + 1] - cap.from)) /
-                2 * (points[i + 1] - points[i]).dot(along);
-      const double wide = (points[b] - points[a]).dot(along);
-      return area / std::max(1e-9, wide * highest);
-    };
-    return fill(top, points.size() - 1) - fill(0, top);
-  }
-
   /// \param front_first_of positive where the outline goes from the cuff to the front of the arm
   /// first, as that of a right sleeve does
   void tell_sleeves(const std::function<double(int)>& front_first_of) {
@@ -300,7 +326,7 @@ class Knower {
       const int p = sleeves_[i];
       const PieceWords w = words(p);
       const double front_begins = front_first_of(p);
-      const int shape = front_begins > kAsymmetric ? -1 : front_begins < -kAsymmetric ? 1 : 0;
+      const int shape = front_begins > kScoopTells ? -1 : front_begins < -kScoopTells ? 1 : 0;
       const int name = w.left ? 1 : w.right ? -1 : 0;
       if (name != 0 && shape != 0 && name != shape)
         doubt("piece " + printable(panel(p).name) +
@@ -421,7 +447,7 @@ class Knower {
   /// Of front and back, or of gores.
   void skirt() {
     std::vector<int> all = skirts_;
-    all.insert(all.end(), gores_.begin(), gores_.end());
+    append(all, gores_);
     std::sort(all.begin(), all.end());
     KnownSkirt known = know_skirt(pattern_, all);
     const bool of_gores = known.found() && known.pieces.size() > 2;
@@ -430,10 +456,7 @@ class Knower {
     if (!known.found() || !is_all_but_bands(known)) return;
     garment_.kind = "skirt";
     garment_.unnamed = known.unnamed;
-    for (auto& [p, piece] : known.pieces) garment_.pieces[p] = std::move(piece);
-    garment_.seams = std::move(known.seams);
-    for (const std::string& why : known.doubts) doubt(why);
-    loops_ = std::move(known.loops);
+    take(known);
   }
 
   /// Whether nothing but strips and what is no piece of the outside is left: gores alone may be of
@@ -449,14 +472,7 @@ class Knower {
 
   void skirt_of_two() {
     front_first(skirts_, 0);
-    for (const int p : skirts_) {
-      const std::vector<Section>& s = garment_.pieces[p].sections;
-      if (s[0].chord() < s[2].chord() - kDeeper)
-        doubt(
-            "piece " + printable(panel(p).name) +
-            " is narrower at its lower end than at its upper one: either it tapers, or it lies on "
-            "its head");
-    }
+    for (const int p : skirts_) append(garment_.doubts, way_up_doubt(panel(p), garment_.pieces[p]));
     const int front = skirts_[0], back = skirts_[1];
     garment_.kind = "skirt";
     garment_.pieces[front].role = PieceRole::front_skirt;
@@ -469,7 +485,7 @@ class Knower {
 
   const Pattern& pattern_;
   KnownGarment garment_;
-  std::vector<int> trunks_, sleeves_, legs_, whole_legs_, skirts_, gores_;
+  std::vector<int> trunks_, one_shoulders_, sleeves_, legs_, whole_legs_, skirts_, gores_;
   std::vector<OpenLoop> loops_;
   double front_middle_ = 0;  ///< of the neck: share of its length in the middle of the front
 };

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kSameLength = 0.02;  // of lengths that mirror each other
 constexpr double kCapBulge = 0.08;    // of a sleeve's cap, at least
+constexpr double kAlike = 0.01;       // lengths of pieces that are [m]
+constexpr double kShortLeg = 0.4;     // of an outseam not told from the hem by lengths
 constexpr double kConcave = -0.01;    // bulge of what is cut out
 constexpr double kOverHead = 0.1;     // bulge by which the back of a hood is told from its face
 constexpr double kLongerThanWide = 2.5;
@@ -26,6 +28,13 @@ std::vector<Section> from(const std::vector<Section>& sections, std::size_t firs
 Vec2 middle(const Section& s) { return (s.from + s.to) / 2; }
 
 }  // namespace
+
+bool are_alike(const KnownPiece& a, const KnownPiece& b) {
+  return std::ranges::equal(a.sections, b.sections, [](const Section& s, const Section& t) {
+    return std::abs(s.length - t.length) < kAlike &&
+           std::abs(s.bulge - t.bulge) * s.length < kAlike;
+  });
+}
 
 std::optional<KnownPiece> as_trunk(const std::vector<Section>& sections) {
   const std::size_t n = sections.size(), across = n / 2;
@@ -97,16 +106,22 @@ std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections) {
 
 std::optional<KnownPiece> as_leg(const std::vector<Section>& sections) {
   if (sections.size() != 5) return {};
-  std::size_t hem = 0;
-  double longest = 0;
-  for (std::size_t i = 0; i < 5; ++i) {
-    const double sum = sections[(i + 1) % 5].length + sections[(i + 4) % 5].length;
-    if (sum > longest) longest = sum, hem = i;
-  }
+  std::size_t cut_out = 0;
+  for (std::size_t i = 1; i < 5; ++i)
+    if (sections[i].bulge < sections[cut_out].bulge) cut_out = i;
+  // Hem and outseam are not next to the crotch. The outseam is longer than the hem of all but short
+  // trousers, and runs along the warp, y, where the hem runs across.
+  const std::size_t a = (cut_out + 2) % 5, b = (cut_out + 3) % 5;
+  const auto outseam_is = [&](std::size_t i, std::size_t hem) {
+    const Section &s = sections[i], &h = sections[hem];
+    if (difference(s.length, h.length) > kShortLeg) return s.length > h.length;
+    return std::abs((s.to - s.from).y()) * h.chord() > std::abs((h.to - h.from).y()) * s.chord();
+  };
   KnownPiece piece;
-  piece.sections = from(sections, hem);
+  piece.sections = from(sections, outseam_is(a, b) ? b : a);
   const auto& s = piece.sections;
-  const bool outseam_next = s[3].bulge < s[2].bulge;
+  // From the hem the crotch comes third or second.
+  const bool outseam_next = !outseam_is(a, b);
   const Section &crotch = outseam_next ? s[3] : s[2], &waist = outseam_next ? s[2] : s[3];
   const Section &outseam = outseam_next ? s[1] : s[4], &inseam = outseam_next ? s[4] : s[1];
   if (crotch.bulge > kConcave || crotch.bulge > waist.bulge + kConcave ||

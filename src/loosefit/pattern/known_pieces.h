@@ -12,6 +12,7 @@ enum class PieceRole {
   front,
   back,
   sleeve,
+  half_sleeve,
   front_leg,
   back_leg,
   leg,
@@ -29,12 +30,16 @@ struct KnownPiece {
   bool upright = true;  ///< y points upwards; otherwise the piece stands on its head
   /// Of trunks: hem, side, armhole, shoulder, neck, shoulder, armhole, side; of raglan shirts hem,
   /// side, raglan, neck, raglan, side. Of sleeves: cuff, underarm, cap, underarm; cuff, underarm,
-  /// raglan, neck, raglan, underarm. Of skirts: hem, side, waist, side. Of legs: hem and, in the
-  /// order of the outline, the next ones of hem, outseam, waist, crotch, inseam or the other way
-  /// round. Of legs in one piece: hem, inseam, crotch, waist, crotch, inseam. Of the left half of a
-  /// hood neck, back, face, of the right one neck, face, back.
+  /// raglan, neck, raglan, underarm; of halves cap, underarm, cuff, seam on top. Of skirts: hem,
+  /// side, waist, side. Of legs: hem and, in the order of the outline, the next ones of hem,
+  /// outseam, waist, crotch, inseam or the other way round. Of legs in one piece: hem, inseam,
+  /// crotch, waist, crotch, inseam. Of the left half of a hood neck, back, face, of the right one
+  /// neck, face, back.
   std::vector<Section> sections;
 };
+
+/// Whether all sections of two pieces are as long and bulge as much, by 1 cm.
+bool are_alike(const KnownPiece& a, const KnownPiece& b);
 
 // What an outline may be, told by the number, lengths and shapes of its sections; nothing where it
 // may not.
@@ -48,7 +53,8 @@ std::optional<KnownPiece> as_raglan_sleeve(const std::vector<Section>& sections)
 std::optional<KnownPiece> as_sleeve(const std::vector<Section>& sections);
 /// Four sections with equal sides: hem, side, waist, side; the warp runs up.
 std::optional<KnownPiece> as_skirt(const std::vector<Section>& sections);
-/// Five sections: hem between the two longest, crotch cut out, waist.
+/// Five sections: hem, outseam, waist, crotch, inseam or the other way round; the crotch is cut out
+/// most, the outseam longer than the hem or, of short trousers, steeper.
 std::optional<KnownPiece> as_leg(const std::vector<Section>& sections);
 /// Six sections: hem, inseam, crotch, waist, crotch, inseam; the crotches are cut out, the inseams
 /// the longest pair that are alike.

@@ -46,14 +46,6 @@ std::vector<Gore> group_of(const std::vector<Gore>& all) {
   return best;
 }
 
-bool are_alike(const Gore& a, const Gore& b) {
-  return std::ranges::equal(a.piece.sections, b.piece.sections,
-                            [](const Section& s, const Section& t) {
-                              return std::abs(s.length - t.length) < kNarrower &&
-                                     std::abs(s.bulge - t.bulge) * s.length < kNarrower;
-                            });
-}
-
 /// Tells where each goes and brings them into the order of the way round.
 void order(std::vector<Gore>& gores, KnownSkirt& skirt, const Pattern& pattern) {
   const auto says = [](const Gore& g) {
@@ -78,7 +70,7 @@ void order(std::vector<Gore>& gores, KnownSkirt& skirt, const Pattern& pattern) 
   }
   for (std::size_t i = 1; i < gores.size(); ++i) {
     const Gore &a = gores[i - 1], &b = gores[i];
-    if (a.place == b.place && a.within == b.within && !are_alike(a, b))
+    if (a.place == b.place && a.within == b.within && !are_alike(a.piece, b.piece))
       skirt.doubts.push_back("which of " + printable(pattern.panels[a.panel].name) + " and " +
                              printable(pattern.panels[b.panel].name) +
                              " comes first on the way round is not told");
@@ -106,11 +98,8 @@ KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     Gore& gore = gores[i];
-    const auto& s = gore.piece.sections;
-    if (s[0].chord() < s[2].chord() - kNarrower)
-      skirt.doubts.push_back("piece " + printable(pattern.panels[gore.panel].name) +
-                             " is narrower at its lower end than at its upper one: either it "
-                             "tapers, or it lies on its head");
+    for (const std::string& why : way_up_doubt(pattern.panels[gore.panel], gore.piece))
+      skirt.doubts.push_back(why);
     // Seen from outside, the next on the way round is at the right.
     skirt.seams.push_back(
         {fmt::format("gore_{}", i + 1), sides(gore, 1), sides(gores[(i + 1) % n], 3), false});
@@ -125,6 +114,14 @@ KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels) {
   }
   skirt.loops = {std::move(waist), std::move(hem)};
   return skirt;
+}
+
+std::vector<std::string> way_up_doubt(const Panel& panel, const KnownPiece& piece) {
+  if (piece.sections[0].chord() >= piece.sections[2].chord() - kNarrower) return {};
+  return {
+      "piece " + printable(panel.name) +
+      " is narrower at its lower end than at its upper one: either it tapers, or it lies on its "
+      "head"};
 }
 
 }  // namespace loosefit::pattern

@@ -26,4 +26,7 @@ struct KnownSkirt {
 /// names, gores of one place that are not alike, gores that taper.
 KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels);
 
+/// What speaks against the way up a piece of a skirt is drawn: it is narrower below than above.
+std::vector<std::string> way_up_doubt(const Panel& panel, const KnownPiece& piece);
+
 }  // namespace loosefit::pattern

@@ -1,5 +1,6 @@
 #include "loosefit/pattern/piece_facing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,8 +20,8 @@ bool is_front_or_back(Facing facing) { return facing == Facing::front || facing 
 
 class Teller {
  public:
-  Teller(const Pattern& pattern, const KnownGarment& known)
-      : pattern_(pattern), known_(known), n_(pattern.panels.size()) {
+  Teller(const Pattern& pattern, const KnownGarment& known, const QuarterTurns& turns)
+      : pattern_(pattern), known_(known), turns_(turns), n_(pattern.panels.size()) {
     result_.of.assign(n_, Facing::unknown);
     result_.half_sleeve.assign(n_, 0);
   }
@@ -39,6 +40,8 @@ class Teller {
       if (result_.half_sleeve[p] && result_.of[p] == Facing::unknown)
         result_.of[p] = as_trunk_neighbour(p);
     for (std::size_t p = 0; p < n_; ++p)
+      if (result_.of[p] == Facing::unknown) result_.of[p] = as_arm(p);
+    for (std::size_t p = 0; p < n_; ++p)
       if (result_.of[p] == Facing::unknown) result_.of[p] = as_side(p);
     follow_neighbours();
     return std::move(result_);
@@ -48,7 +51,9 @@ class Teller {
   PieceWords words(std::size_t p) const { return words_of(pattern_.panels[p]); }
 
   bool is_of_sleeve(std::size_t p) const {
-    if (known_.pieces[p].role != PieceRole::unknown) return false;
+    const PieceRole role = known_.pieces[p].role;
+    if (role == PieceRole::half_sleeve) return true;
+    if (role != PieceRole::unknown) return false;
     const PieceWords w = words(p);
     return w.sleeve || w.cuff || pattern_.panels[p].label == "arm";
   }
@@ -84,11 +89,11 @@ class Teller {
         return beside(piece.side);
       case PieceRole::hood:
         return piece.side == 0 ? Facing::back : beside(piece.side);
-      case PieceRole::sleeve: {
-        // Of a garment that is not known the name may tell the side.
-        const bool left = piece.side == 0 ? w.left : piece.side > 0;
-        return left ? Facing::left_arm : Facing::right_arm;
-      }
+      case PieceRole::sleeve:
+        // Of a garment that is not known the name may tell the side, or the armhole.
+        if (piece.side == 0 && !w.left && !w.right) return Facing::unknown;
+        return (piece.side == 0 ? w.left : piece.side > 0) ? Facing::left_arm : Facing::right_arm;
+      case PieceRole::half_sleeve:
       case PieceRole::band:  // with what it is sewn to
       case PieceRole::unknown:
         break;
@@ -122,6 +127,32 @@ class Teller {
       if (length > longest) longest = length, like = result_.of[other->panel];
     }
     return like;
+  }
+
+  /// A sleeve in one piece goes along the arm of its armhole: that on the left of the wearer is
+  /// right of the middle of a front, seen from outside, and left of that of a back.
+  Facing as_arm(std::size_t p) const {
+    const PieceRole role = known_.pieces[p].role;
+    if (role != PieceRole::sleeve && (!is_of_sleeve(p) || result_.half_sleeve[p]))
+      return Facing::unknown;
+    double left = 0;
+    for (const Stitch& stitch : pattern_.stitches) {
+      const auto* other = other_side(stitch, static_cast<int>(p));
+      if (!other || !is_front_or_back(result_.of[other->panel]) || is_of_sleeve(other->panel))
+        continue;
+      const Panel& trunk = pattern_.panels[other->panel];
+      const EdgePath edge(trunk, other->edge);
+      Eigen::AlignedBox2d box;
+      for (const Vec2& q : outline_polygon(trunk, 4)) box.extend(q);
+      Vec2 off = edge.at(0.5) - box.center();
+      const auto turn = turns_.find(other->panel);
+      for (int i = 0; turn != turns_.end() && i < turn->second; ++i) off = Vec2(-off.y(), off.x());
+      const bool seen_right = off.x() > 0;
+      const bool turned = turn == turns_.end() && !known_.pieces[other->panel].upright;
+      const bool on_left = seen_right == (result_.of[other->panel] == Facing::front);
+      left += (on_left != turned ? 1 : -1) * edge.length();
+    }
+    return left > 0 ? Facing::left_arm : left < 0 ? Facing::right_arm : Facing::unknown;
   }
 
   Facing as_side(std::size_t p) const {
@@ -160,6 +191,7 @@ class Teller {
 
   const Pattern& pattern_;
   const KnownGarment& known_;
+  const QuarterTurns& turns_;
   std::size_t n_;
   PieceFacings result_;
 };
@@ -210,8 +242,9 @@ Mat3 facing_rotation(Facing facing, bool upright) {
   return r;
 }
 
-PieceFacings tell_facings(const Pattern& pattern, const KnownGarment& known) {
-  return Teller(pattern, known).tell();
+PieceFacings tell_facings(const Pattern& pattern, const KnownGarment& known,
+                          const QuarterTurns& turns) {
+  return Teller(pattern, known, turns).tell();
 }
 
 }  // namespace loosefit::pattern

@@ -13,6 +13,7 @@
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_facing.h"
 #include "loosefit/pattern/piece_names.h"
+#include "loosefit/pattern/sleeve_doubts.h"
 
 namespace loosefit::pattern {
 namespace {
@@ -24,25 +25,36 @@ constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
 constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
 constexpr double kLeastRise = 0.01;     ///< of a seam that tells which way up a piece lies [m]
 
+Mat3 about_outside(double angle) {
+  return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
+
 class Placer {
  public:
-  explicit Placer(Pattern& pattern)
-      : pattern_(pattern), known_(know_garment(pattern)), n_(pattern.panels.size()) {
+  Placer(Pattern& pattern, const QuarterTurns& turns)
+      : pattern_(pattern), known_(know_garment(pattern)), turns_(turns), n_(pattern.panels.size()) {
     placed_.assign(n_, 0);
+    notes_ = known_.names_against_shapes;
+    for (std::string& why : sleeve_doubts(pattern, known_)) notes_.push_back(std::move(why));
     // What is before and what behind is not for the order of a file to say.
     if (known_.unnamed || is_sewn_otherwise()) known_.kind.clear(), known_.pieces.assign(n_, {});
   }
 
   std::vector<std::string> place() {
-    PieceFacings told = tell_facings(pattern_, known_);
+    PieceFacings told = tell_facings(pattern_, known_, turns_);
     facing_ = std::move(told.of), half_sleeve_ = std::move(told.half_sleeve);
     if (!told.guessed.empty())
       notes_.push_back(
           "placed beside what they are sewn to, for their names do not say where they go: " +
           join(told.guessed));
     for (std::size_t p = 0; p < n_; ++p) {
-      pattern_.panels[p].rotation = facing_rotation(facing_[p], known_.pieces[p].upright);
-      if (is_half_of_hood(p)) stand_on_neck(p);
+      const auto turn = turns_.find(static_cast<int>(p));
+      const bool asked = turn != turns_.end();
+      pattern_.panels[p].rotation = facing_rotation(facing_[p], asked || known_.pieces[p].upright);
+      if (asked)
+        pattern_.panels[p].rotation *= about_outside(kPi / 2 * turn->second);
+      else if (is_half_of_hood(p))
+        stand_on_neck(p);
     }
     lay_first();
     // Whatever is sewn to what lies already, by most seams first; bands last, in the middle of all
@@ -62,7 +74,7 @@ class Placer {
     for (std::size_t p = 0; p < n_; ++p)
       if (!placed_[p]) lost.push_back(printable(pattern_.panels[p].name));
     if (!lost.empty())
-      throw GeometryError({{}, 0, "pieces"}, "pieces that are sewn to no other one: " + join(lost),
+      throw GeometryError({{}, 0, "pieces"}, "no seam to the others at " + join(lost),
                           "seams that join all pieces",
                           "write the missing seams into the side file, or take these pieces out "
                           "of the pattern there (leave_out)");
@@ -127,8 +139,7 @@ class Placer {
   void stand_on_neck(std::size_t p) {
     const Section& neck = known_.pieces[p].sections.front();
     const Vec2 along = neck.to - neck.from;
-    pattern_.panels[p].rotation *=
-        Eigen::AngleAxisd(-std::atan2(along.y(), along.x()), Vec3::UnitZ()).toRotationMatrix();
+    pattern_.panels[p].rotation *= about_outside(-std::atan2(along.y(), along.x()));
   }
 
   /// Where a piece goes that is before or behind: its distance, and beside the middle what is for
@@ -215,7 +226,7 @@ class Placer {
     const bool stands = (w.front || w.back) && !(w.sleeve || w.cuff || w.neck || w.hood || w.yoke ||
                                                  w.pocket || w.waist || w.hem);
     if (beside || stands) turn = kPi / 2 * std::round(turn / (kPi / 2));
-    panel.rotation *= Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+    panel.rotation *= about_outside(turn);
   }
 
   /// A back may lie on its head in the file and its front upright: seams of the two that run up on
@@ -239,15 +250,15 @@ class Placer {
           rise(stitch.first.panel == p ? stitch.first : stitch.second) * rise(*other);
       agreement += stitch.right_wrong ? product : -product;
     }
-    if (agreement < -kLeastRise * kLeastRise)
-      panel.rotation *= Eigen::AngleAxisd(kPi, Vec3::UnitZ()).toRotationMatrix();
+    if (agreement < -kLeastRise * kLeastRise) panel.rotation *= about_outside(kPi);
   }
 
   void lay_beside_seams(int p) {
     Panel& panel = pattern_.panels[p];
     const PieceRole role = known_.pieces[p].role;
-    if (role == PieceRole::unknown || role == PieceRole::band ||
-        (role == PieceRole::hood && !is_half_of_hood(p)))
+    if (!turns_.contains(p) &&
+        (role == PieceRole::unknown || role == PieceRole::band || role == PieceRole::half_sleeve ||
+         (role == PieceRole::hood && !is_half_of_hood(p))))
       turn_to_seams(p);
     panel.translation = Vec3::Zero();
     Vec3 sum = Vec3::Zero(), target = Vec3::Zero();
@@ -284,6 +295,7 @@ class Placer {
 
   Pattern& pattern_;
   KnownGarment known_;
+  const QuarterTurns& turns_;
   std::size_t n_;
   std::vector<Facing> facing_;
   std::vector<char> half_sleeve_, placed_;
@@ -292,6 +304,8 @@ class Placer {
 
 }  // namespace
 
-std::vector<std::string> place_pieces(Pattern& pattern) { return Placer(pattern).place(); }
+std::vector<std::string> place_pieces(Pattern& pattern, const QuarterTurns& turns) {
+  return Placer(pattern, turns).place();
+}
 
 }  // namespace loosefit::pattern

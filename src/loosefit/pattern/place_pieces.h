@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/pattern/known_garment.h"
+#include "loosefit/pattern/piece_facing.h"
 
 namespace loosefit::pattern {
 
@@ -14,6 +15,7 @@ namespace loosefit::pattern {
 /// its head is turned round. \return what had to be assumed. \throws GeometryError naming the
 /// pieces that nothing tells where
 ///         they go: no seam, or neither name nor seam to a piece with one.
-std::vector<std::string> place_pieces(Pattern& pattern);
+/// \param turns by panel, where somebody says which way up it lies
+std::vector<std::string> place_pieces(Pattern& pattern, const QuarterTurns& turns = {});
 
 }  // namespace loosefit::pattern

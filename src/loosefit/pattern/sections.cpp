@@ -68,4 +68,12 @@ std::vector<Section> outline_sections(const Panel& panel) {
   return sections;
 }
 
+double section_depth(const Panel& panel, const Section& section) {
+  double deepest = 0;
+  const Vec2 along = (section.to - section.from).normalized();
+  for (const Vec2& q : section_points(panel, section))
+    deepest = std::max(deepest, std::abs(geometry::cross(along, q - section.from)));
+  return deepest;
+}
+
 }  // namespace loosefit::pattern

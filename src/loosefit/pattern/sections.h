@@ -24,5 +24,7 @@ std::vector<Section> outline_sections(const Panel& panel);
 
 /// Points along a section, ends included; its edges sampled.
 std::vector<Vec2> section_points(const Panel& panel, const Section& section);
+/// How far it lies off its chord, at most [m].
+double section_depth(const Panel& panel, const Section& section);
 
 }  // namespace loosefit::pattern

@@ -20,7 +20,10 @@ std::string less_of(const scenario::GarmentSpec& garment, const std::string& sec
   if (!garment.size.empty()) advice += ", or another " + section + ".size of its file";
   return advice + "; `loosefit pattern --file " + printable(garment.file, 200) +
          " -o DIR` writes how its panels lie and which edges are sewn: each has to lie with its "
-         "outside away from the body, and sewn edges have to face each other";
+         "outside away from the body, and sewn edges have to face each other; GarmentCode files "
+         "say it "
+         "by translation and rotation, a side file by what its pieces are ([pieces]), which way up "
+         "they lie ([up]) and what is sewn to what ([[seam]])";
 }
 
 }  // namespace
