@@ -9,34 +9,19 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_check.h"
-#include "loosefit/body/body_fit.h"
 #include "loosefit/geometry/closest_point_tree.h"
-#include "support/body_fixture.h"
+#include "support/scanned_twin.h"
 #include "support/shapes.h"
 
 namespace loosefit::body {
 namespace {
 
-constexpr double kTape = 0.010;  ///< what a scan may differ by from its parametric twin [m]
+using support::kTape;
+using support::person;
+
 constexpr double kSkin = 0.001;  ///< 95th percentile of a noiseless scan's distance [m]
 
-BodyParameters person(double sex, double age, double height, double chest, double waist,
-                      double hip) {
-  BodySpec spec;
-  spec.sex = sex, spec.age = age, spec.height = height;
-  spec.measurements = {{"chest", chest}, {"waist", waist}, {"hip", hip}};
-  return fit_body(body_model(), spec).parameters;
-}
-
-/// As a scanner stores it: centimetres, y up, somewhere in the room, every triangle begun
-/// elsewhere.
-geometry::TriangleMesh as_scan(const Body& body) {
-  geometry::TriangleMesh mesh = body.surface;
-  for (auto& p : mesh.vertices) p = Vec3(p.x(), p.z(), -p.y()) * 100 + Vec3(31, 7, -12);
-  std::ranges::reverse(mesh.triangles);
-  for (auto& t : mesh.triangles) std::ranges::rotate(t, t.begin() + 1);
-  return mesh;
-}
+geometry::TriangleMesh as_scan(const Body& body) { return support::as_scan(body.surface); }
 
 /// The world of as_scan in metres with z up, as from_world takes it.
 Vec3 in_world(const Vec3& p) { return p + Vec3(0.31, 0.12, 0.07); }

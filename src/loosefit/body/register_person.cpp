@@ -28,6 +28,7 @@ constexpr double kVague = 0.15;       // noise as a share of where outliers begi
 constexpr double kPeers = 300;        // samples that know something of their own
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
+constexpr double kHandsOff = 0.010;   // farther from the scan they are held another way [m]
 constexpr double kPressedCounts = 0.1;         // weight of skin that other skin presses
 constexpr double kAdult = 30;                  // years to start from
 constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
@@ -127,6 +128,38 @@ class Registration {
     return person;
   }
 
+  /// The person who looks and stands most like the scan.
+  PosedPerson nearest() const {
+    // Arms hanging, as the model has them, and level: a registration finds its way over some 30°.
+    PosedPerson best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double age : ages())
+      for (const double abduction : {10.0, 42.0, 82.0}) {
+        PosedPerson person = start(age, radians(abduction));
+        const double cost = improve(person, kUnsure, kFarthest[0], kFarthest[0] / 4);
+        if (cost < least) least = cost, best = person;
+      }
+    improve(best, kSure, kFarthest[0] / 4, kFarthest[1]);
+    return best;
+  }
+
+  /// From now on nothing is known of hands.
+  void leave_hands_out() { hands_count_ = 0; }
+
+  /// Mean distance of the hands from the scan [m].
+  double hands_off(const PosedPerson& person) const {
+    const auto rows = rows_of(person);
+    const auto bones = pose_bones(data_, joint_positions(data_, rows), person.rotations);
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < data_.body_vertices; ++v)
+      if (model_.segments()[std::size_t(v)] == Segment::hand) {
+        sum += tree_.query(posed(person, bones, rows, v)).distance;
+        ++count;
+      }
+    return count == 0 ? 0 : sum / count;
+  }
+
   /// Takes `steps` Gauss-Newton steps; the cost of the last.
   double improve(PosedPerson& person, int steps, double first, double last) const {
     PersonVariables variables(data_, person);
@@ -165,7 +198,7 @@ class Registration {
   }
 
   double weight_of(int vertex) const {
-    return model_.segments()[std::size_t(vertex)] == Segment::hand ? kHandsCount : 1;
+    return model_.segments()[std::size_t(vertex)] == Segment::hand ? hands_count_ : 1;
   }
 
   std::vector<Vec3> rows_of(const PosedPerson& p) const { return morph_.rows(p.parameters); }
@@ -289,23 +322,23 @@ class Registration {
   std::vector<Triangle> coarse_;
   std::vector<int> sampled_;
   double height_ = 0;
+  double hands_count_ = kHandsCount;
 };
 
 }  // namespace
 
 RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& scan) {
-  const Registration registration(model, scan);
-  // Arms hanging, as the model has them, and level: a registration finds its way over some 30°.
-  PosedPerson best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double age : registration.ages())
-    for (const double abduction : {10.0, 42.0, 82.0}) {
-      PosedPerson person = registration.start(age, radians(abduction));
-      const double cost = registration.improve(person, kUnsure, kFarthest[0], kFarthest[0] / 4);
-      if (cost < least) least = cost, best = person;
-    }
-  registration.improve(best, kSure, kFarthest[0] / 4, kFarthest[1]);
-  return lay_skin(model, scan, best);
+  Registration registration(model, scan);
+  PosedPerson person = registration.nearest();
+  // Fists, or hands that hold something, would draw the arms to where the model's fingers end.
+  const bool as_hands = registration.hands_off(person) <= kHandsOff;
+  if (!as_hands) {
+    registration.leave_hands_out();
+    person = registration.nearest();
+  }
+  RegisteredPerson registered = lay_skin(model, scan, person);
+  registered.hands_left_out = !as_hands;
+  return registered;
 }
 
 }  // namespace loosefit::body

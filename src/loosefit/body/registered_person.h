@@ -25,6 +25,7 @@ struct RegisteredPerson {
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
   StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
+  bool hands_left_out = false;  ///< the scan's are held another way: the model's tell nothing
 };
 
 }  // namespace loosefit::body

@@ -20,6 +20,8 @@ constexpr double kLevel = radians(90);  // as far aside as arms can be asked for
 // Of scans of people in tank top and leggings, T-shirt, hoodie or trousers 13 to 47 % stand off, of
 // bare ones and of averages of other body models at most 2 % (docs/theory/body_model.md 8).
 constexpr double kUsualStandOff = 0.04, kMostStandOff = 0.07;
+// Of the neck alone: hair, scarves and hoods hide it, whatever else is bare.
+constexpr double kMostStandOffNeck = 0.5;
 constexpr double kMostOffClothed =
     0.010;  // in the median, before the shift [m]: at most 6 mm there
 
@@ -113,6 +115,9 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
       throw clothed(registered, options);
     return std::nullopt;
   }
+  if (registered.stand_off.most == Segment::neck &&
+      registered.stand_off.most_share > kMostStandOffNeck)
+    throw clothed(registered, options);
   ScanPerson made;
   made.body = model.build(registered.person);
   made.body.from_world = checked.from_world;
@@ -125,6 +130,10 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
       fmt::format("the body model lies on the scan: {:.1f} mm off in the median, {:.1f} mm at the "
                   "95th percentile of neck, trunk, arms and legs",
                   1e3 * made.error.median, 1e3 * made.error.p95));
+  if (registered.hands_left_out)
+    made.warnings.push_back(
+        "the hands are closed, or held in another way than the model's: those of the model are "
+        "used, and arms are as long as the skin above the hands tells");
   if (off > kUsualStandOff)
     made.warnings.push_back(
         "it is taken for skin, although " + off_in_words(registered.stand_off) +
