@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "loosefit/base/error.h"
+#include "loosefit/drape/lay_padded.h"
 #include "loosefit/drape/phases/sew_on.h"
 #include "loosefit/dress/dress_layers.h"
 #include "loosefit/dress/no_room.h"
@@ -25,22 +27,58 @@ void perturb(ClothState& state) {
                           std::sin(wave.wave_height * p[2] + wave.wave_width * p[0] + phase));
 }
 
-}  // namespace
+/// Whether something under a layer dresses other limbs than it does.
+bool lies_over_other_limbs(const ClothState& state, int layer) {
+  const auto kind = [&](int l) -> const kinds::GarmentKind& {
+    return kinds::garment_kind(state.layers[l].garment->pattern.kind);
+  };
+  for (int under = 0; under < layer; ++under)
+    if (dress_other_limbs(kind(layer), kind(under))) return true;
+  return false;
+}
 
-void lay_round_body(ClothState& state) {
-  const body::PosedBody body = state.path(0);
+/// `padded`: what lies over garments of other limbs is laid round a wearer who wears padding there,
+/// instead of with more room everywhere.
+std::vector<dress::LayerToDress> layers_to_dress(ClothState& state, bool padded) {
   std::vector<dress::LayerToDress> to_dress;
   for (int l = 0; l < state.layer_count(); ++l) {
     const garment::Garment& garment = state.garment(l);
     const pattern::Pattern& pattern = state.layers[l].garment->pattern;
     const bool has_wider = state.wide_path && state.attempts[RecoveryKind::wide_posture] == 0;
+    const dress::LayRound& lay = kinds::garment_kind(pattern.kind).lay;
+    if (padded && lay && lies_over_other_limbs(state, l)) {
+      to_dress.push_back({&garment, {}, [&garment, &lay](const body::PosedBody& wearer) {
+                            return lay_padded(garment, lay, wearer);
+                          }});
+      continue;
+    }
     const auto sew = [&garment, &pattern, has_wider](const body::PosedBody& wearer) {
       return sew_on(garment, pattern, wearer, has_wider);
     };
-    to_dress.push_back({&garment, kinds::garment_kind(pattern.kind).lay, sew});
+    to_dress.push_back({&garment, lay, sew});
   }
+  return to_dress;
+}
+
+/// First with padding, which leaves everything nearest to the skin.
+std::vector<Vec3> laid_round(ClothState& state, const body::PosedBody& body) {
+  bool any = false;
+  for (int l = 1; l < state.layer_count(); ++l)
+    any |= kinds::garment_kind(state.layers[l].garment->pattern.kind).lay &&
+           lies_over_other_limbs(state, l);
+  if (any) try {
+      return dress::dress_layers(layers_to_dress(state, true), body);
+    } catch (const GeometryError&) {  // also of garments that cut each other
+    }
+  return dress::dress_layers(layers_to_dress(state, false), body);
+}
+
+}  // namespace
+
+void lay_round_body(ClothState& state) {
+  const body::PosedBody body = state.path(0);
   try {
-    state.x = dress::dress_layers(to_dress, body);
+    state.x = laid_round(state, body);
   } catch (const dress::NoRoom& error) {
     state.no_room = error.what();
     return;
