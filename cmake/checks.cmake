@@ -7,6 +7,8 @@ add_test(NAME check_references_test
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/check_references_test.py)
 add_test(NAME tools_bench_suite
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/bench_suite_test.py)
+add_test(NAME tools_run_fuzz
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/run_fuzz_test.py)
 add_test(NAME tools_validation_summary
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/tools/validation_summary_test.py)
 add_test(NAME harms2012_study

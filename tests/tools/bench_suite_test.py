@@ -12,6 +12,7 @@ from unittest import mock
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "bench"))
 import bench_cases  # noqa: E402
 import compare  # noqa: E402
+import pairs  # noqa: E402
 import records  # noqa: E402
 import robustness_draw  # noqa: E402
 import run_bench  # noqa: E402
@@ -65,6 +66,34 @@ class Suite(unittest.TestCase):
         stored = json.loads(figures.read_text())["cases"]
         self.assertEqual(stored["tight"]["runs"][0]["error"], "error: no body")
         self.assertIn("missing", stored["later"])
+
+    def run_pair(self, seconds):
+        """The pairs group with a program that takes so long by the scenario's garment; what it was asked in turn."""
+        asked = []
+
+        def run_once(case, options, folder):
+            asked.append(case.name)
+            return {"exit_code": 0, "vertices": 1, "residual": 0, "intersections": {"body": 0, "self": 0}, **runs(seconds[case.name])["runs"][0]}
+
+        program = self.folder / "loosefit"
+        program.write_text("")
+        figures = self.folder / "figures.json"
+        with mock.patch.object(run_bench, "run_once", run_once):
+            code, printed = call(run_bench, "pairs", "--runs", "2", "--binary", program, "--json", figures)
+        return code, printed, asked, json.loads(figures.read_text())
+
+    def test_a_pair_is_run_in_turn_and_its_ratio_is_told_and_kept(self):
+        code, printed, asked, kept = self.run_pair({"drafted-shirt": 10, "garmentcode-long-sleeve": 15})
+        self.assertEqual(code, 0)
+        self.assertEqual(asked, ["drafted-shirt", "garmentcode-long-sleeve"] * 2)
+        self.assertRegex(printed, r"1\.50 times the processor seconds.*at most 2: holds")
+        self.assertEqual(kept["ratios"][pairs.PAIRS[0].name]["cpu_seconds"], 1.5)
+
+    def test_a_pair_that_takes_too_long_fails(self):
+        code, printed, _, kept = self.run_pair({"drafted-shirt": 10, "garmentcode-long-sleeve": 20.1})
+        self.assertEqual(code, 1)
+        self.assertIn("DOES NOT HOLD", printed)
+        self.assertFalse(kept["ratios"][pairs.PAIRS[0].name]["holds"])
 
     def test_history_is_thinned_and_keeps_its_ends(self):
         log = self.folder / "log.jsonl"
