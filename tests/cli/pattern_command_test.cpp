@@ -171,7 +171,7 @@ TEST_F(PatternCommand, AScenarioChoosesSizeUnitsAndSeamsOfAFile) {
   // Half of it is not sewn to the rest, which only the reader of both can tell.
   const ProgramRun run = told("size = \"42\"\nunits = \"mm\"\nseams = \"own.toml\"\n");
   EXPECT_EQ(run.exit_code, 2) << run.output;
-  EXPECT_NE(run.output.find("sewn to no other one"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("no seam to the others at SLEEVE"), std::string::npos) << run.output;
   const ProgramRun size = told("size = \"44\"\n");
   EXPECT_EQ(size.exit_code, 2);
   EXPECT_NE(size.output.find("a size of the file"), std::string::npos) << size.output;
