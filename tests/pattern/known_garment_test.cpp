@@ -277,6 +277,20 @@ TEST(ProposeSeams, PairsTheSidesOfAGarmentThatNobodyKnows) {
   EXPECT_TRUE(notched) << "edges whose notches meet";
 }
 
+TEST(ProposeSeams, ASleeveIsSewnToItselfNotToThatOfTheOtherArm) {
+  // With an unusual front it is no garment that is known, and lengths are all there is.
+  Pattern shirt = unsewn_tshirt();
+  shirt.panels[0] = rectangle_panel("front", 0.5, 0.6);
+  const SeamProposals found = propose_seams(shirt, {});
+  int underarms = 0;
+  for (const SeamProposal& proposal : found.seams) {
+    const int a = proposal.seam.first.front().panel, b = proposal.seam.second.front().panel;
+    EXPECT_FALSE(a >= 2 && b >= 2 && a != b) << proposal.seam.name;
+    underarms += a >= 2 && a == b;
+  }
+  EXPECT_EQ(underarms, 2);
+}
+
 TEST(LeastCost, FindsTheBestOfAllAssignments) {
   const std::vector<std::vector<double>> cost = {
       {4, 1, 3, 7}, {2, 0, 5, 1}, {3, 2, 2, 6}, {9, 3, 1, 8}};

@@ -205,6 +205,9 @@ class Pairing {
   double cost_of(const Side& a, const Side& b) const {
     const double lengths = difference(a.section.length, b.section.length);
     if (lengths > kMostGathered) return kNever;
+    // Sleeves are for two arms.
+    const PieceWords &u = words_[a.panel], &v = words_[b.panel];
+    if (a.panel != b.panel && u.sleeve && v.sleeve && twin_[a.panel] == b.panel) return kNever;
     // A strip is sewn end to end, not shut along its length.
     if (a.panel == b.panel && strip_end_[a.panel] > 0 && a.section.length > strip_end_[a.panel])
       return kNever;
@@ -220,7 +223,6 @@ class Pairing {
         cost += 0.1;
       }
     }
-    const PieceWords &u = words_[a.panel], &v = words_[b.panel];
     double role = 0;
     if (a.panel == b.panel)
       role = u.sleeve || u.cuff || u.neck || u.waist || u.leg ? 0.02 : 0.1;
