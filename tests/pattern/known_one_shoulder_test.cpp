@@ -77,6 +77,12 @@ TEST(KnownOneShoulder, ItIsPlacedWithTheShoulderOnItsSide) {
           std::ranges::max_element(panel.vertices, {}, [](const Vec2& v) { return v.y(); });
       const Vec3 at = panel.rotation * Vec3(highest->x(), highest->y(), 0) + panel.translation;
       EXPECT_GT(at.x() * (left ? 1 : -1), 0.05) << panel.name;
+      // By its armhole a wearer is asked whether it is on.
+      for (const PanelEdge& edge : panel.edges) {
+        const bool armhole = edge.curves.front().kind == EdgeCurve::Kind::cubic &&
+                             edge.name == (&panel == &pattern.panels[left ? 0 : 1] ? "e3" : "e4");
+        EXPECT_EQ(edge.label, !armhole ? "" : left ? "left_armhole" : "right_armhole") << edge.name;
+      }
     }
   }
 }

@@ -266,7 +266,7 @@ class Knower {
     trunks_ = one_shoulders_;
     front_first(trunks_, 0);
     const int front = trunks_[0], back = trunks_[1];
-    garment_.kind = "one-shoulder top";
+    garment_.kind = kOneShoulder;
     garment_.seams = one_shoulder_seams(pattern_, front, piece(front), back, piece(back));
     loops_ = one_shoulder_loops(pattern_, front, piece(front), back, piece(back));
     piece(front).role = PieceRole::front, piece(back).role = PieceRole::back;

@@ -7,6 +7,8 @@
 
 namespace loosefit::pattern {
 
+inline constexpr char kOneShoulder[] = "one-shoulder top";
+
 /// A trunk that hangs on one shoulder: six sections, the shortest of which is the shoulder, between
 /// an armhole that is cut out and an edge that slants over the bare shoulder to the other side,
 /// longer by a fifth and flatter than the armhole is. Sets `side`: the hand of the shoulder of a

@@ -10,6 +10,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/pattern/known_one_shoulder.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_facing.h"
 #include "loosefit/pattern/piece_names.h"
@@ -79,6 +80,7 @@ class Placer {
                           "write the missing seams into the side file, or take these pieces out "
                           "of the pattern there (leave_out)");
     set_labels();
+    if (known_.kind.starts_with(kOneShoulder)) label_armhole();
     return std::move(notes_);
   }
 
@@ -290,6 +292,20 @@ class Placer {
       // A band at an armhole is of the arm, which its seams tell where its label does not.
       if (known_.pieces[p].role == PieceRole::band && !arm) continue;
       pattern_.panels[p].label = arm ? "arm" : is_leg(static_cast<int>(p)) ? "leg" : "body";
+    }
+  }
+
+  /// Whether a garment that hangs on one shoulder is worn, its armhole tells.
+  void label_armhole() {
+    for (std::size_t p = 0; p < n_; ++p) {
+      const KnownPiece& piece = known_.pieces[p];
+      if (piece.role != PieceRole::front && piece.role != PieceRole::back) continue;
+      const int armhole = piece.sections[2].length < piece.sections[4].length ? 2 : 4;
+      const bool left = (armhole == 2) == (piece.role == PieceRole::front);
+      for (const Stitch::Side& side :
+           piece.sections[armhole].sides(pattern_.panels[p], static_cast<int>(p)))
+        if (std::string& label = pattern_.panels[p].edges[side.edge].label; label.empty())
+          label = left ? "left_armhole" : "right_armhole";
     }
   }
 
