@@ -23,6 +23,7 @@ constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its 
 constexpr double kOffCentre = 0.25;   ///< of an opening's own width, likewise
 constexpr double kAlike = 0.25;       ///< relative difference of girth between two of a pair
 constexpr double kWidestLimb = 0.67;  ///< of the widest cape's girth: wider tubes are for no limb
+constexpr double kAtShoulder = 0.15;  ///< of the garment's height: an armhole ends so near its top
 constexpr double kOpenFront = 0.6;    ///< of the garment's height, over which an open front runs
 
 struct Pair {
@@ -115,6 +116,10 @@ class Uses {
       legs(pairs_[1]);
     } else if (open_front_ && pairs == 1 && middles == 0) {
       arms(pairs_[0]);
+    } else if (const int armhole = single_armhole(labels); armhole >= 0) {
+      use(armhole,
+          beside(armhole) > 0 ? kinds::OpeningUse::left_arm : kinds::OpeningUse::right_arm);
+      use(middle_ones_.back(), kinds::OpeningUse::hem);
     }
     for (const Pair& pair : pairs_) {  // whatever the rest is
       if (labels[pair.left] == "arm") arms(pair);
@@ -123,6 +128,28 @@ class Uses {
   }
 
  private:
+  /// Of a garment that hangs on one shoulder: three openings, the lowest in the middle; of the
+  /// others the armhole is the smaller one, lies beside the middle and comes up to the shoulder.
+  /// The neck and the other arm go through the third. −1: it is none.
+  int single_armhole(const std::vector<std::string>& labels) const {
+    if (of_.size() != 3 || !pairs_.empty() || middle_ones_.empty()) return -1;
+    const int hem = middle_ones_.back();
+    std::vector<int> upper;
+    for (int i : of_)
+      if (i != hem) upper.push_back(i);
+    if (upper.size() != 2) return -1;
+    if (all_[upper[0]].girth > all_[upper[1]].girth) std::swap(upper[0], upper[1]);
+    const int armhole = upper[0];
+    double highest = box_.min().z();
+    for (int v : all_[armhole].loop) highest = std::max(highest, placed_[v].z());
+    const bool above = std::min(all_[upper[0]].placed.z(), all_[upper[1]].placed.z()) >
+                       all_[hem].placed.z() + 0.5 * height_;
+    return above && side_of(armhole) != 0 && labels[armhole] != "leg" &&
+                   highest > box_.max().z() - kAtShoulder * height_
+               ? armhole
+               : -1;
+  }
+
   void use(int opening, kinds::OpeningUse what) { all_[opening].use = what; }
   void arms(const Pair& p) {
     use(p.left, kinds::OpeningUse::left_arm), use(p.right, kinds::OpeningUse::right_arm);

@@ -36,8 +36,10 @@ bool is_upper_end(const Opening& a, const Opening& b);
 /// other where the pattern places its pieces, whatever wearer that was made for, and by the labels
 /// of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are arms, a pair
 /// below a single opening are legs, a second pair below the first are legs too, two in the middle
-/// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. An edge that runs
-/// from top to bottom is an open front. Holes that no hand goes through (8 cm) are left out.
+/// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. Of three, the
+/// lowest in the middle, a smaller one beside the middle that comes up to the shoulder is the only
+/// armhole. An edge that runs from top to bottom is an open front. Holes that no hand goes through
+/// (8 cm) are left out.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 

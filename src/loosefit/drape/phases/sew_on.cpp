@@ -42,8 +42,7 @@ std::vector<Vec3> sew_on(const garment::Garment& garment, const pattern::Pattern
   };
   throw dress::NoRoom(fmt::format(
       "pattern: sewn round this body, panels {} and {} pass through each other ({} pairs of "
-      "triangles); panels that are placed so that sewn edges face each other (translation, "
-      "rotation), each with its outside away from the body, do not",
+      "triangles)",
       name(closed.first_cut.first), name(closed.first_cut.second), closed.cuts));
 }
 

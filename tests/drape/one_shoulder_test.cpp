@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "loosefit/drape/openings.h"
+#include "loosefit/fabric/material.h"
+#include "loosefit/garment/assemble.h"
+#include "support/unsewn_garments.h"
+
+// Garments that hang on one shoulder have one armhole.
+namespace loosefit::drape {
+namespace {
+
+using namespace testing_support;
+using kinds::OpeningUse;
+
+/// \param shoulder height of the shoulder; the edge over the bare one begins there
+std::vector<pattern::CurveChain> outline(double shoulder = 0.63) {
+  return {straight({-0.28, 0}, {0.28, 0}),
+          straight({0.28, 0}, {0.26, 0.40}),
+          curved({0.26, 0.40}, {0.22, 0.40}, {0.17, 0.46}, {0.17, shoulder - 0.03}),
+          straight({0.17, shoulder - 0.03}, {0.08, shoulder}),
+          straight({0.08, shoulder}, {-0.26, 0.40}),
+          straight({-0.26, 0.40}, {-0.28, 0})};
+}
+
+std::vector<Opening> openings(bool left) {
+  pattern::Pattern pattern;
+  pattern.panels = {left ? numbered_panel("FRONT", outline()) : mirrored_panel("FRONT", outline()),
+                    left ? mirrored_panel("BACK", outline()) : numbered_panel("BACK", outline())};
+  pattern = from_nothing(pattern);
+  return garment_openings(garment::assemble(pattern, 0.02, fabric::Material{}), pattern);
+}
+
+int count(const std::vector<Opening>& openings, OpeningUse use) {
+  return static_cast<int>(std::ranges::count(openings, use, &Opening::use));
+}
+
+TEST(OneShoulder, ItsArmholeIsTheArmsAndTheEdgeOverTheBareShoulderNobodysAlone) {
+  for (const bool left : {true, false}) {
+    const std::vector<Opening> found = openings(left);
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(count(found, OpeningUse::left_arm), left ? 1 : 0);
+    EXPECT_EQ(count(found, OpeningUse::right_arm), left ? 0 : 1);
+    EXPECT_EQ(count(found, OpeningUse::hem), 1);
+    EXPECT_EQ(count(found, OpeningUse::unknown), 1);
+    for (const Opening& o : found)
+      if (o.use == OpeningUse::left_arm || o.use == OpeningUse::right_arm) {
+        EXPECT_GT(o.placed.x() * (left ? 1 : -1), 0.1);
+      }
+  }
+}
+
+TEST(OneShoulder, AnOrdinaryTankTopAndASkirtHaveNoSingleArmhole) {
+  pattern::Pattern tank = unsewn_tshirt();
+  tank.panels.resize(2);
+  tank = from_nothing(tank);
+  const auto found = garment_openings(garment::assemble(tank, 0.02, fabric::Material{}), tank);
+  EXPECT_EQ(count(found, OpeningUse::left_arm), 1);
+  EXPECT_EQ(count(found, OpeningUse::right_arm), 1);
+  const pattern::Pattern skirt = from_nothing(unsewn_skirt());
+  for (const Opening& o :
+       garment_openings(garment::assemble(skirt, 0.02, fabric::Material{}), skirt))
+    EXPECT_NE(o.use, OpeningUse::left_arm);
+}
+
+}  // namespace
+}  // namespace loosefit::drape
