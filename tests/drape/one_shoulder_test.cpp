@@ -64,5 +64,45 @@ TEST(OneShoulder, AnOrdinaryTankTopAndASkirtHaveNoSingleArmhole) {
     EXPECT_NE(o.use, OpeningUse::left_arm);
 }
 
+/// A skirt whose side seams are left open for pockets, on the left or on both sides.
+std::vector<Opening> with_slits(int slits, const std::string& name) {
+  const auto panel = [&](const std::string& called) {
+    std::vector<Vec2> right;
+    for (const double y : {0.0, 0.41, 0.56, 0.60}) right.emplace_back(0.30 - y / 6, y);
+    std::vector<pattern::CurveChain> loop = {straight(Vec2(-0.30, 0), right[0])};
+    for (int i = 0; i < 3; ++i) loop.push_back(straight(right[i], right[i + 1]));
+    loop.push_back(straight(right[3], Vec2(-right[3].x(), 0.60)));
+    for (int i = 2; i >= 0; --i) loop.push_back(loop[1 + i].mirrored().reversed());
+    return numbered_panel(called, loop);
+  };
+  pattern::Pattern pattern;
+  pattern.panels = {panel(name + "front"), panel(name + "back")};
+  pattern.panels[0].translation = Vec3(0, -0.2, 0.4);
+  pattern.panels[1].rotation = Eigen::AngleAxisd(kPi, Vec3::UnitZ()).toRotationMatrix();
+  Mat3 upright;
+  upright << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  for (pattern::Panel& p : pattern.panels) p.rotation = p.rotation * upright;
+  pattern.panels[1].translation = Vec3(0, 0.2, 0.4);
+  for (const int e : {1, 2, 3, 5, 6, 7}) {
+    if ((e == 2 && slits > 0) || (e == 6 && slits > 1)) continue;
+    pattern.stitches.push_back(stitch(0, e, 1, 8 - e));
+  }
+  return garment_openings(garment::assemble(pattern, 0.02, fabric::Material{}), pattern);
+}
+
+TEST(OneShoulder, TheSlitOfAPocketInASkirtIsNoArmhole) {
+  for (const int slits : {1, 2})
+    for (const char* name : {"skirt ", ""}) {
+      if (slits == 2 && *name == 0) continue;  // without names it may be a short top
+      SCOPED_TRACE(name + std::to_string(slits));
+      const std::vector<Opening> found = with_slits(slits, name);
+      ASSERT_EQ(found.size(), 2u + slits);
+      EXPECT_EQ(count(found, OpeningUse::left_arm) + count(found, OpeningUse::right_arm), 0);
+      EXPECT_EQ(count(found, OpeningUse::neck), 0);
+      EXPECT_EQ(count(found, OpeningUse::upper), *name ? 1 : 0);
+      EXPECT_EQ(count(found, OpeningUse::hem), *name ? 1 : 0);
+    }
+}
+
 }  // namespace
 }  // namespace loosefit::drape

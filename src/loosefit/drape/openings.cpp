@@ -100,6 +100,14 @@ class Uses {
       use(bottom, kinds::OpeningUse::hem);
     } else if (middles == 0 && pairs == 0 && of_.size() == 2) {
       for (int i : of_) use(i, kinds::OpeningUse::limb);
+    } else if (of_legs() && middles == 2 && (of_.size() == 3 || pairs == 1)) {
+      // A skirt with slits for pockets, or trousers whose fly is open.
+      use(middle_ones_[0],
+          at_waist(middle_ones_[0]) ? kinds::OpeningUse::waist : kinds::OpeningUse::upper);
+      if (pairs == 1 && height_of(pairs_[0]) < all_[middle_ones_[1]].placed.z())
+        legs(pairs_[0]);
+      else
+        use(middle_ones_[1], kinds::OpeningUse::hem);
     } else if (middles == 2 && pairs == 1 && of_.size() == 4) {
       use(middle_ones_[0], kinds::OpeningUse::neck);
       use(middle_ones_[1], kinds::OpeningUse::hem);
@@ -130,9 +138,10 @@ class Uses {
  private:
   /// Of a garment that hangs on one shoulder: three openings, the lowest in the middle; of the
   /// others the armhole is the smaller one, lies beside the middle and comes up to the shoulder.
-  /// The neck and the other arm go through the third. −1: it is none.
+  /// The neck and the other arm go through the third, which comes down beside the armhole, as no
+  /// waist over the slit of a pocket does. −1: it is none.
   int single_armhole(const std::vector<std::string>& labels) const {
-    if (of_.size() != 3 || !pairs_.empty() || middle_ones_.empty()) return -1;
+    if (of_.size() != 3 || !pairs_.empty() || middle_ones_.empty() || of_legs()) return -1;
     const int hem = middle_ones_.back();
     std::vector<int> upper;
     for (int i : of_)
@@ -140,12 +149,13 @@ class Uses {
     if (upper.size() != 2) return -1;
     if (all_[upper[0]].girth > all_[upper[1]].girth) std::swap(upper[0], upper[1]);
     const int armhole = upper[0];
-    double highest = box_.min().z();
+    double highest = box_.min().z(), lowest_of_neck = box_.max().z();
     for (int v : all_[armhole].loop) highest = std::max(highest, placed_[v].z());
+    for (int v : all_[upper[1]].loop) lowest_of_neck = std::min(lowest_of_neck, placed_[v].z());
     const bool above = std::min(all_[upper[0]].placed.z(), all_[upper[1]].placed.z()) >
                        all_[hem].placed.z() + 0.5 * height_;
-    return above && side_of(armhole) != 0 && labels[armhole] != "leg" &&
-                   highest > box_.max().z() - kAtShoulder * height_
+    return above && lowest_of_neck < all_[armhole].placed.z() && side_of(armhole) != 0 &&
+                   labels[armhole] != "leg" && highest > box_.max().z() - kAtShoulder * height_
                ? armhole
                : -1;
   }
@@ -157,6 +167,7 @@ class Uses {
   void legs(const Pair& p) {
     use(p.left, kinds::OpeningUse::left_leg), use(p.right, kinds::OpeningUse::right_leg);
   }
+  bool of_legs() const { return all_[of_.front()].of_legs; }
   bool at_waist(int opening) const { return all_[opening].at_waist; }
   double beside(int opening) const { return all_[opening].placed.x() - middle_; }
   double height_of(const Pair& p) const {
