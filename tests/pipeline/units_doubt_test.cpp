@@ -68,5 +68,50 @@ TEST(UnitsDoubt, LevelsWithoutABodySayNothing) {
   EXPECT_NE(units_doubt(pattern, {{"hem", 9.0, {}}, {"chest", 3.0, 0.9}}).found, "");
 }
 
+/// Front and back of a tube, one behind the other.
+pattern::Pattern tube(const std::string& name, double girth, double height, double low) {
+  pattern::Pattern pattern;
+  pattern.panels = {rectangle_panel(name + "front", girth / 2, height),
+                    rectangle_panel(name + "back", girth / 2, height)};
+  pattern.panels[0].rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  pattern.panels[0].translation = {-girth / 4, -0.2, low};
+  pattern.panels[1].rotation << -1, 0, 0, 0, 0, 1, 0, 1, 0;
+  pattern.panels[1].translation = {girth / 4, 0.2, low};
+  pattern.stitches = {stitch(0, 1, 1, 3), stitch(0, 3, 1, 1)};
+  return pattern;
+}
+
+UnitsDoubt doubt_of(const pattern::Pattern& pattern) {
+  const FileGirths girths = file_girths(pattern, kBody);
+  EXPECT_FALSE(girths.levels.empty());
+  return units_doubt(pattern, girths.levels);
+}
+
+TEST(UnitsDoubt, TubesThatNothingSaysToBeSkirtsAreNotHeldAgainstTheWaist) {
+  EXPECT_EQ(doubt_of(tube("", 0.27, 0.20, 0.10)).found, "") << "a sleeve for an ankle";
+  EXPECT_EQ(doubt_of(tube("", 4.0, 0.60, 0.90)).found, "") << "a wide cape";
+  EXPECT_TRUE(doubt_of(tube("skirt ", 0.27, 0.20, 0.60)).wears_nobody);
+  EXPECT_NE(doubt_of(tube("skirt ", 2.4, 0.60, 0.40)).found, "");
+}
+
+TEST(UnitsDoubt, AFrillOfOneLongStripIsNoReasonToRefuseASkirt) {
+  pattern::Pattern pattern = tube("skirt ", 0.9, 0.6, 0.4);
+  pattern.panels.push_back(rectangle_panel("frill", 3.2, 0.1));
+  EXPECT_EQ(units_doubt(pattern, {}).found, "");
+  pattern.panels.push_back(rectangle_panel("train", 3.2, 2.0));
+  EXPECT_TRUE(units_doubt(pattern, {}).wears_nobody);
+  pattern.panels.pop_back();
+  pattern.panels.back() = rectangle_panel("frill", 90, 0.1);
+  EXPECT_TRUE(units_doubt(pattern, {}).wears_nobody);
+}
+
+TEST(UnitsDoubt, AWaistCountsAsElasticsDrawItIn) {
+  pattern::Pattern pattern = tube("skirt ", 2.2, 0.5, 0.5);
+  EXPECT_NE(doubt_of(pattern).found, "");
+  for (pattern::Panel& panel : pattern.panels)
+    panel.edges[2].elastic = pattern::EdgeElastic{.ratio = 0.35};
+  EXPECT_EQ(doubt_of(pattern).found, "");
+}
+
 }  // namespace
 }  // namespace loosefit::pipeline
