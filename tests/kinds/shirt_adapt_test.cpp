@@ -296,6 +296,25 @@ TEST(ShirtNotes, AnUnderarmThatTwoStepsMovedIsToldInOneLineAgainstWhatWasAskedFo
   EXPECT_GT(moved_twice, 2);
 }
 
+// A scenario lists every key of the fit, the usual ones as keys that give way.
+TEST(ShirtNotes, TheUsualArmholeIsNotToldOfWhereNobodyAskedForIt) {
+  for (const char* name : {"long-sleeve-shirt", "t-shirt"}) {
+    const GarmentKind& kind = garment_kind(name);
+    NamedValues usual;
+    std::set<std::string> yielding;
+    for (const KindKey& key : kind.keys) {
+      if (key.usual) usual[key.name] = *key.usual;
+      yielding.insert("fit." + key.name);
+    }
+    usual["chest"] = 0.10, usual["sleeve"] = 0.25;  // as of the reference shirt
+    for (const ShirtMeasures& m : {ShirtMeasures{}, kBoy}) {
+      const DraftedGarment made = kind.draft({named(m), "", usual, yielding});
+      for (const std::string& note : made.notes)
+        EXPECT_FALSE(note.starts_with("fit.scye_ease")) << note;
+    }
+  }
+}
+
 TEST(ShirtNotes, ACapThatIsLowerThanSoughtIsToldWithItsRatio) {
   const GarmentKind& kind = garment_kind("long-sleeve-shirt");
   const NamedValues fit = {{"sleeve", 0.60}, {"cap_ratio", 0.85}};

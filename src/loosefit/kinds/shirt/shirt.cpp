@@ -142,8 +142,13 @@ DraftedGarment draft(const std::string& kind, const ShirtFit& usual, const Draft
   AdaptedShirt shirt = draft_adapted_shirt(measures, fit, request.yielding);
   shirt.pattern.name = shirt.pattern.kind = kind;
   // Nobody is told of what nobody asked for: the usual armhole, or that of a size.
-  const bool tell_armhole =
-      request.size.empty() && (request.fit.count("scye_ease") || request.fit.count("cap_ratio"));
+  // A scenario gives every key; one that may give way at its usual value was asked for by nobody.
+  const auto asked = [&](const std::string& key) {
+    const auto given = request.fit.find(key);
+    return given != request.fit.end() &&
+           (!request.yielding.count("fit." + key) || given->second != named(usual).at(key));
+  };
+  const bool tell_armhole = request.size.empty() && (asked("scye_ease") || asked("cap_ratio"));
   const ShirtChange* of_armhole = nullptr;
   std::vector<std::string> notes;
   for (const ShirtChange& change : shirt.changes)
