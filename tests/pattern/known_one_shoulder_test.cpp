@@ -69,6 +69,21 @@ TEST(KnownOneShoulder, AHalfOfAnOrdinaryFrontIsNone) {
   EXPECT_TRUE(as_one_shoulder(outline_sections(one_shoulder(true).panels[0])));
 }
 
+TEST(KnownOneShoulder, HalvesOfAHalterOnAnUnmarkedFoldAreNotSewnAlongIt) {
+  const auto half = [](double neck) {
+    return std::vector<CurveChain>{
+        straight({0, 0}, {0.27, 0}),
+        straight({0.27, 0}, {0.27, 0.36}),
+        curved({0.27, 0.36}, {0.17, 0.37}, {0.11, 0.42}, {0.10, 0.60}),
+        straight({0.10, 0.60}, {0.06, 0.61}),
+        curved({0.06, 0.61}, {0.055, neck + 0.03}, {0.03, neck}, {0, neck}),
+        straight({0, neck}, {0, 0})};
+  };
+  Pattern pattern;
+  pattern.panels = {numbered_panel("FRONT", half(0.500)), mirrored_panel("BACK", half(0.505))};
+  EXPECT_NE(know_garment(pattern).kind, "one-shoulder top");
+}
+
 TEST(KnownOneShoulder, ItIsPlacedWithTheShoulderOnItsSide) {
   for (const bool left : {true, false}) {
     const Pattern pattern = from_nothing(one_shoulder(left));

@@ -13,6 +13,7 @@ constexpr double kLongerSlant = 1.2;    // than the armhole
 constexpr double kFlatterSlant = 0.6;   // way along the hem over the way up, at least
 constexpr double kWiderThanTip = 2;     // of a hem, over the shoulder
 constexpr double kShortestSide = 0.05;  // [m]
+constexpr double kUnlikeSides = 0.2;    // of the longer one: both end at an underarm
 
 /// A section by what it is on a piece whose armhole comes next to its first side.
 std::vector<Stitch::Side> sides(const Pattern& pattern, int panel, const KnownPiece& piece,
@@ -37,7 +38,8 @@ std::optional<KnownPiece> as_one_shoulder(const std::vector<Section>& sections) 
   if (armhole.bulge > kConcave || slant.length < kLongerSlant * armhole.length ||
       std::abs(way.dot(along)) < kFlatterSlant * std::abs(geometry::cross(along, way)) ||
       s[0].chord() < kWiderThanTip * s[3].chord() ||
-      std::min(s[1].length, s[5].length) < kShortestSide)
+      std::min(s[1].length, s[5].length) < kShortestSide ||
+      std::abs(s[1].length - s[5].length) > kUnlikeSides * std::max(s[1].length, s[5].length))
     return {};
   piece.upright = (s[3].from + s[3].to).y() > (s[0].from + s[0].to).y();
   return piece;

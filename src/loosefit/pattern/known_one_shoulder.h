@@ -11,7 +11,8 @@ inline constexpr char kOneShoulder[] = "one-shoulder top";
 
 /// A trunk that hangs on one shoulder: six sections, the shortest of which is the shoulder, between
 /// an armhole that is cut out and an edge that slants over the bare shoulder to the other side,
-/// longer by a fifth and flatter than the armhole is. Sets `side`: the hand of the shoulder of a
+/// longer by a fifth and flatter than the armhole is; both sides, which end at the underarms, are
+/// as long by a fifth. Sets `side`: the hand of the shoulder of a
 /// front; a back is the other way round. Sections: hem, side, armhole, shoulder, slant, side where
 /// that is positive, hem, side, slant, shoulder, armhole, side otherwise.
 std::optional<KnownPiece> as_one_shoulder(const std::vector<Section>& sections);
