@@ -12,6 +12,7 @@ namespace loosefit::pattern {
 namespace {
 
 constexpr double kMostEase = 0.15;  // of a cap over its armhole
+constexpr double kAsLong = 0.01;    // seams on top and below tell no hand within it [m]
 constexpr double kAcross = 0.1;     // counted against a cap that runs along the grain
 
 double difference(double a, double b) { return std::abs(a - b) / std::max({a, b, 1e-9}); }
@@ -72,6 +73,10 @@ KnownHalfSleeves know_half_sleeves(const Pattern& pattern, const std::vector<int
       known.doubts.push_back("piece " + printable(pattern.panels[p].name) +
                              ": its name and its outline say different arms");
       half->side = name;
+    } else if (name == 0 && std::abs(half->top.length - half->underarm.length) < kAsLong) {
+      known.doubts.push_back(
+          "piece " + printable(pattern.panels[p].name) +
+          ": its two seams are as long, which lies on top of the arm is not told");
     }
     std::optional<Half>& of = halves[half->side > 0 ? 0 : 1][w.front ? 0 : 1];
     if (of) return {};

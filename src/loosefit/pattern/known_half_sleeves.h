@@ -26,7 +26,8 @@ struct KnownHalfSleeves {
 /// Of these panels the four that are halves of sleeves: called sleeve, two of them front and two
 /// back, with four sections each, one of which is as long as its side of the armhole by 15 % (the
 /// cap). The longer neighbour of a cap is the seam on top of the arm, the other one that below it;
-/// which comes next in the outline tells the hand. Doubts: a name that says the other hand.
+/// which comes next in the outline tells the hand. Doubts: a name that says the other hand,
+/// and neighbours that are as long by 1 cm where no name says the hand.
 KnownHalfSleeves know_half_sleeves(const Pattern& pattern, const std::vector<int>& panels,
                                    const OpenArmhole& left, const OpenArmhole& right);
 
