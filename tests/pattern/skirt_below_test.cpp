@@ -49,6 +49,18 @@ TEST(SkirtBelow, OneThatIsGatheredIsProposedAndAsked) {
   EXPECT_FALSE(known.certain());
 }
 
+TEST(SkirtBelow, ATopThatEndsBelowTheWaistIsNotSewnToASkirtUnasked) {
+  Pattern pattern = unsewn_tshirt(0.5, 0.66);
+  pattern.panels.resize(2);
+  EXPECT_TRUE(know_garment(pattern).certain());
+  const Pattern skirt = unsewn_skirt(1.0, 1.5);
+  for (const Panel& panel : skirt.panels) pattern.panels.push_back(panel);
+  pattern.panels[2].name = "FRONT SKIRT", pattern.panels[3].name = "BACK SKIRT";
+  const KnownGarment known = know_garment(pattern);
+  EXPECT_TRUE(seam(known, "waist_front")) << "it is proposed";
+  EXPECT_FALSE(known.certain());
+}
+
 TEST(SkirtBelow, OneThatIsTooNarrowOrManyTimesAsWideIsNotSewnThere) {
   for (const double gathered : {0.7, 3.0}) {
     const KnownGarment known = know_garment(bodice_and_skirt(gathered));

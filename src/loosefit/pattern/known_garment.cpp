@@ -286,6 +286,7 @@ class Knower {
     garment_.pieces[two[1]].role = PieceRole::back_skirt;
     garment_.kind += " with a skirt";
     append(garment_.seams, below.seams);
+    append(garment_.doubts, below.doubts);
     std::erase_if(loops_, [](const OpenLoop& loop) { return loop.kind == LoopKind::hem; });
     loops_.push_back(std::move(below.hem));
   }
