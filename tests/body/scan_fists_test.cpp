@@ -10,12 +10,37 @@ namespace {
 
 constexpr int kRings = 8;
 
-/// The hands as balls of the size of a fist, sewn to the skin at the wrists.
-geometry::TriangleMesh with_fists(const Body& body) {
+using Sides = std::vector<const char*>;
+
+/// What no triangle uses any more is no part of a scan.
+void drop_unused(geometry::TriangleMesh& scan) {
+  std::vector<int> place(scan.vertices.size(), -1);
+  std::vector<Vec3> used;
+  for (Triangle& t : scan.triangles)
+    for (int& v : t) {
+      if (place[v] < 0) place[v] = int(used.size()), used.push_back(scan.vertices[v]);
+      v = place[v];
+    }
+  scan.vertices = std::move(used);
+}
+
+/// Without the skin of the hands of these sides.
+geometry::TriangleMesh handless(const Body& body, const Sides& sides) {
   geometry::TriangleMesh scan = body.surface;
-  const auto is_hand = [&](int v) { return body.segment[std::size_t(v)] == Segment::hand; };
+  const auto is_hand = [&](int v) {
+    return body.segment[std::size_t(v)] == Segment::hand &&
+           std::ranges::any_of(sides, [&](const std::string& side) {
+             return body.joints.at("wrist_" + side).x() * scan.vertices[std::size_t(v)].x() > 0;
+           });
+  };
   std::erase_if(scan.triangles,
                 [&](const Triangle& t) { return is_hand(t[0]) || is_hand(t[1]) || is_hand(t[2]); });
+  return scan;
+}
+
+/// The hands of these sides as balls of the size of a fist, sewn to the skin at the wrists.
+geometry::TriangleMesh with_fists(const Body& body, double radius, const Sides& sides) {
+  geometry::TriangleMesh scan = handless(body, sides);
   // From each edge at the cut to the next one round it; triangles of the fist run the other way.
   std::map<std::pair<int, int>, int> uses;
   for (const Triangle& t : scan.triangles)
@@ -23,7 +48,7 @@ geometry::TriangleMesh with_fists(const Body& body) {
   std::map<int, int> next;
   for (const auto& [edge, count] : uses)
     if (!uses.count({edge.second, edge.first})) next[edge.second] = edge.first;
-  for (const char* side : {"L", "R"}) {
+  for (const char* side : sides) {
     const Vec3 wrist = body.joints.at(std::string("wrist_") + side);
     const Vec3 along = (wrist - body.joints.at(std::string("elbow_") + side)).normalized();
     int start = -1;
@@ -37,7 +62,6 @@ geometry::TriangleMesh with_fists(const Body& body) {
     double narrow = 0;
     for (const int v : ring) narrow += (scan.vertices[v] - middle).norm() / double(ring.size());
     // A ball through the wrist: from there to its far end in steps of equal angle.
-    const double radius = 0.045;
     const double first = kPi - std::asin(std::min(1.0, narrow / radius));
     const Vec3 centre = middle - radius * std::cos(first) * along;
     const std::vector<Vec3> cut(scan.vertices);
@@ -63,16 +87,21 @@ geometry::TriangleMesh with_fists(const Body& body) {
     scan.vertices.push_back(centre + radius * along);
     for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[(i + 1) % ring.size()], tip);
   }
-  // What no triangle uses any more is no part of a scan.
-  std::vector<int> place(scan.vertices.size(), -1);
-  std::vector<Vec3> used;
-  for (Triangle& t : scan.triangles)
-    for (int& v : t) {
-      if (place[v] < 0) place[v] = int(used.size()), used.push_back(scan.vertices[v]);
-      v = place[v];
-    }
-  scan.vertices = std::move(used);
+  drop_unused(scan);
   return scan;
+}
+
+/// A scan with the measures of its owner, whose hands were told to be left out.
+void expect_right_without_hands(const Body& known, const geometry::TriangleMesh& scan) {
+  const support::ScanVerdict found = support::read_scan(support::as_scan(scan));
+  EXPECT_EQ(found.reason, "");
+  EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
+    return warning.find("a hand is closed, missing or held") == 0;
+  }));
+  ASSERT_FALSE(found.measured.empty());
+  for (const char* girth : {"height", "chest", "waist", "hip", "neck", "upper_arm", "forearm",
+                            "wrist", "thigh", "calf", "arm_length"})
+    EXPECT_NEAR(found.measured.at(girth), known.measured.at(girth), support::kTape) << girth;
 }
 
 TEST(ScanFists, ClosedHandsChangeNoOtherMeasure) {
@@ -80,16 +109,33 @@ TEST(ScanFists, ClosedHandsChangeNoOtherMeasure) {
   for (const Posture& posture :
        {Posture{radians(40), 0, 0}, Posture{radians(12), 0, 0, 0, 0.66, 0, 1}}) {
     const Body known = body_model().build(twin, posture);
-    const support::ScanVerdict found = support::read_scan(support::as_scan(with_fists(known)));
-    EXPECT_EQ(found.reason, "");
-    EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
-      return warning.find("the hands are closed") == 0;
-    }));
-    ASSERT_FALSE(found.measured.empty());
-    for (const char* girth : {"height", "chest", "waist", "hip", "neck", "upper_arm", "forearm",
-                              "wrist", "thigh", "calf", "arm_length"})
-      EXPECT_NEAR(found.measured.at(girth), known.measured.at(girth), support::kTape) << girth;
+    expect_right_without_hands(known, with_fists(known, 0.045, {"L", "R"}));
   }
+}
+
+// A child's fist is small, and the other hand, which is open, lies well.
+TEST(ScanFists, OneFistOfAChildChangesNoOtherMeasure) {
+  const BodyParameters twin = support::person(0, 6, 1.15, 0.58, 0.54, 0.60);
+  const Body known = body_model().build(twin, {radians(40), 0, 0});
+  expect_right_without_hands(known, with_fists(known, 0.029, {"L"}));
+}
+
+TEST(ScanFists, MissingHandChangesNoOtherMeasure) {
+  const BodyParameters twin = support::person(0, 6, 1.15, 0.58, 0.54, 0.60);
+  const Body known = body_model().build(twin, {radians(40), 0, 0});
+  geometry::TriangleMesh scan = handless(known, {"R"});
+  drop_unused(scan);
+  expect_right_without_hands(known, scan);
+}
+
+// Somebody with both hands open is told nothing of them.
+TEST(ScanFists, OpenHandsAreTaken) {
+  const BodyParameters twin = support::person(0, 6, 1.15, 0.58, 0.54, 0.60);
+  const Body known = body_model().build(twin, {radians(40), 0, 0});
+  const support::ScanVerdict found = support::read_scan(support::as_scan(known.surface));
+  ASSERT_FALSE(found.measured.empty()) << found.reason;
+  for (const std::string& warning : found.warnings)
+    EXPECT_EQ(warning.find("hand"), std::string::npos) << warning;
 }
 
 }  // namespace

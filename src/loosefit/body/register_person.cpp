@@ -28,10 +28,11 @@ constexpr double kVague = 0.15;       // noise as a share of where outliers begi
 constexpr double kPeers = 300;        // samples that know something of their own
 constexpr double kSameSide = 0.4;     // least cosine between normals of points that belong together
 constexpr double kHandsCount = 0.15;  // weight of hands, whose fingers nobody models
-constexpr double kHandsOff = 0.010;   // farther from the scan they are held another way [m]
-constexpr double kPressedCounts = 0.1;         // weight of skin that other skin presses
-constexpr double kAdult = 30;                  // years to start from
-constexpr int kUnsure = 12, kSure = 26;        // Gauss-Newton steps from each start, from the best
+constexpr double kHandsOff =
+    0.010 / 1.7;                         // of the stature: farther off, a hand is held another way
+constexpr double kPressedCounts = 0.1;   // weight of skin that other skin presses
+constexpr double kAdult = 30;            // years to start from
+constexpr int kUnsure = 12, kSure = 26;  // Gauss-Newton steps from each start, from the best
 constexpr double kFarthest[2] = {0.20, 0.02};  // outliers begin there, at first and at last [m]
 
 double robust_cost(double r, double scale) { return r * r / (r * r + scale * scale); }
@@ -146,18 +147,30 @@ class Registration {
   /// From now on nothing is known of hands.
   void leave_hands_out() { hands_count_ = 0; }
 
-  /// Mean distance of the hands from the scan [m].
-  double hands_off(const PosedPerson& person) const {
+  /// Whether one of the hands, in the mean over its skin, is too far from the scan to be as it is
+  /// there.
+  bool hands_are_off(const PosedPerson& person) const {
     const auto rows = rows_of(person);
-    const auto bones = pose_bones(data_, joint_positions(data_, rows), person.rotations);
-    double sum = 0;
-    int count = 0;
+    const auto surface = surface_of(person, rows);
+    double sum[2] = {}, count[2] = {};
     for (int v = 0; v < data_.body_vertices; ++v)
-      if (model_.segments()[std::size_t(v)] == Segment::hand) {
-        sum += tree_.query(posed(person, bones, rows, v)).distance;
-        ++count;
+      if (is_hand(v)) {
+        const bool left = rows[std::size_t(v)].x() > 0;
+        sum[left] += tree_.query(surface[std::size_t(v)]).distance;
+        ++count[left];
       }
-    return count == 0 ? 0 : sum / count;
+    const double most = kHandsOff * height_;
+    return sum[0] > most * count[0] || sum[1] > most * count[1];
+  }
+
+  /// Whether a person lies on the scan at least as well as another one does, by distances both
+  /// ways of all skin that neither of them takes for hands.
+  bool is_as_near(const PosedPerson& one, const PosedPerson& other) const {
+    const std::vector<double> costs = costs_without_hands(one), others = costs_without_hands(other);
+    double difference = 0;
+    for (std::size_t i = 0; i < costs.size(); ++i)
+      if (costs[i] != kNotSeen && others[i] != kNotSeen) difference += costs[i] - others[i];
+    return difference <= 0;
   }
 
   /// Takes `steps` Gauss-Newton steps; the cost of the last.
@@ -197,8 +210,29 @@ class Registration {
             floor};
   }
 
-  double weight_of(int vertex) const {
-    return model_.segments()[std::size_t(vertex)] == Segment::hand ? hands_count_ : 1;
+  bool is_hand(int vertex) const { return model_.segments()[std::size_t(vertex)] == Segment::hand; }
+
+  double weight_of(int vertex) const { return is_hand(vertex) ? hands_count_ : 1; }
+
+  static constexpr double kNotSeen = -1;
+
+  /// Of the samples of the model's skin and of the scan's, kNotSeen of those at the model's hands.
+  std::vector<double> costs_without_hands(const PosedPerson& person) const {
+    const auto surface = surface_of(person, rows_of(person));
+    std::vector<double> costs;
+    for (const int v : sampled_)
+      costs.push_back(
+          is_hand(v) ? kNotSeen
+                     : robust_cost(tree_.query(surface[std::size_t(v)]).distance, kFarthest[1]));
+    const TriangleMesh mesh{surface, coarse_};
+    const ClosestPointTree tree(mesh);
+    for (const Vec3& p : samples_.point) {
+      const ClosestPoint c = tree.query(p);
+      costs.push_back(is_hand(coarse_[std::size_t(c.triangle)][0])
+                          ? kNotSeen
+                          : robust_cost(c.distance, kFarthest[1]));
+    }
+    return costs;
   }
 
   std::vector<Vec3> rows_of(const PosedPerson& p) const { return morph_.rows(p.parameters); }
@@ -209,6 +243,14 @@ class Registration {
     for (const auto& [bone, weight] : data_.skin[std::size_t(vertex)])
       sum += weight * (bones[std::size_t(bone)] * rows[std::size_t(vertex)]);
     return p.place * sum;
+  }
+
+  std::vector<Vec3> surface_of(const PosedPerson& person, const std::vector<Vec3>& rows) const {
+    const auto bones = pose_bones(data_, joint_positions(data_, rows), person.rotations);
+    std::vector<Vec3> surface(std::size_t(data_.body_vertices));
+    for (int v = 0; v < data_.body_vertices; ++v)
+      surface[std::size_t(v)] = posed(person, bones, rows, v);
+    return surface;
   }
 
   std::vector<Match> matches(const std::vector<Vec3>& surface, double scale) const {
@@ -259,10 +301,7 @@ class Registration {
   double step(const PersonVariables& variables, VectorXd& x, double scale) const {
     const PosedPerson now = variables.at(x);
     const auto rows = rows_of(now);
-    const auto bones = pose_bones(data_, joint_positions(data_, rows), now.rotations);
-    std::vector<Vec3> surface(std::size_t(data_.body_vertices));
-    for (int v = 0; v < data_.body_vertices; ++v)
-      surface[std::size_t(v)] = posed(now, bones, rows, v);
+    const std::vector<Vec3> surface = surface_of(now, rows);
     const std::vector<Match> matched = matches(surface, scale);
     const auto m = Eigen::Index(matched.size()), n = x.size();
     const auto residuals = [&](const PosedPerson& p, const std::vector<Vec3>& r) {
@@ -331,13 +370,19 @@ RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& sca
   Registration registration(model, scan);
   PosedPerson person = registration.nearest();
   // Fists, or hands that hold something, would draw the arms to where the model's fingers end.
-  const bool as_hands = registration.hands_off(person) <= kHandsOff;
-  if (!as_hands) {
+  // An arm that lies elsewhere for another reason is not always found better without its hand;
+  // where it is, the hand may well be the model's.
+  bool left_out = false;
+  if (registration.hands_are_off(person)) {
     registration.leave_hands_out();
-    person = registration.nearest();
+    PosedPerson handless = registration.nearest();
+    if (registration.is_as_near(handless, person)) {
+      left_out = registration.hands_are_off(handless);
+      person = std::move(handless);
+    }
   }
   RegisteredPerson registered = lay_skin(model, scan, person);
-  registered.hands_left_out = !as_hands;
+  registered.hands_left_out = left_out;
   return registered;
 }
 

@@ -25,7 +25,7 @@ struct RegisteredPerson {
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
   StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
-  bool hands_left_out = false;  ///< the scan's are held another way: the model's tell nothing
+  bool hands_left_out = false;  ///< one is missing in the scan or held another way: neither counted
 };
 
 }  // namespace loosefit::body

@@ -132,8 +132,8 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
                   1e3 * made.error.median, 1e3 * made.error.p95));
   if (registered.hands_left_out)
     made.warnings.push_back(
-        "the hands are closed, or held in another way than the model's: those of the model are "
-        "used, and arms are as long as the skin above the hands tells");
+        "a hand is closed, missing or held in another way than the model's: both hands are the "
+        "model's, and arms are as long as the skin above the hands tells");
   if (off > kUsualStandOff)
     made.warnings.push_back(
         "it is taken for skin, although " + off_in_words(registered.stand_off) +
