@@ -58,6 +58,15 @@ TEST(KnownOneShoulder, FrontAndBackOfOneOutlineThatWouldHangOnBothShouldersAreNo
   EXPECT_TRUE(know_garment(pattern).kind.empty());
 }
 
+TEST(KnownOneShoulder, SixSidedPiecesOfOneHandDoNotHideASkirt) {
+  Pattern pattern = unsewn_skirt();
+  for (const char* name : {"pouch", "pouch_2"})
+    pattern.panels.push_back(numbered_panel(name, outline()));
+  const KnownGarment known = know_garment(pattern);
+  EXPECT_EQ(known.kind, "skirt");
+  EXPECT_FALSE(known.certain()) << "they are no part of it";
+}
+
 TEST(KnownOneShoulder, AHalfOfAnOrdinaryFrontIsNone) {
   Panel half =
       numbered_panel("FRONT", {straight({0, 0}, {0.27, 0}), straight({0.27, 0}, {0.25, 0.38}),

@@ -36,9 +36,14 @@ class Knower {
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p) sort(static_cast<int>(p));
     if (trunks_.size() == 2 && (sleeves_.empty() || sleeves_.size() == 2) && legs_.empty())
       shirt();
-    else if (one_shoulders_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
+    else if (one_shoulders_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty()) {
       one_shoulder();
-    else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
+      if (garment_.kind.empty()) {
+        for (const int p : one_shoulders_) garment_.pieces[p] = {};
+        append(gores_, one_shoulders_);
+        skirt();
+      }
+    } else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
       trousers();
     else if (whole_legs_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       leggings();
