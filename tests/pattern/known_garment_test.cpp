@@ -291,6 +291,37 @@ TEST(ProposeSeams, ASleeveIsSewnToItselfNotToThatOfTheOtherArm) {
   EXPECT_EQ(underarms, 2);
 }
 
+/// Two long sides that differ: no copy of itself.
+std::vector<CurveChain> half_sleeve() {
+  return {straight({0, 0.5}, {-0.17, 0.35}), straight({-0.17, 0.35}, {-0.10, 0.1}),
+          straight({-0.10, 0.1}, {0, 0.1}), straight({0, 0.1}, {0, 0.5})};
+}
+
+bool sews(const SeamProposals& proposals, int one, int other) {
+  return std::ranges::any_of(proposals.seams, [&](const SeamProposal& proposal) {
+    const int a = proposal.seam.first.front().panel, b = proposal.seam.second.front().panel;
+    return std::minmax(a, b) == std::minmax(one, other);
+  });
+}
+
+TEST(ProposeSeams, NoSleeveIsSewnToACopyWhicheverComesFirst) {
+  // The third is the copy of both others, of which only the first is its own.
+  Pattern pattern;
+  pattern.panels = {numbered_panel("sleeve_a", half_sleeve()),
+                    numbered_panel("sleeve_b", half_sleeve()),
+                    mirrored_panel("sleeve", half_sleeve())};
+  const SeamProposals found = propose_seams(pattern, {});
+  EXPECT_FALSE(sews(found, 0, 2));
+  EXPECT_FALSE(sews(found, 1, 2));
+}
+
+TEST(ProposeSeams, FrontAndBackOfOneSleeveAreSewnToEachOther) {
+  Pattern pattern;
+  pattern.panels = {numbered_panel("sleeve", half_sleeve()),
+                    mirrored_panel("sleeve_back", half_sleeve())};
+  EXPECT_TRUE(sews(propose_seams(pattern, {}), 0, 1));
+}
+
 TEST(LeastCost, FindsTheBestOfAllAssignments) {
   const std::vector<std::vector<double>> cost = {
       {4, 1, 3, 7}, {2, 0, 5, 1}, {3, 2, 2, 6}, {9, 3, 1, 8}};

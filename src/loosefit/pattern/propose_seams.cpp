@@ -205,9 +205,11 @@ class Pairing {
   double cost_of(const Side& a, const Side& b) const {
     const double lengths = difference(a.section.length, b.section.length);
     if (lengths > kMostGathered) return kNever;
-    // Sleeves are for two arms.
+    // Sleeves are for two arms; front and back of one are sewn to each other.
     const PieceWords &u = words_[a.panel], &v = words_[b.panel];
-    if (a.panel != b.panel && u.sleeve && v.sleeve && twin_[a.panel] == b.panel) return kNever;
+    const bool twins = twin_[a.panel] == b.panel || twin_[b.panel] == a.panel;
+    const bool halves = u.front != v.front || u.back != v.back;
+    if (a.panel != b.panel && u.sleeve && v.sleeve && twins && !halves) return kNever;
     // A strip is sewn end to end, not shut along its length.
     if (a.panel == b.panel && strip_end_[a.panel] > 0 && a.section.length > strip_end_[a.panel])
       return kNever;
