@@ -36,14 +36,9 @@ class Knower {
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p) sort(static_cast<int>(p));
     if (trunks_.size() == 2 && (sleeves_.empty() || sleeves_.size() == 2) && legs_.empty())
       shirt();
-    else if (one_shoulders_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty()) {
+    else if (one_shoulders_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       one_shoulder();
-      if (garment_.kind.empty()) {
-        for (const int p : one_shoulders_) garment_.pieces[p] = {};
-        append(gores_, one_shoulders_);
-        skirt();
-      }
-    } else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
+    else if (legs_.size() == 4 && trunks_.empty() && sleeves_.empty())
       trousers();
     else if (whole_legs_.size() == 2 && trunks_.empty() && sleeves_.empty() && legs_.empty())
       leggings();
@@ -267,7 +262,7 @@ class Knower {
 
   void one_shoulder() {
     const auto piece = [this](int p) -> KnownPiece& { return garment_.pieces[p]; };
-    if (piece(one_shoulders_[0]).side == piece(one_shoulders_[1]).side) return;
+    if (piece(one_shoulders_[0]).side == piece(one_shoulders_[1]).side) return skirt();
     trunks_ = one_shoulders_;
     front_first(trunks_, 0);
     const int front = trunks_[0], back = trunks_[1];
