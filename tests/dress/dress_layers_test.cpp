@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "loosefit/base/error.h"
+#include "loosefit/dress/garments_cut.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/shirt_kind.h"
@@ -95,7 +95,7 @@ TEST(DressLayers, PlacedPanelsThatCutTheGarmentUnderThemAreAnError) {
   try {
     dress_layers({{&shirt, kinds::lay_shirt}, {&square, {}, place}}, body);
     FAIL();
-  } catch (const GeometryError& error) {
+  } catch (const GarmentsCut& error) {
     EXPECT_NE(std::string(error.what()).find("under them"), std::string::npos) << error.what();
     EXPECT_FALSE(error.hint().empty());
   }

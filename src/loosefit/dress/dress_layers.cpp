@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/surface_distance.h"
+#include "loosefit/dress/garments_cut.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -134,7 +135,7 @@ std::vector<Vec3> place_over(const LayerToDress& layer, const Dressed& under,
       if (by == kFarther[0]) throw;
     }
   if (cutting_skin) return *std::move(cutting_skin);
-  throw GeometryError(
+  throw GarmentsCut(
       "pattern: the placed panels cut through the garments under them, " + why,
       "more room in the outer garment, or a closer one under it; panels of a file that gives them "
       "places may be placed farther out (translation)");

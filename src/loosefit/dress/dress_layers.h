@@ -22,8 +22,8 @@ struct LayerToDress {
 /// Each as if alone (lay_round, LayerToDress::place), but every one that is laid round the body
 /// with more room than the layer under it, so that its sheets pass before and behind those, and its
 /// seams beside them; one that is placed goes round a wearer who is thicker by what lies under it,
-/// there only. Nothing cuts anything. \throws as the above, and NoRoom when garments cut each
-/// other.
+/// there only. Nothing cuts anything. \throws as the above, and NoRoom when garments that are laid
+/// round the body cut each other, GarmentsCut when placed ones do.
 std::vector<Vec3> dress_layers(const std::vector<LayerToDress>& layers,
                                const body::PosedBody& body);
 

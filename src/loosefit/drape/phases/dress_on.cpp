@@ -3,10 +3,10 @@
 #include <cmath>
 #include <random>
 
-#include "loosefit/base/error.h"
 #include "loosefit/drape/lay_padded.h"
 #include "loosefit/drape/phases/sew_on.h"
 #include "loosefit/dress/dress_layers.h"
+#include "loosefit/dress/garments_cut.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/kinds/registry.h"
 
@@ -68,7 +68,8 @@ std::vector<Vec3> laid_round(ClothState& state, const body::PosedBody& body) {
            lies_over_other_limbs(state, l);
   if (any) try {
       return dress::dress_layers(layers_to_dress(state, true), body);
-    } catch (const GeometryError&) {  // also of garments that cut each other
+    } catch (const dress::NoRoom&) {
+    } catch (const dress::GarmentsCut&) {
     }
   return dress::dress_layers(layers_to_dress(state, false), body);
 }
