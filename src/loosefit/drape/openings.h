@@ -38,8 +38,9 @@ bool is_upper_end(const Opening& a, const Opening& b);
 /// below a single opening are legs, a second pair below the first are legs too, two in the middle
 /// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. Of three, the
 /// lowest in the middle, a smaller one beside the middle that comes up to the shoulder is the only
-/// armhole. An edge that runs from top to bottom is an open front. Holes that no hand goes through
-/// (8 cm) are left out.
+/// armhole, where the third comes down beside it. Cloth `of_legs` has no neck and no armholes:
+/// holes at its sides between its ends are slits, for nothing. An edge that runs from top to bottom
+/// is an open front. Holes that no hand goes through (8 cm) are left out.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 
