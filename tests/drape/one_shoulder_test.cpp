@@ -64,6 +64,14 @@ TEST(OneShoulder, AnOrdinaryTankTopAndASkirtHaveNoSingleArmhole) {
     EXPECT_NE(o.use, OpeningUse::left_arm);
 }
 
+/// Front and back upright before and behind the middle.
+void stand_up(pattern::Pattern& pattern) {
+  pattern.panels[0].rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  pattern.panels[0].translation = Vec3(0, -0.2, 0.4);
+  pattern.panels[1].rotation << -1, 0, 0, 0, 0, 1, 0, 1, 0;
+  pattern.panels[1].translation = Vec3(0, 0.2, 0.4);
+}
+
 /// A skirt whose side seams are left open for pockets, on the left or on both sides.
 std::vector<Opening> with_slits(int slits, const std::string& name) {
   const auto panel = [&](const std::string& called) {
@@ -77,12 +85,7 @@ std::vector<Opening> with_slits(int slits, const std::string& name) {
   };
   pattern::Pattern pattern;
   pattern.panels = {panel(name + "front"), panel(name + "back")};
-  pattern.panels[0].translation = Vec3(0, -0.2, 0.4);
-  pattern.panels[1].rotation = Eigen::AngleAxisd(kPi, Vec3::UnitZ()).toRotationMatrix();
-  Mat3 upright;
-  upright << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  for (pattern::Panel& p : pattern.panels) p.rotation = p.rotation * upright;
-  pattern.panels[1].translation = Vec3(0, 0.2, 0.4);
+  stand_up(pattern);
   for (const int e : {1, 2, 3, 5, 6, 7}) {
     if ((e == 2 && slits > 0) || (e == 6 && slits > 1)) continue;
     pattern.stitches.push_back(stitch(0, e, 1, 8 - e));
@@ -102,6 +105,24 @@ TEST(OneShoulder, TheSlitOfAPocketInASkirtIsNoArmhole) {
       EXPECT_EQ(count(found, OpeningUse::upper), *name ? 1 : 0);
       EXPECT_EQ(count(found, OpeningUse::hem), *name ? 1 : 0);
     }
+}
+
+TEST(OneShoulder, SlitsInTheSideSeamsOfTrousersAreNoArmholes) {
+  const std::vector<Vec2> corners = {{-0.25, 0},   {-0.03, 0},    {0, 0.5},     {0.03, 0},
+                                     {0.25, 0},    {0.24, 0.6},   {0.22, 0.75}, {0.20, 0.8},
+                                     {-0.20, 0.8}, {-0.22, 0.75}, {-0.24, 0.6}};
+  pattern::Pattern pattern;
+  pattern.panels = {polygon_panel("leg front", corners), polygon_panel("leg back", corners)};
+  stand_up(pattern);
+  for (const int e : {4, 6, 8, 10}) pattern.stitches.push_back(stitch(0, e, 1, 14 - e));
+  for (const int e : {1, 2}) pattern.stitches.push_back(stitch(0, e, 1, 3 - e));
+  const std::vector<Opening> found =
+      garment_openings(garment::assemble(pattern, 0.02, fabric::Material{}), pattern);
+  ASSERT_EQ(found.size(), 5u);
+  EXPECT_EQ(count(found, OpeningUse::left_arm) + count(found, OpeningUse::neck), 0);
+  EXPECT_EQ(count(found, OpeningUse::waist), 1);
+  EXPECT_EQ(count(found, OpeningUse::left_leg), 1);
+  EXPECT_EQ(count(found, OpeningUse::right_leg), 1);
 }
 
 }  // namespace

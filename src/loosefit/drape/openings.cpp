@@ -118,6 +118,9 @@ class Uses {
         use(middle_ones_[0], kinds::OpeningUse::waist);
         legs(pairs_[0]);
       }
+    } else if (of_legs() && middles == 1 && pairs == 2 && of_.size() == 5) {
+      use(middle_ones_[0], kinds::OpeningUse::waist);
+      legs(pairs_[1]);
     } else if (middles == 1 && pairs == 2 && of_.size() == 5) {
       use(middle_ones_[0], kinds::OpeningUse::neck);
       arms(pairs_[0]);
