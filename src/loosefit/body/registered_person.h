@@ -16,6 +16,8 @@ struct StandOff {
   double share = 0;               ///< that is farther outside than kStandOff
   Segment most = Segment::torso;  ///< which has the largest share of its own
   double most_share = 0;          ///< that
+  double neck_seen = 0;           ///< share of the model's neck over which the scan has skin
+  double neck_share = 0;          ///< of what is seen of the neck
 };
 inline constexpr double kStandOff = 0.010;  ///< [m]
 

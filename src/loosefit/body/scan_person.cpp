@@ -21,7 +21,8 @@ constexpr double kLevel = radians(90);  // as far aside as arms can be asked for
 // bare ones and of averages of other body models at most 2 % (docs/theory/body_model.md 8).
 constexpr double kUsualStandOff = 0.04, kMostStandOff = 0.07;
 // Of the neck alone: hair, scarves and hoods hide it, whatever else is bare.
-constexpr double kMostStandOffNeck = 0.5;
+constexpr double kMostStandOffNeck = 0.35;
+constexpr double kLeastNeckSeen = 0.3;  // share of the neck that has to be there to tell
 constexpr double kMostOffClothed =
     0.010;  // in the median, before the shift [m]: at most 6 mm there
 
@@ -101,6 +102,25 @@ InvalidInput clothed(const RegisteredPerson& registered, const ScanOptions& opti
       "instead");
 }
 
+/// Whether hair, a scarf or a hood lies where the skin of the neck would be.
+bool hides_neck(const RegisteredPerson& registered) {
+  return registered.of_model.median <= kMostOffClothed &&
+         registered.stand_off.neck_seen >= kLeastNeckSeen &&
+         registered.stand_off.neck_share > kMostStandOffNeck;
+}
+
+InvalidInput hidden_neck(const RegisteredPerson& registered, const ScanOptions& options) {
+  return InvalidInput(
+      {options.file, 0, ""},
+      fmt::format("clothes or hair over the neck: {:.0f} % of it lie more than {:.0f} mm outside "
+                  "the person of the model who fits best",
+                  100 * registered.stand_off.neck_share, 1e3 * kStandOff),
+      "the skin of one person with a bare neck",
+      "scan the person with the hair tied up, or press the hair onto the skin of neck and back in "
+      "a mesh editor (cut off or cropped, it leaves no skin to measure), or make a body from "
+      "measures instead");
+}
+
 }  // namespace
 
 std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::TriangleMesh mesh,
@@ -109,15 +129,13 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
   options.tell_crossings = false;  // the model's skin is used, not the scan's
   CheckedSurface checked = check_surface(std::move(mesh), options);
   RegisteredPerson registered = register_person(model, checked.mesh);
+  if (hides_neck(registered)) throw hidden_neck(registered, options);
   const double off = registered.stand_off.share;
   if (!(registered.error.median <= kMostOff.median && registered.error.p95 <= kMostOff.p95)) {
     if (off > kMostStandOff && registered.of_model.median <= kMostOffClothed)
       throw clothed(registered, options);
     return std::nullopt;
   }
-  if (registered.stand_off.most == Segment::neck &&
-      registered.stand_off.most_share > kMostStandOffNeck)
-    throw clothed(registered, options);
   ScanPerson made;
   made.body = model.build(registered.person);
   made.body.from_world = checked.from_world;

@@ -21,10 +21,11 @@ using geometry::TriangleMesh;
 
 // Weight of smoothness against one vertex that knows its place: from stiff to supple.
 constexpr std::array kStiffness = {8.0, 4.0, 2.0, 2.0, 2.0};
-constexpr double kReach = 0.03;    // farther skin of the scan is somebody's else [m]
-constexpr double kSameSide = 0.5;  // least cosine between the normals
-constexpr double kPassed = 0.02;   // depth to which skin may have passed through other skin [m]
-constexpr double kAlone = 1e-4;    // of the shift itself, where no neighbour knows its place
+constexpr double kReach = 0.03;      // farther skin of the scan is somebody's else [m]
+constexpr double kHairReach = 0.12;  // farther off than that nothing hangs round a neck [m]
+constexpr double kSameSide = 0.5;    // least cosine between the normals
+constexpr double kPassed = 0.02;     // depth to which skin may have passed through other skin [m]
+constexpr double kAlone = 1e-4;      // of the shift itself, where no neighbour knows its place
 
 constexpr std::size_t kStandOffSamples = 3000;  // of the scan's vertices
 constexpr std::size_t kSegments = 9;
@@ -95,6 +96,31 @@ StandOff stand_off_of(const Laid& laid, const BodyModel& model, const TriangleMe
   return found;
 }
 
+/// Fills in what the scan has over the model's neck. A scan may end there, so that few of its
+/// points tell: the skin of the model is asked instead, from which the scan lies along the normal.
+template <class NormalOf>
+void look_at_neck(StandOff& found, const Laid& laid, const BodyModel& model,
+                  const ClosestPointTree& scan, const NormalOf& scan_normal) {
+  const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
+  int all = 0, seen = 0, off = 0;
+  for (std::size_t v = 0; v < laid.surface.size(); ++v) {
+    if (model.segments()[v] != Segment::neck) continue;
+    ++all;
+    const Vec3& n = outward[v];
+    const auto faces = [&](int t) { return scan_normal(t).dot(n) > kSameSide; };
+    const ClosestPoint c = scan.query(laid.surface[v], kHairReach, faces);
+    if (c.triangle < 0) continue;
+    const Vec3 to_scan = c.point - laid.surface[v];
+    const double out = to_scan.dot(n);
+    // Sideways lies the rim where a scan ends.
+    if ((to_scan - out * n).norm() > std::max(kStandOff, std::abs(out))) continue;
+    ++seen;
+    off += out > kStandOff;
+  }
+  found.neck_seen = all == 0 ? 0 : double(seen) / all;
+  found.neck_share = seen == 0 ? 0 : double(off) / seen;
+}
+
 /// Whether other skin faces a vertex nearby: in armpits, between the thighs, under hanging arms.
 std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& outward, int count) {
   const TriangleMesh mesh{laid.surface, laid.triangles};
@@ -135,6 +161,7 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   Laid laid = lay(model, result.person);
   result.of_model = error_of(laid, model, scan, tree);
   result.stand_off = stand_off_of(laid, model, scan);
+  look_at_neck(result.stand_off, laid, model, tree, scan_normal);
   std::vector<Vec3> moved(std::size_t(count), Vec3::Zero());  // so far, in the scan's frame
   for (const double stiffness : kStiffness) {
     const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
