@@ -87,6 +87,19 @@ TEST(Posture, RestToPosedMapsCarryTheRestBody) {
   EXPECT_NEAR(floor, 0, 1e-12);
 }
 
+TEST(Posture, OfAShapeIsThatOfItsParameters) {
+  const BodyModel& model = body_model();
+  const Posture posture{radians(8), radians(10), 0.2, 0, 0.66, 0, 1};
+  const Body built = model.build(BodyParameters{}, posture);
+  const BodyShape shape = model.shape({});
+  const Body posed = model.posed(shape, posture);
+  EXPECT_EQ(posed.surface.vertices, built.surface.vertices);
+  EXPECT_EQ(posed.measured, built.measured);
+  EXPECT_EQ(posed.landmark_vertex, built.landmark_vertex);
+  EXPECT_EQ(posed.joints, built.joints);
+  EXPECT_EQ(model.vertices(shape, posture), built.surface.vertices);
+}
+
 TEST(Posture, ArmsHangAtTheAngleAskedFor) {
   for (const double angle : {15., 25., 40., 60.}) {
     const Body body = body_model().build({}, {radians(angle), 0, 0});

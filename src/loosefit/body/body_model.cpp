@@ -134,15 +134,44 @@ double BodyModel::scye_depth(const RestBody& rest) const {
   return shoulder.z() - armscye_round(surface, joint).fold;
 }
 
+// Measures belong to the shape, not to the posture.
+BodyShape BodyModel::measured(RestBody rest) const {
+  BodyShape shape;
+  shape.measured = BodyTape(*data_, rest).all();
+  shape.measured["scye_depth"] = scye_depth(rest);
+  shape.landmark_vertex = landmark_vertices(*data_, rest);
+  shape.rest = std::move(rest);
+  return shape;
+}
+
+BodyShape BodyModel::shape(const BodyParameters& parameters) const {
+  check_parameters(parameters);
+  return measured(rest(parameters));
+}
+
+std::vector<Eigen::Affine3d> BodyModel::bones(const RestBody& rest, const Posture& posture) const {
+  const Posture clear = with_clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
+  return pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, clear));
+}
+
 Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) const {
   check_parameters(parameters);
   check_posture(posture);
-  // Shape first, in rest posture, then the pose of the bones.
-  const RestBody rest = this->rest(parameters);
-  const Posture clear = with_clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
-  const auto bones = pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, clear));
+  return posed(shape(parameters), posture);
+}
 
-  return carry(rest, bones, Floor::under_the_feet);
+Body BodyModel::posed(const BodyShape& shape, const Posture& posture) const {
+  check_posture(posture);
+  return carry(shape, bones(shape.rest, posture), Floor::under_the_feet);
+}
+
+std::vector<Vec3> BodyModel::vertices(const BodyShape& shape, const Posture& posture) const {
+  check_posture(posture);
+  std::vector<Vec3> placed =
+      carried(blend_bones(bones(shape.rest, posture), fine_skin_), shape.rest.surface.vertices);
+  const Vec3 drop(0, 0, lowest(placed));
+  for (Vec3& p : placed) p -= drop;
+  return placed;
 }
 
 Body BodyModel::build(const PosedPerson& person) const {
@@ -150,17 +179,16 @@ Body BodyModel::build(const PosedPerson& person) const {
   const RestBody rest = this->rest(person.parameters);
   auto bones = pose_bones(*data_, rest.joints, person.rotations);
   for (Eigen::Affine3d& bone : bones) bone = Eigen::Affine3d(person.place.matrix()) * bone;
-  return carry(rest, bones, Floor::as_placed);
+  return carry(measured(rest), bones, Floor::as_placed);
 }
 
-Body BodyModel::carry(const RestBody& rest, const std::vector<Eigen::Affine3d>& bones,
+Body BodyModel::carry(const BodyShape& shape, const std::vector<Eigen::Affine3d>& bones,
                       Floor floor) const {
-  // Measures belong to the shape, not to the posture.
+  const RestBody& rest = shape.rest;
   Body body;
   body.segment = segment_;
   body.side = side_;
-  body.measured = BodyTape(*data_, rest).all();
-  body.measured["scye_depth"] = scye_depth(rest);
+  body.measured = shape.measured;
   body.pose_from_rest = blend_bones(bones, fine_skin_);
   body.surface.triangles = rest.surface.triangles;
   body.surface.vertices = carried(body.pose_from_rest, rest.surface.vertices);
@@ -173,7 +201,7 @@ Body BodyModel::carry(const RestBody& rest, const std::vector<Eigen::Affine3d>& 
 
   // Landmarks are vertices of the skin.
   body.normals = geometry::vertex_normals(body.surface.vertices, body.surface.triangles);
-  body.landmark_vertex = landmark_vertices(*data_, rest);
+  body.landmark_vertex = shape.landmark_vertex;
   for (const auto& [name, v] : body.landmark_vertex) {
     body.landmarks[name] = body.surface.vertices[std::size_t(v)];
   }

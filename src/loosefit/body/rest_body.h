@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <string>
 #include <vector>
 
 #include "loosefit/body/body_data.h"
@@ -11,6 +13,13 @@ namespace loosefit::body {
 struct RestBody {
   geometry::TriangleMesh surface;
   std::vector<Vec3> joints;  ///< per joint of BodyData
+};
+
+/// What of a person no posture changes.
+struct BodyShape {
+  RestBody rest;
+  std::map<std::string, double> measured;      ///< as Body::measured
+  std::map<std::string, int> landmark_vertex;  ///< as Body::landmark_vertex
 };
 
 /// Joint positions of morphed rows.

@@ -61,14 +61,15 @@ body::Body SoftBody::moved(body::Body body, const CachedDisplacement& cached) {
   return displaced(std::move(body), all);
 }
 
-std::vector<Vec3> SoftBody::built(const body::Posture& posture) const {
-  return model_.build(parameters_, posture).surface.vertices;
+const body::BodyShape& SoftBody::shape() const {
+  if (!shape_) shape_ = std::make_shared<const body::BodyShape>(model_.shape(parameters_));
+  return *shape_;
 }
 
 const SoftBody::CachedDisplacement& SoftBody::nearest(const body::Posture& posture) {
   if (cached_.empty()) {
     cached_.push_back({model_.rest_posture(parameters_), {}, {}});
-    const body::Body rest = model_.build(parameters_, cached_.front().posture);
+    const body::Body rest = as_built(cached_.front().posture);
     rest_ = rest.surface.vertices;
     const auto overlaps = overlaps_of(rest);
     overlaps_at_rest_ = {overlaps.begin(), overlaps.end()};
@@ -134,7 +135,7 @@ bool SoftBody::is_free(const body::Body& body) const {
 }
 
 body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
-  body::Body stiff = model_.build(parameters_, posture);
+  body::Body stiff = as_built(posture);
   const auto overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
   const CachedDisplacement start = nearest(posture);

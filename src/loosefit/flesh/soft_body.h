@@ -43,13 +43,21 @@ class SoftBody {
 
   /// As BodyModel::build: flesh has not given way.
   body::Body as_built(const body::Posture& posture) const {
-    return model_.build(parameters_, posture);
+    return model_.posed(shape(), posture);
+  }
+  /// The vertices of its surface.
+  std::vector<Vec3> built(const body::Posture& posture) const {
+    return model_.vertices(shape(), posture);
   }
 
   const body::BodyParameters& parameters() const { return parameters_; }
 
   /// The same person, not asked anything yet.
-  SoftBody without_cache() const { return {model_, parameters_}; }
+  SoftBody without_cache() const {
+    SoftBody person(model_, parameters_);
+    person.shape_ = shape_;
+    return person;
+  }
 
   /// Takes over what a copy of this has been asked since, so that it need not be made again.
   void merge_cache(const SoftBody& copy);
@@ -67,12 +75,14 @@ class SoftBody {
                               const body::Body& body, const SkinPatch& patch,
                               Progress* progress) const;
   static body::Body moved(body::Body body, const CachedDisplacement& cached);
-  std::vector<Vec3> built(const body::Posture& posture) const;
+  const body::BodyShape& shape() const;
   /// Whether nothing overlaps but what does at rest, which no way from there can part.
   bool is_free(const body::Body& body) const;
 
   const body::BodyModel& model_;
   body::BodyParameters parameters_;
+  /// Made when it is first asked for; copies of this share it.
+  mutable std::shared_ptr<const body::BodyShape> shape_;
   std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
   /// There, in creases that the shape of the body itself folds: shoulders of the old, for one.
   std::set<std::pair<int, int>> overlaps_at_rest_;

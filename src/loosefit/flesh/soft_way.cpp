@@ -29,7 +29,7 @@ const std::vector<Vec3>& SoftWay::moved(int stop) {
   if (known != moved_.end()) return known->second;
   const body::Posture there = posture(double(stop) / stops_);
   std::vector<Vec3> moved = person_->in(there)->surface.vertices;
-  const std::vector<Vec3> built = person_->as_built(there).surface.vertices;
+  const std::vector<Vec3> built = person_->built(there);
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v] -= built[v];
   return moved_[stop] = std::move(moved);
 }
