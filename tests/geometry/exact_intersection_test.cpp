@@ -36,6 +36,39 @@ TEST(ExactIntersection, NeighboursThatShareAVertexCountOnlyWhenTheyPierce) {
   EXPECT_EQ(self_intersections(piercing, {{0, 1, 2}, {0, 3, 4}}).size(), 1u);
 }
 
+TEST(ExactIntersection, OfSomeTrianglesAreThosePairsOfAllThatHaveOneOfThem) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> u(-0.2, 0.2), size(-0.05, 0.05);
+  std::vector<Vec3> x;
+  std::vector<Triangle> triangles;
+  std::vector<char> wanted;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 p(u(rng), u(rng), u(rng));
+    for (int k = 0; k < 3; ++k) x.push_back(p + Vec3(size(rng), size(rng), size(rng)));
+    const int shared = i % 3 == 0 && i > 0 ? 3 * i - 3 : 3 * i;  // with the one before
+    triangles.push_back({shared, 3 * i + 1, 3 * i + 2});
+    wanted.push_back(i % 5 < 2);
+  }
+  std::vector<std::pair<int, int>> expected;
+  for (const auto& [i, j] : self_intersections(x, triangles))
+    if (wanted[i] || wanted[j]) expected.emplace_back(i, j);
+  EXPECT_GE(expected.size(), 20u);
+  EXPECT_EQ(self_intersections(x, triangles, wanted), expected);
+}
+
+TEST(ExactIntersection, CoplanarTrianglesAndDegenerateOnesAreDecidedAsWithoutAQuickNo) {
+  // In one slanted plane, up to round-off: side by side, overlapping, and a side that lies in one.
+  const auto at = [](double u, double v) { return Vec3(0.1 + u, 0.2 + v, 0.3 * u + 0.7 * v); };
+  const std::vector<Vec3> x = {at(0, 0), at(1, 0), at(0, 1),  at(0.2, 0.2), at(1.2, 0.2), at(2, 2),
+                               at(3, 2), at(2, 3), {0, 0, 5}, {0, 0, 6},    {0, 0, 7}};
+  EXPECT_TRUE(self_intersections(x, {{0, 1, 2}, {5, 6, 7}}).empty());
+  const std::vector<Vec3> flat = {{0, 0, 1},     {1, 0, 1},     {0, 1, 1},     {0.2, 0.2, 1},
+                                  {1.2, 0.2, 1}, {0.2, 1.2, 1}, {0.3, 0.3, 0}, {0.3, 0.3, 2}};
+  EXPECT_EQ(self_intersections(flat, {{0, 1, 2}, {3, 4, 5}}).size(), 1u);
+  EXPECT_EQ(self_intersections(flat, {{0, 1, 2}, {6, 7, 6}}).size(), 1u);
+  EXPECT_TRUE(self_intersections(x, {{0, 1, 2}, {8, 9, 10}}).empty());
+}
+
 TEST(ExactIntersection, WithATreeTheSamePairsAreFoundAsWithout) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> u(-0.4, 0.4), size(-0.05, 0.05);

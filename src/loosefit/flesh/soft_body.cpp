@@ -19,20 +19,51 @@ bool is_dressed(body::Segment s) {
          s == body::Segment::forearm || s == body::Segment::thigh;
 }
 
+/// The dressed triangles: most of a body's are hands, feet and face.
+struct DressedSkin {
+  explicit DressedSkin(const body::Body& body) {
+    const auto& all = body.surface.triangles;
+    for (std::size_t t = 0; t < all.size(); ++t)
+      if (is_dressed(body.segment[all[t][0]])) {
+        number.push_back(static_cast<int>(t));
+        triangles.push_back(all[t]);
+      }
+  }
+  /// Pairs of these triangles by their numbers of the body.
+  Overlaps numbered(Overlaps pairs) const {
+    for (auto& [a, b] : pairs) a = number[a], b = number[b];
+    return pairs;
+  }
+  std::vector<int> number;
+  std::vector<Triangle> triangles;
+};
+
+/// overlaps_of a body whose vertices `moved`, and no others, are not where they were when
+/// `before` was found.
+Overlaps overlaps_after(const body::Body& body, const Overlaps& before,
+                        const std::vector<int>& moved) {
+  std::vector<char> has_moved(body.surface.vertices.size());
+  for (int v : moved) has_moved[v] = 1;
+  const auto touched = [&](const Triangle& t) {
+    return has_moved[t[0]] || has_moved[t[1]] || has_moved[t[2]];
+  };
+  const DressedSkin skin(body);
+  std::vector<char> wanted;
+  for (const Triangle& t : skin.triangles) wanted.push_back(touched(t));
+  Overlaps overlaps =
+      skin.numbered(geometry::self_intersections(body.surface.vertices, skin.triangles, wanted));
+  for (const auto& [a, b] : before)
+    if (!touched(body.surface.triangles[a]) && !touched(body.surface.triangles[b]))
+      overlaps.emplace_back(a, b);
+  std::sort(overlaps.begin(), overlaps.end());
+  return overlaps;
+}
+
 }  // namespace
 
-std::vector<std::pair<int, int>> overlaps_of(const body::Body& body) {
-  const auto& triangles = body.surface.triangles;
-  std::vector<int> number;  // of the dressed triangles: most of a body's are hands, feet and face
-  std::vector<Triangle> dressed;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (is_dressed(body.segment[triangles[t][0]])) {
-      number.push_back(static_cast<int>(t));
-      dressed.push_back(triangles[t]);
-    }
-  auto overlaps = geometry::self_intersections(body.surface.vertices, dressed);
-  for (auto& [a, b] : overlaps) a = number[a], b = number[b];
-  return overlaps;
+Overlaps overlaps_of(const body::Body& body) {
+  const DressedSkin skin(body);
+  return skin.numbered(geometry::self_intersections(body.surface.vertices, skin.triangles));
 }
 
 double turn_between(const body::Posture& a, const body::Posture& b) {
@@ -71,7 +102,7 @@ const SoftBody::CachedDisplacement& SoftBody::nearest(const body::Posture& postu
     cached_.push_back({model_.rest_posture(parameters_), {}, {}});
     const body::Body rest = as_built(cached_.front().posture);
     rest_ = rest.surface.vertices;
-    const auto overlaps = overlaps_of(rest);
+    const Overlaps overlaps = overlaps_of(rest);
     overlaps_at_rest_ = {overlaps.begin(), overlaps.end()};
   }
   const auto turn = [&](const CachedDisplacement& cached) {
@@ -128,29 +159,28 @@ void SoftBody::merge_cache(const SoftBody& copy) {
   }
 }
 
-bool SoftBody::is_free(const body::Body& body) const {
-  const auto overlaps = overlaps_of(body);
+bool SoftBody::is_free(const Overlaps& overlaps) const {
   return std::all_of(overlaps.begin(), overlaps.end(),
                      [&](const auto& pair) { return overlaps_at_rest_.count(pair) > 0; });
 }
 
 body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   body::Body stiff = as_built(posture);
-  const auto overlaps = overlaps_of(stiff);
+  const Overlaps overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return stiff;
   const CachedDisplacement start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return moved(std::move(stiff), start);
   CachedDisplacement there =
       led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
   body::Body body = moved(stiff, there);
-  bool free = is_free(body);
+  bool free = is_free(overlaps_after(body, overlaps, there.vertex));
   if (!free) {
     // What gave way met skin beyond the patch: all the way again, with more of it.
     const CachedDisplacement rest = cached_.front();
     there =
         led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
     body = moved(stiff, there);
-    free = is_free(body);
+    free = is_free(overlaps_after(body, overlaps, there.vertex));
   }
   if (free) cached_.push_back(std::move(there));
   return body;

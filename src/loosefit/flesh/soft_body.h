@@ -14,9 +14,11 @@ namespace loosefit::flesh {
 /// Largest angle by which a joint turns from one posture to the other [rad].
 double turn_between(const body::Posture& a, const body::Posture& b);
 
-/// Pairs of triangles of the skin that a garment can get between (trunk, neck, arms, thighs) that
-/// pass through each other.
-std::vector<std::pair<int, int>> overlaps_of(const body::Body& body);
+/// Pairs of triangles that pass through each other, sorted.
+using Overlaps = std::vector<std::pair<int, int>>;
+
+/// Those of the skin that a garment can get between: trunk, neck, arms, thighs.
+Overlaps overlaps_of(const body::Body& body);
 
 /// The body with its skin moved by so much at every vertex [m]; pose_from_rest tells the same
 /// place.
@@ -42,9 +44,7 @@ class SoftBody {
   body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
   /// As BodyModel::build: flesh has not given way.
-  body::Body as_built(const body::Posture& posture) const {
-    return model_.posed(shape(), posture);
-  }
+  body::Body as_built(const body::Posture& posture) const { return model_.posed(shape(), posture); }
   /// The vertices of its surface.
   std::vector<Vec3> built(const body::Posture& posture) const {
     return model_.vertices(shape(), posture);
@@ -77,7 +77,7 @@ class SoftBody {
   static body::Body moved(body::Body body, const CachedDisplacement& cached);
   const body::BodyShape& shape() const;
   /// Whether nothing overlaps but what does at rest, which no way from there can part.
-  bool is_free(const body::Body& body) const;
+  bool is_free(const Overlaps& overlaps) const;
 
   const body::BodyModel& model_;
   body::BodyParameters parameters_;

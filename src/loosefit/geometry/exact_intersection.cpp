@@ -48,6 +48,26 @@ Triangle3 triangle(const std::vector<Vec3>& x, const Triangle& t) {
   return {point(x[t[0]]), point(x[t[1]]), point(x[t[2]])};
 }
 
+/// Whether the corners of `other`, but for `skipped`, all lie on one side of the plane, by more
+/// than round-off: a quick no for nearly all pairs, where the exact predicates take several times
+/// as long.
+bool parted_by_plane(const std::vector<Vec3>& x, const Triangle& plane, const Triangle& other,
+                     int skipped) {
+  constexpr double kRounding = 1e-14;  // relative; the sums below are off by some 20 units of 1e-16
+  constexpr double kSmallest = 1e-290;  // well above numbers that lose digits by being small
+  const Vec3 &a = x[plane[0]], ab = x[plane[1]] - a, ac = x[plane[2]] - a, normal = ab.cross(ac);
+  const double size = kRounding * ab.norm() * ac.norm();
+  bool above = true, below = true;
+  for (int v : other) {
+    if (v == skipped) continue;
+    const Vec3 from = x[v] - a;
+    const double height = normal.dot(from), error = size * from.norm() + kSmallest;
+    above &= height > error;
+    below &= height < -error;
+  }
+  return above || below;
+}
+
 Box3 box_of(const std::vector<Vec3>& x, const Triangle& t) {
   Box3 box;
   for (int v : t) box.extend(x[v]);
@@ -76,10 +96,11 @@ bool cut_each_other(const std::vector<Vec3>& x, const Triangle& a, const Triangl
       vertex = v;
     }
   if (shared >= 2) return false;
+  const bool by_a = parted_by_plane(x, a, b, vertex), by_b = parted_by_plane(x, b, a, vertex);
   if (shared == 1)
-    return intersect(far_side(x, a, vertex), triangle(x, b)) ||
-           intersect(far_side(x, b, vertex), triangle(x, a));
-  return intersect(triangle(x, a), triangle(x, b));
+    return (!by_b && intersect(far_side(x, a, vertex), triangle(x, b))) ||
+           (!by_a && intersect(far_side(x, b, vertex), triangle(x, a)));
+  return !by_a && !by_b && intersect(triangle(x, a), triangle(x, b));
 }
 
 /// The pairs that are wanted, asked in parallel, in their order.
@@ -105,6 +126,26 @@ std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& ver
   return selected(overlapping_boxes(boxes_of(vertices, triangles)), [&](int i, int j) {
     return cut_each_other(vertices, triangles[i], triangles[j]);
   });
+}
+
+std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& vertices,
+                                                    const std::vector<Triangle>& triangles,
+                                                    const std::vector<char>& wanted) {
+  const std::vector<Box3> boxes = boxes_of(vertices, triangles);
+  std::vector<Box3> some;
+  std::vector<int> number;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (wanted[t]) {
+      some.push_back(boxes[t]);
+      number.push_back(static_cast<int>(t));
+    }
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& [s, j] : overlapping_boxes(some, boxes))
+    if (const int i = number[s]; i < j || !wanted[j]) pairs.emplace_back(std::minmax(i, j));
+  std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
+  std::sort(pairs.begin(), pairs.end());
+  return selected(
+      pairs, [&](int i, int j) { return cut_each_other(vertices, triangles[i], triangles[j]); });
 }
 
 std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_vertices,

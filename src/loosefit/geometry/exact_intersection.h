@@ -14,6 +14,12 @@ namespace loosefit::geometry {
 std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& vertices,
                                                     const std::vector<Triangle>& triangles);
 
+/// Those of them with a triangle, or two, for which `wanted` is set: after a part of a surface has
+/// moved, the others are as they were.
+std::vector<std::pair<int, int>> self_intersections(const std::vector<Vec3>& vertices,
+                                                    const std::vector<Triangle>& triangles,
+                                                    const std::vector<char>& wanted);
+
 /// Pairs (triangle of a, triangle of b) that intersect, touching included; exact predicates.
 std::vector<std::pair<int, int>> mesh_intersections(const std::vector<Vec3>& a_vertices,
                                                     const std::vector<Triangle>& a_triangles,
