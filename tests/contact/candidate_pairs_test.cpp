@@ -109,7 +109,7 @@ TEST(CandidatePairs, TouchingPairsAreThoseOfBruteForceWhileTheClothMoves) {
 
 TEST(CandidatePairs, NoPairThatComesWithinReachIsMissedAndTheShareIsThatOfBruteForce) {
   const Cloth cloth;
-  CandidatePairs kept(cloth.features());
+  CandidatePairs kept(cloth.features()), narrow(cloth.features(), 0.05);
   const auto all = all_pairs(kept.features());
   std::mt19937 rng(2);
   Field x = cloth.x;
@@ -121,6 +121,7 @@ TEST(CandidatePairs, NoPairThatComesWithinReachIsMissedAndTheShareIsThatOfBruteF
     // The same pairs as of a list that was made for this call alone, in the same order.
     CandidatePairs fresh(kept.features());
     ASSERT_EQ(keys(near), keys(fresh.approaching(x, dx))) << call;
+    ASSERT_EQ(keys(near), keys(narrow.approaching(x, dx))) << call;  // whatever the margin
     const auto found = keys(near);
     std::vector<FeaturePair> meeting;
     for (const FeaturePair& p : all) {

@@ -241,8 +241,7 @@ void CandidatePairs::build(const std::vector<Vec3>& x, Move dx) {
   else
     list_.displacement.assign(x.size(), Vec3::Zero());
   list_.rms_displacement = root_mean_square(list_.displacement);
-  list_.margin =
-      kTuning.margin * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
+  list_.margin = margin_ * sum / std::max<double>(1, static_cast<double>(features_.edges.size()));
   // After a long move the next one will not be like it, whatever the margin.
   if (list_.rms_displacement > kTuning.long_move * list_.margin)
     list_.margin *= kTuning.long_move_margin;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "loosefit/contact/contact_features.h"
+#include "loosefit/contact/contact_tuning.h"
 #include "loosefit/geometry/box_grid.h"
 #include "loosefit/particles/active_set.h"
 
@@ -19,7 +20,9 @@ namespace loosefit::contact {
 /// returns, and in which order, does not depend on when the list was made.
 class CandidatePairs {
  public:
-  explicit CandidatePairs(ContactFeatures features) : features_(std::move(features)) {}
+  /// margin: m in mean edge lengths [–].
+  explicit CandidatePairs(ContactFeatures features, double margin = kContact.broad_phase.margin)
+      : features_(std::move(features)), margin_(margin) {}
   const ContactFeatures& features() const { return features_; }
 
   /// Pairs at x nearer than their reach, sorted by key.
@@ -61,6 +64,7 @@ class CandidatePairs {
   const std::vector<FeaturePair>& select(const std::vector<Vec3>& x, Move dx);
 
   ContactFeatures features_;
+  double margin_;
   List list_;
   const particles::ActiveSet* active_set_ = nullptr;
   particles::IndexSubset active_;  ///< candidates that touch the active set, or all without one

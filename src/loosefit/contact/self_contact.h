@@ -28,6 +28,8 @@ class SelfContact : public particles::Energy,
     double stick_reach = 1e-4;                    ///< ε [m]
     /// Thickness of each triangle [m], for several materials in one mesh; empty: `thickness`.
     std::vector<double> triangle_thickness;
+    /// As of CandidatePairs [–]: changes what a search costs, not what it finds.
+    double list_margin = kContact.broad_phase.margin;
     /// Layer of each triangle, 0, 1, …; empty: all in layer 0.
     std::vector<int> triangle_layer;
     /// μ between two layers [–], symmetric, a row for each layer; empty: `friction`.

@@ -1,7 +1,6 @@
 #include "loosefit/flesh/soft_skin.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/quasi_static.h"
@@ -15,7 +14,10 @@ constexpr double kReach = 0.02;        ///< over which a displacement dies out [
 constexpr double kRim = 1e3;           ///< times as stiff where the skin goes on
 constexpr double kFoldPressure = 3e4;  ///< of skin against skin, well inside the gap [Pa]
 constexpr double kThickest = 0.8;      ///< a fold repels within this share of a triangle's height
-constexpr double kPressure = 50;       ///< left over when it is settled [Pa]
+/// Margin of the lists of contact candidates, in edges. The gap is nearly as wide as the triangles,
+/// so a margin as wide as that of cloth would list most of the neighbours in a smooth skin.
+constexpr double kListMargin = 0.1;
+constexpr double kPressure = 50;  ///< left over when it is settled [Pa]
 constexpr int kMostIterations = 60;
 constexpr double kStatic = 1e4;  ///< first pseudo-step: no inertia [s]
 
@@ -54,6 +56,7 @@ contact::SelfContact::Options SoftSkin::folds(const SkinPatch& patch,
   options.thickness = kSkinGap;
   options.pressure = kFoldPressure;
   options.friction = 0;
+  options.list_margin = kListMargin;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const auto& [a, b, c] = patch.triangles[t];
     const double longest = std::max(
@@ -66,7 +69,6 @@ contact::SelfContact::Options SoftSkin::folds(const SkinPatch& patch,
 void SoftSkin::follow(particles::VectorField target) {
   particles::VectorField way(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) way[i] = target[i] - springs_.target()[i];
-  system_.begin_step(x_, std::numeric_limits<double>::infinity());
   const double share = contact_.max_step(x_, way);
   for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += share * way[i];
   springs_.set_target(std::move(target));
