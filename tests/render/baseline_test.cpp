@@ -71,10 +71,10 @@ TEST_F(StoredPictures, OfClothAndMapsLookAsTheyDid) {
   DrapePainter painter(screen, {body_, garment_, positions_, nothing_},
                        {.width = 220, .height = 240});
   painter.look(camera(View::front));
-  expect_like_stored(painter.cloth(), "folded-tube-cloth-front");
-  expect_like_stored(painter.map(map_), "folded-tube-distance-front");
+  expect_like_stored(finished(painter.cloth()), "folded-tube-cloth-front");
+  expect_like_stored(finished(painter.map(map_)), "folded-tube-distance-front");
   painter.look({40, 25});
-  expect_like_stored(painter.map(map_), "folded-tube-distance-turned");
+  expect_like_stored(finished(painter.map(map_)), "folded-tube-distance-turned");
 }
 
 TEST_F(StoredPictures, OfLegendsLookAsTheyDid) {
@@ -88,12 +88,12 @@ TEST_F(StoredPictures, WouldNoticeAnotherRangeOrSide) {
   DrapePainter painter(screen, {body_, garment_, positions_, nothing_},
                        {.width = 220, .height = 240});
   painter.look(camera(View::front));
-  const Image right = painter.map(map_);
+  const Image right = finished(painter.map(map_));
   map_.range_high = 30;
-  const Image other_range = painter.map(map_);
+  const Image other_range = finished(painter.map(map_));
   map_.range_high = 40;
   painter.look({15, 0});
-  const Image other_side = painter.map(map_);
+  const Image other_side = finished(painter.map(map_));
   const auto difference = [&](const Image& image) {
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i)

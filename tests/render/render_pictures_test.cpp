@@ -64,7 +64,7 @@ TEST_F(Pictures, ShowALineWhereTheClothIsSeenAndHideItElsewhere) {
   const auto blue = [&](View view) {
     painter.look(camera(view));
     int count = 0;
-    for (const Rgb& p : painter.cloth().pixels) count += p[2] > p[0] + 80;
+    for (const Rgb& p : finished(painter.cloth()).pixels) count += p[2] > p[0] + 80;
     return count;
   };
   EXPECT_GT(blue(View::front), 150);  // some 0.3 m of it

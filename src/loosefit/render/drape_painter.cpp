@@ -17,10 +17,12 @@ void check_count(std::size_t found, std::size_t vertices, const std::string& wha
                        " vertices, expected " + std::to_string(vertices) + " of the garment");
 }
 
-geometry::TriangleMesh form_of(const DrawnDrape& drape) {
+std::shared_ptr<const geometry::TriangleMesh> form_of(const DrawnDrape& drape) {
   check_count(drape.positions.size(), static_cast<std::size_t>(drape.garment.vertex_count),
               "positions");
-  return mannequin(drape.body, drape.garment, drape.positions, drape.under);
+  if (drape.form) return drape.form;
+  return std::make_shared<const geometry::TriangleMesh>(
+      mannequin(drape.body, drape.garment, drape.positions, drape.under));
 }
 
 SceneContent content_of(const DrawnDrape& drape, const geometry::TriangleMesh& form) {
@@ -44,42 +46,45 @@ SceneContent whole_content(const DrawnDrape& drape, const geometry::TriangleMesh
 
 }  // namespace
 
+Image finished(UnfinishedPicture picture) {
+  return scaled_down(lit(std::move(picture.colours), *picture.light, picture.ambient),
+                     picture.supersampling);
+}
+
 DrapePainter::DrapePainter(const Screen& screen, const DrawnDrape& drape,
                            const PaintOptions& options)
     : options_(options),
       vertices_(drape.positions.size()),
       form_(form_of(drape)),
       lines_(garment_lines(drape.garment)),
-      scene_(screen, whole_content(drape, form_, lines_, options.frame_height), options.width,
+      scene_(screen, whole_content(drape, *form_, lines_, options.frame_height), options.width,
              options.height, options.supersampling, options.ambient_occlusion) {}
 
 void DrapePainter::look(const Camera& from) {
   scene_.look(from);
-  light_ = scene_.light();
+  light_ = std::make_shared<const Image>(scene_.light());
 }
 
-Image DrapePainter::cloth() {
-  return scaled_down(lit(scene_.colours(nullptr, kCloth), *light_, kSceneAmbient),
-                     options_.supersampling);
+UnfinishedPicture DrapePainter::cloth() {
+  return {scene_.colours(nullptr, kCloth), light_, kSceneAmbient, options_.supersampling};
 }
 
-Image DrapePainter::layers() {
+UnfinishedPicture DrapePainter::layers() {
   scene_.set_opacity(kThrough);
-  const Image dim = scene_.light();
-  Image image =
-      scaled_down(lit(scene_.colours(nullptr, kCloth), dim, kSceneAmbient), options_.supersampling);
+  auto dim = std::make_shared<const Image>(scene_.light());
+  UnfinishedPicture picture{scene_.colours(nullptr, kCloth), std::move(dim), kSceneAmbient,
+                            options_.supersampling};
   scene_.set_opacity(1);
-  return image;
+  return picture;
 }
 
-Image DrapePainter::map(const maps::PerformanceMap& map) {
+UnfinishedPicture DrapePainter::map(const maps::PerformanceMap& map) {
   check_count(map.values.size(), vertices_, "map " + map.array);
-  return scaled_down(lit(scene_.colours(&map), *light_, kMapAmbient), options_.supersampling);
+  return {scene_.colours(&map), light_, kMapAmbient, options_.supersampling};
 }
 
 double frame_height(const DrawnDrape& drape, double aspect, const Camera& from) {
-  const geometry::TriangleMesh form = form_of(drape);
-  return frame_height(content_of(drape, form), aspect, from);
+  return frame_height(content_of(drape, *form_of(drape)), aspect, from);
 }
 
 }  // namespace loosefit::render

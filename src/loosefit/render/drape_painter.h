@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "loosefit/body/body.h"
@@ -17,6 +17,8 @@ struct DrawnDrape {
   const std::vector<Vec3>& positions;   ///< of the garment's vertices
   const geometry::TriangleMesh& under;  ///< cloth worn under it; may be empty
   std::vector<LineMark> marked = {};    ///< sensors and leads on it
+  /// The dress form (mannequin.h); made where none is given.
+  std::shared_ptr<const geometry::TriangleMesh> form = {};
 };
 
 /// How a painter draws.
@@ -27,6 +29,17 @@ struct PaintOptions {
   double frame_height = 0;         ///< as SceneContent::frame_height
 };
 
+/// What a screen has drawn of a picture. The rest needs no screen, so another thread can do it.
+struct UnfinishedPicture {
+  Image colours;
+  std::shared_ptr<const Image> light;
+  double ambient = 0;  ///< as of lit()
+  int supersampling = 1;
+};
+
+/// The picture, lit and of the size that was asked for.
+Image finished(UnfinishedPicture picture);
+
 /// Draws one garment on a neutral grey dress form (render/mannequin.h) from any side, plain or with
 /// maps. Shading is drawn once per side and serves every picture of it. One at a time on a screen.
 class DrapePainter {
@@ -36,20 +49,20 @@ class DrapePainter {
 
   void look(const Camera& from);
   /// Plain cloth with its seams.
-  Image cloth();
+  UnfinishedPicture cloth();
   /// The garment seen through, with what is worn under it.
-  Image layers();
+  UnfinishedPicture layers();
   /// Colours by the map's fixed range, NaN grey, no legend. \throws InvalidInput for another number
   /// of values than the garment has vertices.
-  Image map(const maps::PerformanceMap& map);
+  UnfinishedPicture map(const maps::PerformanceMap& map);
 
  private:
   const PaintOptions options_;
   std::size_t vertices_;
-  geometry::TriangleMesh form_;
+  std::shared_ptr<const geometry::TriangleMesh> form_;
   GarmentLines lines_;
   Scene scene_;
-  std::optional<Image> light_;
+  std::shared_ptr<const Image> light_;
 };
 
 /// As of scenes.

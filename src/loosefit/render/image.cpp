@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
+#include <mutex>
 
 #include "loosefit/base/error.h"
 
@@ -30,12 +32,46 @@ const std::array<float, 256>& linear_light() {
   }();
   return table;
 }
+
+/// Linear light → 8-bit value, lround(255 light^(1/2.2)), without a power for every channel of
+/// every pixel: between neighbouring floats the power rises by more than its round-off, so each
+/// value begins at one float, which is looked for once.
+class EightBitValues {
+ public:
+  EightBitValues() {
+    for (int v = 1; v < 256; ++v) begins_[v] = first_float(v);
+    for (int bin = 0; bin <= kBins; ++bin) lowest_[bin] = computed(static_cast<float>(bin) / kBins);
+  }
+  std::uint8_t of(float light) const {
+    int value = lowest_[std::min(static_cast<int>(light * kBins), kBins)];
+    while (value < 255 && light >= begins_[value + 1]) ++value;
+    return static_cast<std::uint8_t>(value);
+  }
+
+ private:
+  static constexpr int kBins = 4096;
+  static std::uint8_t computed(float light) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::pow(light, 1 / 2.2)));
+  }
+  /// Positive floats are in the order of their bits.
+  static float first_float(int value) {
+    std::uint32_t below = 0, reached = std::bit_cast<std::uint32_t>(1.0f);
+    while (reached - below > 1) {
+      const std::uint32_t middle = below + (reached - below) / 2;
+      (computed(std::bit_cast<float>(middle)) >= value ? reached : below) = middle;
+    }
+    return std::bit_cast<float>(reached);
+  }
+  std::array<float, 256> begins_{};
+  std::array<std::uint8_t, kBins + 1> lowest_{};
+};
 }  // namespace
 
 Image scaled_down(const Image& image, int factor) {
   if (factor <= 1) return image;
   Image out(image.width / factor, image.height / factor);
   const auto& light = linear_light();
+  static const EightBitValues values;
   const float share = 1.0f / static_cast<float>(factor * factor);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
@@ -45,9 +81,7 @@ Image scaled_down(const Image& image, int factor) {
           const Rgb& p = image.at(x * factor + dx, y * factor + dy);
           for (int k = 0; k < 3; ++k) sum[k] += light[p[k]];
         }
-      for (int k = 0; k < 3; ++k)
-        out.at(x, y)[k] =
-            static_cast<std::uint8_t>(std::lround(255 * std::pow(sum[k] * share, 1 / 2.2)));
+      for (int k = 0; k < 3; ++k) out.at(x, y)[k] = values.of(sum[k] * share);
     }
   return out;
 }
@@ -59,6 +93,8 @@ void fill(Image& image, int x0, int y0, int x1, int y1, Rgb colour) {
 
 void draw_text(Image& image, const std::string& text, int x, int y, int size, int align, Rgb colour,
                bool bold) {
+  static std::mutex fonts;  // VTK's fonts are one cache for the whole process
+  const std::lock_guard lock(fonts);
   vtkNew<vtkTextProperty> property;
   property->SetFontFamilyToArial();
   property->SetFontSize(size);

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct PictureOptions {
   std::vector<View> views = {View::front, View::back};
   bool undecorated = true;       ///< also the plain drape: drape-<view>.png
   geometry::TriangleMesh under;  ///< cloth worn under the garment, in a colour of its own
+  /// The dress form of body and garment (mannequin.h); made where none is given.
+  std::shared_ptr<const geometry::TriangleMesh> form = {};
   std::vector<LineMark> marked;  ///< sensors and leads on the garment, with their names
 };
 

@@ -136,6 +136,9 @@ Screen::Screen() : parts_(std::make_unique<Parts>()) {
     throw NoScreen("pictures need VTK's OpenGL window, found " +
                    std::string(parts_->window->GetClassName()));
   x_window->SetDisplayId(parts_->display);
+  // Pictures are read from where they are drawn: nobody looks at the window itself.
+  x_window->SetFrameBlitModeToNoBlit();
+  x_window->SetSwapBuffers(0);
 }
 
 Screen::~Screen() = default;

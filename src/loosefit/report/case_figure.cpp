@@ -223,7 +223,7 @@ std::vector<render::Figure> figures_of(const Subjects& subjects, const FigureWis
         for (std::size_t m = 0; m < subject.maps.size(); ++m) {
           const maps::PerformanceMap& map = subject.maps[m];
           by_map[m].push_back(
-              {map.values.empty() ? painter.cloth() : painter.map(map),
+              {finished(map.values.empty() ? painter.cloth() : painter.map(map)),
                caption(subjects, subject, map, cameras[f].size() > 1 ? str(from) : "")});
         }
       }
