@@ -87,7 +87,7 @@ TEST_F(Report, LeadsWithYarnStrainAndShearAndSaysWhatPrincipalStrainIs) {
 TEST_F(Report, IsOneSelfContainedPage) {
   const auto picture = dir_ / "distance-front.png";
   std::ofstream(picture, std::ios::binary) << "not really a picture";
-  write_report(dir_, result_, {{"distance", render::View::front, picture}});
+  write_report(dir_, result_, CaseForms(result_), {{"distance", render::View::front, picture}});
   std::ifstream f(dir_ / "report.html");
   const std::string html{std::istreambuf_iterator<char>(f), {}};
   EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0u);
@@ -257,7 +257,7 @@ TEST_F(Report, UnsettledMapsCarryAWarning) {
 TEST_F(Report, MissingPictureOrFolderIsAnError) {
   EXPECT_THROW(report_html(result_, {{"distance", render::View::front, dir_ / "none.png"}}),
                IoError);
-  EXPECT_THROW(write_report(dir_ / "none", result_, {}), IoError);
+  EXPECT_THROW(write_report(dir_ / "none", result_, CaseForms(result_), {}), IoError);
 }
 
 TEST(Html, Base64MatchesRfc4648) {

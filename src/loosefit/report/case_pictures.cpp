@@ -24,16 +24,18 @@ render::PictureOptions picture_options(const scenario::ScenarioOutput& asked) {
 
 /// Plain pictures of the other postures; further donnings look much alike.
 void draw_states(const render::Screen& screen, const Path& folder,
-                 const pipeline::CaseResult& result, render::PictureOptions options,
-                 Progress& progress) {
+                 const pipeline::CaseResult& result, const CaseForms& forms,
+                 render::PictureOptions options, Progress& progress) {
   if (!options.undecorated) return;
   for (const pipeline::CaseState& state : result.wear.states) {
     if (!state.id.in_first_donning() || !state.draped()) continue;
     progress.check_cancelled();
     options.under = pipeline::surface_under_studied(result, &state);
+    options.form = forms.in_studied(&state);
     options.marked = marked_lines(result, state.drape().positions);
-    render::render_pictures(screen, folder / pipeline::state_folder(state),
-                            result.body_in(state.id.posture), result.studied().mesh(),
+    const Path own = folder / pipeline::state_folder(state);
+    std::filesystem::create_directories(own);
+    render::render_pictures(screen, own, result.body_in(state.id.posture), result.studied().mesh(),
                             state.drape().positions, {}, options);
   }
 }
@@ -44,8 +46,9 @@ void draw_worn_under(const render::Screen& screen, const Path& folder,
   for (int g = 0; g < static_cast<int>(result.worn_under().size()); ++g) {
     progress.check_cancelled();
     const pipeline::CaseGarment& garment = result.garments[g];
-    render::render_pictures(screen, folder / pipeline::under_folder(g), result.body.body,
-                            garment.mesh(), garment.drape.positions,
+    const Path own = folder / pipeline::under_folder(g);
+    std::filesystem::create_directories(own);
+    render::render_pictures(screen, own, result.body.body, garment.mesh(), garment.drape.positions,
                             pipeline::plain_maps(garment.maps.maps), options);
   }
 }
@@ -73,13 +76,14 @@ std::vector<render::LineMark> marked_lines(const pipeline::CaseResult& result,
 }
 
 std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseResult& result,
-                                       Progress& progress) {
+                                       const CaseForms& forms, Progress& progress) {
   render::PictureOptions options = picture_options(result.scenario.output);
   const render::Screen screen;  // before anything is written
   std::filesystem::create_directories(folder / kMapFolder);
-  draw_states(screen, folder, result, options, progress);
+  draw_states(screen, folder, result, forms, options, progress);
   draw_worn_under(screen, folder, result, options, progress);
   options.under = pipeline::surface_under_studied(result);
+  options.form = forms.in_studied();
   const pipeline::CaseGarment& studied = result.studied();
   options.marked = marked_lines(result, studied.drape.positions);
   return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),

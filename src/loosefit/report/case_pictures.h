@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "loosefit/base/progress.h"
-#include "loosefit/pipeline/case_result.h"
 #include "loosefit/render/render_pictures.h"
+#include "loosefit/report/case_forms.h"
 
 namespace loosefit::report {
 
@@ -13,7 +13,8 @@ namespace loosefit::report {
 /// the first donning into theirs. Returns those of the studied garment in the reference state.
 /// \throws NoScreen before anything is written; as render_pictures; Cancelled.
 std::vector<render::Picture> draw_case(const std::filesystem::path& folder,
-                                       const pipeline::CaseResult& result, Progress& progress);
+                                       const pipeline::CaseResult& result, const CaseForms& forms,
+                                       Progress& progress);
 
 /// Names of the files that draw_case may write for a scenario, relative to its folder.
 std::vector<std::filesystem::path> planned_pictures(const scenario::Scenario& scenario);

@@ -11,7 +11,6 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/render/colour_table.h"
 #include "loosefit/render/garment_lines.h"
-#include "loosefit/render/mannequin.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/slip_arrows.h"
@@ -201,15 +200,10 @@ std::string posture_name(const pipeline::CaseResult& result, const pipeline::Sta
 }
 
 /// The mannequin and what is worn over it under the studied garment.
-Json body_json(const pipeline::CaseResult& result, const pipeline::CaseState* state,
-               PackedArrays& arrays) {
+Json body_json(const pipeline::CaseResult& result, const CaseForms& forms,
+               const pipeline::CaseState* state, PackedArrays& arrays) {
   const geometry::TriangleMesh under = pipeline::surface_under_studied(result, state);
-  const body::Body& body =
-      state ? result.body_in(state->id.posture).body() : result.body.body.body();
-  const std::vector<Vec3>& positions =
-      state ? state->drape().positions : result.studied().drape.positions;
-  return {{"form", surface_json(render::mannequin(body, result.studied().mesh(), positions, under),
-                                arrays)},
+  return {{"form", surface_json(*forms.in_studied(state), arrays)},
           {"under", surface_json(under, arrays)}};
 }
 
@@ -219,15 +213,15 @@ struct StateList {
   std::map<int, int> body_of_posture;
 };
 
-void add_state(const pipeline::CaseResult& result, const pipeline::CaseState* state,
-               PackedArrays& arrays, StateList& list) {
+void add_state(const pipeline::CaseResult& result, const CaseForms& forms,
+               const pipeline::CaseState* state, PackedArrays& arrays, StateList& list) {
   const pipeline::StateId id = state ? state->id : pipeline::StateId{};
   const drape::Certificate certificate = state ? state->certificate() : result.certificate();
   // Garments under it move with every donning, so they need bodies of their own.
   const int key =
       result.worn_under().empty() ? id.posture : static_cast<int>(list.bodies.size()) + 1000;
   const auto [at, is_new] = list.body_of_posture.emplace(key, static_cast<int>(list.bodies.size()));
-  if (is_new) list.bodies.push_back(body_json(result, state, arrays));
+  if (is_new) list.bodies.push_back(body_json(result, forms, state, arrays));
   const maps::PressureField& pressure =
       state ? state->maps.pressure : result.studied().maps.pressure.field;
   const std::vector<Vec3>& positions =
@@ -271,12 +265,13 @@ Json colours_json(const render::ColourTable& table) {
 
 }  // namespace
 
-std::string scene_json(const pipeline::CaseResult& result, PackedArrays& arrays) {
+std::string scene_json(const pipeline::CaseResult& result, const CaseForms& forms,
+                       PackedArrays& arrays) {
   Json scene = {{"garment", garment_json(result, arrays)}};
   StateList list;
-  add_state(result, nullptr, arrays, list);
+  add_state(result, forms, nullptr, arrays, list);
   for (const pipeline::CaseState& state : result.wear.states)
-    if (state.draped()) add_state(result, &state, arrays, list);
+    if (state.draped()) add_state(result, forms, &state, arrays, list);
   // Styles in the order of the report, those of other states after them.
   Json maps = Json::object(), order = Json::array();
   const auto add_maps = [&](const std::vector<pipeline::CaseMap>& made) {

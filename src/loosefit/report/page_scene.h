@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "loosefit/pipeline/case_result.h"
+#include "loosefit/report/case_forms.h"
 #include "loosefit/report/packed_arrays.h"
 
 namespace loosefit::report {
@@ -11,6 +11,7 @@ namespace loosefit::report {
 /// means), `states` (the drapes, the reference state first, each with its positions, the values of
 /// its maps and the arrows of its slip), `bodies` (the mannequin per posture) and `colours`. The
 /// keys are read by web/src/case_data.ts. A sealed drape has no maps and no partners.
-std::string scene_json(const pipeline::CaseResult& result, PackedArrays& arrays);
+std::string scene_json(const pipeline::CaseResult& result, const CaseForms& forms,
+                       PackedArrays& arrays);
 
 }  // namespace loosefit::report

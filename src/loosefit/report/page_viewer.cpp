@@ -44,13 +44,13 @@ std::string viewer_section(const pipeline::CaseResult& result) {
          "all sides\"></section>\n";
 }
 
-std::string viewer_data(const pipeline::CaseResult& result,
+std::string viewer_data(const pipeline::CaseResult& result, const CaseForms& forms,
                         const placement::RankingTable* ranking) {
   if (!has_viewer()) return {};
   std::string data;
   if (can_be_drawn(result)) {
     PackedArrays arrays;
-    const std::string scene = scene_json(result, arrays);
+    const std::string scene = scene_json(result, forms, arrays);
     data =
         "<script type=\"application/json\" id=\"case\">" +
         inside_script("{\"sealed\":" + std::string(result.sealed() ? "true" : "false") +

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
+#include "loosefit/report/case_forms.h"
 
 namespace loosefit::report {
 
@@ -15,6 +15,7 @@ std::string viewer_head();
 /// Where the viewer will be. A case of which nothing can be drawn has none.
 std::string viewer_section(const pipeline::CaseResult& result);
 /// Foot of the page: the case, its arrays and the script.
-std::string viewer_data(const pipeline::CaseResult& result, const placement::RankingTable* ranking);
+std::string viewer_data(const pipeline::CaseResult& result, const CaseForms& forms,
+                        const placement::RankingTable* ranking);
 
 }  // namespace loosefit::report

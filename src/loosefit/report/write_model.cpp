@@ -8,7 +8,6 @@
 #include "loosefit/io/glb_write.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/render/colour_table.h"
-#include "loosefit/render/mannequin.h"
 
 namespace loosefit::report {
 namespace {
@@ -36,7 +35,8 @@ std::vector<render::Rgb> colours_on(const maps::PerformanceMap& map) {
 
 }  // namespace
 
-void write_model(const std::filesystem::path& folder, const pipeline::CaseResult& result) {
+void write_model(const std::filesystem::path& folder, const pipeline::CaseResult& result,
+                 const CaseForms& forms) {
   const garment::Garment& garment = result.studied().mesh();
   const std::vector<Vec3>& positions = result.studied().drape.positions;
   io::GlbSurface cloth{.name = "garment", .positions = positions, .triangles = garment.triangles};
@@ -52,8 +52,8 @@ void write_model(const std::filesystem::path& folder, const pipeline::CaseResult
   }
   std::vector<io::GlbSurface> surfaces = {std::move(cloth)};
   const geometry::TriangleMesh under = pipeline::surface_under_studied(result);
-  const geometry::TriangleMesh form =
-      render::mannequin(result.body.body, garment, positions, under);
+  const CaseForms::Form kept = forms.in_studied();
+  const geometry::TriangleMesh& form = *kept;
   if (!form.triangles.empty()) surfaces.push_back({"mannequin", form.vertices, form.triangles});
   if (!under.triangles.empty())
     surfaces.push_back({.name = "worn under it",

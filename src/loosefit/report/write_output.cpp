@@ -1,5 +1,7 @@
 #include "loosefit/report/write_output.h"
 
+#include <tbb/task_group.h>
+
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scorecard_file.h"
@@ -97,18 +99,27 @@ pipeline::CaseResult write_output(const Path& folder, pipeline::CaseResult resul
     for (StageClock::Entry& entry : result.seconds)
       if (entry.stage == "placement") entry.seconds += ranking->seconds;
   }
-  pipeline::write_case_files(folder, result);
-  write_model(folder, result);
-  if (!result.lines.empty()) write_lines(folder, result);
+  const CaseForms forms(result);
+  tbb::task_group beside;  // no picture needs what these write
+  beside.run([&] {
+    forms.in_studied();
+    pipeline::write_case_files(folder, result);
+    write_model(folder, result, forms);
+    if (!result.lines.empty()) write_lines(folder, result);
+  });
   std::vector<render::Picture> pictures;
+  std::string no_screen;
   if (parts.pictures) {
     try {
-      pictures = draw_case(folder, result, clock);
-    } catch (const render::NoScreen& none) {  // all else can be had without
-      result.warnings.push_back(std::string(none.what()) + "; " + none.hint());
+      pictures = draw_case(folder, result, forms, clock);
+    } catch (const render::NoScreen& none) {
+      no_screen = std::string(none.what()) + "; " + none.hint();
     }
   }
-  if (parts.report) write_report(folder, result, pictures, ranking ? &ranking->table : nullptr);
+  beside.wait();
+  if (!no_screen.empty()) result.warnings.push_back(no_screen);  // all else can be had without
+  if (parts.report)
+    write_report(folder, result, forms, pictures, ranking ? &ranking->table : nullptr);
   clock.stop();
   result.seconds.push_back({"report", clock.entries().front().seconds});
   result.peak_memory_mb = peak_memory_mb();

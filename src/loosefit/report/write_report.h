@@ -6,6 +6,7 @@
 #include "loosefit/pipeline/case_result.h"
 #include "loosefit/placement/ranking_table.h"
 #include "loosefit/render/render_pictures.h"
+#include "loosefit/report/case_forms.h"
 
 namespace loosefit::report {
 
@@ -18,10 +19,14 @@ namespace loosefit::report {
 std::string report_html(const pipeline::CaseResult& result,
                         const std::vector<render::Picture>& pictures,
                         const placement::RankingTable* ranking = nullptr);
+/// The same with forms that are there already.
+std::string report_html(const pipeline::CaseResult& result, const CaseForms& forms,
+                        const std::vector<render::Picture>& pictures,
+                        const placement::RankingTable* ranking);
 
 /// Writes it to DIR/report.html. \throws IoError when the file cannot be written in full.
 void write_report(const std::filesystem::path& dir, const pipeline::CaseResult& result,
-                  const std::vector<render::Picture>& pictures,
+                  const CaseForms& forms, const std::vector<render::Picture>& pictures,
                   const placement::RankingTable* ranking = nullptr);
 
 }  // namespace loosefit::report
