@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -69,6 +70,13 @@ std::vector<Nearest> nearest_places(
     const double smooth = skin.smooth(p, tuning.far);
     return smooth < tuning.far ? skin.exact(p, smooth) : tuning.far;
   };
+  // Up to six cells meet at a corner.
+  std::vector<std::pair<ContactLattice::Weights, double>> known;
+  const auto exact_at_corner = [&](const ContactLattice::Weights& w) {
+    for (const auto& [at, distance] : known)
+      if (at == w) return distance;
+    return known.emplace_back(w, exact(w)).second;
+  };
   for (std::size_t c = 0; c < cells.size(); ++c) {
     // Places of the cell by the weights of its first two corners.
     using Place = std::array<double, 2>;
@@ -86,7 +94,10 @@ std::vector<Nearest> nearest_places(
       const double distance = exact(weights(at));
       if (distance < least) least = distance, best = at;
     };
-    for (const Place& corner : {Place{1, 0}, Place{0, 1}, Place{0, 0}}) try_place(corner);
+    const std::array<Place, 3> corners = {{{1, 0}, {0, 1}, {0, 0}}};
+    for (int k = 0; k < 3; ++k)
+      if (const double distance = exact_at_corner(cells[c][k]); distance < least)
+        least = distance, best = corners[k];
     const double at_corners = least;
     if (at_corners > offset + tuning.bulge) continue;
     const int n = tuning.cell_intervals;
