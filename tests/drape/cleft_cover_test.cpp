@@ -79,6 +79,10 @@ TEST(ArmpitCovers, ThereAreNoneWhereClothHasRoomOrTheArmHangsOrNoArmpitIsKnown) 
   EXPECT_TRUE(armpit_covers(arm_raised(0.012, 80)).empty());
   EXPECT_TRUE(armpit_covers(arm_raised(0.002, 40)).empty());
   EXPECT_FALSE(armpit_covers(arm_raised(0.002, 50)).empty());
+  EXPECT_FALSE(armpit_covers(arm_raised(0.002, 40), true).empty());
+  EXPECT_TRUE(armpit_covers(arm_raised(0.002, 30), true).empty());
+  EXPECT_TRUE(raises_an_arm(arm_raised(0.002, 50)));
+  EXPECT_FALSE(raises_an_arm(arm_raised(0.002, 40)));
   EXPECT_TRUE(armpit_covers(two_balls(0.002)).empty());
 }
 

@@ -175,14 +175,18 @@ TEST(DrapeGarment, IterationsOfTheWholeDrapeEndItWithTheLowestResidual) {
   EXPECT_TRUE(d.unsettled.has_value());
 }
 
-/// The recoveries of a drape that has not settled until it is lifted off.
+/// The recoveries of a drape that has not settled until it is lifted off, and cuts the skin so
+/// often until then.
 class FailsAtFirst {
  public:
-  FailsAtFirst() {
+  explicit FailsAtFirst(int cuts = 0) {
     for (Recovery& row : table_)
       if (row.kind == RecoveryKind::lift_off) {
-        row.has_failed = [this, failed = row.has_failed](ClothState& state) {
-          if (failing_) state.certificate.residual = 1;  // as if it had not come to rest
+        row.has_failed = [this, cuts, failed = row.has_failed](ClothState& state) {
+          if (failing_) {
+            state.certificate.residual = 1;  // as if it had not come to rest
+            state.certificate.intersections_body = cuts;
+          }
           return failed(state);
         };
         row.act = [this, act = row.act](ClothState& state) {
@@ -216,6 +220,21 @@ TEST(DrapeGarment, LiftsTheClothOffTheSkinAndSettlesItAnewWhereItDidNotSettle) {
   EXPECT_FALSE(d.unsettled.has_value());
   EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
   EXPECT_NE(d.positions, standing_drape().positions) << "it went another way";
+  EXPECT_EQ(state.body->field->spacing(), contact::kFieldSpacing) << "nothing was cut";
+}
+
+TEST(DrapeGarment, TriesAgainWithAFieldThatResolvesFoldsOfSkinWhereTheClothCutsTheSkin) {
+  Progress silent;
+  const DrapeOptions options;
+  const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
+  const FailsAtFirst failing(1);
+  ClothState state(layers, options, failing.table(), silent);
+  std::shared_ptr<const WornCloth> worn;
+  const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);
+  EXPECT_TRUE(d.report.was_tried(RecoveryKind::lift_off));
+  EXPECT_EQ(state.body->field->spacing(), options.tuning.certify.fold_field_spacing);
+  EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
+  EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
 }
 
 TEST(DrapeGarment, DoesNotTryAgainWhatIsAtRestByItsOwnLooserTolerance) {

@@ -22,21 +22,22 @@ constexpr int kFew = 16;  ///< points that make no cleft yet
 constexpr double kArmpit = 0.09;  ///< from its front end, where folds are looked for [m]
 constexpr double kAlong = 0.025;  ///< of a fold, that one hull fills [m]
 constexpr double kOverlap = 0.006;
-constexpr double kRaised = radians(45);
+constexpr double kRaised = radians(45), kOnTheWayUp = radians(33);
 
 constexpr double kBehindEar = 0.02;  ///< width of the furrow there, and of hollows in an ear [m]
 constexpr double kBesideFace = 0.6;  ///< of half of the head's width: eyes and mouth are no ears
 constexpr double kUnderEar = 0.01;   ///< that the hull reaches into the head [m]
 
-/// From hanging down along the trunk; `side`: "L" or "R". Not raised where joints are not known.
-bool arm_is_raised(const body::Body& body, const std::string& side) {
+/// By more than that from hanging down along the trunk; `side`: "L" or "R". Not raised where joints
+/// are not known.
+bool arm_is_raised(const body::Body& body, const std::string& side, double by) {
   const auto& joints = body.joints;
   const std::string shoulder = "shoulder_" + side, elbow = "elbow_" + side;
   for (const std::string& name : {shoulder, elbow, std::string("neck"), std::string("pelvis")})
     if (!joints.contains(name)) return false;
   const Vec3 arm = joints.at(elbow) - joints.at(shoulder);
   const Vec3 trunk = joints.at("pelvis") - joints.at("neck");
-  return arm.normalized().dot(trunk.normalized()) < std::cos(kRaised);
+  return arm.normalized().dot(trunk.normalized()) < std::cos(by);
 }
 
 /// A box of kAlong round a part of a fold.
@@ -82,13 +83,18 @@ geometry::TriangleMesh cleft_cover(const body::PosedBody& body) {
   return geometry::convex_hull(sides);
 }
 
-std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body) {
+bool raises_an_arm(const body::Body& body) {
+  return arm_is_raised(body, "L", kRaised) || arm_is_raised(body, "R", kRaised);
+}
+
+std::vector<geometry::TriangleMesh> armpit_covers(const body::PosedBody& body, bool on_the_way_up) {
+  const double from = on_the_way_up ? kOnTheWayUp : kRaised;
   std::vector<geometry::TriangleMesh> covers;
   const auto& skin = body->surface.vertices;
   if (body->normals.size() != skin.size()) return covers;
   for (const std::string side : {"L", "R"}) {
     const auto armpit = body->landmarks.find("armpit_front_" + side);
-    if (armpit == body->landmarks.end() || !arm_is_raised(body.body(), side)) continue;
+    if (armpit == body->landmarks.end() || !arm_is_raised(body.body(), side, from)) continue;
     std::map<Place, std::vector<Vec3>> parts;
     for (std::size_t i = 0; i < skin.size(); ++i) {
       const Vec3 off = skin[i] - armpit->second;

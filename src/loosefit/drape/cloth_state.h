@@ -88,6 +88,7 @@ struct ClothState {
   std::optional<Stop> given_up;       ///< a posture that is not followed further
   std::string no_room;                ///< why the garment cannot be laid round the body; or empty
   body::BodyPath path, wide_path;     ///< of the body; the second for more room, may be empty
+  bool arms_go_up = false;            ///< in the posture in which it is put on
   Movements movements;                ///< of the wearer, once the garment is on
   double friction_share = 1;  ///< that the wearer's fidgeting leaves (phases/wear_in.h) [–]
   PostureStep step;

@@ -35,12 +35,14 @@ geometry::Box3 bounds(const std::vector<Vec3>& x) {
 }
 
 std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geometry::Box3& cloth,
-                                              double spacing, const CarryTuning& tuning) {
+                                              double spacing, const CarryTuning& tuning,
+                                              bool arms_go_up) {
   const Vec3 margin = Vec3::Constant(tuning.field_margin);
   std::vector<geometry::TriangleMesh> covers = hand_hulls(body);
   if (geometry::TriangleMesh cleft = cleft_cover(body); !cleft.triangles.empty())
     covers.push_back(std::move(cleft));
-  for (geometry::TriangleMesh& fold : armpit_covers(body)) covers.push_back(std::move(fold));
+  for (geometry::TriangleMesh& fold : armpit_covers(body, arms_go_up))
+    covers.push_back(std::move(fold));
   for (geometry::TriangleMesh& ear : ear_covers(body)) covers.push_back(std::move(ear));
   auto field = std::make_shared<const contact::DistanceField>(
       body.tree(),

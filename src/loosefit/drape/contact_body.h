@@ -14,8 +14,10 @@ struct ContactBody {
 };
 
 /// cloth: box round the cloth; the field covers it with a margin for motion, the larger one below.
+/// arms_go_up: folds of armpits are filled as on the way up (cleft_cover.h).
 std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geometry::Box3& cloth,
-                                              double spacing, const CarryTuning& tuning = {});
+                                              double spacing, const CarryTuning& tuning = {},
+                                              bool arms_go_up = false);
 
 /// A rigid or nearly rigid motion: x → M x.
 using MotionMap = Eigen::Matrix<double, 3, 4>;

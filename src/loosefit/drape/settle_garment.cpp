@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loosefit/drape/cleft_cover.h"
 #include "loosefit/drape/phases/certify_state.h"
 #include "loosefit/drape/phases/contract.h"
 #include "loosefit/drape/phases/disturb_start.h"
@@ -75,6 +76,7 @@ void settle_followed(ClothState& state) {
 Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
                        const body::BodyPath& wide_path, std::shared_ptr<const WornCloth>& worn) {
   state.path = path, state.wide_path = wide_path;
+  state.arms_go_up = raises_an_arm(path(1.0));
   state.part = "dress";
   state.progress.stage("dress");
   dress_on(state);

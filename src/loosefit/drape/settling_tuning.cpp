@@ -167,7 +167,8 @@ Fields certify_fields(CertifyTuning& t) {
       .count("smoothing_attempts", t.smoothing_attempts)
       .count("smoothed_triangles", t.smoothed_triangles)
       .count("smoothing_rounds", t.smoothing_rounds)
-      .length("smoothed_clear", t.smoothed_clear);
+      .length("smoothed_clear", t.smoothed_clear)
+      .length("fold_field_spacing", t.fold_field_spacing);
 }
 
 Fields fall_fields(FreeFallTuning& t) {

@@ -86,7 +86,9 @@ Drape make_drape(ClothState& state) {
   report.contacts_self = state.model->self().active(state.x);
   report.contacts_body = 0;
   const contact::DistanceField& field = *state.body->field;
-  report.coarsened_field = field.is_coarsened() ? field.spacing() : 0;
+  // A field that was to resolve folds may be coarser than that, and as fine as usual.
+  const bool coarse = field.is_coarsened() && field.spacing() > contact::kFieldSpacing;
+  report.coarsened_field = coarse ? field.spacing() : 0;
   report.largest_contact_offset = 0;
   drape.body_contact_force.assign(state.x.size(), Vec3::Zero());
   drape.body_normal_force.assign(state.x.size(), 0.0);

@@ -86,7 +86,8 @@ void lay_round_body(ClothState& state) {
   }
   state.no_room.clear();
   perturb(state);
-  state.body = with_field(body, bounds(state.x), contact::kFieldSpacing, state.tuning.carry);
+  state.body = with_field(body, bounds(state.x), contact::kFieldSpacing, state.tuning.carry,
+                          state.arms_go_up);
 }
 
 void dress_on(ClothState& state) {
