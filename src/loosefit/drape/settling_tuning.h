@@ -179,9 +179,8 @@ struct PenetrationTuning {
   /// are found late lie deep in it, and all of it would throw the cloth off: 135 iterations on the
   /// finest level of the reference shirt, with these shares 112.
   std::array<double, 3> look_hardening = {0, 0, 0.1};
-  /// Residual at which the last penetrations are looked for [–]; E, "at 5 instead of 1": closer to
-  /// rest, more of the way is thrown away each time.
-  double tolerance = 5.0;
+  /// Residual at which the last penetrations are looked for [–]; E, "at 1 instead of 0.1".
+  double tolerance = 1.0;
   double first_dt = 0.5;  ///< first pseudo-step of the rest of the way [s]; chosen by experiment
   /// First pseudo-step where the cloth is near rest [s]: nearly static, yet damped; experiment.
   double near_rest_dt = 10;
@@ -211,8 +210,8 @@ struct PenetrationTuning {
   double largest_field_error = 0.002;
   /// Distance from the skin from which on contact is refined and errors are measured [m].
   double far = 0.002;
-  /// Iterations before each look, at most [–]; E, "eight iterations".
-  int look_iterations = 8;
+  /// Iterations before each look, at most [–]; E.
+  int look_iterations = 15;
   /// Rounds at rest in which cuts are freed [–]: a handful is usual; a stop for hopeless ones.
   int rounds = 30;
 };
