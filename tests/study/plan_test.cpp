@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
+#include "loosefit/study/controls.h"
+#include "loosefit/study/run_study.h"
 
 namespace loosefit::study {
 namespace {
@@ -160,6 +163,25 @@ TEST(Plan, CountsDrapes) {
                             "[scenario]\npostures = { list = [\"standing\", \"slouch\"] }\n"
                             "donning = { repeats = 3 }\n");
   EXPECT_EQ(plan.drapes(), 2 * 2 * 3);
+}
+
+TEST(Plan, LongCasesAndControlsRunFirst) {
+  const Plan plan = plan_of(kHead + kPeople +
+                            "[scenario.simulation]\ncertificate = \"B\"\n"
+                            "[[axis]]\nname = \"edge\"\nkey = \"simulation.edge_length\"\n"
+                            "values = [0.03, 0.01]\n");
+  std::vector<std::string> all;
+  for (const PlannedCase& one : plan.cases) all.push_back(one.address);
+  const std::vector<std::string> controls = control_addresses(all);
+  const std::vector<std::string> order = longest_first(plan, all);
+  ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), all.begin(), all.end()));
+  std::map<std::string, double> work;
+  for (const PlannedCase& one : plan.cases)
+    work[one.address] = (one.edge_length < 0.02 ? 2.5 : 1) *  // 44 and 18 core seconds
+                        (std::count(controls.begin(), controls.end(), one.address) ? 2 : 1);
+  // 1, 2, 2.5 and 5 in falling order: a control among the coarse ones goes behind the fine ones.
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end(),
+                             [&](const auto& a, const auto& b) { return work[a] > work[b]; }));
 }
 
 TEST(StudyFile, IsRefusedWithPlace) {

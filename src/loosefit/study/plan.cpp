@@ -225,9 +225,8 @@ Plan make_plan(const StudyFile& study) {
 
 double estimated_core_seconds(const std::vector<PlannedCase>& cases) {
   // Measured on shirts of adults: body, pattern and measuring of a case; of a drape what is done
-  // with bodies and coarse meshes
-  // whatever the edge (putting on, wearing in), and the finest one at 10 mm, whose time grows with
-  // the number of vertices to the power of 1.25.
+  // with bodies and coarse meshes whatever the edge (putting on, wearing in), and the finest one at
+  // 10 mm, whose time grows with the number of vertices to the power of 1.25.
   constexpr double kCase = 5, kCoarse = 11, kFine = 28, kEdge = 0.010, kPower = 2.5;
   double sum = 0;
   for (const PlannedCase& one : cases)

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
 
 #include "loosefit/base/text.h"
+#include "loosefit/study/controls.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/store.h"
 
@@ -56,6 +58,19 @@ std::string duration_text(double seconds) {
                            : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
+std::vector<std::string> longest_first(const Plan& plan, std::vector<std::string> addresses) {
+  std::map<std::string, double> work;
+  std::vector<std::string> of_grade_b;
+  for (const PlannedCase& one : plan.cases) {
+    work[one.address] = estimated_core_seconds({one});
+    if (one.grade_b) of_grade_b.push_back(one.address);
+  }
+  for (const std::string& control : control_addresses(of_grade_b)) work[control] *= 2;
+  std::stable_sort(addresses.begin(), addresses.end(),
+                   [&](const auto& a, const auto& b) { return work[a] > work[b]; });
+  return addresses;
+}
+
 StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOptions& options,
                    bool slurm, bool retry_failed, Progress& progress) {
   const auto start = Clock::now();
@@ -77,7 +92,7 @@ StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOpti
       forecast.finished(record, progress);
     };
     run.given_up = slurm ? run_on_slurm(folder, open, options, seen, progress)
-                         : run_here(folder, open, options, seen, progress);
+                         : run_here(folder, longest_first(plan, open), options, seen, progress);
   }
   run.state = folder.state(planned);
   run.seconds = seconds_since(start);
