@@ -22,8 +22,8 @@ import bench_cases
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MAPS = ("distance_mm", "angular_deviation_deg")
-REGIONS = ("upper_back", "mid_back", "lower_back", "chest", "abdomen", "hips", "upper_arm_L",
-           "upper_arm_R", "forearm_L", "forearm_R")
+REGIONS = ("upper_back", "mid_back", "lower_back", "chest", "abdomen", "hips", "upper_sleeve_L",
+           "upper_sleeve_R", "forearm_sleeve_L", "forearm_sleeve_R")
 
 
 def run(options, folder, name, movements, dress, donning=""):
