@@ -1,6 +1,7 @@
 #include "loosefit/geometry/folded_edges.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/geometry/mesh_topology.h"
@@ -8,8 +9,7 @@
 namespace loosefit::geometry {
 
 std::vector<std::pair<int, int>> folded_edges(const std::vector<Vec3>& vertices,
-                                              const std::vector<Triangle>& triangles,
-                                              double angle) {
+                                              const std::vector<Triangle>& triangles) {
   const MeshTopology topology(triangles);
   std::vector<std::pair<int, int>> folded;
   for (int e = 0; e < topology.edge_count(); ++e) {
@@ -26,7 +26,8 @@ std::vector<std::pair<int, int>> folded_edges(const std::vector<Vec3>& vertices,
         const Vec3 p = height(sides[a]), q = height(sides[b]);
         // atan2 keeps its digits near 0, where the cosine loses them.
         const double between = std::atan2(p.cross(q).norm(), p.dot(q));
-        if (p.norm() * q.norm() > 0 && between < angle)
+        const double farther = std::max(p.norm(), q.norm()) * std::sin(between);
+        if (p.norm() * q.norm() > 0 && between < kFoldedAngle && farther < kFoldedDistance)
           folded.emplace_back(sides[a].triangle, sides[b].triangle);
       }
   }
