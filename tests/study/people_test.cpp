@@ -146,6 +146,15 @@ TEST_F(PeopleFile, GivesThePeople) {
   EXPECT_EQ(people[1].measures.count("chest"), 0u);
 }
 
+TEST_F(PeopleFile, IsReadAsSpreadsheetsWriteIt) {
+  const auto people = read(
+      "\xEF\xBB\xBFname,sex,height\r\n\"Lovelace, Ada\",female,1.68\r\n"
+      "\"the \"\"tall\"\" one\",male,1.95\r\n");
+  ASSERT_EQ(people.size(), 2u);
+  EXPECT_EQ(people[0].name, "Lovelace, Ada");
+  EXPECT_EQ(people[1].name, "the \"tall\" one");
+}
+
 TEST_F(PeopleFile, IsRefusedWithLineAndColumn) {
   expect_refused("name,height,chset\nA,1.7,0.9\n", ":1: chset");
   expect_refused("name,height\nA,170\n", ":2: height");
@@ -153,6 +162,12 @@ TEST_F(PeopleFile, IsRefusedWithLineAndColumn) {
   expect_refused("name,height\nA\n", ":2");
   expect_refused("name,chest\nA,0.9\n", "height");
   expect_refused("", "nobody");
+  expect_refused("name,height\n", "nobody");
+  expect_refused("name,height,chest,height\nA,1.7,0.9,1.9\n", ":1: height: found the column twice");
+  expect_refused("name;height\nA;1.7\n", "with commas between");
+  expect_refused("name,height\n\"A,1.7\n", ":2: found a quote that is not closed");
+  for (const char* value : {"nan", "inf", "-1.7", "1.7m", "1,7", "0x1.8p0"})
+    expect_refused("name,height\nA," + std::string(value) + "\n", ":2");
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ TEST_F(AirGapTable, ReadsARowWithQuotesAndConvertsCentimetres) {
   EXPECT_EQ(row.person()->sex, "male");
   EXPECT_DOUBLE_EQ(row.person()->measures.at("chest"), 1.0);
   EXPECT_TRUE(row.is_gate());
+  EXPECT_TRUE(read("\xEF\xBB\xBF" + std::string(kHeader)).empty()) << "a byte order mark";
 }
 
 TEST_F(AirGapTable, WithoutEaseOrPersonOrOurKindOfGarmentARowIsNoGate) {
@@ -85,6 +86,17 @@ TEST_F(AirGapTable, ErrorsNameFileLineAndColumn) {
             at + "region: found \"belly\", expected a region of the body");
   EXPECT_EQ(complaint("S,1,t-shirt,,,,,,lying,chest,9,,,,,,,me\n"),
             at + "posture: found \"lying\", expected the name of a posture, or nothing");
+  EXPECT_EQ(complaint("S,1,t-shirt,coton,,,,,,chest,9,,,,,,,me\n")
+                .find(at + "fabric: found \"coton\", expected a material card, or nothing"),
+            0u);
+  // What begins as a person and is none would silently be no gate, or end a run half-way.
+  EXPECT_EQ(complaint("S,1,t-shirt,,,10,,male height=1.80 chset=1.00,,chest,9,,,,,,,me\n")
+                .find(at + "body: found \"chset=1.00\", expected a measure, as in height=1.80"),
+            0u);
+  for (const char* word : {"chest=100", "chest=1.0m", "chest=nan", "chest=-1", "chest="})
+    EXPECT_EQ(complaint("S,1,t-shirt,,,10,,female " + std::string(word) + ",,chest,9,,,,,,,me\n"),
+              at + "body: found \"" + word + "\", expected metres from 0.05 to 2.5, with a point");
+  EXPECT_EQ(complaint("S,1,t-shirt,,,10,,male manikin of size=M,,chest,9,,,,,,,me\n"), "accepted");
   EXPECT_EQ(complaint("S,1,t-shirt,,,,,,,chest,9,,,,,,,\n"),
             at + "read_by: found nothing, expected a text");
   EXPECT_NE(complaint("S,1,t-shirt\n").find(at + "garment: found 3 fields, expected 18"),

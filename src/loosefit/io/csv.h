@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loosefit::io {
@@ -12,5 +13,16 @@ std::string csv_field(const std::string& text);
 std::string csv_field(double value);
 /// Fields with commas between them and a line end; empty ones keep their place.
 std::string csv_line(const std::vector<std::string>& fields);
+
+/// Fields of one line (RFC 4180): one in quotes may hold commas and doubled quotes. Of a line with
+/// a quote that is not closed `closed` is false, and the last field is the one it stands in.
+struct CsvFields {
+  std::vector<std::string> fields;
+  bool closed = true;
+};
+CsvFields csv_fields(const std::string& line);
+
+/// Text without the byte order mark that spreadsheets put before UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
 
 }  // namespace loosefit::io

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/io/config_reader.h"
+#include "loosefit/io/csv.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/placement/resample.h"
@@ -102,29 +104,24 @@ std::vector<double> correlated(const PopulationGroup& group, const std::vector<d
   return scores;
 }
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line)
-    if (c == ',')
-      fields.emplace_back();
-    else if (c != '\r')
-      fields.back() += c;
-  for (std::string& field : fields) {
-    const auto first = field.find_first_not_of(" \t\""), last = field.find_last_not_of(" \t\"");
+/// Fields without the blanks around them.
+std::vector<std::string> fields_of(std::string line, const InputPlace& place) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  io::CsvFields read = io::csv_fields(line);
+  if (!read.closed)
+    throw InvalidInput(place, "a quote that is not closed", "a closing quote on the same line");
+  for (std::string& field : read.fields) {
+    const auto first = field.find_first_not_of(" \t"), last = field.find_last_not_of(" \t");
     field = first == std::string::npos ? "" : field.substr(first, last - first + 1);
   }
-  return fields;
+  return read.fields;
 }
 
 double number_of(const std::string& text, const io::NumberRange& range, const InputPlace& place) {
-  std::size_t used = 0;
   double value = 0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size() || !(value >= range.low && value <= range.high))
+  const char* const stop = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), stop, value);
+  if (error != std::errc{} || end != stop || !(value >= range.low && value <= range.high))
     throw InvalidInput(place, "\"" + printable(text) + "\"",
                        fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high));
   return value;
@@ -224,7 +221,7 @@ std::vector<Person> draw_people(const Anthropometry& from, const PeopleWish& wis
 
 std::vector<Person> read_people_csv(const fs::path& path) {
   const std::string file = path.string();
-  const std::string text = io::read_text_file(file, 10000000);
+  const std::string text(io::without_byte_order_mark(io::read_text_file(file, 10000000)));
   std::vector<std::string> head;
   std::vector<Person> people;
   std::set<std::string> names;
@@ -233,15 +230,18 @@ std::vector<Person> read_people_csv(const fs::path& path) {
   std::size_t at = 0;
   for (int line = 1; at < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::vector<std::string> fields = fields_of(text.substr(at, end - at));
+    const std::vector<std::string> fields = fields_of(text.substr(at, end - at), {file, line, ""});
     at = end + 1;
     if (fields.size() == 1 && fields[0].empty()) continue;
     if (head.empty()) {
       head = fields;
       for (const std::string& name : head)
         if (std::find(known.begin(), known.end(), name) == known.end())
-          throw InvalidInput({file, line, printable(name)}, "an unknown column", "a measure",
+          throw InvalidInput({file, line, printable(name)}, "an unknown column",
+                             "name, sex, age, height or a measure, with commas between",
                              did_you_mean(name, known));
+        else if (std::count(head.begin(), head.end(), name) > 1)
+          throw InvalidInput({file, line, name}, "the column twice", "each once");
       if (std::find(head.begin(), head.end(), "height") == head.end())
         throw InvalidInput({file, line, ""}, "no column height", "height in metres");
       continue;

@@ -10,7 +10,10 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
+#include "loosefit/io/csv.h"
+#include "loosefit/io/material_file.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/registry.h"
 
@@ -23,31 +26,13 @@ constexpr const char* kColumns[] = {
     "contact_pct",   "contact_sd_pct", "g0_mm",   "averaging", "donnings", "read_by"};
 constexpr std::size_t kLargestFile = 10'000'000;  ///< bytes
 
-/// Fields of one line (RFC 4180): a field in quotes may hold commas and doubled quotes.
 std::vector<std::string> fields_of(const std::string& line, const std::string& file, int number) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quoted) {
-      if (c != '"')
-        fields.back() += c;
-      else if (i + 1 < line.size() && line[i + 1] == '"')
-        fields.back() += line[i++];
-      else
-        quoted = false;
-    } else if (c == '"' && fields.back().empty()) {
-      quoted = true;
-    } else if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  if (quoted)
-    throw InvalidInput({file, number, kColumns[std::min(fields.size(), std::size(kColumns)) - 1]},
-                       "a quote that is not closed", "a closing quote on the same line");
-  return fields;
+  const io::CsvFields read = io::csv_fields(line);
+  if (!read.closed)
+    throw InvalidInput(
+        {file, number, kColumns[std::min(read.fields.size(), std::size(kColumns)) - 1]},
+        "a quote that is not closed", "a closing quote on the same line");
+  return read.fields;
 }
 
 /// The fields of one row by their columns.
@@ -94,6 +79,31 @@ class Row {
   std::vector<std::string> fields_;
 };
 
+/// Of a person every word behind the sex is a measure; other bodies are described as one likes.
+void check_body(const Row& row, const std::string& body) {
+  std::istringstream words(body);
+  std::string word;
+  words >> word;
+  if (word != "male" && word != "female") return;
+  std::vector<std::string> known = body::measure_names();
+  known.push_back("height");
+  while (words >> word) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) return;
+    const std::string name = word.substr(0, equals);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      row.fail("body", "\"" + printable(word) + "\"", "a measure, as in height=1.80",
+               did_you_mean(name, known));
+    double metres = 0;
+    const char* const stop = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data() + equals + 1, stop, metres);
+    constexpr double kShortest = 0.05, kLongest = 2.5;  // [m]
+    if (error != std::errc{} || end != stop || !(metres >= kShortest && metres <= kLongest))
+      row.fail("body", "\"" + printable(word) + "\"",
+               fmt::format("metres from {:g} to {:g}, with a point", kShortest, kLongest));
+  }
+}
+
 AirGapRow read_row(const Row& row, int line) {
   AirGapRow r;
   r.line = line;
@@ -119,6 +129,13 @@ AirGapRow read_row(const Row& row, int line) {
   if (regions_named(r.region).empty())
     row.fail("region", "\"" + printable(r.region) + "\"", "a region of the body",
              did_you_mean(r.region, body::region_names()));
+  check_body(row, r.body);
+  if (!r.fabric.empty()) {
+    const std::vector<std::string> known = io::material_names();
+    if (std::find(known.begin(), known.end(), r.fabric) == known.end())
+      row.fail("fabric", "\"" + printable(r.fabric) + "\"", "a material card, or nothing",
+               did_you_mean(r.fabric, known));
+  }
   if (!r.posture.empty()) {
     const std::vector<std::string> known = body::posture_names();
     if (std::find(known.begin(), known.end(), r.posture) == known.end())
@@ -167,7 +184,8 @@ std::vector<body::Region> regions_named(const std::string& name) {
 }
 
 std::vector<AirGapRow> read_air_gap_table(const std::filesystem::path& file) {
-  std::istringstream lines(io::read_text_file(file.string(), kLargestFile));
+  std::istringstream lines(
+      std::string(io::without_byte_order_mark(io::read_text_file(file.string(), kLargestFile))));
   const std::string name = file.string();
   std::vector<AirGapRow> rows;
   int number = 0;

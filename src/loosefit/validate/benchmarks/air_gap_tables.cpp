@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
 #include "loosefit/maps/air_gap.h"
 #include "loosefit/validate/air_gap_cells.h"
@@ -101,7 +102,12 @@ BenchmarkResult benchmark_air_gap_tables(Effort, Progress& progress) {
     const double share = 1.0 / static_cast<double>(runs.size());
     ProgressPart own(progress, share * static_cast<double>(k), share);
     const AirGapRow& first = *runs[k].rows.front();
-    add_cells(runs[k], wear(scenario_of(first), first.source + ", " + first.garment, own), cells);
+    try {
+      add_cells(runs[k], wear(scenario_of(first), first.source + ", " + first.garment, own), cells);
+    } catch (const InvalidInput& error) {
+      // Ease that the garment cannot have, a person whom nobody is like: of that row.
+      throw error.at({file.string(), first.line, error.place().key});
+    }
   }
   const std::string mesh =
       fmt::format("{} runs of {} donnings, {:g} mm edges", runs.size(), kDonnings, 1e3 * kEdge);
