@@ -1,15 +1,18 @@
 #include "loosefit/study/plan.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
+#include "loosefit/io/text_file.h"
 #include "loosefit/study/controls.h"
 #include "loosefit/study/run_study.h"
 
@@ -184,6 +187,42 @@ TEST(Plan, LongCasesAndControlsRunFirst) {
                              [&](const auto& a, const auto& b) { return work[a] > work[b]; }));
 }
 
+// Lines and paths are those of the file in which they stand, whatever they are laid over.
+TEST(StudyFile, LaidOverABaseKeepsItsOwnPlaces) {
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      fs::temp_directory_path() / ("loosefit-laid-over-" + std::to_string(getpid()));
+  fs::create_directories(folder / "bases");
+  io::write_text_file((folder / "bases/case.toml").string(), "\n\n[body]\nage = 30\n");
+  const std::string file = (folder / "study.toml").string();
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      make_plan(parse_study_file("[study]\nbase = \"bases/case.toml\"\n" + text, file));
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(complaint(""), "accepted");
+  EXPECT_NE(complaint("[scenario.body]\nheight = 9\n").find(file + ":4: body.height: found 9"),
+            std::string::npos)
+      << complaint("[scenario.body]\nheight = 9\n");
+  const std::string axis = "[[axis]]\nname = \"a\"\nkey = \"body.age\"\nvalues = [30, 900]\n";
+  EXPECT_NE(complaint(axis).find(file + ":6: body.age: found 900"), std::string::npos)
+      << complaint(axis);
+  const std::string beside = "[scenario.garment]\npattern = \"mine.json\"\n";
+  EXPECT_NE(complaint(beside).find(file + ":4: garment.pattern"), std::string::npos);
+  io::write_text_file((folder / "mine.json").string(), "{}");
+  EXPECT_EQ(complaint(beside), "accepted") << "whoever runs it reads it";
+  fs::remove_all(folder);
+}
+
+TEST(StudyFile, ModalityOfTheBaseMayBeAFileBesideIt) {
+  const StudyFile study = parse_study_file("[scenario.ranking]\nmodality = \"cards/mine.toml\"\n",
+                                           "/somewhere/study.toml");
+  EXPECT_EQ(study.modalities, std::vector<std::string>{"/somewhere/cards/mine.toml"});
+}
+
 TEST(StudyFile, IsRefusedWithPlace) {
   expect_refused("[study]\nnmae = \"x\"\n", "study.toml:2: study.nmae");
   expect_refused("[study]\nmodalities = [\"imu\"]\n", "study.toml:2: study.modalities");
@@ -194,10 +233,30 @@ TEST(StudyFile, IsRefusedWithPlace) {
   expect_refused(kHead + kFits + kFits, "twice");
   expect_refused(kHead + "[[axis]]\nname = \"p\"\npeople = { statistics = \"nobody\" }\n",
                  "statistics");
+  const std::string values = kHead + "[[axis]]\nname = \"a\"\nvalues = [0.1, 0.2]\n";
+  expect_refused(
+      values + "key = \"garment..fit\"\n",
+      "study.toml:7: axis[0].key: found \"garment..fit\" with an empty part, expected keys");
+  expect_refused(values + "key = \"site[0].shift\"\n", "a key that is in no array");
+  expect_refused(values + "keys = [\"garment.fit.chest\", 3]\n", "axis[0].keys: found 3");
+  expect_refused(values + "key = \"garment.fit.chest\"\nlabels = [\"small\", 2]\n",
+                 "axis[0].labels: found 2");
+  expect_refused(kHead + "[[axis]]\nname = \"a\"\nlevels = []\n", "at least one level");
+  expect_refused(kHead + "[[axis]]\nname = \"a\"\npostures = [[\"standing\", 3]]\n",
+                 "axis[0].postures: found 3");
+  expect_refused(
+      kHead + "[[axis]]\nname = \"p\"\npeople = { statistics = \"ansur-2012\", age = [95, 99] }\n",
+      "study.toml:6: axis[0].people: found no group");
+  expect_refused("[study]\ndesign = \"paired\"\n" + kPeople + kFits,
+                 "study.toml: study.design: found");
+  // Inputs of two axes under one name would be one column.
+  expect_refused(kHead + kPeople +
+                     "[[axis]]\nname = \"person.height\"\nkey = \"body.muscle\"\nvalues = [0.4]\n",
+                 "the input \"person.height\" of both");
   // A scenario that no run would take, told with the case.
   expect_refused(
       kHead + "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.1, 90]\n",
-      "case 2 (fit 90)");
+      "study.toml:7: garment.fit.chest: found 90 in case 2 (fit 90), expected");
   expect_refused(kHead + "[[axis]]\nname = \"a\"\nkey = \"garment.colour\"\nvalues = [1]\n",
                  "garment.colour");
 }

@@ -11,6 +11,7 @@ struct ConfigNode {
   enum class Kind { boolean, integer, number, text, other, array, table };
   Kind kind = Kind::table;
   int line = 0;
+  std::string file;  ///< where it stands, if not in the file of the table that it has come to
   bool boolean = false;
   long long integer = 0;
   double number = 0;  ///< also set for integers

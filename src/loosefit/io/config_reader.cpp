@@ -84,7 +84,8 @@ ConfigReader::ConfigReader(const ConfigNode& table, std::string file, std::strin
                            TableRecord* record)
     : table_(&table), file_(std::move(file)), path_(std::move(path)), record_(record) {
   if (table.kind != Kind::table)
-    throw InvalidInput({file_, table.line, path_}, table.describe(), "a table of keys");
+    throw InvalidInput({table.file.empty() ? file_ : table.file, table.line, path_},
+                       table.describe(), "a table of keys");
 }
 
 const ConfigNode* ConfigReader::node(const std::string& key) {
@@ -102,8 +103,14 @@ InvalidInput ConfigReader::error(const std::string& key, const std::string& foun
                                  const std::string& expected, const std::string& hint) const {
   const ConfigNode* node = table_->find(key);
   const std::string full = path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
-  return InvalidInput({file_, node ? node->line : table_->line, printable(full, 100)}, found,
+  return InvalidInput({file_of(key), node ? node->line : table_->line, printable(full, 100)}, found,
                       expected, hint);
+}
+
+const std::string& ConfigReader::file_of(const std::string& key) const {
+  const ConfigNode* node = table_->find(key);
+  const std::string& own = node ? node->file : table_->file;
+  return own.empty() ? file_ : own;
 }
 
 void ConfigReader::note(const std::string& key, const ValueForm& form, const std::string& about,

@@ -107,6 +107,8 @@ class ConfigReader {
   void finish() const;
 
   const std::string& file() const { return file_; }
+  /// Of a value, which may have been laid over the table from another file.
+  const std::string& file_of(const std::string& key) const;
   std::vector<std::string> keys() const;
   /// Error at `key`: found what stands there (or nothing).
   InvalidInput error(const std::string& key, const std::string& expected,

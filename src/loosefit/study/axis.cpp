@@ -35,6 +35,20 @@ io::ConfigNode text_array(const std::vector<std::string>& words, int line) {
   return node;
 }
 
+/// Texts of an array; anything else is refused as what stands there.
+std::vector<std::string> texts_of(const io::ConfigReader& table, const std::string& key,
+                                  const io::ConfigNode& array, const std::string& expected) {
+  if (array.kind != Kind::array || array.items.empty())
+    throw table.error(key, array.describe(), expected, {});
+  std::vector<std::string> texts;
+  for (const io::ConfigNode& item : array.items) {
+    if (item.kind != Kind::text || item.text.empty())
+      throw table.error(key, item.describe(), expected, {});
+    texts.push_back(item.text);
+  }
+  return texts;
+}
+
 /// The table of an axis while it is read.
 class Reading {
  public:
@@ -65,7 +79,11 @@ class Reading {
       asked.count = count_of(wish, 12);
       asked.within = wish.number("within", asked.within, {0.5, 0.9999, "a share"});
       asked.stratified = wish.boolean("stratified", false);
-      people = draw_people(from, asked, seed_);
+      try {
+        people = draw_people(from, asked, seed_);
+      } catch (const InvalidInput& error) {
+        throw table_.error("people", error.found(), error.expected(), error.hint());
+      }
       axis_.sampled = true;
     }
     wish.finish();
@@ -133,10 +151,8 @@ class Reading {
     const io::ConfigNode& node = *table_.node("postures");
     if (node.kind != Kind::array) throw table_.error("postures", "[[\"standing\", …], …]");
     for (const io::ConfigNode& list : node.items) {
-      std::vector<std::string> names;
-      for (const io::ConfigNode& name : list.items) names.push_back(name.text);
-      if (list.kind != Kind::array || names.empty())
-        throw table_.error("postures", list.describe(), "lists of names of postures", {});
+      const std::vector<std::string> names =
+          texts_of(table_, "postures", list, "lists of names of postures");
       AxisLevel& level = new_level(join(names, " + "));
       set_value(level.patch, "postures.list", text_array(names, list.line));
     }
@@ -172,17 +188,20 @@ class Reading {
     const io::ConfigNode& node = *table_.node("values");
     if (node.kind != Kind::array || node.items.empty())
       throw table_.error("values", "an array of values");
-    const io::ConfigNode* labels = table_.node("labels");
-    if (labels && (labels->kind != Kind::array || labels->items.size() != node.items.size()))
-      throw table_.error("labels", "one text for each of the values");
+    std::vector<std::string> labels;
+    if (const io::ConfigNode* given = table_.node("labels")) {
+      labels = texts_of(table_, "labels", *given, "one text for each of the values");
+      if (labels.size() != node.items.size())
+        throw table_.error("labels", "one text for each of the values");
+    }
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const io::ConfigNode& value = node.items[i];
       std::string label = value.kind == Kind::text ? value.text : value.describe();
-      if (labels) label = labels->items[i].text;
+      if (!labels.empty()) label = labels[i];
       std::optional<double> number;
       if (is_number(value)) number = value.number;
       AxisLevel& level = new_level(label, number);
-      for (const std::string& key : axis_.keys) set_value(level.patch, key, value);
+      set_keys(level, value);
     }
   }
 
@@ -207,7 +226,7 @@ class Reading {
       const double x = low + share * (high - low);
       const double value = rounded(logarithmic ? std::exp(x) : x);
       AxisLevel& level = new_level(shortest(value), value);
-      for (const std::string& key : axis_.keys) set_value(level.patch, key, number_node(value));
+      set_keys(level, number_node(value, table_.node("range")->line));
     }
   }
 
@@ -219,11 +238,23 @@ class Reading {
       if (usual.empty()) throw table_.error("key", "a key of the scenario, with dots");
       return usual;
     }
-    std::vector<std::string> names;
-    for (const io::ConfigNode& name : node->items) names.push_back(name.text);
-    if (node->kind != Kind::array || names.empty())
-      throw table_.error("keys", "an array of keys of the scenario");
-    return names;
+    return texts_of(table_, "keys", *node, "an array of keys of the scenario");
+  }
+
+  /// Of all keys of the axis. A level is laid over the base, so it cannot reach into its arrays.
+  void set_keys(AxisLevel& level, const io::ConfigNode& value) {
+    for (const std::string& key : axis_.keys) {
+      const char* const from = table_.has("key") ? "key" : "keys";
+      if (key.find('[') != std::string::npos)
+        throw table_.error(from, "\"" + printable(key) + "\"", "a key that is in no array",
+                           "levels = [{ set = … }] replaces a whole array");
+      try {
+        set_value(level.patch, key, value);
+      } catch (const InvalidInput& error) {
+        throw table_.error(from, "\"" + printable(key) + "\" with " + error.found(),
+                           error.expected(), {});
+      }
+    }
   }
 
   int count_of(io::ConfigReader& table, int usual) {
@@ -331,6 +362,7 @@ Axis read_axis(io::ConfigReader table, std::uint64_t study_seed, int draws) {
   if (axis.kind == "values") reading.values();
   if (axis.kind == "range") reading.range();
   table.finish();
+  if (axis.levels.empty()) throw table.error(axis.kind, "at least one level");
   if (axis.each_case && !axis.sampled)
     throw table.error("each_case", "an axis of chosen values", "an axis that is drawn", {});
   std::set<std::string> labels;

@@ -112,6 +112,12 @@ void merge_tables(io::ConfigNode& base, const io::ConfigNode& patch) {
   }
 }
 
+void stands_in(io::ConfigNode& node, const std::string& file) {
+  node.file = file;
+  for (io::ConfigNode& item : node.items) stands_in(item, file);
+  for (auto& [name, member] : node.members) stands_in(member, file);
+}
+
 const io::ConfigNode* value_at(const io::ConfigNode& root, const std::string& dotted) {
   const io::ConfigNode* at = &root;
   for (const Step& step : steps_of(dotted)) {

@@ -19,6 +19,9 @@ void set_value(io::ConfigNode& root, const std::string& dotted, const io::Config
 /// Members of `patch` over those of `base`: tables are merged, all else is replaced.
 void merge_tables(io::ConfigNode& base, const io::ConfigNode& patch);
 
+/// Says of a value and all below it in which file it stands, for errors and for the paths in it.
+void stands_in(io::ConfigNode& node, const std::string& file);
+
 /// The value at a dotted key of tables; nullptr if absent.
 const io::ConfigNode* value_at(const io::ConfigNode& root, const std::string& dotted);
 

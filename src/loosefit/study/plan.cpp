@@ -53,6 +53,16 @@ double chest_of(const io::ConfigNode& root) {
   return chest->number;
 }
 
+/// The error of a scenario, with its place, as that of a case.
+InvalidInput of_case(const InvalidInput& error, const Plan& plan, const PlannedCase& one) {
+  InputPlace place = error.place();
+  if (place.file.empty()) place.file = plan.study.file;
+  const std::string who = fmt::format("case {} ({})", one.number, plan.label(one));
+  if (error.found().empty())
+    return InvalidInput(place.str() + ": " + who + ": " + error.what(), error.hint());
+  return {place, error.found() + " in " + who, error.expected(), error.hint()};
+}
+
 std::size_t checked(std::size_t cases) {
   if (cases > kMostCases)
     throw InvalidInput(fmt::format("a study of more than {} cases", kMostCases),
@@ -133,8 +143,11 @@ std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int
 
 scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels) {
   io::ConfigNode root = study.base;
-  for (std::size_t k = 0; k < levels.size(); ++k)
-    merge_tables(root, study.axes[k].levels[levels[k]].patch);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    io::ConfigNode patch = study.axes[k].levels[levels[k]].patch;
+    stands_in(patch, study.file);
+    merge_tables(root, patch);
+  }
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const AxisLevel& level = study.axes[k].levels[levels[k]];
     if (level.shift) apply(*level.shift, root);
@@ -189,8 +202,13 @@ Plan make_plan(const StudyFile& study) {
   std::vector<int> sizes;
   for (const Axis& axis : study.axes)
     sizes.push_back(axis.each_case ? 1 : static_cast<int>(axis.levels.size()));
-  const std::vector<std::vector<int>> rows =
-      design_matrix(study.design, sizes, study.samples, seed_for(study.seed, "design"));
+  const std::vector<std::vector<int>> rows = [&] {
+    try {
+      return design_matrix(study.design, sizes, study.samples, seed_for(study.seed, "design"));
+    } catch (const InvalidInput& error) {
+      throw error.at({study.file, 0, "study.design"});
+    }
+  }();
   const int count = static_cast<int>(rows.size());
   std::vector<std::vector<int>> columns(study.axes.size());
   for (std::size_t k = 0; k < study.axes.size(); ++k)
@@ -214,9 +232,7 @@ Plan make_plan(const StudyFile& study) {
       one.edge_length = scenario.simulation.edge_length;
       one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
     } catch (const InvalidInput& error) {
-      throw InvalidInput(fmt::format("{}: case {} ({}): {}", study.file, one.number,
-                                     plan.label(one), error.what()),
-                         error.hint());
+      throw of_case(error, plan, one);
     }
     plan.cases.push_back(std::move(one));
   }

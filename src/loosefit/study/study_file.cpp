@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "loosefit/base/text.h"
@@ -119,9 +120,10 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
   study.base_file = path;
   read_head(root.table("study"), study);
   if (root.has("scenario")) {
-    const io::ConfigNode& scenario = *root.node("scenario");
+    io::ConfigNode scenario = *root.node("scenario");
     if (scenario.kind != io::ConfigNode::Kind::table)
       throw root.error("scenario", "tables of a scenario: [scenario.body], …");
+    stands_in(scenario, path);
     merge_tables(study.base, scenario);
   }
   const io::ConfigNode* axes = root.node("axis");
@@ -138,6 +140,16 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
     study.axis_nodes.push_back(axes->items[i]);
   }
   root.finish();
+  std::map<std::string, std::string> axis_of_input;
+  for (const Axis& axis : study.axes)
+    for (const AxisLevel& level : axis.levels)
+      for (const auto& [input, value] : level.inputs)
+        if (const std::string& owner = axis_of_input.emplace(input, axis.name).first->second;
+            owner != axis.name)
+          throw root.error("axis",
+                           "the input \"" + printable(input) + "\" of both \"" + printable(owner) +
+                               "\" and \"" + printable(axis.name) + "\"",
+                           "another name for one of them", {});
   if (study.looseness.empty()) study.looseness = fit_axis(study.axes);
   const auto loose = std::find_if(study.axes.begin(), study.axes.end(),
                                   [&](const Axis& a) { return a.name == study.looseness; });
@@ -148,8 +160,11 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
     throw InvalidInput({path, 0, "study.looseness"}, "\"" + printable(study.looseness) + "\"",
                        "the name of an axis whose levels have a value (a BGM)");
   if (study.modalities.empty())
-    if (const io::ConfigNode* asked = value_at(study.base, "ranking.modality"))
-      study.modalities.push_back(asked->text);
+    if (const io::ConfigNode* asked = value_at(study.base, "ranking.modality")) {
+      const bool file = fs::path(asked->text).extension() == ".toml";
+      study.modalities.push_back(file ? beside(study.base_file, asked->text).string()
+                                      : asked->text);
+    }
   return study;
 }
 
