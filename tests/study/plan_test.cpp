@@ -187,6 +187,19 @@ TEST(Plan, LongCasesAndControlsRunFirst) {
                              [&](const auto& a, const auto& b) { return work[a] > work[b]; }));
 }
 
+// As for crossed designs, where each_case has the draws of all cases.
+TEST(Plan, ALatinHypercubeDrawsAnAxisForEachCaseToo) {
+  const std::string head =
+      "[study]\nmodalities = [\"imu-inclination\"]\n"
+      "design = \"latin-hypercube\"\nsamples = 8\n";
+  const Plan plan = plan_of(head + kFits +
+                            "[[axis]]\nname = \"friction\"\nkey = \"material.friction_body\"\n"
+                            "range = [0.2, 0.8]\neach_case = true\n");
+  std::set<int> levels;
+  for (const PlannedCase& one : plan.cases) levels.insert(one.levels[1]);
+  EXPECT_EQ(levels.size(), 8u);
+}
+
 // Lines and paths are those of the file in which they stand, whatever they are laid over.
 TEST(StudyFile, LaidOverABaseKeepsItsOwnPlaces) {
   namespace fs = std::filesystem;

@@ -200,8 +200,12 @@ Plan make_plan(const StudyFile& study) {
   Plan plan;
   plan.study = study;
   std::vector<int> sizes;
+  // A Latin hypercube draws every axis anew for each case anyway.
+  const auto anew = [&](const Axis& axis) {
+    return axis.each_case && study.design != Design::latin_hypercube;
+  };
   for (const Axis& axis : study.axes)
-    sizes.push_back(axis.each_case ? 1 : static_cast<int>(axis.levels.size()));
+    sizes.push_back(anew(axis) ? 1 : static_cast<int>(axis.levels.size()));
   const std::vector<std::vector<int>> rows = [&] {
     try {
       return design_matrix(study.design, sizes, study.samples, seed_for(study.seed, "design"));
@@ -212,7 +216,7 @@ Plan make_plan(const StudyFile& study) {
   const int count = static_cast<int>(rows.size());
   std::vector<std::vector<int>> columns(study.axes.size());
   for (std::size_t k = 0; k < study.axes.size(); ++k)
-    if (study.axes[k].each_case && study.design != Design::latin_hypercube) {
+    if (anew(study.axes[k])) {
       plan.study.axes[k] =
           read_axis_for_each_case(study.axis_nodes[k], study.file, study.seed, count);
       columns[k] =
