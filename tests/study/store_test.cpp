@@ -14,68 +14,11 @@
 #include "loosefit/study/gallery.h"
 #include "loosefit/study/study_page.h"
 #include "loosefit/study/worker_process.h"
+#include "support/study_on_disk.h"
 
-// Records, folder and database, with results that are made up.
+// Records and database, with results that are made up.
 namespace loosefit::study {
-namespace fs = std::filesystem;
 namespace {
-
-const char* const kStudy =
-    "[study]\nname = \"x\"\nmodalities = [\"imu-uncalibrated\"]\n"
-    "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = 4 }\n"
-    "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.0, 0.1, 0.2]\n";
-
-CaseRecord made_up(const std::string& address, double score) {
-  CaseRecord record;
-  record.address = address;
-  record.status = CaseStatus::done;
-  record.residual = 0.1 / 3;
-  record.drapes_asked = record.drapes_counted = 1;
-  record.body = {{"chest", 0.9 + 1e-17}, {"odd", std::nan("")}};
-  record.fit = {{"chest", 0.1}};
-  record.garment = {{"uncomfortable_share", 0.0}};
-  record.maps["distance_mm"] = {{"median", 3.25}};
-  record.sites.push_back({"imu-uncalibrated", "scapula", "back", "back", 0.1, 0.2, 0, 0, 1, ""});
-  SampleRecord sample;
-  sample.modality = "imu-uncalibrated";
-  sample.site = "scapula";
-  sample.score = std::clamp(score, 0.0, 1.0);
-  sample.margin = score;
-  sample.limiting = "rotation_deg";
-  sample.metrics = {{"rotation_deg", 10 - 5 * score}};
-  record.samples.push_back(sample);
-  record.versions = {{"loosefit", "0"}};
-  record.execution = {12.5, 100, "somewhere"};
-  return record;
-}
-
-struct StudyOnDisk : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-study-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  Plan plan = make_plan(parse_study_file(kStudy, "x.toml"));
-  void SetUp() override { fs::remove_all(base); }
-  void TearDown() override { fs::remove_all(base); }
-
-  /// Score of a case: falls with the fit, rises with the person.
-  static double score(const PlannedCase& one) {
-    return 0.9 - 0.3 * one.levels[1] + 0.05 * one.levels[0];
-  }
-  StudyFolder planned(const std::string& name) const {
-    const StudyFolder folder(base / name);
-    fs::create_directories(base);
-    folder.write_plan(plan);
-    return folder;
-  }
-  void finish(const StudyFolder& folder, const PlannedCase& one) const {
-    write_whole(folder.result_file(one.address), record_json(made_up(one.address, score(one))));
-  }
-  StudyFolder finished(const std::string& name) const {
-    const StudyFolder folder = planned(name);
-    for (const PlannedCase& one : plan.cases) finish(folder, one);
-    return folder;
-  }
-};
 
 TEST(CaseRecord, ReadsBackAsTheSameBits) {
   const CaseRecord record = made_up(std::string(64, 'a'), 0.1 + 0.2);
@@ -94,83 +37,6 @@ TEST(CaseRecord, OfWhichAnythingIsMissingOrChangedDoesNotCount) {
     std::string changed = whole;
     changed[at] = changed[at] == '7' ? '8' : '7';
     EXPECT_THROW(parse_record(changed, "x"), InvalidInput) << at;
-  }
-}
-
-// As a runner leaves it that is killed while it writes, after each of its files in turn.
-TEST_F(StudyOnDisk, APlanThatWasCutOffIsWrittenToItsEndAndNothingHalfWrittenStays) {
-  const StudyFolder whole = planned("whole");
-  const std::string first = plan.cases.front().address, last = plan.cases.back().address;
-  const std::vector<fs::path> order = {whole.path() / "plan.json", whole.path() / "study.toml",
-                                       whole.scenario_file(first), whole.scenario_file(last),
-                                       whole.path() / "controls.txt"};
-  for (std::size_t kept = 0; kept < order.size(); ++kept) {
-    const StudyFolder cut(base / ("cut-" + std::to_string(kept)));
-    for (std::size_t i = 0; i <= kept; ++i) {
-      const fs::path file = cut.path() / fs::relative(order[i], whole.path());
-      fs::create_directories(file.parent_path());
-      if (i < kept)
-        fs::copy_file(order[i], file);
-      else
-        io::write_text_file(
-            (file.parent_path() / ("." + file.filename().string() + ".writing-7")).string(),
-            "half");
-    }
-    cut.write_plan(plan);
-    int files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(cut.path())) {
-      if (!entry.is_regular_file()) continue;
-      ++files;
-      const fs::path other = whole.path() / fs::relative(entry.path(), cut.path());
-      ASSERT_TRUE(fs::exists(other)) << entry.path();
-      EXPECT_EQ(io::read_text_file(entry.path().string(), 1000000),
-                io::read_text_file(other.string(), 1000000));
-    }
-    EXPECT_EQ(files, static_cast<int>(plan.cases.size()) + 3);
-  }
-}
-
-TEST_F(StudyOnDisk, CountsWholeResultsOnly) {
-  const StudyFolder folder = planned("a");
-  const FolderPlan read = folder.read_plan();
-  EXPECT_EQ(folder.state(read).open.size(), 12u);
-  finish(folder, plan.cases[0]);
-  const std::string half = record_json(made_up(plan.cases[1].address, 1)).substr(0, 300);
-  io::write_text_file(folder.result_file(plan.cases[1].address).string(), half);
-  // A result under the address of another case.
-  io::write_text_file(folder.result_file(plan.cases[2].address).string(),
-                      record_json(made_up(plan.cases[3].address, 1)));
-  EXPECT_EQ(folder.state(read).done, 1);
-  EXPECT_EQ(folder.state(read).open.size(), 11u);
-}
-
-TEST_F(StudyOnDisk, PlanReadsBack) {
-  const FolderPlan read = planned("a").read_plan();
-  ASSERT_EQ(read.cases.size(), plan.cases.size());
-  EXPECT_EQ(read.cases[7].address, plan.cases[7].address);
-  EXPECT_EQ(read.axes[0].levels[2].inputs, plan.study.axes[0].levels[2].inputs);
-  EXPECT_EQ(read.looseness, "fit");
-  EXPECT_EQ(label(read, read.cases[4]), "person 2, fit 0.1");
-}
-
-TEST_F(StudyOnDisk, AForeignFolderIsLeftAlone) {
-  fs::create_directories(base / "mine");
-  io::write_text_file((base / "mine" / "notes.txt").string(), "keep");
-  EXPECT_THROW(StudyFolder(base / "mine").write_plan(plan), InvalidInput);
-  EXPECT_FALSE(fs::exists(base / "mine" / "cases"));
-  EXPECT_THROW(StudyFolder(base / "mine").read_plan(), InvalidInput);
-}
-
-TEST_F(StudyOnDisk, ASecondRunnerIsToldWhoRuns) {
-  const StudyFolder folder = planned("a");
-  const StudyLock first(folder);
-  try {
-    const StudyLock second(folder);
-    FAIL();
-  } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find("process " + std::to_string(getpid())),
-              std::string::npos)
-        << error.what();
   }
 }
 

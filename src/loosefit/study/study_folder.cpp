@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "loosefit-study 1";
-constexpr std::size_t kLargestPlan = 2000000000;
+constexpr std::size_t kLargestPlan = 2000000000, kLargestScenario = 1000000;
 const char* const kControls = "controls.txt";
 const char* const kWriting = ".writing-";  ///< in the name of a file that is not yet whole
 
@@ -90,6 +90,34 @@ Json plan_json(const Plan& plan) {
   return json;
 }
 
+/// Addresses become paths and levels indices: what the program does not write is refused.
+void check_plan(const FolderPlan& plan, const std::string& file) {
+  const auto refuse = [&](const std::string& key, const std::string& found,
+                          const std::string& expected) {
+    throw InvalidInput({file, 0, key}, found, expected);
+  };
+  for (const FolderCase& one : plan.cases) {
+    const std::string of_case = " of case " + std::to_string(one.number);
+    constexpr std::size_t kDigits = 64;
+    if (one.address.size() != kDigits ||
+        one.address.find_first_not_of("0123456789abcdef") != std::string::npos)
+      refuse("cases.address", "\"" + printable(one.address) + "\"" + of_case,
+             "64 hexadecimal digits");
+    if (one.levels.size() != plan.axes.size())
+      refuse("cases.levels", std::to_string(one.levels.size()) + of_case,
+             "one for each of " + std::to_string(plan.axes.size()) + " axes");
+    for (std::size_t k = 0; k < plan.axes.size(); ++k)
+      if (one.levels[k] < 0 || one.levels[k] >= static_cast<int>(plan.axes[k].levels.size()))
+        refuse("cases.levels", std::to_string(one.levels[k]) + of_case,
+               "a level of the axis " + printable(plan.axes[k].name));
+  }
+  if (const int loose = looseness_axis(plan); loose >= 0)
+    for (const AxisLevel& level : plan.axes[loose].levels)
+      if (!level.value)
+        refuse("looseness", "\"" + printable(plan.looseness) + "\"",
+               "an axis whose levels have a value");
+}
+
 }  // namespace
 
 void write_whole(const fs::path& named, const std::string& text) {
@@ -137,16 +165,32 @@ void write_planned(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-void StudyFolder::write_plan(const Plan& plan) const {
+void StudyFolder::check_ours() const {
+  if (!io::is_there(path_)) return;
   std::error_code error;
-  if (fs::exists(path_, error) && !fs::exists(path_ / "plan.json", error)) {
-    for (const auto& entry : fs::directory_iterator(path_, error))
-      if (const std::string name = entry.path().filename().string(); name[0] != '.')
-        throw InvalidInput({path_.string(), 0, ""},
-                           "a folder that is no study, with " + printable(name) + " in it",
-                           "a new or empty folder, or that of an earlier study");
-    if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
+  // A study whose plan is gone or damaged gets it back from its study file.
+  const bool is_study =
+      fs::is_directory(path_ / "cases", error) && io::is_there(path_ / "study.toml");
+  const fs::path file = path_ / "plan.json";
+  if (io::is_there(file)) {
+    const Json json = Json::parse(io::read_text_file(file.string(), kLargestPlan), nullptr, false);
+    if (json.is_discarded() ? is_study
+                            : json.is_object() && json.value("format", Json()) == kFormat)
+      return;
+    throw InvalidInput({file.string(), 0, "format"}, "a file that is no plan of a study", kFormat,
+                       "choose another folder, or move this file away");
   }
+  if (is_study) return;
+  for (const auto& entry : fs::directory_iterator(path_, error))
+    if (const std::string name = entry.path().filename().string(); name[0] != '.')
+      throw InvalidInput({path_.string(), 0, ""},
+                         "a folder that is no study, with " + printable(name) + " in it",
+                         "a new or empty folder, or that of an earlier study");
+  if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
+}
+
+void StudyFolder::write_plan(const Plan& plan) const {
+  check_ours();
   // The plan first: it marks the folder as a study, also when the rest is cut off.
   make_folders(path_);
   write_planned(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
@@ -155,7 +199,9 @@ void StudyFolder::write_plan(const Plan& plan) const {
   for (const PlannedCase& one : plan.cases) {
     if (!written.insert(one.address).second) continue;
     const fs::path file = scenario_file(one.address);
-    if (fs::exists(file, error)) continue;
+    // The address leaves out what changes no result, the views of pictures for example.
+    if (io::is_there(file) && io::read_text_file(file.string(), kLargestScenario) == one.toml)
+      continue;
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }
@@ -199,6 +245,7 @@ FolderPlan StudyFolder::read_plan() const {
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
                             j.at("drapes"), j.at("edge_length")});
+    check_plan(plan, file.string());
     return plan;
   } catch (const Json::exception& e) {
     throw InvalidInput({file.string(), 0, ""}, e.what(), "plan.json as the program wrote it");
@@ -241,6 +288,7 @@ int StudyFolder::forget_failed(const FolderPlan& plan) const {
 }
 
 StudyLock::StudyLock(const StudyFolder& folder) {
+  folder.check_ours();
   make_folders(folder.path());
   const fs::path file = folder.path() / ".lock";
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
@@ -260,7 +308,15 @@ StudyLock::StudyLock(const StudyFolder& folder) {
                        "a study that " + printable(who, 200) + " is just running",
                        "one runner at a time", "wait for it, or stop it; its finished cases stay");
   }
-  const std::string text = "process " + std::to_string(getpid()) + " on " + host;
+  constexpr std::string_view kProcess = "process ";
+  char before[kProcess.size()];
+  const ssize_t there = pread(descriptor_, before, sizeof before, 0);
+  // A file of that name that somebody else has written stays as it is, and is the lock all the
+  // same.
+  if (there != 0 &&
+      std::string_view(before, static_cast<std::size_t>(std::max<ssize_t>(there, 0))) != kProcess)
+    return;
+  const std::string text = std::string(kProcess) + std::to_string(getpid()) + " on " + host;
   if (ftruncate(descriptor_, 0) != 0 ||
       pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
     // The name is for messages alone; the lock holds without it, on a full disk for example.

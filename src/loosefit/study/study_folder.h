@@ -59,6 +59,9 @@ class StudyFolder {
   std::filesystem::path result_file(const std::string& address) const;
   std::filesystem::path database() const { return path_ / "study.sqlite"; }
 
+  /// A folder that is there must be empty or a study. Changes nothing. \throws IoError,
+  /// InvalidInput.
+  void check_ours() const;
   /// Writes study.toml, plan.json and the scenarios that are not there yet; a folder that is there
   /// must be empty or a study. Results of earlier plans stay. \throws IoError, InvalidInput.
   void write_plan(const Plan& plan) const;
