@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
@@ -65,12 +66,32 @@ TEST_F(StudyOnDisk, DatabaseThatIsDamagedOrBehindIsMadeAnew) {
   const FolderPlan read = folder.read_plan();
   collect(folder, read);
   const std::string content = content_sha256(folder.database());
-  io::write_text_file(folder.database().string(), "this is no database, but long enough for one");
-  collect(folder, read);
-  EXPECT_EQ(content_sha256(folder.database()), content);
+  const std::string foreign = "this is no database, but long enough for one";
+  for (const char* number : {"1", "2"}) {
+    io::write_text_file(folder.database().string(), foreign);
+    collect(folder, read);
+    EXPECT_EQ(content_sha256(folder.database()), content);
+    EXPECT_EQ(io::read_text_file(folder.database().string() + ".damaged-" + number, 1000), foreign)
+        << "it may be somebody's";
+  }
+  {  // tables of one's own beside ours
+    const Database database(folder.database(), Database::Mode::write);
+    database.run("CREATE TABLE remarks (text TEXT); INSERT INTO remarks VALUES ('keep')");
+  }
   fs::remove(folder.result_file(plan.cases[5].address));
   collect(folder, read);
   EXPECT_NE(content_sha256(folder.database()), content);
+  {
+    const Database database(folder.database(), Database::Mode::read);
+    Statement kept = database.prepare("SELECT text FROM remarks");
+    ASSERT_TRUE(kept.step());
+    EXPECT_EQ(kept.text(0), "keep");
+    Statement open = database.prepare(
+        "SELECT number FROM cases WHERE status = 'open' AND reason IS NULL AND grade IS NULL");
+    ASSERT_TRUE(open.step());
+    EXPECT_EQ(open.integer(0), plan.cases[5].number);
+    EXPECT_FALSE(open.step());
+  }
   finish(folder, plan.cases[5]);
   collect(folder, read);
   EXPECT_EQ(content_sha256(folder.database()), content);
@@ -128,11 +149,53 @@ TEST_F(StudyOnDisk, EveryTableIsExported) {
   const StudyFolder folder = finished("a");
   collect(folder, folder.read_plan());
   export_csv(folder.database(), base / "csv");
-  for (const std::string& table : table_names())
+  std::set<std::string> in_it;
+  const Database database(folder.database(), Database::Mode::read);
+  for (Statement rows = database.prepare("SELECT name FROM sqlite_master WHERE type = 'table'");
+       rows.step();)
+    in_it.insert(rows.text(0));
+  EXPECT_GT(in_it.size(), 10u);
+  EXPECT_EQ(std::set<std::string>(table_names().begin(), table_names().end()), in_it);
+  for (const std::string& table : in_it)
     EXPECT_TRUE(fs::exists(base / "csv" / (table + ".csv"))) << table;
   const std::string cases = io::read_text_file((base / "csv" / "levels.csv").string(), 100000);
   EXPECT_NE(cases.find("1,person,1,person 1,\n"), std::string::npos) << cases;
   EXPECT_NE(cases.find("2,fit,2,0.1,0.1\n"), std::string::npos) << cases;
+}
+
+TEST_F(StudyOnDisk, AnExportReplacesOnlyAnEarlierOne) {
+  const StudyFolder folder = finished("a");
+  collect(folder, folder.read_plan());
+  const std::string mine = (base / "csv" / "sites.csv").string();
+  fs::create_directories(base / "csv");
+  io::write_text_file(mine, "my own sites\n");
+  EXPECT_THROW(export_csv(folder.database(), base / "csv"), InvalidInput);
+  EXPECT_EQ(io::read_text_file(mine, 1000), "my own sites\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(base / "csv"), fs::directory_iterator()), 1);
+  fs::remove(mine);
+  io::write_text_file((base / "csv" / "notes.txt").string(), "keep");
+  for (int time = 0; time < 2; ++time)
+    EXPECT_EQ(export_csv(folder.database(), base / "csv"), [] {
+      std::vector<std::string> names;
+      for (const std::string& table : table_names()) names.push_back(table + ".csv");
+      return names;
+    }());
+  EXPECT_EQ(io::read_text_file((base / "csv" / "notes.txt").string(), 1000), "keep");
+}
+
+// What was found out about grade B is a result like any other.
+TEST_F(StudyOnDisk, ControlsAreExportedAndAPartOfTheContent) {
+  const StudyFolder folder = finished("a");
+  const FolderPlan read = folder.read_plan();
+  collect(folder, read);
+  const std::string without = content_sha256(folder.database());
+  CaseRecord record = made_up(plan.cases[3].address, score(plan.cases[3]));
+  record.control = {true, "", {{"slip_mm", 0.25}}};
+  Store(folder.database()).put(read, record);
+  EXPECT_NE(content_sha256(folder.database()), without);
+  export_csv(folder.database(), base / "csv");
+  EXPECT_EQ(io::read_text_file((base / "csv" / "controls.csv").string(), 10000),
+            "number,metric,largest\n4,slip_mm,0.25\n");
 }
 
 TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {

@@ -9,6 +9,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/plain_files.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit::study {
@@ -209,8 +210,8 @@ std::string rows_text(const Database& database, const std::string& table) {
 
 const std::vector<std::string>& table_names() {
   static const std::vector<std::string> kNames = {
-      "study", "axes",  "cases",   "levels",  "inputs", "body",     "fit",      "garment",
-      "maps",  "sites", "samples", "metrics", "notes",  "versions", "execution"};
+      "study", "axes",  "cases",   "levels",  "inputs",   "body",  "fit",      "garment",
+      "maps",  "sites", "samples", "metrics", "controls", "notes", "versions", "execution"};
   return kNames;
 }
 
@@ -273,6 +274,26 @@ void Store::put(const FolderPlan& plan, const CaseRecord& record) {
   whole.commit();
 }
 
+void Store::forget(const std::string& address) {
+  Transaction whole(database_);
+  std::vector<int> numbers;
+  {
+    Statement rows = database_.prepare("SELECT number FROM cases WHERE address = ?1");
+    for (rows.bind(1, address); rows.step();) numbers.push_back(rows.integer(0));
+  }
+  for (const int number : numbers) {
+    forget_results(database_, number);
+    database_
+        .prepare(
+            "UPDATE cases SET status = ?2, reason = NULL, grade = NULL, residual = NULL, "
+            "vertices = NULL, triangles = NULL, drapes_counted = NULL WHERE number = ?1")
+        .bind(1, number)
+        .bind(2, std::string(kOpen))
+        .run();
+  }
+  whole.commit();
+}
+
 std::vector<std::string> Store::addresses() const {
   std::vector<std::string> found;
   Statement rows = database_.prepare(
@@ -282,30 +303,41 @@ std::vector<std::string> Store::addresses() const {
   return found;
 }
 
+namespace {
+
+void bring_up(const StudyFolder& folder, const FolderPlan& plan) {
+  Store store(folder.database());
+  store.put_plan(plan);
+  const std::vector<std::string> listed = store.addresses();
+  std::set<std::string> in(listed.begin(), listed.end()), seen;
+  for (const FolderCase& one : plan.cases) {
+    if (!seen.insert(one.address).second) continue;
+    const std::optional<CaseRecord> record = folder.record(one.address);
+    if (record && !in.count(one.address)) store.put(plan, *record);
+    if (!record && in.count(one.address)) store.forget(one.address);
+  }
+}
+
+/// Under a name that is free, with the journal that belongs to it.
+void set_aside(const fs::path& file) {
+  int number = 1;
+  const auto aside = [&] { return file.string() + ".damaged-" + std::to_string(number); };
+  while (io::is_there(aside()) || io::is_there(aside() + "-journal")) ++number;
+  const std::string journal = file.string() + "-journal";
+  if (io::is_there(journal)) io::move_to_free_name(journal, aside() + "-journal");
+  io::move_to_free_name(file, aside());
+}
+
+}  // namespace
+
 void collect(const StudyFolder& folder, const FolderPlan& plan) {
-  const auto bring_up = [&] {
-    Store store(folder.database());
-    store.put_plan(plan);
-    const std::vector<std::string> listed = store.addresses();
-    std::set<std::string> in(listed.begin(), listed.end()), seen;
-    std::set<std::string> lost;
-    for (const FolderCase& one : plan.cases) {
-      if (!seen.insert(one.address).second) continue;
-      const std::optional<CaseRecord> record = folder.record(one.address);
-      if (record && !in.count(one.address)) store.put(plan, *record);
-      if (!record && in.count(one.address)) lost.insert(one.address);
-    }
-    return lost.empty();
-  };
-  bool whole = false;
   try {
-    whole = bring_up();
+    return bring_up(folder, plan);
   } catch (const DamagedDatabase&) {
   }
-  if (whole) return;
-  // Damaged, of another schema, or with results that are gone: made anew from the cases.
-  fs::remove(folder.database());
-  bring_up();
+  // Damaged, of another schema, or somebody else's: what the study needs is made anew.
+  set_aside(folder.database());
+  bring_up(folder, plan);
 }
 
 std::string content_sha256(const fs::path& file) {
@@ -317,9 +349,12 @@ std::string content_sha256(const fs::path& file) {
   return sha256_hex(digests);
 }
 
-void export_csv(const fs::path& file, const fs::path& folder) {
+std::vector<std::string> export_csv(const fs::path& file, const fs::path& folder) {
   const Database database(file, Database::Mode::read);
-  io::make_folder(folder);
+  io::RunFolder files = io::RunFolder::add(folder, "study-tables");
+  std::vector<std::string> names;
+  for (const std::string& table : table_names()) names.push_back(table + ".csv");
+  files.announce(names);
   for (const std::string& table : table_names()) {
     Statement rows = database.prepare(sorted_rows(database, table));
     std::vector<std::string> fields;
@@ -333,8 +368,10 @@ void export_csv(const fs::path& file, const fs::path& folder) {
                                            : io::csv_field(rows.number(c)));
       text += io::csv_line(fields);
     }
-    write_whole(folder / (table + ".csv"), text);
+    io::write_text_file((files.path() / (table + ".csv")).string(), text);
   }
+  files.commit();
+  return names;
 }
 
 }  // namespace loosefit::study

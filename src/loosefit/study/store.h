@@ -22,6 +22,8 @@ class Store {
   void put_plan(const FolderPlan& plan);
   /// Takes a result in, in place of an earlier one, for every number with its address.
   void put(const FolderPlan& plan, const CaseRecord& record);
+  /// Takes a result out; its cases are open again.
+  void forget(const std::string& address);
   /// Addresses whose results are in it.
   std::vector<std::string> addresses() const;
 
@@ -30,7 +32,8 @@ class Store {
 };
 
 /// Brings the database of a folder up to its results: what is missing goes in, what has no result
-/// any more goes out. A database that cannot be read is made anew. \throws IoError
+/// any more goes out. What has its name and is no such database, or a damaged one, is set aside as
+/// study.sqlite.damaged-1, …, and made anew. \throws IoError
 void collect(const StudyFolder& folder, const FolderPlan& plan);
 
 /// Names of the tables, in the order of the documentation.
@@ -39,7 +42,10 @@ const std::vector<std::string>& table_names();
 /// SHA-256 over all rows of all tables but `execution`, which says how long and where.
 std::string content_sha256(const std::filesystem::path& database);
 
-/// Writes every table as CSV (RFC 4180) into a folder. \throws IoError
-void export_csv(const std::filesystem::path& database, const std::filesystem::path& folder);
+/// Writes every table as CSV (RFC 4180) into a folder, all or none, in the place of nothing but
+/// an earlier export (io/run_folder.h); returns the names of the files. \throws IoError,
+/// InvalidInput.
+std::vector<std::string> export_csv(const std::filesystem::path& database,
+                                    const std::filesystem::path& folder);
 
 }  // namespace loosefit::study
