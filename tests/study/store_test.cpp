@@ -11,6 +11,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/analysis.h"
+#include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
 #include "loosefit/study/gallery.h"
 #include "loosefit/study/study_page.h"
@@ -230,6 +231,21 @@ TEST_F(StudyOnDisk, WhereNoFitWorksTheHeadlineNamesTheNearest) {
             std::string::npos)
       << sentence;
   EXPECT_EQ(study_html(analysis).find("nowhere to nowhere"), std::string::npos);
+}
+
+// A fit at which nobody could be rated is no nearest one, whatever comes after it.
+TEST_F(StudyOnDisk, TheNearestFitIsOneAtWhichSomebodyIsRated) {
+  const StudyFolder folder = planned("a");
+  for (const PlannedCase& one : plan.cases)
+    if (one.levels[1] > 0)
+      write_whole(folder.result_file(one.address),
+                  record_json(made_up(one.address, one.levels[0] > 0 ? 0.95 : 0.1)));
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
+  const std::string sentence = headlines(analysis).at(0);
+  EXPECT_NE(sentence.find("75 % of 4 people pass"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("nan"), std::string::npos) << sentence;
+  const std::string json = analysis_json(analysis);
+  EXPECT_EQ(json.find("\"uncomfortable_share_p95\": [\n   \"beyond"), std::string::npos) << json;
 }
 
 TEST_F(StudyOnDisk, FailedAndOpenCasesAreListedAndNotCounted) {

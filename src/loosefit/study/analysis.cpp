@@ -163,7 +163,8 @@ std::string nearest_in_words(const ModalityAnalysis& modality) {
   const LoosePoint* best = nullptr;
   for (const auto& [name, answer] : modality.how_loose)
     for (const LoosePoint& point : answer.curve)
-      if (!best || std::pair(point.passing, point.robust) > std::pair(best->passing, best->robust))
+      if (point.rated > 0 && (!best || std::pair(point.passing, point.robust) >
+                                           std::pair(best->passing, best->robust)))
         site = &name, best = &point;
   if (!best || best->passing == 0) return "nobody passes anywhere";
   return fmt::format("nearest is {}: {:.0f} % of {} people pass at a BGM of {:.2f}", *site,

@@ -98,7 +98,9 @@ std::string analysis_json(const StudyAnalysis& analysis) {
                {"troubles", Json::array()}};
   if (analysis.comfort) {
     Json shares = Json::array();
-    for (const double share : analysis.comfort->worst_share) shares.push_back(number(share));
+    // Infinite where nobody was rated.
+    for (const double share : analysis.comfort->worst_share)
+      shares.push_back(std::isfinite(share) ? Json(share) : Json(nullptr));
     const double limit = analysis.comfort->limit;
     json["comfort"] = {
         {"limit_bgm",
