@@ -12,6 +12,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/whole_file.h"
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
@@ -32,7 +33,7 @@ using Json = nlohmann::json;
 
 struct Arguments {
   std::string study, folder, other, output, executor = "local", address;
-  bool quiet = false, json = false, retry_failed = false;
+  bool quiet = false, json = false, retry_failed = false, overwrite = false;
   int index = 0;
   study::RunnerOptions runner;
 };
@@ -74,7 +75,9 @@ void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t
                axis.is_people() ? "people" : "levels", axis.sampled ? ", drawn" : "",
                terminal_line(join(labels)));
   }
-  fmt::print("sensors  {}\ncases    {} ({} drapes){}\n", join(plan.study.modalities),
+  fmt::print("sensors  {}\ncases    {} ({} drapes){}\n",
+             (plan.study.modalities.empty() ? "none: nothing is scored"
+                                            : terminal_line(join(plan.study.modalities))),
              plan.cases.size(), plan.drapes(),
              open < plan.cases.size() ? fmt::format(", {} of them still to run", open) : "");
   fmt::print("time     about {} on {} workers of this machine, {} of one core\n",
@@ -103,7 +106,14 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
   });
 }
 
-/// Database brought up to the results, and the page.
+/// The plan is read before anything is locked: what is no study stays as it is.
+void collect_results(const study::StudyFolder& folder) {
+  const study::FolderPlan plan = folder.read_plan();
+  const study::StudyLock lock(folder);
+  study::collect(folder, plan);
+}
+
+/// The page, from the results.
 study::StudyAnalysis write_report(const study::StudyFolder& folder, Progress& progress) {
   study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
   const study::Gallery gallery = study::make_gallery(folder, analysis.data.plan, progress);
@@ -213,14 +223,14 @@ void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
   CLI::App* command =
       parent->add_subcommand("report", "database and page anew from the results that are there");
   folder_option(command, arguments);
+  add_json_flag(*command, arguments->json);
   command->callback([arguments] {
     const study::StudyFolder folder(arguments->folder);
-    {
-      const study::StudyLock lock(folder);
-      study::collect(folder, folder.read_plan());
-    }
+    collect_results(folder);
     Progress silent;
-    for (const std::string& sentence : study::headlines(write_report(folder, silent)))
+    const study::StudyAnalysis analysis = write_report(folder, silent);
+    if (arguments->json) return print_document(study::analysis_json(analysis));
+    for (const std::string& sentence : study::headlines(analysis))
       fmt::print("{}\n", terminal_line(sentence));
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   });
@@ -230,17 +240,18 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
   CLI::App* command = parent->add_subcommand("export", "every table of the database as CSV");
   folder_option(command, arguments);
   command->add_option("-o,--output", arguments->output, "folder; usually DIR/csv");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments] {
     const study::StudyFolder folder(arguments->folder);
     const std::string to =
         arguments->output.empty() ? (folder.path() / "csv").string() : arguments->output;
-    {
-      const study::StudyLock lock(folder);
-      study::collect(folder, folder.read_plan());
-    }
-    study::export_csv(folder.database(), to);
-    fmt::print("written: {} ({} tables)\ncontent: {}\n", terminal_line(to),
-               study::table_names().size(), study::content_sha256(folder.database()));
+    collect_results(folder);
+    const std::vector<std::string> files = study::export_csv(folder.database(), to);
+    const std::string content = study::content_sha256(folder.database());
+    if (arguments->json)
+      return print_document(Json({{"folder", to}, {"files", files}, {"content_sha256", content}})
+                                .dump(1, ' ', false, Json::error_handler_t::replace));
+    fmt::print("written: {} ({} tables)\ncontent: {}\n", terminal_line(to), files.size(), content);
   });
 }
 
@@ -250,12 +261,17 @@ void make_compare_command(CLI::App* parent, const std::shared_ptr<Arguments>& ar
   command->add_option("A", arguments->folder, "folder of a study")->required();
   command->add_option("B", arguments->other, "folder of another")->required();
   command->add_option("-o,--output", arguments->output, "CSV file to write");
+  command->add_flag("--overwrite", arguments->overwrite, "replace a file that is there already");
+  add_json_flag(*command, arguments->json);
   command->callback([arguments] {
+    if (!arguments->output.empty()) io::check_whole_file(arguments->output, arguments->overwrite);
     const study::StudyComparison comparison =
         study::compare_studies(study::read_study_data(study::StudyFolder(arguments->folder)),
                                study::read_study_data(study::StudyFolder(arguments->other)));
     if (!arguments->output.empty())
-      study::write_whole(arguments->output, study::comparison_csv(comparison));
+      io::write_whole_file(arguments->output, study::comparison_csv(comparison),
+                           arguments->overwrite);
+    if (arguments->json) return print_document(study::comparison_json(comparison));
     fmt::print("{}", terminal_text(study::comparison_text(comparison)));
   });
 }

@@ -280,6 +280,9 @@ TEST_F(StudyOnDisk, ComparisonPairsPeople) {
   EXPECT_LT(second.interval.high - second.interval.low, 0.025);
   EXPECT_TRUE(second.differs());
   EXPECT_EQ(second.better, 0);
+  const std::string json = comparison_json(comparison);
+  EXPECT_NE(json.find("\"differs\": true"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"people\": 4"), std::string::npos) << json;
 }
 
 TEST_F(StudyOnDisk, GalleryIsThereWhereOutputsWereKept) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/quantile.h"
@@ -98,7 +99,9 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
     const std::string& modality = a.modalities[m];
     const auto in_a = a.sites.find(modality), in_b = b.sites.find(modality);
     if (in_a == a.sites.end() || in_b == b.sites.end()) {
-      comparison.notes.push_back(modality + " is in one study alone");
+      const bool neither = in_a == a.sites.end() && in_b == b.sites.end();
+      comparison.notes.push_back(modality + (neither ? " has results in neither study"
+                                                     : " has results in one study alone"));
       continue;
     }
     const double pass = io::load_scorecard(a.plan.modalities[m]).pass;
@@ -157,6 +160,32 @@ std::string comparison_csv(const StudyComparison& comparison) {
                           io::csv_field(d.better), io::csv_field(d.passing_a),
                           io::csv_field(d.passing_b)});
   return text;
+}
+
+std::string comparison_json(const StudyComparison& comparison) {
+  using Json = nlohmann::json;
+  // JSON has no NaN: the bounds of one pair.
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  Json rows = Json::array();
+  for (const PairedDifference& d : comparison.differences)
+    rows.push_back({{"modality", d.modality},
+                    {"site", d.site},
+                    {"level", d.level},
+                    {"people", d.pairs},
+                    {"mean_difference", number(d.mean)},
+                    {"median_difference", number(d.median)},
+                    {"interval", {number(d.interval.low), number(d.interval.high)}},
+                    {"differs", d.differs()},
+                    {"share_better", d.better},
+                    {"passing_a", d.passing_a},
+                    {"passing_b", d.passing_b}});
+  return Json({{"a", comparison.name_a},
+               {"b", comparison.name_b},
+               {"differences", rows},
+               {"notes", comparison.notes}})
+      .dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace loosefit::study

@@ -30,5 +30,6 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
 
 std::string comparison_text(const StudyComparison& comparison);
 std::string comparison_csv(const StudyComparison& comparison);
+std::string comparison_json(const StudyComparison& comparison);
 
 }  // namespace loosefit::study
