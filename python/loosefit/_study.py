@@ -15,7 +15,7 @@ class Study:
     """A study that was run, read from its database; nothing is changed.
 
     Tables are those of docs/studies.md: study, axes, cases, levels, inputs, body, fit, garment, maps, sites,
-    samples, metrics, notes, versions, execution.
+    samples, metrics, controls, notes, versions, execution.
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]) -> None:
@@ -36,7 +36,7 @@ class Study:
             connection = sqlite3.connect(f"{self._file.absolute().as_uri()}?mode=ro", uri=True, timeout=60)
             try:
                 cursor = connection.execute(sql, values)
-                names = [column[0] for column in cursor.description]
+                names = [column[0] for column in cursor.description or ()]
                 rows = cursor.fetchall()
             finally:
                 connection.close()
@@ -64,7 +64,7 @@ class Study:
     def scores(self, modality: Optional[str] = None, site: Optional[str] = None) -> dict[str, list[Any]]:
         """One row per case, modality, site and donning: score and what limits it, with the label of every axis.
 
-        Cases without scores (failed, sealed, not run) have no row.
+        An axis that is called as one of these columns ("site") is the column "axis site". Cases without scores (failed, sealed, not run) have no row.
         """
         axes = self.query("SELECT axis FROM axes ORDER BY position")["axis"]
         columns = self.query(
@@ -74,7 +74,7 @@ class Study:
         for axis in axes:
             rows = self.query("SELECT number, label FROM levels WHERE axis = ?", (axis,))
             label = dict(zip(rows["number"], rows["label"]))
-            columns[axis] = [label[number] for number in columns["number"]]
+            columns[f"axis {axis}" if axis in columns else axis] = [label[number] for number in columns["number"]]
         return columns
 
     @property
@@ -85,6 +85,9 @@ class Study:
         except OSError as error:
             raise IoError(f"{self.folder}: {error.strerror}: study-report.json; "
                           "loosefit study report DIR makes it") from None
+        except ValueError as error:
+            raise IoError(f"{self.folder / 'study-report.json'}: {error}; "
+                          "loosefit study report DIR makes it anew") from None
 
     @property
     def headlines(self) -> list[str]:

@@ -90,6 +90,21 @@ class AStudy(unittest.TestCase):
                                 str(self.folder)], check=True, capture_output=True, text=True)
         self.assertIn("0 of 2 cases ran", again.stdout)
 
+    def test_an_axis_called_as_a_column_replaces_none(self):
+        with tempfile.TemporaryDirectory() as place:
+            base = pathlib.Path(place)
+            (base / "study.toml").write_text(STUDY.replace('name = "fit"', 'name = "site"'))
+            subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "run", str(base / "study.toml"), "-o",
+                            str(base / "out"), "--quiet"], check=True)
+            study = loosefit.study(base / "out")
+            scores = study.scores(site="scapula_L")
+            self.assertEqual(set(scores["site"]), {"scapula_L"})
+            self.assertEqual(set(scores["axis site"]), {"0.05", "0.2"})
+            report = base / "out" / "study-report.json"
+            report.write_text("half of a rep")
+            with self.assertRaises(loosefit.IoError):
+                study.headlines
+
     def test_headline_is_in_the_report(self):
         self.assertEqual(len(self.study.headlines), 1)
         self.assertTrue(self.study.headlines[0].startswith("imu-uncalibrated: "))
