@@ -60,6 +60,21 @@ TEST_F(StudyOnDisk, CountsWholeResultsOnly) {
   EXPECT_EQ(folder.state(read).open.size(), 11u);
 }
 
+// A link to itself, as a folder to which one has no access: what is behind it is not known.
+TEST_F(StudyOnDisk, AResultThatCannotBeLookedAtIsNotMissing) {
+  const StudyFolder folder = finished("a");
+  const FolderPlan read = folder.read_plan();
+  const fs::path result = folder.result_file(plan.cases[2].address);
+  fs::remove(result);
+  fs::create_symlink(result.filename(), result);
+  EXPECT_THROW(folder.record(plan.cases[2].address), IoError);
+  EXPECT_THROW(folder.state(read), IoError);
+  const fs::path file = folder.path() / "plan.json";
+  fs::remove(file);
+  fs::create_symlink(file.filename(), file);
+  EXPECT_THROW(folder.read_plan(), IoError);
+}
+
 TEST_F(StudyOnDisk, PlanReadsBack) {
   const FolderPlan read = planned("a").read_plan();
   ASSERT_EQ(read.cases.size(), plan.cases.size());

@@ -185,8 +185,12 @@ CaseRecord parse_record(const std::string& text, const std::string& file) try {
 
 std::optional<CaseRecord> read_record(const std::filesystem::path& file,
                                       const std::string& address) {
+  // What cannot be looked at may be a result: it is neither missing nor to be run again.
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return {};
+  const auto there = std::filesystem::status(file, error);
+  if (there.type() == std::filesystem::file_type::not_found) return {};
+  if (there.type() == std::filesystem::file_type::none)
+    throw IoError(file.string() + ": cannot be read: " + error.message());
   try {
     CaseRecord record =
         parse_record(io::read_text_file(file.string(), kLargestRecord), file.string());

@@ -87,7 +87,7 @@ std::string record_json(const CaseRecord& record);
 CaseRecord parse_record(const std::string& text, const std::string& file);
 
 /// result.json of a case's folder; nothing when there is none, or none that is whole and of this
-/// address: the case then counts as not run.
+/// address: the case then counts as not run. \throws IoError when it cannot be looked at.
 std::optional<CaseRecord> read_record(const std::filesystem::path& file,
                                       const std::string& address);
 

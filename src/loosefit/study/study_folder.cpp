@@ -223,7 +223,10 @@ bool StudyFolder::is_control(const std::string& address) const {
 FolderPlan StudyFolder::read_plan() const {
   const fs::path file = path_ / "plan.json";
   std::error_code error;
-  if (!fs::exists(file, error))
+  const fs::file_status there = fs::status(file, error);
+  if (there.type() == fs::file_type::none)
+    throw IoError(file.string() + ": cannot be read: " + error.message());
+  if (!fs::exists(there))
     throw InvalidInput({path_.string(), 0, ""}, "no plan.json", "the folder of a study",
                        "loosefit study run STUDY.toml -o DIR makes one");
   try {
