@@ -10,6 +10,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/paths.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
@@ -246,6 +247,8 @@ TEST(StudyFile, IsRefusedWithPlace) {
   expect_refused(kHead + kFits + kFits, "twice");
   expect_refused(kHead + "[[axis]]\nname = \"p\"\npeople = { statistics = \"nobody\" }\n",
                  "statistics");
+  const std::string shipped = (data_directory() / "scorecards" / "ecg.toml").string();
+  expect_refused("[study]\nmodalities = [\"ecg\", \"" + shipped + "\"]\n", "\"ecg\" twice");
   const std::string values = kHead + "[[axis]]\nname = \"a\"\nvalues = [0.1, 0.2]\n";
   expect_refused(
       values + "key = \"garment..fit\"\n",

@@ -64,8 +64,12 @@ void read_head(io::ConfigReader table, StudyFile& study) {
                           "names of scorecards", error.hint());
       throw;
     }
-    if (std::count(study.modalities.begin(), study.modalities.end(), which))
-      throw table.error("modalities", "\"" + printable(word) + "\" twice", "each once", {});
+    // Results bear the name of the scorecard, wherever its file is.
+    const auto name = [](const std::string& modality) { return fs::path(modality).stem(); };
+    if (std::any_of(study.modalities.begin(), study.modalities.end(),
+                    [&](const std::string& other) { return name(other) == name(which); }))
+      throw table.error("modalities", "\"" + printable(name(which).string()) + "\" twice",
+                        "each name once", {});
     study.modalities.push_back(which);
   }
   study.looseness = table.text("looseness", "");
