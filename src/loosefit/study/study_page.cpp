@@ -250,7 +250,8 @@ std::string method_section(const StudyAnalysis& analysis) {
   text += element(
       "p", escaped("A person's score at a site is the lowest over all that the person went through "
                    "there: donnings, and whatever else varies. Percentiles, shares and intervals "
-                   "are over people; intervals come from 2000 draws of people with replacement."));
+                   "are over people; intervals come from 2000 draws of people with replacement, "
+                   "those of correlations from 400."));
   text += element(
       "p",
       escaped(fmt::format(
