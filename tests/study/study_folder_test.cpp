@@ -107,6 +107,22 @@ TEST_F(StudyOnDisk, AForeignPlanIsNotReplacedAndAForeignFolderGetsNoLock) {
   }
 }
 
+TEST_F(StudyOnDisk, AnotherStudyDoesNotTakeTheFolder) {
+  const StudyFolder folder = planned("a");
+  const auto renamed = [&](const std::string& from, const std::string& to) {
+    std::string text = kStudy;
+    text.replace(text.find("\"x\""), 3, "\"y\"");
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    return make_plan(parse_study_file(text, "y.toml"));
+  };
+  const std::string before = io::read_text_file((folder.path() / "study.toml").string(), 10000);
+  EXPECT_THROW(folder.write_plan(renamed("0.0, 0.1, 0.2", "0.5, 0.6")), InvalidInput);
+  EXPECT_EQ(io::read_text_file((folder.path() / "study.toml").string(), 10000), before);
+  EXPECT_EQ(folder.read_plan().name, "x");
+  folder.write_plan(renamed("0.2]", "0.3]"));
+  EXPECT_EQ(folder.read_plan().name, "y") << "another name for what is mostly the same";
+}
+
 TEST_F(StudyOnDisk, APlanThatIsDamagedOrGoneIsWrittenAnew) {
   const StudyFolder folder = planned("a");
   const fs::path file = folder.path() / "plan.json";

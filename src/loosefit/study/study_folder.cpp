@@ -189,8 +189,27 @@ void StudyFolder::check_ours() const {
   if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
 }
 
+void StudyFolder::check_same_study(const Plan& plan) const {
+  std::optional<FolderPlan> before;
+  try {
+    before = read_plan();
+  } catch (const InvalidInput&) {
+    return;  // none, or one that is written anew
+  }
+  if (before->name == plan.study.name) return;
+  std::set<std::string> known;
+  for (const FolderCase& one : before->cases) known.insert(one.address);
+  for (const PlannedCase& one : plan.cases)
+    if (known.count(one.address)) return;
+  throw InvalidInput(
+      {path_.string(), 0, ""}, "the study \"" + printable(before->name) + "\"",
+      "a folder of its own for \"" + printable(plan.study.name) + "\", which has no case of it",
+      "name = \"" + printable(before->name) + "\" in [study] if it is the same one, changed");
+}
+
 void StudyFolder::write_plan(const Plan& plan) const {
   check_ours();
+  check_same_study(plan);
   // The plan first: it marks the folder as a study, also when the rest is cut off.
   make_folders(path_);
   write_planned(path_ / "plan.json", plan_json(plan).dump(1) + "\n");

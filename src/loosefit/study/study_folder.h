@@ -63,7 +63,8 @@ class StudyFolder {
   /// InvalidInput.
   void check_ours() const;
   /// Writes study.toml, plan.json and the scenarios that are not there yet; a folder that is there
-  /// must be empty or a study. Results of earlier plans stay. \throws IoError, InvalidInput.
+  /// must be empty or this study: one of its name, or with a case of it. Results of earlier plans
+  /// stay. \throws IoError, InvalidInput.
   void write_plan(const Plan& plan) const;
   /// Whether a case is one of those that are run to grade A besides (controls.h).
   bool is_control(const std::string& address) const;
@@ -77,6 +78,7 @@ class StudyFolder {
   int forget_failed(const FolderPlan& plan) const;
 
  private:
+  void check_same_study(const Plan& plan) const;
   std::filesystem::path path_;
 };
 
