@@ -83,7 +83,9 @@ Rung drape_rung(const Woman& woman, double ease, Progress& progress, std::string
         maps::trunk_section(worn.mesh, x, worn.worn, wearer, maps::chest_height(wearer));
     const auto waist =
         maps::trunk_section(worn.mesh, x, worn.worn, wearer, wearer.measured.at("waist_level"));
-    if (!bust || !waist) throw SolverFailure("the top has no closed section at bust or waist");
+    if (!bust || !waist)
+      throw SolverFailure(fmt::format("{}, +{:.0f} cm: the top has no closed section at the {}",
+                                      woman.name, 100 * ease, bust ? "waist" : "bust"));
     rung.bust_gaps += std::accumulate(bust->gap.begin(), bust->gap.end(), 0.0) / n;
     rung.width += bust->cloth_width / bust->body_width / n;
     rung.depth += bust->cloth_depth / bust->body_depth / n;
