@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "support/wall_and_patch.h"
 
 namespace loosefit::maps {
@@ -44,6 +46,21 @@ TEST(StrainRange, HalfOfThePatchBeyondIsHalfOfItsArea) {
   EXPECT_NEAR(range.weft.share_beyond, 0.5, 0.06);
   EXPECT_EQ(range.warp.share_beyond, 0);
   EXPECT_EQ(range.share_beyond, range.weft.share_beyond);
+}
+
+TEST(StrainRange, FarBeyondIsThreeTimesTheLimitOfAYarn) {
+  const garment::Garment patch = testing::patch_garment(0.1, 0.01);
+  for (const auto& [warp, weft, share] :
+       {std::tuple{0.59, 0.0, 0.0}, {0.61, 0.0, 1.0}, {0.0, 0.89, 0.0}, {0.0, 0.91, 1.0}}) {
+    Mat2 f;
+    f << 1 + weft, 0, 0, 1 + warp;
+    const StrainRange range = strain_range(patch, stretched(patch, f, f), knit());
+    EXPECT_NEAR(range.share_far_beyond, share, 1e-12) << warp << " " << weft;
+  }
+  // Of what a card does not state nothing is known.
+  Mat2 f;
+  f << 3, 0, 0, 3;
+  EXPECT_EQ(strain_range(patch, stretched(patch, f, f), fabric::Material{}).share_far_beyond, 0);
 }
 
 TEST(StrainRange, ShearIsTheAngleOfEitherSign) {

@@ -85,6 +85,25 @@ bool warns(const CaseResult& result, const std::string& begin, const std::string
   });
 }
 
+TEST_F(CheckWorn, ClothStrainedFarBeyondItsCardIsNotWorn) {
+  const CaseResult result = tube(34, 56, 45, 60);
+  ASSERT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
+  const double limit = result.scenario.studied().material.material.valid_strain_weft;
+  ASSERT_GT(limit, 0);
+  const auto far_beyond = [&](double stretch) {
+    drape::Drape wide = result.studied().drape;
+    for (Vec3& p : wide.positions) p.head<2>() *= 1 + stretch;
+    const auto judged =
+        check_worn({wide}, result.garments, result.scenario, result.body.body).front();
+    const std::vector<std::string>& reasons = judged.certificate.worn_reasons;
+    return std::any_of(reasons.begin(), reasons.end(), [](const std::string& reason) {
+      return reason.find("nobody would get into it") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(far_beyond(2 * limit));
+  EXPECT_TRUE(far_beyond(4 * limit));
+}
+
 TEST_F(CheckWorn, AWaistThatHasRisenIsToldOfPosturesAndOfGarmentsUnderOthers) {
   const CaseResult risen = tube(42, 42, 22, 50);
   const std::string kRisen = "the waistband lies", kEnd = "is too narrow for this body";

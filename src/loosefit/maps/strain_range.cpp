@@ -18,6 +18,10 @@ bool add(DirectionRange& range, double value, double area) {
   return beyond;
 }
 
+bool is_far_beyond(const DirectionRange& range, double value) {
+  return range.is_stated() && value > kFarBeyond * range.limit;
+}
+
 }  // namespace
 
 StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3>& positions,
@@ -37,10 +41,12 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
     const bool warp = add(range.warp, strain.warp, area), weft = add(range.weft, strain.weft, area);
     if (add(range.shear, std::abs(trellis_shear(f)), area) || warp || weft)
       range.share_beyond += area;
+    if (is_far_beyond(range.warp, strain.warp) || is_far_beyond(range.weft, strain.weft))
+      range.share_far_beyond += area;
   }
   if (total > 0)
     for (double* share : {&range.warp.share_beyond, &range.weft.share_beyond,
-                          &range.shear.share_beyond, &range.share_beyond})
+                          &range.shear.share_beyond, &range.share_beyond, &range.share_far_beyond})
       *share /= total;
   return range;
 }

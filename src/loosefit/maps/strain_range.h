@@ -15,6 +15,10 @@ struct DirectionRange {
   bool is_stated() const { return limit > 0; }
 };
 
+/// So many times the range over which a law was measured it is no law any more [–]; knits are some
+/// ten times stiffer there already, wovens have torn. A choice.
+inline constexpr double kFarBeyond = 3;
+
 /// Of warp, weft and trellis shear. Beyond its range a law is extrapolated: a knit is stiffer there
 /// by a factor, a woven breaks.
 struct StrainRange {
@@ -22,6 +26,8 @@ struct StrainRange {
 
   /// Share of the flat area beyond any of the stated limits [–].
   double share_beyond = 0;
+  /// Share of the flat area of which warp or weft is beyond kFarBeyond times its stated limit [–].
+  double share_far_beyond = 0;
 };
 
 StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3>& positions,

@@ -4,20 +4,44 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/drape/worn.h"
+#include "loosefit/maps/strain_range.h"
 
 namespace loosefit::pipeline {
 namespace {
 
+constexpr double kOverstrained = 0.5;  ///< of the area, from which on cloth is torn, not worn
+
+/// Why nobody would get into a garment; nothing where somebody would.
+std::vector<std::string> overstrained(const garment::Garment& mesh, const drape::Drape& drape,
+                                      const fabric::Material& material) {
+  const maps::StrainRange range = maps::strain_range(mesh, drape.positions, material);
+  if (range.share_far_beyond <= kOverstrained) return {};
+  const auto limit = [&](const maps::DirectionRange& d) {
+    return d.limit > 0 ? d.largest / d.limit : 0;
+  };
+  const bool warp = limit(range.warp) > limit(range.weft);
+  const maps::DirectionRange& most = warp ? range.warp : range.weft;
+  return {fmt::format(
+      "{:.0f} % of the cloth is strained to more than {:g} times what {} was measured for "
+      "({} up to {:.0f} % where {:.3g} % are stated): it would tear, or nobody would get into it",
+      100 * range.share_far_beyond, maps::kFarBeyond, printable(material.name),
+      warp ? "warp" : "weft", 100 * most.largest, 100 * most.limit)};
+}
+
 /// Of all garments; those of a garment under the studied one with its number and name.
 std::vector<std::string> reasons(const std::vector<drape::Drape>& drapes,
                                  const std::vector<CaseGarment>& garments,
-                                 const body::PosedBody& body) {
+                                 const scenario::Scenario& scenario, const body::PosedBody& body) {
   std::vector<std::string> all;
   for (std::size_t g = 0; g < garments.size(); ++g) {
     const pattern::Pattern& pattern = garments[g].pattern.pattern;
     const bool studied = g + 1 == garments.size(), over_others = g > 0;
+    std::vector<std::string> own =
+        drape::why_not_worn(garments[g].mesh(), pattern, drapes[g].positions, body, over_others);
     for (const std::string& reason :
-         drape::why_not_worn(garments[g].mesh(), pattern, drapes[g].positions, body, over_others))
+         overstrained(garments[g].mesh(), drapes[g], scenario.garments[g].material.material))
+      own.push_back(reason);
+    for (const std::string& reason : own)
       all.push_back(studied
                         ? reason
                         : fmt::format("under {} ({}): {}", g + 1, printable(pattern.name), reason));
@@ -47,14 +71,15 @@ bool worn_as_in_reference(const std::vector<drape::Drape>& drapes, const body::P
 
 std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes,
                                      const std::vector<CaseGarment>& garments,
+                                     const scenario::Scenario& scenario,
                                      const body::PosedBody& body) {
-  const std::vector<std::string> found = reasons(drapes, garments, body);
+  const std::vector<std::string> found = reasons(drapes, garments, scenario, body);
   return with_reasons(std::move(drapes), found);
 }
 
 std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const body::PosedBody& body,
                                      const CaseResult& reference) {
-  std::vector<std::string> found = reasons(drapes, reference.garments, body);
+  std::vector<std::string> found = reasons(drapes, reference.garments, reference.scenario, body);
   if (found.empty() && !worn_as_in_reference(drapes, body, reference))
     found.push_back(
         "a limb or the trunk has left the opening it went through, or gone through the cloth");

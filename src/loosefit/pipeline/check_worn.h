@@ -5,10 +5,13 @@
 
 namespace loosefit::pipeline {
 
-/// Asks whether the garments with these drapes, one each, are worn by `body` (drape/worn.h): the
-/// drapes with what is not in the certificates of all of them.
+/// Asks whether the garments of a scenario with these drapes, one each, are worn by `body`: as
+/// drape/worn.h says, and not strained on half of their area so far beyond the range of their cards
+/// that nobody would get into them (maps::kFarBeyond). The drapes with what is not in the
+/// certificates of all of them.
 std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes,
                                      const std::vector<CaseGarment>& garments,
+                                     const scenario::Scenario& scenario,
                                      const body::PosedBody& body);
 
 /// The same of one more drape of the garments of `reference`, one each, on the body in its posture:

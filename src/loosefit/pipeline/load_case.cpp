@@ -103,8 +103,8 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
     placement::site_boards(scenario.sites);  // refuses boards to which the run has given no place
     CaseResult result = prepare_case(scenario, clock);
     check_body(folder / "body.vtp", result.body.body);
-    result.take_drapes(
-        check_worn(read_drapes(folder, result.garments), result.garments, result.body.body));
+    result.take_drapes(check_worn(read_drapes(folder, result.garments), result.garments,
+                                  result.scenario, result.body.body));
     clock.stage("body");
     result.wear = recall_wear(folder, result, clock);
     clock.stop();

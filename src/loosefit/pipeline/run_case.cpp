@@ -35,7 +35,7 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
     const drape::Drape drape = put_on(*session, result.body, usual_movements(scenario.donning),
                                       &scenario);  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
-                                  result.garments, result.body.body));
+                                  result.garments, result.scenario, result.body.body));
     at_once = drapes_at_once();
     result.wear = drape_states(result, session, at_once, clock);  // postures, donnings
   }

@@ -109,7 +109,8 @@ Study study(const Child& child, int first_part, int parts, Progress& progress) {
     drape::Drape drape =
         drape::drape_garment(result.studied().hierarchy, material, result.body.path,
                              pipeline::drape_options(scenario.simulation, repeat), part);
-    result.take_drapes(pipeline::check_worn({std::move(drape)}, result.garments, result.body.body));
+    result.take_drapes(pipeline::check_worn({std::move(drape)}, result.garments, result.scenario,
+                                            result.body.body));
     if (const drape::Certificate& c = result.certificate(); !c.holds()) {
       study.warnings.push_back(
           fmt::format("{} child: drape {} {} ({}), left out.", child.name, repeat + 1,
