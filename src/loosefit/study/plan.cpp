@@ -17,6 +17,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/resample.h"
 #include "loosefit/study/config_patch.h"
+#include "loosefit/study/controls.h"
 #include "loosefit/study/draws.h"
 
 namespace loosefit::study {
@@ -252,6 +253,20 @@ double estimated_core_seconds(const std::vector<PlannedCase>& cases) {
   for (const PlannedCase& one : cases)
     sum += kCase + one.drapes * (kCoarse + kFine * std::pow(kEdge / one.edge_length, kPower));
   return sum;
+}
+
+std::vector<std::string> control_addresses(const Plan& plan) {
+  std::vector<std::string> of_grade_b;
+  for (const PlannedCase& one : plan.cases)
+    if (one.grade_b) of_grade_b.push_back(one.address);
+  return control_addresses(of_grade_b);
+}
+
+std::map<std::string, double> estimated_work(const Plan& plan) {
+  std::map<std::string, double> work;
+  for (const PlannedCase& one : plan.cases) work[one.address] = estimated_core_seconds({one});
+  for (const std::string& control : control_addresses(plan)) work[control] *= 2;
+  return work;
 }
 
 }  // namespace loosefit::study

@@ -48,8 +48,14 @@ std::string case_address(const scenario::Scenario& scenario,
 /// Drapes that a scenario asks for: postures times donnings or repeats.
 int drapes_of(const scenario::Scenario& scenario);
 
+/// Addresses of the cases that also go on to grade A (control_addresses of those content with B).
+std::vector<std::string> control_addresses(const Plan& plan);
+
 /// Core seconds that so many cases take by figures measured on an x86-64 core of 2.5 GHz
 /// (docs/scaling.md); within a factor of two for shirts.
 double estimated_core_seconds(const std::vector<PlannedCase>& cases);
+
+/// The same of each case by its address; a control runs twice.
+std::map<std::string, double> estimated_work(const Plan& plan);
 
 }  // namespace loosefit::study

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "loosefit/base/text.h"
-#include "loosefit/study/controls.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/store.h"
 
@@ -24,8 +23,7 @@ double seconds_since(Clock::time_point start) {
 /// Share done and time left, by the work that cases were estimated to be.
 class Forecast {
  public:
-  Forecast(const Plan& plan, const std::vector<std::string>& open) {
-    for (const PlannedCase& one : plan.cases) work_[one.address] = estimated_core_seconds({one});
+  Forecast(const Plan& plan, const std::vector<std::string>& open) : work_(estimated_work(plan)) {
     for (const std::string& address : open) all_ += work_[address];
     count_ = static_cast<int>(open.size());
   }
@@ -59,15 +57,9 @@ std::string duration_text(double seconds) {
 }
 
 std::vector<std::string> longest_first(const Plan& plan, std::vector<std::string> addresses) {
-  std::map<std::string, double> work;
-  std::vector<std::string> of_grade_b;
-  for (const PlannedCase& one : plan.cases) {
-    work[one.address] = estimated_core_seconds({one});
-    if (one.grade_b) of_grade_b.push_back(one.address);
-  }
-  for (const std::string& control : control_addresses(of_grade_b)) work[control] *= 2;
+  const std::map<std::string, double> work = estimated_work(plan);
   std::stable_sort(addresses.begin(), addresses.end(),
-                   [&](const auto& a, const auto& b) { return work[a] > work[b]; });
+                   [&](const auto& a, const auto& b) { return work.at(a) > work.at(b); });
   return addresses;
 }
 

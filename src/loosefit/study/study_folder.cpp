@@ -14,7 +14,6 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/study/controls.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -224,11 +223,8 @@ void StudyFolder::write_plan(const Plan& plan) const {
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }
-  std::vector<std::string> of_grade_b;
-  for (const PlannedCase& one : plan.cases)
-    if (one.grade_b) of_grade_b.push_back(one.address);
   std::string controls;
-  for (const std::string& address : control_addresses(of_grade_b)) controls += address + "\n";
+  for (const std::string& address : control_addresses(plan)) controls += address + "\n";
   write_planned(path_ / kControls, controls);
 }
 

@@ -62,9 +62,9 @@ class StudyFolder {
   /// A folder that is there must be empty or a study. Changes nothing. \throws IoError,
   /// InvalidInput.
   void check_ours() const;
-  /// Writes study.toml, plan.json and the scenarios that are not there yet; a folder that is there
-  /// must be empty or this study: one of its name, or with a case of it. Results of earlier plans
-  /// stay. \throws IoError, InvalidInput.
+  /// Writes study.toml, plan.json and the scenarios that are not there as they are; a folder that
+  /// is there must be empty or this study: one of its name, or with a case of it. Results of
+  /// earlier plans stay. \throws IoError, InvalidInput.
   void write_plan(const Plan& plan) const;
   /// Whether a case is one of those that are run to grade A besides (controls.h).
   bool is_control(const std::string& address) const;
