@@ -105,8 +105,19 @@ def reported(benchmarks):
             "|---|---|---|---|"] + lines
 
 
+def versions(benchmarks):
+    """Which program found what: results of several runs may stand side by side."""
+    by_version = {}
+    for benchmark in benchmarks:
+        by_version.setdefault(benchmark["version"], []).append(benchmark["id"])
+    if len(by_version) == 1:
+        return [f"Found by version {next(iter(by_version))} of the program.", ""]
+    return ["Found by several versions of the program: "
+            + "; ".join(f"{version}: {', '.join(ids)}" for version, ids in by_version.items()) + ".", ""]
+
+
 def tables(benchmarks):
-    return "\n".join(overview(benchmarks) + misses(benchmarks) + reported(benchmarks))
+    return "\n".join(versions(benchmarks) + overview(benchmarks) + misses(benchmarks) + reported(benchmarks))
 
 
 def figure(benchmarks, identity, words, key):
@@ -133,8 +144,9 @@ def merged(old, new):
     return kept + list(by_id.values())
 
 
-def short(benchmark):
-    return {**{key: benchmark[key] for key in ("id", "title", "verdict", "error")},
+def short(benchmark, version):
+    """What is kept of a benchmark, with the version of the program that ran it."""
+    return {**{key: benchmark[key] for key in ("id", "title", "verdict", "error")}, "version": version,
             "findings": [{key: f[key] for key in KEPT} for f in benchmark["findings"]]}
 
 
@@ -148,7 +160,8 @@ def main(argv, root=ROOT):
         report = json.loads(pathlib.Path(argv[1]).read_text())
         if report["effort"] != "full":
             raise SystemExit(f"error: {argv[1]}: found the quick subset, expected a full validation")
-        stored = merged(stored, [short(b) for b in report["benchmarks"]])
+        version = report["versions"]["loosefit"]
+        stored = merged(stored, [short(b, version) for b in report["benchmarks"]])
         results.write_text(json.dumps(stored, indent=1, ensure_ascii=False) + "\n")
     stale = []
     for page in sorted((root / "docs").rglob("*.md")):

@@ -49,9 +49,10 @@ class Summary(unittest.TestCase):
             code = summary.main(["summary.py", *map(str, arguments)], self.root)
         return code, printed.getvalue()
 
-    def validated(self, *benchmarks, effort="full"):
+    def validated(self, *benchmarks, effort="full", version="0.3.0"):
         path = self.root / "validation.json"
-        path.write_text(json.dumps({"effort": effort, "benchmarks": benchmarks}))
+        path.write_text(json.dumps({"effort": effort, "benchmarks": benchmarks,
+                                    "versions": {"loosefit": version, "compiler": "g++"}}))
         return path
 
     def test_tables_figures_and_reasons_are_written_and_then_hold(self):
@@ -79,6 +80,16 @@ class Summary(unittest.TestCase):
         stored = json.loads((self.root / "validation" / "results.json").read_text())
         self.assertEqual([b["id"] for b in stored], ["B1", "C1"])
         self.assertIn("**MISS** | not known |", self.page.read_text())
+
+    def test_every_result_tells_the_version_that_found_it(self):
+        self.page.write_text(f"{summary.BEGIN}\n{summary.END}\n")
+        self.call(self.validated(benchmark("B1", finding("a", 2.0, "pass")),
+                                 benchmark("C1", finding("b", 2.0, "pass"))))
+        self.assertIn("Found by version 0.3.0 of the program.", self.page.read_text())
+        self.call(self.validated(benchmark("C1", finding("b", 2.0, "pass")), version="0.4.0"))
+        stored = json.loads((self.root / "validation" / "results.json").read_text())
+        self.assertEqual({b["id"]: b["version"] for b in stored}, {"B1": "0.3.0", "C1": "0.4.0"})
+        self.assertIn("0.3.0: B1; 0.4.0: C1.", self.page.read_text())
 
     def test_a_figure_of_no_or_several_findings_and_the_quick_subset_are_refused(self):
         with self.assertRaises(SystemExit):
