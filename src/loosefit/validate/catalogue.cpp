@@ -64,6 +64,8 @@ std::vector<Benchmark> benchmarks() {
       {"W2", "Reference shirt on two meshes",
        "itself at half of the edge length (docs/theory/validation.md 9.2)", false,
        benchmark_reference_shirt},
+      {"W3", "Loose shirts as cut and as worn",
+       "what makes a shirt loose (docs/theory/validation.md 9.3)", false, benchmark_shirt_fit},
       {"AG1-4", "Air under shirts on men", "docs/theory/air_gap.md 3: AG1 to AG4", true,
        benchmark_shirts_on_men},
       {"AG5-7", "Air under tops of growing ease", "docs/theory/air_gap.md 3: AG5 to AG7", false,

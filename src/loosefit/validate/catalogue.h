@@ -30,6 +30,7 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress);
 BenchmarkResult benchmark_back_sensors(Effort effort, Progress& progress);
 BenchmarkResult benchmark_arm_sleeve(Effort effort, Progress& progress);
 BenchmarkResult benchmark_reference_shirt(Effort effort, Progress& progress);
+BenchmarkResult benchmark_shirt_fit(Effort effort, Progress& progress);
 BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress);
 BenchmarkResult benchmark_ease_ladder(Effort effort, Progress& progress);
 BenchmarkResult benchmark_raised_arm(Effort effort, Progress& progress);

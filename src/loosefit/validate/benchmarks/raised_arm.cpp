@@ -6,12 +6,12 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
 #include "loosefit/drape/drape_session.h"
-#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/prepare_case.h"
 #include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/other_bodies.h"
+#include "loosefit/validate/trunk_hem.h"
 #include "loosefit/validate/worn_drapes.h"
 
 // AG9 of docs/theory/air_gap.md 3: how far the hem rises when the right arm is raised, with and
@@ -19,8 +19,7 @@
 namespace loosefit::validate {
 namespace {
 
-constexpr double kEdge = 0.014;            ///< [m]
-constexpr double kSector = radians(25.0);  ///< of the hem to either side of a place
+constexpr double kEdge = 0.014;  ///< [m]
 const char* const kBody =
     "sex = \"female\"\nheight = 1.60\n"
     "measurements = { chest = 0.84, waist = 0.66, hip = 0.91 }";
@@ -36,44 +35,19 @@ body::Posture raised(Raise raise, const body::Posture& standing) {
   return posture;
 }
 
-/// Rise of the hem [m]: all of it, and at the right, front, back and left.
+/// Rise of the hem [m]: all of it, and at its places.
 struct Lift {
   double all = 0;
-  std::array<double, 4> at = {};
+  HemHeights at = {};
 };
-
-/// The lowest border of the trunk's panels.
-std::vector<int> hem_of(const garment::Garment& mesh, const std::vector<Vec3>& x) {
-  const geometry::MeshTopology topology(mesh.triangles);
-  std::vector<int> hem;
-  double lowest = HUGE_VAL;
-  for (const std::vector<int>& loop : topology.boundary_loops()) {
-    double low = HUGE_VAL;
-    double length = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      low = std::min(low, x[loop[i]].z());
-      length += (x[loop[i]] - x[loop[(i + 1) % loop.size()]]).norm();
-    }
-    if (length > 0.6 && low < lowest) lowest = low, hem = loop;  // no cuff is so long
-  }
-  return hem;
-}
 
 Lift lift_of(const std::vector<int>& hem, const std::vector<Vec3>& before,
              const std::vector<Vec3>& after) {
-  Vec3 middle = Vec3::Zero();
-  for (int v : hem) middle += before[v] / static_cast<double>(hem.size());
-  const std::array<Vec2, 4> places = {Vec2(-1, 0), Vec2(0, -1), Vec2(0, 1), Vec2(1, 0)};
-  std::array<int, 4> counts = {};
+  std::vector<double> rise(before.size());
+  for (std::size_t v = 0; v < rise.size(); ++v) rise[v] = after[v].z() - before[v].z();
   Lift lift;
-  for (int v : hem) {
-    const double rise = after[v].z() - before[v].z();
-    lift.all += rise / static_cast<double>(hem.size());
-    const Vec2 off = (before[v] - middle).head<2>().normalized();
-    for (int k = 0; k < 4; ++k)
-      if (off.dot(places[k]) > std::cos(kSector)) lift.at[k] += rise, ++counts[k];
-  }
-  for (int k = 0; k < 4; ++k) lift.at[k] /= std::max(1, counts[k]);
+  lift.at = hem_means(hem, before, rise);
+  for (int v : hem) lift.all += rise[v] / static_cast<double>(hem.size());
   return lift;
 }
 
@@ -91,7 +65,7 @@ std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
     throw SolverFailure("the garment did not settle: " + standing.certificate.stop_reason);
   const garment::Garment& mesh = prepared.studied().mesh();
   mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
-  const std::vector<int> hem = hem_of(mesh, standing.positions);
+  const std::vector<int> hem = trunk_hem(mesh, standing.positions);
   const body::Posture from = scenario.body.posture;
   std::array<Lift, kRaises> all;
   for (int r = 0; r < kRaises; ++r) {
@@ -139,7 +113,9 @@ BenchmarkResult benchmark_raised_arm(Effort, Progress& progress) {
       "wider than the body's: a raised arm hardly pulls it"};
   const auto& at = sleeved[up].at;
   add("neighbours in the order right > centre front > centre back > left, of 3", 3,
-      (at[0] > at[1]) + (at[1] > at[2]) + (at[2] > at[3]), 3, 3);
+      (at[hem_right] > at[hem_front]) + (at[hem_front] > at[hem_back]) +
+          (at[hem_back] > at[hem_left]),
+      3, 3);
   result.findings.back().known_miss = KnownMiss{
       1,
       "front and back rise nearly alike, the back by a little more: what is called straight "
@@ -148,8 +124,9 @@ BenchmarkResult benchmark_raised_arm(Effort, Progress& progress) {
     result.notes.push_back(fmt::format(
         "Right arm {}: the hem of the shirt rises by {:.0f} mm (right {:.0f}, front {:.0f}, back "
         "{:.0f}, left {:.0f}), that of the top by {:.0f} mm.",
-        kRaiseNames[r], 1e3 * sleeved[r].all, 1e3 * sleeved[r].at[0], 1e3 * sleeved[r].at[1],
-        1e3 * sleeved[r].at[2], 1e3 * sleeved[r].at[3], 1e3 * bare[r].all));
+        kRaiseNames[r], 1e3 * sleeved[r].all, 1e3 * sleeved[r].at[hem_right],
+        1e3 * sleeved[r].at[hem_front], 1e3 * sleeved[r].at[hem_back],
+        1e3 * sleeved[r].at[hem_left], 1e3 * bare[r].all));
   result.notes.push_back(
       "A woman in a shirt with long sleeves and in a sleeveless top, the right arm raised. The "
       "source "

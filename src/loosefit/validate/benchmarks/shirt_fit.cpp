@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/error.h"
+#include "loosefit/base/progress_part.h"
+#include "loosefit/pipeline/case_ease.h"
+#include "loosefit/validate/catalogue.h"
+#include "loosefit/validate/trunk_hem.h"
+#include "loosefit/validate/worn_drapes.h"
+
+// Whether a shirt that is drafted to be loose is one on its wearer.
+namespace loosefit::validate {
+namespace {
+
+constexpr double kMostWeights = 5;          ///< normal force free of the arms over weight [–]
+constexpr double kLeastEase = 0.08 - 1e-6;  ///< at any station of trunk and arm [–]
+constexpr double kHemRange = 10;            ///< highest place of the hem over the lowest [mm]
+constexpr int kDonnings = 3;
+
+struct Wearer {
+  const char *who, *body, *more;
+  double edge;        ///< [m]
+  double hem_missed;  ///< by so much the level of the hem is known to miss its gate [mm]
+};
+/// The reference shirt, and the same ease on two other builds. Women's have half a bust dart.
+const Wearer kWearers[] = {{"woman of 0.88 m chest",
+                            "sex = \"female\"\nage = 30\nheight = 1.68\n"
+                            "measurements = { chest = 0.88, waist = 0.72, hip = 0.97 }",
+                            ", bust_dart = 0.5", 0.010, 2},
+                           {"woman of 1.04 m chest",
+                            "sex = \"female\"\nage = 50\nheight = 1.63\n"
+                            "measurements = { chest = 1.04, waist = 0.92, hip = 1.10 }",
+                            ", bust_dart = 0.5", 0.014, 12},
+                           {"man of 1.00 m chest",
+                            "sex = \"male\"\nage = 35\nheight = 1.78\n"
+                            "measurements = { chest = 1.00, waist = 0.86, hip = 1.00 }",
+                            "", 0.014, 12}};
+
+/// Mean height of the hem at its places over the donnings [m].
+HemHeights hem_heights(const std::vector<WornDrape>& drapes) {
+  HemHeights mean = {};
+  for (const WornDrape& worn : drapes) {
+    const std::vector<Vec3>& x = worn.drape.positions;
+    std::vector<double> height(x.size());
+    for (std::size_t v = 0; v < x.size(); ++v) height[v] = x[v].z();
+    const HemHeights here = hem_means(trunk_hem(worn.mesh, x), x, height);
+    for (int k = 0; k < kHemPlaces; ++k) mean[k] += here[k] / static_cast<double>(drapes.size());
+  }
+  return mean;
+}
+
+}  // namespace
+
+BenchmarkResult benchmark_shirt_fit(Effort, Progress& progress) {
+  BenchmarkResult result;
+  const double share = 1.0 / std::size(kWearers);
+  double done = 0;
+  for (const Wearer& wearer : kWearers) {
+    ProgressPart own(progress, done, share);
+    done += share;
+    const pipeline::CaseResult worn =
+        wear(worn_scenario(wearer.body,
+                           fmt::format("fit = {{ chest = 0.10, hip = 0.08, sleeve = 0.25, "
+                                       "wrist = 0.25{} }}",
+                                       wearer.more),
+                           wearer.edge, kDonnings),
+             wearer.who, own);
+    const std::string mesh = fmt::format("{:g} mm edges, {} triangles", 1e3 * wearer.edge,
+                                         worn.studied().mesh().triangles.size());
+    const auto add = [&](const std::string& what, const std::string& unit, double obtained,
+                         double low, double high) {
+      result.findings.push_back(
+          in_range(fmt::format("{}: {}", wearer.who, what), unit, NAN, obtained, low, high, mesh));
+    };
+    const std::optional<maps::BodyLoad>& load = worn.studied().maps.load;
+    if (!load)
+      throw SolverFailure(fmt::format("{}: the drape does not know its forces", wearer.who));
+    add("normal force over weight, without what is squeezed between arm and trunk", "",
+        (load->normal_force - load->between_arm_and_trunk) / load->weight, 0, kMostWeights);
+    const auto stations =
+        pipeline::station_eases(worn.studied().pattern, worn.scenario.studied().spec);
+    const auto least = pipeline::least_cut_ease(stations);
+    add(least ? fmt::format("least ease as cut ({})", least->name) : "least ease as cut", "",
+        least ? least->cut : NAN, kLeastEase, HUGE_VAL);
+    const HemHeights hem = hem_heights(worn_drapes(worn));
+    const auto [low, high] = std::minmax_element(hem.begin(), hem.end());
+    add("highest of right, front, back and left of the hem over the lowest", "mm",
+        1e3 * (*high - *low), 0, kHemRange);
+    result.findings.back().known_miss = KnownMiss{
+        wearer.hem_missed,
+        "the sides of the hem stand 6 to 12 mm over its front and back before the wearer has "
+        "moved, as side seams pass over the hips and front and back hang free of them; wearing in "
+        "adds the rest"};
+    result.notes.push_back(fmt::format(
+        "{}: the hem stands {:.0f} mm over its lowest place at the right, {:.0f} in front, {:.0f} "
+        "behind, {:.0f} at the left; {:.1f} weights more are squeezed between arms and trunk.",
+        wearer.who, 1e3 * (hem[hem_right] - *low), 1e3 * (hem[hem_front] - *low),
+        1e3 * (hem[hem_back] - *low), 1e3 * (hem[hem_left] - *low),
+        load->between_arm_and_trunk / load->weight));
+  }
+  result.notes.push_back(fmt::format("Worn in; hems are means of {} donnings.", kDonnings));
+  return result;
+}
+
+}  // namespace loosefit::validate
