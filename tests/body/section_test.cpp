@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/base/error.h"
@@ -49,6 +50,24 @@ TEST(Section, VerticesOnThePlaneDoNotBreakTheLoops) {
       torus(0.3, 0.1, 40, 20);  // whole rings of vertices lie in z = 0
   const auto loops = plane_section(mesh, Vec3::Zero(), Vec3::UnitZ());
   ASSERT_EQ(loops.size(), 2u);
+}
+
+// Half of the torus: its cut is no loop but two half circles, from border to border.
+TEST(Section, OpenSurfaceIsCutInChains) {
+  geometry::TriangleMesh half = torus(0.3, 0.1, 400, 200);
+  std::erase_if(half.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](int v) { return half.vertices[v].y() < -1e-9; });
+  });
+  EXPECT_TRUE(plane_section(half, Vec3(0, 0, 0.001), Vec3::UnitZ()).empty());
+  const auto chains = open_chains(half, Vec3(0, 0, 0.001), Vec3::UnitZ());
+  ASSERT_EQ(chains.size(), 2u);
+  EXPECT_NEAR(chains[0].length + chains[1].length, kPi * (0.4 + 0.2), 1e-3);
+  for (const SectionLoop& chain : chains) {
+    EXPECT_NEAR(chain.points.front().y(), 0, 1e-6);
+    EXPECT_NEAR(chain.points.back().y(), 0, 1e-6);
+    EXPECT_NEAR((chain.points.front() - chain.points.back()).norm(), 2 * chain.length / kPi, 1e-3);
+  }
+  EXPECT_TRUE(open_chains(torus(0.3, 0.1, 40, 20), Vec3(0, 0, 0.001), Vec3::UnitZ()).empty());
 }
 
 TEST(Section, VerticalCutFindsTheLoopRoundAPoint) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -104,6 +105,55 @@ TEST(TrunkSection, CutsBodyAndCloth) {
   EXPECT_NEAR(section->gap_area(), kPi * (0.15 * 0.15 - 0.12 * 0.12), 5e-6);
   EXPECT_NEAR(section->filling(), 1, 2e-3);
   EXPECT_FALSE(trunk_section(g, d.positions, worn, body, 0.2)) << "below the hem";
+}
+
+/// A tube whose wall is cut away above a height over the angles from `from` to `to`, as by
+/// armholes.
+garment::Garment cut_tube(const garment::Garment& tube, double radius, double height,
+                          const std::vector<std::array<double, 2>>& openings) {
+  garment::Garment cut = tube;
+  cut.triangles.clear(), cut.triangle_uv.clear(), cut.triangle_panel.clear();
+  for (std::size_t t = 0; t < tube.triangles.size(); ++t) {
+    Vec2 middle = Vec2::Zero();
+    for (int v : tube.triangles[t]) middle += tube.vertex_uv[v] / 3;
+    bool open = false;
+    for (const auto& [from, to] : openings)
+      open |= middle.y() > height && middle.x() / radius > from && middle.x() / radius < to;
+    if (open) continue;
+    cut.triangles.push_back(tube.triangles[t]);
+    cut.triangle_uv.push_back(tube.triangle_uv[t]);
+    cut.triangle_panel.push_back(tube.triangle_panel[t]);
+  }
+  return cut;
+}
+
+// Sectors of ring are left: radial edges, along the skin between them.
+TEST(TrunkSection, ArmholesAreClosedAlongTheSkin) {
+  const double r = 0.12, big = 0.15, level = 0.513;
+  const body::Body body = testing::cylinder_body(r, 1.0, 400, 20);
+  const garment::Garment tube = testing::tube_garment(2 * kPi * big, 0.4, 400, 20);
+  const drape::Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
+    const double a = uv.x() / big;
+    return Vec3(big * std::cos(a), big * std::sin(a), 0.3 + uv.y());
+  });
+  for (const auto& openings :
+       {std::vector<std::array<double, 2>>{{kPi - 0.2, kPi + 0.3}},
+        std::vector<std::array<double, 2>>{{0.9, 1.4}, {kPi - 0.2, kPi + 0.3}}}) {
+    const garment::Garment g = cut_tube(tube, big, 0.15, openings);
+    const WornGarment worn = relate(g, d.positions, body);
+    EXPECT_FALSE(trunk_section(g, d.positions, worn, body, level)) << "open";
+    EXPECT_TRUE(trunk_section(g, d.positions, worn, body, 0.4)) << "below the armholes";
+    const auto section = trunk_section(g, d.positions, worn, body, level, 0.1);
+    ASSERT_TRUE(section);
+    const double bare = 0.5 * static_cast<double>(openings.size()), grid = 2 * kPi / 400;
+    EXPECT_NEAR(section->opened, bare * r, 3 * grid * r);
+    EXPECT_NEAR(section->gap_area(), (kPi - 0.5 * bare) * (big * big - r * r), 1e-4);
+    EXPECT_NEAR(section->cloth_girth,
+                (2 * kPi - bare) * big + bare * r + 2 * openings.size() * 0.03, 2e-3);
+    EXPECT_NEAR(section->gap[36], 0, 1e-5) << "bare skin at 180°";
+    EXPECT_NEAR(section->gap[54], big - r, 1e-4) << "cloth at 270°";
+    EXPECT_FALSE(trunk_section(g, d.positions, worn, body, level, 0.055)) << "too wide for that";
+  }
 }
 
 }  // namespace

@@ -34,91 +34,135 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
 }
 
-}  // namespace
-
-std::vector<SectionLoop> plane_section(const geometry::TriangleMesh& mesh, const Vec3& origin,
-                                       const Vec3& normal) {
+std::vector<double> heights(const geometry::TriangleMesh& mesh, const Vec3& origin,
+                            const Vec3& normal) {
   const Vec3 n = normal.normalized();
   const double offset = n.dot(origin);
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v) height[v] = n.dot(mesh.vertices[v]) - offset;
-  return level_section(mesh, height, 0);
+  return height;
+}
+
+/// All segments along which a scalar per vertex is zero, and how they join.
+class Cut {
+ public:
+  Cut(const geometry::TriangleMesh& mesh, const std::vector<double>& height)
+      : mesh_(mesh), height_(height) {
+    const auto above = [&](int v) { return height[std::size_t(v)] >= 0; };
+    // One segment for every triangle that the level cuts, from cut edge to cut edge.
+    std::vector<Crossing> crossings;
+    for (const auto& t : mesh.triangles) {
+      if (above(t[0]) == above(t[1]) && above(t[1]) == above(t[2])) continue;
+      // The corner alone on its side; its two edges are cut.
+      std::size_t lone = 0;
+      while (above(t[lone]) == above(t[(lone + 1) % 3]) ||
+             above(t[lone]) == above(t[(lone + 2) % 3])) {
+        ++lone;
+      }
+      const int a = t[lone], b = t[(lone + 1) % 3], c = t[(lone + 2) % 3];
+      const int index = int(segments_.size());
+      segments_.push_back({edge_key(a, b), edge_key(a, c)});
+      crossings.push_back({segments_.back().from, index, 0});
+      crossings.push_back({segments_.back().to, index, 1});
+    }
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& l, const Crossing& r) {
+      return std::pair(l.edge, l.segment) < std::pair(r.edge, r.segment);
+    });
+    neighbour_.assign(segments_.size(), {-1, -1});
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+      if (crossings[i].edge != crossings[i + 1].edge) continue;
+      neighbour_[std::size_t(crossings[i].segment)][std::size_t(crossings[i].end)] =
+          crossings[i + 1].segment;
+      neighbour_[std::size_t(crossings[i + 1].segment)][std::size_t(crossings[i + 1].end)] =
+          crossings[i].segment;
+      ++i;
+    }
+    used_.assign(segments_.size(), 0);
+  }
+
+  std::size_t size() const { return segments_.size(); }
+  bool used(std::size_t segment) const { return used_[segment]; }
+  bool ends(std::size_t segment, std::size_t end) const { return neighbour_[segment][end] < 0; }
+
+  /// From segment to segment, out of `first` by its end `leave`, until the loop closes, which it
+  /// returns true for, or nothing follows.
+  bool follow(std::size_t first, std::size_t leave, SectionLoop& loop) {
+    std::size_t at = first;
+    while (true) {
+      used_[at] = 1;
+      const std::uint64_t edge = edge_of(at, leave);
+      add(edge, loop);
+      const int next = neighbour_[at][leave];
+      if (next < 0) return false;
+      if (std::size_t(next) == first) return true;
+      if (used_[std::size_t(next)]) return false;
+      at = std::size_t(next);
+      leave = segments_[at].from == edge ? 1 : 0;
+    }
+  }
+  std::uint64_t edge_of(std::size_t segment, std::size_t end) const {
+    return end == 1 ? segments_[segment].to : segments_[segment].from;
+  }
+  /// Where an edge is cut, linearly between its ends.
+  void add(std::uint64_t edge, SectionLoop& loop) const {
+    const auto a = std::size_t(edge >> 32), b = std::size_t(edge & 0xffffffff);
+    const double share = height_[a] / (height_[a] - height_[b]);
+    loop.points.push_back(mesh_.vertices[a] + share * (mesh_.vertices[b] - mesh_.vertices[a]));
+    loop.edges.push_back({int(edge >> 32), int(edge & 0xffffffff)});
+  }
+
+ private:
+  const geometry::TriangleMesh& mesh_;
+  const std::vector<double>& height_;
+  std::vector<Segment> segments_;
+  std::vector<std::array<int, 2>> neighbour_;  ///< by end: the segment that shares it, or -1
+  std::vector<char> used_;
+};
+
+}  // namespace
+
+std::vector<SectionLoop> plane_section(const geometry::TriangleMesh& mesh, const Vec3& origin,
+                                       const Vec3& normal) {
+  return level_section(mesh, heights(mesh, origin, normal), 0);
 }
 
 std::vector<SectionLoop> level_section(const geometry::TriangleMesh& mesh,
                                        const std::vector<double>& values, double level) {
-  const auto height = [&](std::size_t v) { return values[v] - level; };
-  const auto above = [&](int v) { return height(std::size_t(v)) >= 0; };
-
-  // One segment for every triangle that the level cuts, from cut edge to cut edge.
-  std::vector<Segment> segments;
-  std::vector<Crossing> crossings;
-  for (const auto& t : mesh.triangles) {
-    if (above(t[0]) == above(t[1]) && above(t[1]) == above(t[2])) continue;
-    // The corner alone on its side; its two edges are cut.
-    std::size_t lone = 0;
-    while (above(t[lone]) == above(t[(lone + 1) % 3]) ||
-           above(t[lone]) == above(t[(lone + 2) % 3])) {
-      ++lone;
-    }
-    const int a = t[lone], b = t[(lone + 1) % 3], c = t[(lone + 2) % 3];
-    const int index = int(segments.size());
-    segments.push_back({edge_key(a, b), edge_key(a, c)});
-    crossings.push_back({segments.back().from, index, 0});
-    crossings.push_back({segments.back().to, index, 1});
-  }
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& l, const Crossing& r) {
-    return std::pair(l.edge, l.segment) < std::pair(r.edge, r.segment);
-  });
-  // neighbour[segment][end]: the segment that shares this crossing, or -1.
-  std::vector<std::array<int, 2>> neighbour(segments.size(), {-1, -1});
-  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    if (crossings[i].edge != crossings[i + 1].edge) continue;
-    neighbour[std::size_t(crossings[i].segment)][std::size_t(crossings[i].end)] =
-        crossings[i + 1].segment;
-    neighbour[std::size_t(crossings[i + 1].segment)][std::size_t(crossings[i + 1].end)] =
-        crossings[i].segment;
-    ++i;
-  }
-  // Where an edge is cut, linearly between its ends.
-  const auto point_of = [&](std::uint64_t edge) -> Vec3 {
-    const auto a = std::size_t(edge >> 32), b = std::size_t(edge & 0xffffffff);
-    const double share = height(a) / (height(a) - height(b));
-    return mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]);
-  };
-
-  // Follow the segments from crossing to crossing until the loop closes; open chains are dropped.
+  std::vector<double> height = values;
+  for (double& h : height) h -= level;
+  Cut cut(mesh, height);
   std::vector<SectionLoop> loops;
-  std::vector<char> used(segments.size(), 0);
-  for (std::size_t first = 0; first < segments.size(); ++first) {
-    if (used[first]) continue;
+  for (std::size_t first = 0; first < cut.size(); ++first) {
+    if (cut.used(first)) continue;
     SectionLoop loop;
-    std::size_t at = first;
-    std::size_t leave = 1;
-    bool closed = false;
-    while (true) {
-      used[at] = 1;
-      const std::uint64_t edge = leave == 1 ? segments[at].to : segments[at].from;
-      loop.points.push_back(point_of(edge));
-      loop.edges.push_back({int(edge >> 32), int(edge & 0xffffffff)});
-      const int next = neighbour[at][leave];
-      if (next < 0) break;
-      if (std::size_t(next) == first) {
-        closed = true;
-        break;
-      }
-      if (used[std::size_t(next)]) break;
-      at = std::size_t(next);
-      leave = segments[at].from == edge ? 1 : 0;
-    }
-    // Its length as a polygon.
-    if (!closed || loop.points.size() < 3) continue;
+    // Its length as a polygon; open chains are dropped.
+    if (!cut.follow(first, 1, loop) || loop.points.size() < 3) continue;
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       loop.length += (loop.points[(i + 1) % loop.points.size()] - loop.points[i]).norm();
     }
     loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+std::vector<SectionLoop> open_chains(const geometry::TriangleMesh& mesh, const Vec3& origin,
+                                     const Vec3& normal) {
+  const std::vector<double> height = heights(mesh, origin, normal);
+  Cut cut(mesh, height);
+  std::vector<SectionLoop> chains;
+  for (std::size_t first = 0; first < cut.size(); ++first) {
+    if (cut.used(first)) continue;
+    const bool begins = cut.ends(first, 0);
+    if (!begins && !cut.ends(first, 1)) continue;
+    SectionLoop chain;
+    const std::size_t leave = begins ? 1 : 0;
+    cut.add(cut.edge_of(first, 1 - leave), chain);
+    cut.follow(first, leave, chain);
+    for (std::size_t i = 0; i + 1 < chain.points.size(); ++i)
+      chain.length += (chain.points[i + 1] - chain.points[i]).norm();
+    chains.push_back(std::move(chain));
+  }
+  return chains;
 }
 
 bool loop_contains(const SectionLoop& loop, const Vec3& normal, const Vec3& point) {

@@ -19,9 +19,14 @@ std::vector<SectionLoop> level_section(const geometry::TriangleMesh& mesh,
 
 /// All closed loops of the cut by the plane through `origin` with normal `normal`. A vertex exactly
 /// on the plane counts as lying above it, so every loop of a closed surface closes. Loops are in
-/// the order of their first triangle; open chains of an open surface are left out.
+/// the order of their first triangle; open chains of an open surface are left out (open_chains).
 std::vector<SectionLoop> plane_section(const geometry::TriangleMesh& mesh, const Vec3& origin,
                                        const Vec3& normal);
+
+/// The curves of the same cut that end at the border of an open surface, from end to end: their
+/// last point does not join the first. In the order of the first triangle at an end of them.
+std::vector<SectionLoop> open_chains(const geometry::TriangleMesh& mesh, const Vec3& origin,
+                                     const Vec3& normal);
 
 /// Middle of the curve, weighted by length.
 Vec3 centroid(const SectionLoop& loop);
