@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "support/tube_garment.h"
 
@@ -61,6 +62,57 @@ TEST(AirGap, PartsAddUpToTheWhole) {
                    air_gap(tube.garment, tube.positions, worn, 0, [&](int t) { return !left(t); });
   EXPECT_NEAR(one.volume + other.volume, all.volume, 1e-12);
   EXPECT_GT(one.volume, other.volume) << "it hangs to that side";
+}
+
+// Partners of a tube lie level with it.
+TEST(AirBetween, IsTheSliceBetweenTwoHeights) {
+  const Tube tube(0.15);
+  const WornGarment worn = tube.worn();
+  const double ring = kPi * (0.15 * 0.15 - kRadius * kRadius);
+  const auto between = [&](double low, double high, const std::function<bool(int)>& counts = {}) {
+    return air_between(tube.garment, tube.positions, worn, 0, low, high, counts);
+  };
+  EXPECT_NEAR(between(0.413, 0.5), ring * 0.087, 1e-4 * ring);
+  EXPECT_NEAR(between(0.2, 0.8), ring * kHeight, 1e-4 * ring) << "no more than there is";
+  EXPECT_NEAR(between(0.2, 0.8), air_gap(tube.garment, tube.positions, worn, 0).volume, 1e-9);
+  EXPECT_NEAR(between(0.3, 0.41) + between(0.41, 0.7), between(0.3, 0.7), 1e-12);
+  const auto left = [&](int t) { return tube.positions[tube.garment.triangles[t][0]].x() > 0; };
+  EXPECT_NEAR(between(0.413, 0.5, left) + between(0.413, 0.5, [&](int t) { return !left(t); }),
+              between(0.413, 0.5), 1e-12);
+}
+
+// Round a ball partners lie lower than their cloth below its middle: the prisms slant, and what the
+// cloth of a height covers is not what lies between the heights.
+TEST(AirBetween, OfSlantedPrismsIsThatOfTheHeights) {
+  const double r = 0.12, big = 0.15, low = -0.06, high = -0.02;
+  // Prisms of a spherical shell, 60° to 120° from the axis: exact between two heights.
+  body::Body ball = testing::cylinder_body(r, 1.0, 400, 200);
+  for (std::size_t v = 0; v + 2 < ball.surface.vertices.size(); ++v) {
+    Vec3& x = ball.surface.vertices[v];
+    const double polar = 0.02 + (kPi - 0.04) * (1 - x.z()), azimuth = std::atan2(x.y(), x.x());
+    x = r * Vec3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                 std::cos(polar));
+    ball.normals[v] = x.normalized();
+  }
+  const std::size_t poles = ball.surface.vertices.size() - 2;
+  ball.surface.vertices[poles] = Vec3(0, 0, -r), ball.surface.vertices[poles + 1] = Vec3(0, 0, r);
+  const garment::Garment g = testing::tube_garment(2 * kPi, 1, 400, 100);
+  const auto positions =
+      testing::settled_drape(g, [&](const Vec2& uv) {
+        const double polar = radians(150 - 120 * uv.y());
+        return Vec3(big * std::sin(polar) * std::cos(uv.x()),
+                    big * std::sin(polar) * std::sin(uv.x()), big * std::cos(polar));
+      }).positions;
+  const WornGarment worn = relate(g, positions, ball);
+  const double shell = kPi * (big * big - r * r) * (high - low);  // z² cancels
+  EXPECT_NEAR(air_between(g, positions, worn, 0, low, high), shell, 2e-3 * shell);
+  const double covered =
+      air_gap(g, positions, worn, 0, [&](int t) {
+        const Triangle& c = g.triangles[t];
+        const double z = (positions[c[0]].z() + positions[c[1]].z() + positions[c[2]].z()) / 3;
+        return z > low && z < high;
+      }).volume;
+  EXPECT_LT(covered, 0.95 * shell);
 }
 
 TEST(ContactShare, OfATubeThatTouchesAlongALineIsThatOfTwoCircles) {

@@ -26,6 +26,19 @@ double prism(const std::array<Vec3, 3>& q, const std::array<Vec3, 3>& p) {
   return sum;
 }
 
+/// Share of a tetrahedron's volume that lies below a height, from the heights of its corners.
+double share_below(std::array<double, 4> z, double height) {
+  std::sort(z.begin(), z.end());
+  if (height <= z[0]) return 0;
+  if (height >= z[3]) return 1;
+  const auto part = [&](int i, int j) { return (height - z[i]) / (z[j] - z[i]); };
+  if (height <= z[1]) return part(0, 1) * part(0, 2) * part(0, 3);
+  if (height >= z[2]) return 1 - (1 - part(0, 3)) * (1 - part(1, 3)) * (1 - part(2, 3));
+  // Two corners below: a wedge, cut into three.
+  const double a = part(0, 2), b = part(0, 3), c = part(1, 2), d = part(1, 3);
+  return a * b * (1 - d) + a * (1 - c) * d + c * d;
+}
+
 /// Edges and vertices at the border of a cloth.
 struct Border {
   geometry::MeshTopology topology;
@@ -50,31 +63,79 @@ struct Border {
 
 }  // namespace
 
+namespace {
+
+/// A triangle of the inner face of a cloth and the triangle of its partners on the skin.
+struct Column {
+  std::array<Vec3, 3> skin, inner;
+};
+
+Column column(const garment::Garment& garment, const std::vector<Vec3>& positions,
+              const WornGarment& worn, double half_thickness, int t, const Vec3& origin) {
+  Column column;
+  for (int k = 0; k < 3; ++k) {
+    const int v = garment.triangles[t][k];
+    const Vec3& skin = worn.partners[v].exact.point;
+    const Vec3 out = positions[v] - skin;
+    const double distance = out.norm();
+    const double share = distance > half_thickness ? 1 - half_thickness / distance : 0;
+    column.skin[k] = skin - origin;
+    column.inner[k] = column.skin[k] + share * out;
+  }
+  return column;
+}
+
+void check_sizes(const std::vector<Vec3>& positions, const WornGarment& worn) {
+  if (positions.size() != worn.partners.size())
+    throw InvalidInput("air gap: positions and partners differ in number");
+}
+
+}  // namespace
+
 AirGap air_gap(const garment::Garment& garment, const std::vector<Vec3>& positions,
                const WornGarment& worn, double half_thickness,
                const std::function<bool(int)>& counts) {
-  if (positions.size() != worn.partners.size())
-    throw InvalidInput("air gap: positions and partners differ in number");
+  check_sizes(positions, worn);
   AirGap air;
   for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
     if (counts && !counts(t)) continue;
     const Vec3 origin = positions[garment.triangles[t][0]];  // near by, for the digits
-    std::array<Vec3, 3> skin, inner;
+    const auto& [skin, inner] = column(garment, positions, worn, half_thickness, t, origin);
     Vec3 normal = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const int v = garment.triangles[t][k];
-      const body::BodyPartner& partner = worn.partners[v];
-      const Vec3 out = positions[v] - partner.exact.point;
-      const double distance = out.norm();
-      const double share = distance > half_thickness ? 1 - half_thickness / distance : 0;
-      skin[k] = partner.exact.point - origin;
-      inner[k] = skin[k] + share * out;
-      normal += partner.normal;
-    }
+    for (int v : garment.triangles[t]) normal += worn.partners[v].normal;
     air.volume += prism(skin, inner) / 6;
     air.skin_area += 0.5 * (skin[1] - skin[0]).cross(skin[2] - skin[0]).dot(normal.normalized());
   }
   return air;
+}
+
+double air_between(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                   const WornGarment& worn, double half_thickness, double low, double high,
+                   const std::function<bool(int)>& counts) {
+  check_sizes(positions, worn);
+  double volume = 0;
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
+    if (counts && !counts(t)) continue;
+    const Vec3 origin = positions[garment.triangles[t][0]];
+    const auto& [skin, inner] = column(garment, positions, worn, half_thickness, t, origin);
+    // In the order of their numbers the corners of a side are halved alike from both of its sides.
+    std::array<int, 3> order = {0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return garment.triangles[t][a] < garment.triangles[t][b]; });
+    const double turn = (order[1] - order[0] + 3) % 3 == 1 ? 1 : -1;
+    const auto& [a, b, c] = order;
+    for (const std::array<Vec3, 4>& corner :
+         {std::array<Vec3, 4>{skin[a], skin[b], skin[c], inner[c]},
+          std::array<Vec3, 4>{skin[a], skin[b], inner[c], inner[b]},
+          std::array<Vec3, 4>{skin[a], inner[a], inner[b], inner[c]}}) {
+      std::array<double, 4> z;
+      for (int k = 0; k < 4; ++k) z[k] = corner[k].z() + origin.z();
+      volume += turn / 6 *
+                triple(corner[1] - corner[0], corner[2] - corner[0], corner[3] - corner[0]) *
+                (share_below(z, high) - share_below(z, low));
+    }
+  }
+  return volume;
 }
 
 std::vector<double> skin_gaps(const body::Body& body, const garment::Garment& garment,

@@ -20,11 +20,18 @@ struct AirGap {
 /// Of the garment triangles that `counts` (all when empty). Each spans a prism down to the partners
 /// of its corners on the skin; prisms of neighbours share their sides, so that volumes add up to
 /// what the cloth encloses, whatever its folds. Skin that is nobody's partner, in a bridged hollow,
-/// is replaced by the chord across it. `half_thickness`: of the cloth [m], from its middle surface
+/// is replaced by the chord across it; so is skin between the partners of a coarse mesh
+/// (maps/fine_cloth.h). `half_thickness`: of the cloth [m], from its middle surface
 /// to the inner face. \throws InvalidInput when positions do not fit.
 AirGap air_gap(const garment::Garment& garment, const std::vector<Vec3>& positions,
                const WornGarment& worn, double half_thickness,
                const std::function<bool(int triangle)>& counts = {});
+
+/// The volume of the same prisms between two heights [m³]: of a slanted prism, and at the ends of a
+/// body that slants, what lies between the heights, not what the cloth between them covers.
+double air_between(const garment::Garment& garment, const std::vector<Vec3>& positions,
+                   const WornGarment& worn, double half_thickness, double low, double high,
+                   const std::function<bool(int triangle)>& counts = {});
 
 /// Gap of every vertex of the body's skin to the inner face of the nearest cloth [m], not below
 /// zero; NaN where no cloth lies over it: the nearest is a border, farther than 0.15 m, or behind

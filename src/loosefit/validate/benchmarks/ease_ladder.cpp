@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
 #include "loosefit/maps/air_gap.h"
+#include "loosefit/maps/fine_cloth.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/section_gap.h"
 #include "loosefit/validate/catalogue.h"
@@ -22,8 +23,9 @@ namespace {
 constexpr double kEdge = 0.014;  ///< [m]
 constexpr int kDonnings = 2;
 constexpr double kEases[] = {0, 0.06, 0.12, 0.18, 0.24};  ///< at bust and hip [m]
-constexpr double kMostRate = 0.205;  ///< of the tops of AG6 and AG7, ease over bust
-constexpr double kMostOpen = 0.06;   ///< skin that may close an armhole in a section [m]
+constexpr double kMostRate = 0.205;     ///< of the tops of AG6 and AG7, ease over bust
+constexpr double kMostOpen = 0.06;      ///< skin that may close an armhole in a section [m]
+constexpr double kPartnerEdge = 0.005;  ///< of the triangles that look for partners [m]
 
 struct Woman {
   const char* name;
@@ -81,7 +83,9 @@ Rung drape_rung(const Woman& woman, double ease, Progress& progress, std::string
   for (const WornDrape& worn : drapes) {
     const std::vector<Vec3>& x = worn.drape.positions;
     const body::Body& wearer = worn.body;
-    rung.volume += maps::air_gap(worn.mesh, x, worn.worn, worn.half_thickness()).volume / n;
+    const maps::FineCloth fine = maps::cut_finer(worn.mesh, x, worn.body, kPartnerEdge);
+    rung.volume +=
+        maps::air_gap(fine.garment, fine.positions, fine.worn, worn.half_thickness()).volume / n;
     const auto section = [&](double level) {
       return maps::trunk_section(worn.mesh, x, worn.worn, wearer, level, kMostOpen);
     };

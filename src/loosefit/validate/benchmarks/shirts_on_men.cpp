@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "loosefit/base/progress_part.h"
+#include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/maps/air_gap.h"
+#include "loosefit/maps/fine_cloth.h"
 #include "loosefit/maps/girth.h"
 #include "loosefit/maps/section_gap.h"
 #include "loosefit/validate/catalogue.h"
@@ -18,6 +21,7 @@ namespace {
 constexpr double kEdge = 0.020;  ///< [m]
 constexpr int kDonnings = 3;
 constexpr double kSlice = 0.005;        ///< between sections [m]
+constexpr double kPartnerEdge = 0.005;  ///< of the triangles that look for partners [m]
 constexpr double kTop = 0.080;          ///< of the trunk, that is the shoulder [m]
 constexpr double kContactGap = 1e-3;    ///< below which scans see contact [m]
 constexpr double kLeastContact = 1e-3;  ///< a share below it is called this: ratios stay finite
@@ -44,6 +48,7 @@ const Fit kFits[] = {{"close", "fit = { chest = 0.06, hip = 0.06 }"},
 /// What one drape says.
 struct Reading {
   double by_regions = 0, by_slices = 0;               ///< air from hip to armpit [m³]
+  double height = 0;                                  ///< from the lowest slice to the highest [m]
   double least_filling = HUGE_VAL, most_filling = 0;  ///< over the slices
   double waist = NAN, chest = NAN, shoulder = 0;      ///< mean gaps [m]
   double contact_above = 0, contact_below = 0;        ///< shares: shoulders and upper back; abdomen
@@ -52,6 +57,29 @@ struct Reading {
 
 bool is_one_of(body::Region region, std::initializer_list<body::Region> some) {
   return std::find(some.begin(), some.end(), region) != some.end();
+}
+
+/// Heights between which no border of the trunk's cloth lies, nor a column from there to the skin:
+/// over the hem, under the armholes.
+std::array<double, 2> free_of_borders(const maps::FineCloth& cloth, double middle) {
+  std::vector<Triangle> trunk;
+  for (std::size_t t = 0; t < cloth.garment.triangles.size(); ++t)
+    if (cloth.worn.panel_part[cloth.garment.triangle_panel[t]] == body::BodyPart::trunk)
+      trunk.push_back(cloth.garment.triangles[t]);
+  const geometry::MeshTopology topology(trunk);
+  std::array<double, 2> range = {-HUGE_VAL, HUGE_VAL};
+  for (int e = 0; e < topology.edge_count(); ++e) {
+    if (topology.sides(e).size() != 1) continue;
+    for (int v : topology.edges()[e]) {
+      const auto [low, high] =
+          std::minmax(cloth.positions[v].z(), cloth.worn.partners[v].exact.point.z());
+      if (cloth.positions[v].z() < middle)
+        range[0] = std::max(range[0], high);
+      else
+        range[1] = std::min(range[1], low);
+    }
+  }
+  return range;
 }
 
 Reading read(const WornDrape& worn) {
@@ -71,27 +99,32 @@ Reading read(const WornDrape& worn) {
     return (x[c[0]].z() + x[c[1]].z() + x[c[2]].z()) / 3;
   };
   // Slices from hip to armpit; the air under the inner face of the cloth.
-  double lowest = HUGE_VAL, highest = 0;
-  for (double z = body.measured.at("hip_level") + kSlice;
-       z < body.measured.at("armpit_level") - kSlice; z += kSlice) {
-    const auto s = section(z);
-    if (!s) continue;
+  const double waist_level = body.measured.at("waist_level");
+  const maps::FineCloth fine = maps::cut_finer(mesh, x, worn.body, kPartnerEdge);
+  const auto [hem, armholes] = free_of_borders(fine, waist_level);
+  const double lowest = std::max(body.measured.at("hip_level") + kSlice, hem);
+  const double most = std::min(body.measured.at("armpit_level") - kSlice, armholes);
+  double highest = lowest;
+  for (; highest + kSlice < most; highest += kSlice) {
+    const auto s = section(highest + 0.5 * kSlice);
+    if (!s) break;
     reading.by_slices += kSlice * (s->gap_area() - worn.half_thickness() * s->cloth_girth);
     reading.least_filling = std::min(reading.least_filling, s->filling());
     reading.most_filling = std::max(reading.most_filling, s->filling());
-    lowest = std::min(lowest, z - 0.5 * kSlice), highest = std::max(highest, z + 0.5 * kSlice);
   }
   // The same region by region, over the partners of the cloth.
   for (const Region region : body::all_regions())
-    reading.by_regions += maps::air_gap(mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
-                            return of_trunk(t) &&
-                                   worn.worn.regions[mesh.triangles[t][0]] == region &&
-                                   height(t) > lowest && height(t) < highest;
-                          }).volume;
+    reading.by_regions += maps::air_between(
+        fine.garment, fine.positions, fine.worn, worn.half_thickness(), lowest, highest,
+        [&](int t) {
+          return fine.worn.panel_part[fine.garment.triangle_panel[t]] == body::BodyPart::trunk &&
+                 fine.worn.regions[fine.garment.triangles[t][0]] == region;
+        });
+  reading.height = highest - lowest;
   // The profile.
-  if (const auto s = section(body.measured.at("waist_level"))) reading.waist = s->mean_gap();
+  if (const auto s = section(waist_level)) reading.waist = s->mean_gap();
   // Armholes may open the cloth at the level of the chest: then the highest section below it.
-  for (double z = maps::chest_height(body); z > body.measured.at("waist_level"); z -= kSlice)
+  for (double z = maps::chest_height(body); z > waist_level; z -= kSlice)
     if (const auto s = section(z)) {
       reading.chest = s->mean_gap();
       break;
@@ -145,12 +178,16 @@ BenchmarkResult benchmark_shirts_on_men(Effort effort, Progress& progress) {
         shoulder.y.push_back(1e3 * r.shoulder);
         all.push_back(r);
       }
+      std::string ratios;
+      for (const Reading& r : readings)
+        ratios += fmt::format("{}{:.4f}", ratios.empty() ? "" : ", ", r.by_regions / r.by_slices);
       result.notes.push_back(fmt::format(
           "{}: mean gap at waist, chest and shoulder {:.1f}, {:.1f}, {:.1f} mm; skin in contact "
-          "{:.0f} "
-          "% above, {:.0f} % below (first of {} donnings).",
+          "{:.0f} % above, {:.0f} % below (first of {} donnings). Air of the regions over that of "
+          "the slices {}, {:.1f} dm³ in {:.0f} mm of height (first).",
           who, 1e3 * readings[0].waist, 1e3 * readings[0].chest, 1e3 * readings[0].shoulder,
-          100 * readings[0].contact_above, 100 * readings[0].contact_below, readings.size()));
+          100 * readings[0].contact_above, 100 * readings[0].contact_below, readings.size(), ratios,
+          1e3 * readings[0].by_slices, 1e3 * readings[0].height));
     }
   const std::string mesh = fmt::format("{} drapes, {:g} mm edges, about {} triangles", all.size(),
                                        1e3 * edge, mesh_size);
