@@ -292,7 +292,7 @@ void make_worker_commands(CLI::App* parent, const std::shared_ptr<Arguments>& ar
     const study::StudyFolder folder(arguments->folder);
     const study::FolderPlan plan = folder.read_plan();
     Progress silent;
-    study::work_case(folder, plan.modalities, arguments->address,
+    study::work_case(folder, plan, arguments->address,
                      {arguments->runner.threads, arguments->runner.keep_output}, silent);
   });
   CLI::App* bundle = parent->add_subcommand("bundle", "runs the cases of one array task");
@@ -305,12 +305,13 @@ void make_worker_commands(CLI::App* parent, const std::shared_ptr<Arguments>& ar
     study::RunnerOptions options = arguments->runner;
     options.program = study::own_program();
     options.jobs = 1;
+    const study::FolderPlan plan = folder.read_plan();
     std::vector<std::string> open;
     for (const std::string& address : study::read_bundle(arguments->study, arguments->index))
-      if (!folder.record(address)) open.push_back(address);
+      if (!folder.record(plan, address)) open.push_back(address);
     Progress silent;
     const auto given_up = study::run_here(
-        folder, open, options, [](const study::CaseRecord&) {}, silent);
+        folder, plan, open, options, [](const study::CaseRecord&) {}, silent);
     for (const study::GivenUp& one : given_up)
       fmt::print(stderr, "{}: {}\n", one.address, terminal_line(one.why));
     exit_code = given_up.empty() ? kGood : kNotSettled;

@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+
+#include "loosefit/study/store.h"
+#include "loosefit/study/study_data.h"
+#include "support/study_on_disk.h"
 
 namespace loosefit::study {
 namespace {
@@ -18,8 +23,9 @@ TEST(Controls, AreOneInTwentyByTheAddressAloneAndAtLeastOne) {
   const std::vector<std::string> part(addresses.begin(), addresses.begin() + 1000);
   for (const std::string& address : control_addresses(part))
     EXPECT_NE(std::find(all.begin(), all.end(), address), all.end());
-  EXPECT_EQ(control_addresses({"00000b", "000003", "000007"}), std::vector<std::string>{"000003"});
-  EXPECT_TRUE(control_addresses({}).empty());
+  using Addresses = std::vector<std::string>;
+  EXPECT_EQ(control_addresses(Addresses{"00000b", "000003", "000007"}), Addresses{"000003"});
+  EXPECT_TRUE(control_addresses(Addresses{}).empty());
 }
 
 CaseRecord record(double gap, double score) {
@@ -54,6 +60,87 @@ TEST(Controls, TellTheGreatestChange) {
   EXPECT_EQ(summary.cases, 2);
   EXPECT_EQ(summary.failed, 1);
   EXPECT_NEAR(summary.largest.at("gap_mm"), 0.02, 1e-12);
+}
+
+/// kStudy, content with grade B, with other people and fits.
+Plan plan_with(int seed, const std::string& fits) {
+  std::string text = kStudy;
+  text.replace(text.find("modalities"), 0, "seed = " + std::to_string(seed) + "\n");
+  text.replace(text.find("[0.0, 0.1, 0.2]"), 15, fits);
+  return make_plan(
+      parse_study_file(text + "[scenario.simulation]\ncertificate = \"B\"\n", "x.toml"));
+}
+
+struct ControlsOfAStudy : StudyOnDisk {
+  /// What a runner and its workers do, in an order of their own; returns the content of the
+  /// database.
+  static std::string run(const StudyFolder& folder, const Plan& plan, unsigned order = 0) {
+    fs::create_directories(folder.path().parent_path());
+    folder.write_plan(plan);
+    const FolderPlan read = folder.read_plan();
+    collect(folder, read);
+    std::vector<std::string> open = folder.state(read).open;
+    std::shuffle(open.begin(), open.end(), std::mt19937(order));
+    for (const std::string& address : open) {
+      CaseRecord one = folder.record(address).value_or(made_up(address, 0.5));
+      if (read.controls.count(address)) one.control = {true, "", {{"slip_mm", 0.25}}};
+      write_whole(folder.result_file(address), record_json(one));
+      Store(folder.database()).put(read, *folder.record(read, address));
+    }
+    EXPECT_TRUE(folder.state(read).open.empty());
+    return content_sha256(folder.database());
+  }
+  static std::set<std::string> chosen(const Plan& plan) {
+    const std::vector<std::string> all = control_addresses(plan);
+    return {all.begin(), all.end()};
+  }
+};
+
+// A plan that grows may get its first control by address, or a lesser least one: cases that have
+// run are then controls and were none, or the other way round.
+TEST_F(ControlsOfAStudy, HangOnThePlanAloneAndNotOnWhatHasRunBefore) {
+  const std::string few = "[0.0, 0.1]", more = "[0.0, 0.1, 0.2]";
+  int moved = 0;
+  for (int seed = 1; seed <= 12; ++seed) {
+    const Plan small = plan_with(seed, few), large = plan_with(seed, more);
+    const fs::path here = base / std::to_string(seed);
+    const std::string small_alone = run(StudyFolder(here / "small"), small);
+    const std::string large_alone = run(StudyFolder(here / "large"), large);
+    const StudyFolder grown(here / "grown");
+    EXPECT_EQ(run(grown, small, 1), small_alone);
+    EXPECT_EQ(run(grown, large, 2), large_alone) << "grown by a level, seed " << seed;
+    EXPECT_EQ(run(grown, small, 3), small_alone) << "and cut again, seed " << seed;
+    EXPECT_EQ(read_study_data(grown).controls.cases, int(chosen(small).size()));
+    std::set<std::string> of_small;
+    for (const PlannedCase& one : small.cases) of_small.insert(one.address);
+    std::set<std::string> kept;
+    for (const std::string& address : chosen(large))
+      if (of_small.count(address)) kept.insert(address);
+    moved += kept != chosen(small);
+  }
+  EXPECT_GT(moved, 0) << "no plan of these tells anything";
+}
+
+TEST_F(ControlsOfAStudy, DoNotHangOnTheOrderOfLevels) {
+  for (int seed = 1; seed <= 5; ++seed)
+    EXPECT_EQ(chosen(plan_with(seed, "[0.0, 0.1, 0.2]")),
+              chosen(plan_with(seed, "[0.2, 0.0, 0.1]")));
+}
+
+TEST_F(ControlsOfAStudy, AreOpenUntilTheyHaveGoneOnToGradeA) {
+  plan = plan_with(1, "[0.0, 0.1]");
+  const StudyFolder folder = planned("a");
+  const FolderPlan read = folder.read_plan();
+  ASSERT_EQ(read.controls, chosen(plan));
+  for (const PlannedCase& one : plan.cases) finish(folder, one);
+  EXPECT_EQ(folder.state(read).open.size(), read.controls.size());
+  const std::string control = *read.controls.begin();
+  EXPECT_TRUE(folder.record(control)) << "what has run stays";
+  EXPECT_FALSE(folder.record(read, control));
+  CaseRecord failed;
+  failed.address = control;
+  write_whole(folder.result_file(control), record_json(failed));
+  EXPECT_TRUE(folder.record(read, control)) << "a case that failed goes no further";
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ TEST_F(StudyOnDisk, APlanThatWasCutOffIsWrittenToItsEndAndNothingHalfWrittenStay
   const StudyFolder whole = planned("whole");
   const std::string first = plan.cases.front().address, last = plan.cases.back().address;
   const std::vector<fs::path> order = {whole.path() / "plan.json", whole.path() / "study.toml",
-                                       whole.scenario_file(first), whole.scenario_file(last),
-                                       whole.path() / "controls.txt"};
+                                       whole.scenario_file(first), whole.scenario_file(last)};
   for (std::size_t kept = 0; kept < order.size(); ++kept) {
     const StudyFolder cut(base / ("cut-" + std::to_string(kept)));
     for (std::size_t i = 0; i <= kept; ++i) {
@@ -42,7 +41,7 @@ TEST_F(StudyOnDisk, APlanThatWasCutOffIsWrittenToItsEndAndNothingHalfWrittenStay
       EXPECT_EQ(io::read_text_file(entry.path().string(), 1000000),
                 io::read_text_file(other.string(), 1000000));
     }
-    EXPECT_EQ(files, static_cast<int>(plan.cases.size()) + 3);
+    EXPECT_EQ(files, static_cast<int>(plan.cases.size()) + 2);
   }
 }
 

@@ -5,11 +5,12 @@
 #include "loosefit/study/case_record.h"
 
 // Cases that are content with certificate grade B are controlled: one in twenty of them also goes
-// on to grade A, and what that changes is told.
+// on to grade A, and what that changes is told. Which ones hangs on the plan alone: not on what has
+// run in its folder before, nor in which order.
 namespace loosefit::study {
 
 /// Which of these addresses are controls: by the address alone one in twenty, so that a study that
-/// grows keeps its controls, and the least one where that picks none.
+/// grows keeps them, and the least one where that picks none.
 std::vector<std::string> control_addresses(const std::vector<std::string>& addresses);
 
 /// What grade A changes of a case.

@@ -40,19 +40,26 @@ std::string last_line(const std::string& text) {
   return end == std::string::npos ? text : text.substr(end + 1);
 }
 
-/// The crash as the result of its case.
+/// The crash as the result of its case, or of its control where the case itself has come to an end.
 void record_crash(const StudyFolder& folder, const std::string& address, const std::string& how) {
+  const std::string reason = "the program crashed " + std::to_string(kCrashes) + " times: " + how;
   CaseRecord record;
-  record.address = address;
-  record.reason = "the program crashed " + std::to_string(kCrashes) + " times: " + how;
-  record.grade.clear();
-  record.versions = versions();
+  if (const auto before = folder.record(address)) {
+    record = *before;
+    record.control = {true, reason, {}};
+  } else {
+    record.address = address;
+    record.reason = reason;
+    record.grade.clear();
+    record.versions = versions();
+  }
   write_whole(folder.result_file(address), record_json(record));
 }
 
 }  // namespace
 
-std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::string>& addresses,
+std::vector<GivenUp> run_here(const StudyFolder& folder, const FolderPlan& plan,
+                              const std::vector<std::string>& addresses,
                               const RunnerOptions& options, const ResultSeen& seen,
                               Progress& progress) {
   const std::size_t jobs =
@@ -87,7 +94,7 @@ std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::
       ended = true;
       const std::string address = worker->address;
       worker = working.erase(worker);
-      if (const auto record = folder.record(address)) {
+      if (const auto record = folder.record(plan, address)) {
         // Also of a worker that was killed just after it had written.
         seen(*record);
         continue;
@@ -107,7 +114,7 @@ std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::
         waiting.push_back(address);
       } else {
         record_crash(folder, address, signal_name(end->signal));
-        seen(*folder.record(address));
+        seen(*folder.record(plan, address));
       }
     }
     if (!ended) usleep(kPause);

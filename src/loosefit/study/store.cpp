@@ -66,11 +66,21 @@ const std::vector<std::string>& result_tables() {
   return kNames;
 }
 
-constexpr const char* kOpen = "open";  ///< status of a case that has not run
+constexpr const char* kOpen = "open";            ///< status of a case that has not run
+constexpr const char* kControlNote = "control";  ///< kind: why a control came to no result
 
 void forget_results(const Database& database, int number) {
   for (const std::string& table : result_tables())
     database.prepare("DELETE FROM " + table + " WHERE number = ?1").bind(1, number).run();
+}
+
+/// Of a case that is no control any more.
+void forget_control(const Database& database, int number) {
+  database.prepare("DELETE FROM controls WHERE number = ?1").bind(1, number).run();
+  database.prepare("DELETE FROM notes WHERE number = ?1 AND kind = ?2")
+      .bind(1, number)
+      .bind(2, std::string(kControlNote))
+      .run();
 }
 
 void put_pairs(const Database& database, const std::string& sql, int number,
@@ -149,7 +159,7 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   };
   note("left out", r.left_out);
   note("warning", r.warnings);
-  if (!r.control.failed.empty()) note("control", {r.control.failed});
+  if (!r.control.failed.empty()) note(kControlNote, {r.control.failed});
   for (const auto& [modality, criteria] : r.untold) note("not told of " + modality, criteria);
   Statement versions = database.prepare("INSERT INTO versions VALUES (?1, ?2, ?3)");
   for (const auto& [library, version] : r.versions)
@@ -246,6 +256,8 @@ void Store::put_plan(const FolderPlan& plan) {
           .bind(4, one.drapes)
           .bind(5, one.edge_length)
           .run();
+    } else if (!plan.controls.count(one.address)) {
+      forget_control(database_, one.number);
     }
     for (std::size_t k = 0; k < plan.axes.size(); ++k) {
       const AxisLevel& at = plan.axes[k].levels[one.levels[k]];
@@ -312,8 +324,9 @@ void bring_up(const StudyFolder& folder, const FolderPlan& plan) {
   std::set<std::string> in(listed.begin(), listed.end()), seen;
   for (const FolderCase& one : plan.cases) {
     if (!seen.insert(one.address).second) continue;
-    const std::optional<CaseRecord> record = folder.record(one.address);
-    if (record && !in.count(one.address)) store.put(plan, *record);
+    const std::optional<CaseRecord> record = folder.record(plan, one.address);
+    // A control may have been taken in when it was none.
+    if (record && (!in.count(one.address) || record->control.ran)) store.put(plan, *record);
     if (!record && in.count(one.address)) store.forget(one.address);
   }
 }

@@ -94,9 +94,12 @@ class Collector {
     for (std::size_t k = 0; k < data_.plan.axes.size(); ++k)
       for (const auto& [name, value] : data_.plan.axes[k].levels[one.levels[k]].inputs)
         data_.inputs[c][name] = value;
-    const std::optional<CaseRecord> record = folder_.record(one.address);
+    const std::optional<CaseRecord> record = folder_.record(data_.plan, one.address);
     if (!record) {
-      data_.troubles.push_back({one.number, label(data_.plan, one), "open", "not run yet"});
+      const bool control = data_.plan.controls.count(one.address) && folder_.record(one.address);
+      data_.troubles.push_back(
+          {one.number, label(data_.plan, one), "open",
+           control ? "a control that has not gone on to grade A yet" : "not run yet"});
       return;
     }
     data_.core_seconds += record->execution.seconds;

@@ -23,7 +23,6 @@ using Json = nlohmann::json;
 
 constexpr const char* kFormat = "loosefit-study 1";
 constexpr std::size_t kLargestPlan = 2000000000, kLargestScenario = 1000000;
-const char* const kControls = "controls.txt";
 const char* const kWriting = ".writing-";  ///< in the name of a file that is not yet whole
 
 IoError failed(const fs::path& path, const char* what) {
@@ -77,6 +76,7 @@ Json plan_json(const Plan& plan) {
                {"sensors", study.sensors},
                {"spacing", study.spacing},
                {"not_at", study.not_at},
+               {"controls", control_addresses(plan)},
                {"axes", Json::array()},
                {"cases", Json::array()}};
   for (const Axis& axis : study.axes) json["axes"].push_back(axis_json(axis));
@@ -223,16 +223,6 @@ void StudyFolder::write_plan(const Plan& plan) const {
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }
-  std::string controls;
-  for (const std::string& address : control_addresses(plan)) controls += address + "\n";
-  write_planned(path_ / kControls, controls);
-}
-
-bool StudyFolder::is_control(const std::string& address) const {
-  std::error_code error;
-  if (!fs::exists(path_ / kControls, error)) return false;
-  const std::string all = io::read_text_file((path_ / kControls).string(), kLargestPlan);
-  return all.find(address + "\n") != std::string::npos;
 }
 
 FolderPlan StudyFolder::read_plan() const {
@@ -259,6 +249,8 @@ FolderPlan StudyFolder::read_plan() const {
     plan.sensors = json.at("sensors");
     plan.spacing = json.at("spacing");
     plan.not_at = json.at("not_at").get<std::vector<std::string>>();
+    // Plans of earlier programs do not name them.
+    plan.controls = json.value("controls", std::set<std::string>());
     for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
@@ -274,13 +266,23 @@ std::optional<CaseRecord> StudyFolder::record(const std::string& address) const 
   return read_record(result_file(address), address);
 }
 
+std::optional<CaseRecord> StudyFolder::record(const FolderPlan& plan,
+                                              const std::string& address) const {
+  std::optional<CaseRecord> found = record(address);
+  if (!found || found->status != CaseStatus::done) return found;
+  const bool control = plan.controls.count(address) > 0;
+  if (control && !found->control.ran) return {};
+  if (!control) found->control = {};
+  return found;
+}
+
 FolderState StudyFolder::state(const FolderPlan& plan) const {
   FolderState state;
   std::map<std::string, std::optional<CaseStatus>> seen;
   for (const FolderCase& one : plan.cases) {
     auto [known, is_new] = seen.try_emplace(one.address);
     if (is_new) {
-      if (const auto found = record(one.address))
+      if (const auto found = record(plan, one.address))
         known->second = found->status;
       else
         state.open.push_back(one.address);

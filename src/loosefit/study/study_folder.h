@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@
 // The folder of a study:
 //
 //   study.toml                the study file as it was
-//   plan.json                 axes with their levels, and the cases in their order
-//   controls.txt              addresses of cases that are run to grade A besides
+//   plan.json                 axes with their levels, the cases in their order, and which of them
+//                             are controls
 //   cases/ab/<address>/       scenario.toml, and result.json once the case has run
 //   study.sqlite              everything in tables (store.h), made from the above
 //   study-report.html, …      what is made from that
@@ -41,6 +42,7 @@ struct FolderPlan {
   std::vector<std::string> not_at;
   std::vector<Axis> axes;  ///< without patches and keys
   std::vector<FolderCase> cases;
+  std::set<std::string> controls;  ///< addresses of cases that also go on to grade A (controls.h)
 };
 
 /// What of it is done.
@@ -66,12 +68,13 @@ class StudyFolder {
   /// is there must be empty or this study: one of its name, or with a case of it. Results of
   /// earlier plans stay. \throws IoError, InvalidInput.
   void write_plan(const Plan& plan) const;
-  /// Whether a case is one of those that are run to grade A besides (controls.h).
-  bool is_control(const std::string& address) const;
   /// \throws InvalidInput when the folder is no study.
   FolderPlan read_plan() const;
-  /// The record of a case; nothing when it has not run.
+  /// The record of a case as it lies there; nothing when it has not run.
   std::optional<CaseRecord> record(const std::string& address) const;
+  /// The same as this plan asks for it, whatever has run here for other plans: a control that has
+  /// not gone on to grade A yet is nothing, and what is no control any more has none.
+  std::optional<CaseRecord> record(const FolderPlan& plan, const std::string& address) const;
   /// Reads all results of a plan.
   FolderState state(const FolderPlan& plan) const;
   /// Forgets the results of failed cases, which then run again; returns how many.

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "loosefit/base/error.h"
@@ -37,47 +38,59 @@ CaseRecord failed(const std::string& reason) {
   return record;
 }
 
-/// A control. An error is its result.
-CaseRecord to_grade_a(const StudyFolder& folder, const std::string& address,
-                      const std::vector<placement::Scorecard>& cards, const WorkOptions& options,
-                      Progress& progress) {
+/// An error is the result of the case.
+CaseRecord measured(const StudyFolder& folder, const std::string& address,
+                    const std::vector<placement::Scorecard>& cards, const WorkOptions& options,
+                    Progress& progress, bool to_grade_a = false) {
   try {
-    return measure_case(run(folder, address, options, progress, true), cards);
+    const pipeline::CaseResult result = run(folder, address, options, progress, to_grade_a);
+    const ThreadLimit threads(options.threads);
+    return measure_case(result, cards);
+  } catch (const InvalidInput& error) {
+    return failed(error.what());
   } catch (const SolverFailure& error) {
     return failed(error.what());
-  }
-}
-
-}  // namespace
-
-CaseRecord work_case(const StudyFolder& folder, const std::vector<std::string>& modalities,
-                     const std::string& address, const WorkOptions& options, Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<placement::Scorecard> cards;
-  for (const std::string& modality : modalities) cards.push_back(io::load_scorecard(modality));
-  CaseRecord record;
-  try {
-    const pipeline::CaseResult result = run(folder, address, options, progress);
-    const ThreadLimit threads(options.threads);
-    record = measure_case(result, cards);
-    if (record.status == CaseStatus::done && folder.is_control(address))
-      record.control = compared(record, to_grade_a(folder, address, cards, options, progress));
-  } catch (const InvalidInput& error) {
-    record = failed(error.what());
-  } catch (const SolverFailure& error) {
-    record = failed(error.what());
   } catch (const std::bad_alloc&) {
     throw IoError("case " + address + ": not enough memory",
                   "fewer workers (--jobs), or a larger simulation.edge_length");
   }
-  record.address = address;
-  record.execution.seconds =
+}
+
+/// What this process has taken since `start`, on top of what processes before it have.
+void add_execution(std::chrono::steady_clock::time_point start, Execution& execution) {
+  execution.seconds +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  record.execution.peak_memory_mb = peak_memory_mb();
+  execution.peak_memory_mb = std::max(execution.peak_memory_mb, peak_memory_mb());
   char host[256] = "";
   gethostname(host, sizeof host - 1);
-  record.execution.host = host;
-  write_whole(folder.result_file(address), record_json(record));
+  execution.host = host;
+}
+
+}  // namespace
+
+CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const std::string& address,
+                     const WorkOptions& options, Progress& progress) {
+  std::vector<placement::Scorecard> cards;
+  for (const std::string& modality : plan.modalities) cards.push_back(io::load_scorecard(modality));
+  const auto write = [&](const CaseRecord& record) {
+    write_whole(folder.result_file(address), record_json(record));
+  };
+  CaseRecord record;
+  if (const auto before = folder.record(address)) {
+    record = *before;
+  } else {
+    const auto start = std::chrono::steady_clock::now();
+    record = measured(folder, address, cards, options, progress);
+    record.address = address;
+    add_execution(start, record.execution);
+    write(record);  // also of a control: whatever ends it, this stays
+  }
+  if (record.status == CaseStatus::done && plan.controls.count(address) && !record.control.ran) {
+    const auto start = std::chrono::steady_clock::now();
+    record.control = compared(record, measured(folder, address, cards, options, progress, true));
+    add_execution(start, record.execution);
+    write(record);
+  }
   return record;
 }
 

@@ -13,10 +13,11 @@ struct WorkOptions {
   bool keep_output = false;
 };
 
-/// Runs one case of a study in this process and writes its result.json. An error of the case is its
-/// result, not thrown. \throws IoError when the result cannot be written, or there are no body
+/// Runs one case of a study in this process and writes its result.json; of a control that has its
+/// result already only what is missing, the run to grade A. An error of the case is its result, not
+/// thrown. \throws IoError when the result cannot be written, or there are no body
 /// data; Cancelled.
-CaseRecord work_case(const StudyFolder& folder, const std::vector<std::string>& modalities,
-                     const std::string& address, const WorkOptions& options, Progress& progress);
+CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const std::string& address,
+                     const WorkOptions& options, Progress& progress);
 
 }  // namespace loosefit::study
