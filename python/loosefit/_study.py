@@ -1,11 +1,12 @@
 """Many cases: the database of a study as tables of columns."""
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import pathlib
 import sqlite3
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Union
 
 from loosefit._errors import InputError, IoError
@@ -65,7 +66,11 @@ class Study:
         """One row per case, modality, site and donning: score and what limits it, with the label of every axis.
 
         An axis that is called as one of these columns ("site") is the column "axis site". Cases without scores (failed, sealed, not run) have no row.
+        Raises InputError for a modality or site that the study does not have.
         """
+        self._check_name("modality", modality, "SELECT DISTINCT modality FROM sites ORDER BY 1",
+                         self.facts.get("scorecards", "").split(", "))
+        self._check_name("site", site, "SELECT DISTINCT site FROM sites ORDER BY 1")
         axes = self.query("SELECT axis FROM axes ORDER BY position")["axis"]
         columns = self.query(
             "SELECT s.*, c.status FROM samples s JOIN cases c USING (number) "
@@ -76,6 +81,15 @@ class Study:
             label = dict(zip(rows["number"], rows["label"]))
             columns[f"axis {axis}" if axis in columns else axis] = [label[number] for number in columns["number"]]
         return columns
+
+    def _check_name(self, key: str, asked: Optional[str], sql: str, also: Sequence[str] = ()) -> None:
+        """A name that the study does not know would silently select nothing."""
+        known = [name for name in dict.fromkeys([*also, *next(iter(self.query(sql).values()))]) if name]
+        if asked is None or not known or asked in known:
+            return
+        near = difflib.get_close_matches(asked, known, 1)
+        raise InputError(f"{key}: found {asked!r}, expected one of {', '.join(known)}"
+                         + (f"; did you mean {near[0]!r}?" if near else ""))
 
     @property
     def report(self) -> dict[str, Any]:

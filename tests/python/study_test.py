@@ -114,6 +114,10 @@ class AStudy(unittest.TestCase):
             loosefit.study(self.place.name)
         with self.assertRaises(loosefit.InputError):
             self.study.table("colours")
+        with self.assertRaisesRegex(loosefit.InputError, "did you mean 'scapula_L'"):
+            self.study.scores(site="scapla_L")
+        with self.assertRaisesRegex(loosefit.InputError, "modality: found 'ecgg'"):
+            self.study.scores(modality="ecgg")
         with self.assertRaises(loosefit.IoError):
             self.study.query("SELECT nothing FROM nowhere")
 

@@ -34,7 +34,8 @@ void expect_refused(const std::string& text, const std::string& phrase) {
     plan_of(text);
     FAIL() << text;
   } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find(phrase), std::string::npos) << error.what();
+    const std::string said = std::string(error.what()) + "; " + error.hint();
+    EXPECT_NE(said.find(phrase), std::string::npos) << said;
   }
 }
 
@@ -275,6 +276,30 @@ TEST(StudyFile, IsRefusedWithPlace) {
       "study.toml:7: garment.fit.chest: found 90 in case 2 (fit 90), expected");
   expect_refused(kHead + "[[axis]]\nname = \"a\"\nkey = \"garment.colour\"\nvalues = [1]\n",
                  "garment.colour");
+}
+
+// What names nothing would be left out of nothing, without a word.
+TEST(StudyFile, NamesOfSitesAndAxesThatNothingHasAreRefused) {
+  const std::string site = "[[scenario.site]]\nname = \"my sensor\"\nlandmark = \"sternum\"\n";
+  const auto not_at = [](const std::string& names) { return kHead + "not_at = [" + names + "]\n"; };
+  EXPECT_EQ(plan_of(not_at("\"my sensor\", \"scapula_L\"") + site).study.not_at.size(), 2u);
+  expect_refused(not_at("\"scapula_L\", \"scpaula_R\"") + site,
+                 "study.toml:4: study.not_at: found \"scpaula_R\", expected names of a [[site]] of "
+                 "the scenario or of preset sites; did you mean \"scapula_R\"?");
+  expect_refused(not_at("\"my senser\"") + site, "did you mean \"my sensor\"?");
+  expect_refused(not_at("\"back\"") + site, "known: ");  // a region is no site
+  const std::string without = "[scenario.output]\npreset_sites = false\n";
+  expect_refused(not_at("\"scapula_L\"") + without + site, "found \"scapula_L\"");
+  // Of some cases alone.
+  const std::string axis =
+      "[[axis]]\nname = \"a\"\nlevels = [{ set = { site = [{ name = \"other\", landmark = "
+      "\"sternum\" }] } }, { set = { body = { age = 30 } } }]\n";
+  EXPECT_EQ(plan_of(not_at("\"my sensor\", \"other\"") + site + axis).cases.size(), 2u);
+  expect_refused(kHead + "looseness = \"fitt\"\n" + kFits,
+                 "study.toml:4: study.looseness: found \"fitt\"");
+  expect_refused(kHead + "looseness = \"fitt\"\n" + kFits, "did you mean \"fit\"?");
+  expect_refused(kHead + "[[axis]]\nname = \"a\"\nkey = \"ranking.modality\"\nvalues = [\"ecg\"]\n",
+                 "modalities of [study]");
 }
 
 }  // namespace

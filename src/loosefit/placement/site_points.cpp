@@ -146,6 +146,12 @@ std::vector<SiteSpec> SitePoints::presets() const {
   return sites;
 }
 
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& preset : all_presets()) names.push_back(preset.name);
+  return names;
+}
+
 std::optional<FootprintShape> preset_footprint(const std::string& name) {
   for (const Preset& preset : all_presets())
     if (preset.name == name) return preset.footprint;

@@ -56,6 +56,9 @@ class SitePoints {
   BodyAddresses addresses_;
 };
 
+/// Names of all presets, whichever of them a body has.
+std::vector<std::string> preset_names();
+
 /// Footprint of the sensor that a preset is made for; nothing for other names. Body-independent.
 std::optional<FootprintShape> preset_footprint(const std::string& name);
 

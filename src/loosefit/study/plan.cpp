@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
@@ -16,6 +17,7 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/resample.h"
+#include "loosefit/placement/site_points.h"
 #include "loosefit/study/config_patch.h"
 #include "loosefit/study/controls.h"
 #include "loosefit/study/draws.h"
@@ -69,6 +71,16 @@ std::size_t checked(std::size_t cases) {
     throw InvalidInput(fmt::format("a study of more than {} cases", kMostCases),
                        "fewer levels, or design = \"latin-hypercube\" with samples");
   return cases;
+}
+
+/// A site that no case has would be left out of nothing.
+void check_not_at(const StudyFile& study, const std::set<std::string>& sites) {
+  for (const std::string& site : study.not_at)
+    if (!sites.count(site))
+      throw InvalidInput({study.file, study.not_at_line, "study.not_at"},
+                         "\"" + printable(site) + "\"",
+                         "names of a [[site]] of the scenario or of preset sites",
+                         did_you_mean(site, {sites.begin(), sites.end()}));
 }
 
 /// Each of `size` levels equally often, in random order.
@@ -223,6 +235,8 @@ Plan make_plan(const StudyFile& study) {
       columns[k] =
           placement::shuffled(count, seed_for(study.seed, "each case " + study.axes[k].name));
     }
+  std::set<std::string> sites;
+  bool presets = false;
   for (int i = 0; i < count; ++i) {
     PlannedCase one;
     one.number = i + 1;
@@ -236,11 +250,16 @@ Plan make_plan(const StudyFile& study) {
       one.drapes = drapes_of(scenario);
       one.edge_length = scenario.simulation.edge_length;
       one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
+      for (const placement::SiteSpec& site : scenario.sites) sites.insert(site.name);
+      presets |= scenario.output.preset_sites;
     } catch (const InvalidInput& error) {
       throw of_case(error, plan, one);
     }
     plan.cases.push_back(std::move(one));
   }
+  if (presets)
+    for (const std::string& preset : placement::preset_names()) sites.insert(preset);
+  check_not_at(study, sites);
   return plan;
 }
 

@@ -33,7 +33,7 @@ std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int
                                             int samples, std::uint64_t seed);
 
 /// Composes and reads every scenario. \throws InvalidInput, with the case in words, for a scenario
-/// that `loosefit run` would refuse.
+/// that `loosefit run` would refuse, and for a site of `not_at` that no case has.
 Plan make_plan(const StudyFile& study);
 
 /// The scenario of one combination of levels.

@@ -76,6 +76,8 @@ void read_head(io::ConfigReader table, StudyFile& study) {
   study.sensors = static_cast<int>(table.integer("sensors", 3, 1, 20));
   study.spacing = table.number("spacing", 0.05, {0, 2, "metres"});
   study.not_at = texts(table, "not_at");
+  if (const io::ConfigNode* node = table.node("not_at")) study.not_at_line = node->line;
+  if (const io::ConfigNode* node = table.node("looseness")) study.looseness_line = node->line;
   if (table.has("base")) {
     const fs::path base = beside(study.file, table.text("base", ""));
     study.base = io::read_toml(base.string());
@@ -84,14 +86,25 @@ void read_head(io::ConfigReader table, StudyFile& study) {
   table.finish();
 }
 
+bool has_values(const Axis& axis) {
+  return std::all_of(axis.levels.begin(), axis.levels.end(),
+                     [](const AxisLevel& level) { return level.value.has_value(); });
+}
+
+std::vector<std::string> axes_with_values(const std::vector<Axis>& axes) {
+  std::vector<std::string> names;
+  for (const Axis& axis : axes)
+    if (has_values(axis)) names.push_back(axis.name);
+  return names;
+}
+
 /// The axis that changes the fit of the garment, if there is one alone.
 std::string fit_axis(const std::vector<Axis>& axes) {
   std::vector<std::string> names;
   for (const Axis& axis : axes)
     if (!axis.levels.empty() &&
         (axis.kind == "ease" || value_at(axis.levels.front().patch, "garment.fit")) &&
-        std::all_of(axis.levels.begin(), axis.levels.end(),
-                    [](const AxisLevel& level) { return level.value.has_value(); }))
+        has_values(axis))
       names.push_back(axis.name);
   return names.size() == 1 ? names.front() : "";
 }
@@ -138,6 +151,11 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
     Axis axis = read_axis(tables[i], study.seed, study.samples);
     if (!names.insert(axis.name).second)
       throw root.error("axis", "the name \"" + printable(axis.name) + "\" twice", "each once", {});
+    // A ranking is left out of the cases of a study: nothing would come of it.
+    for (const AxisLevel& level : axis.levels)
+      if (level.patch.find("ranking"))
+        throw root.error("axis", "ranking in the axis \"" + printable(axis.name) + "\"",
+                         "the scorecards of a study as modalities of [study]", {});
     if (axis.is_people() && ++people > 1)
       throw root.error("axis", "people twice", "one axis of people", {});
     study.axes.push_back(std::move(axis));
@@ -157,12 +175,11 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
   if (study.looseness.empty()) study.looseness = fit_axis(study.axes);
   const auto loose = std::find_if(study.axes.begin(), study.axes.end(),
                                   [&](const Axis& a) { return a.name == study.looseness; });
-  if (!study.looseness.empty() &&
-      (loose == study.axes.end() ||
-       !std::all_of(loose->levels.begin(), loose->levels.end(),
-                    [](const AxisLevel& l) { return l.value.has_value(); })))
-    throw InvalidInput({path, 0, "study.looseness"}, "\"" + printable(study.looseness) + "\"",
-                       "the name of an axis whose levels have a value (a BGM)");
+  if (!study.looseness.empty() && (loose == study.axes.end() || !has_values(*loose)))
+    throw InvalidInput({path, study.looseness_line, "study.looseness"},
+                       "\"" + printable(study.looseness) + "\"",
+                       "the name of an axis whose levels have a value (a BGM)",
+                       did_you_mean(study.looseness, axes_with_values(study.axes)));
   if (study.modalities.empty())
     if (const io::ConfigNode* asked = value_at(study.base, "ranking.modality")) {
       const bool file = fs::path(asked->text).extension() == ".toml";

@@ -25,10 +25,12 @@ struct StudyFile {
   Design design = Design::crossed;
   int samples = 0;                      ///< of a Latin hypercube
   std::vector<std::string> modalities;  ///< scorecards, by name or absolute path
-  std::string looseness;            ///< the axis that answers "how loose may it be?"; empty: none
+  std::string looseness;  ///< the axis that answers "how loose may it be?"; empty: none
+  int looseness_line = 0;
   int sensors = 3;                  ///< up to so many are chosen together
   double spacing = 0.05;            ///< least distance between them [m]
   std::vector<std::string> not_at;  ///< sites where none is chosen
+  int not_at_line = 0;              ///< where that stands
   io::ConfigNode base;              ///< table of the base scenario
   std::string base_file;            ///< where paths in it are looked for, and what messages name
   std::vector<Axis> axes;
