@@ -24,6 +24,8 @@ add_test(NAME library_outside_the_tree COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJEC
 
 add_test(NAME study_kills
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/kill_test.py $<TARGET_FILE:loosefit> --kills 6)
+add_test(NAME study_read_only
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/read_only_test.py $<TARGET_FILE:loosefit>)
 add_test(NAME scenario_keys
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/scenario_keys.py --binary $<TARGET_FILE:loosefit> --check)
 add_test(NAME scenario_schema

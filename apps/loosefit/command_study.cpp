@@ -5,13 +5,16 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/whole_file.h"
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/analysis_json.h"
@@ -113,12 +116,43 @@ void collect_results(const study::StudyFolder& folder) {
   study::collect(folder, plan);
 }
 
+/// \throws IoError for a folder that may only be read.
+void need_leave_to_write(const study::StudyFolder& folder) {
+  if (!folder.can_be_written())
+    throw IoError(folder.path().string() + ": may only be read by this user, or its study.sqlite",
+                  "-o OUT writes into another folder");
+}
+
+/// Whether an output goes elsewhere than into the folder of the study.
+bool goes_elsewhere(const Arguments& arguments) {
+  std::error_code error;
+  return !arguments.output.empty() &&
+         !std::filesystem::equivalent(arguments.output, arguments.folder, error);
+}
+
 /// The page, from the results.
-study::StudyAnalysis write_report(const study::StudyFolder& folder, Progress& progress) {
+study::StudyAnalysis write_report(const study::StudyFolder& folder, const std::filesystem::path& to,
+                                  Progress& progress) {
   study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
   const study::Gallery gallery = study::make_gallery(folder, analysis.data.plan, progress);
-  study::write_whole(folder.path() / "study-report.html", study::study_html(analysis, gallery));
-  study::write_whole(folder.path() / "study-report.json", study::analysis_json(analysis));
+  study::write_whole(to / "study-report.html", study::study_html(analysis, gallery));
+  study::write_whole(to / "study-report.json", study::analysis_json(analysis));
+  return analysis;
+}
+
+/// Database and page in another folder, all or none; that of the study is only read.
+study::StudyAnalysis report_elsewhere(const study::StudyFolder& folder, const std::string& to) {
+  const study::FolderPlan plan = folder.read_plan();
+  io::RunFolder files = io::RunFolder::add(to, "study-report");
+  const std::string database = folder.database().filename().string();
+  files.announce({"study-report.html", "study-report.json", database});
+  {
+    study::Store store(files.path() / database);
+    study::bring_up(store, folder, plan);
+  }
+  Progress silent;
+  study::StudyAnalysis analysis = write_report(folder, files.path(), silent);
+  files.commit();
   return analysis;
 }
 
@@ -138,7 +172,7 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "finished cases stay; the same command goes on where it stopped\n");
     throw;
   }
-  const study::StudyAnalysis analysis = write_report(folder, shown);
+  const study::StudyAnalysis analysis = write_report(folder, folder.path(), shown);
   shown.clear();
   const study::FolderState& state = done.state;
   if (arguments.json) {
@@ -223,16 +257,25 @@ void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
   CLI::App* command =
       parent->add_subcommand("report", "database and page anew from the results that are there");
   folder_option(command, arguments);
+  command->add_option("-o,--output", arguments->output,
+                      "folder for database and page; DIR is then only read");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
     const study::StudyFolder folder(arguments->folder);
-    collect_results(folder);
-    Progress silent;
-    const study::StudyAnalysis analysis = write_report(folder, silent);
+    const bool elsewhere = goes_elsewhere(*arguments);
+    const std::filesystem::path to = elsewhere ? arguments->output : arguments->folder;
+    const study::StudyAnalysis analysis = [&] {
+      if (elsewhere) return report_elsewhere(folder, arguments->output);
+      folder.read_plan();  // what is no study is told first
+      need_leave_to_write(folder);
+      collect_results(folder);
+      Progress silent;
+      return write_report(folder, to, silent);
+    }();
     if (arguments->json) return print_document(study::analysis_json(analysis));
     for (const std::string& sentence : study::headlines(analysis))
       fmt::print("{}\n", terminal_line(sentence));
-    fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
+    fmt::print("written: {}\n", terminal_line((to / "study-report.html").string()));
   });
 }
 
@@ -245,9 +288,19 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const study::StudyFolder folder(arguments->folder);
     const std::string to =
         arguments->output.empty() ? (folder.path() / "csv").string() : arguments->output;
-    collect_results(folder);
-    const std::vector<std::string> files = study::export_csv(folder.database(), to);
-    const std::string content = study::content_sha256(folder.database());
+    const study::FolderPlan plan = folder.read_plan();
+    std::optional<study::Store> own;
+    if (goes_elsewhere(*arguments) && !folder.can_be_written()) {
+      study::bring_up(own.emplace(""), folder, plan);
+    } else {
+      need_leave_to_write(folder);
+      collect_results(folder);
+    }
+    std::optional<study::Database> there;
+    if (!own) there.emplace(folder.database(), study::Database::Mode::read);
+    const study::Database& database = own ? own->database() : *there;
+    const std::vector<std::string> files = study::export_csv(database, to);
+    const std::string content = study::content_sha256(database);
     if (arguments->json)
       return print_document(Json({{"folder", to}, {"files", files}, {"content_sha256", content}})
                                 .dump(1, ' ', false, Json::error_handler_t::replace));

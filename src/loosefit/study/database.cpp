@@ -82,10 +82,11 @@ double Statement::number(int at) const {
 }
 int Statement::integer(int at) const { return sqlite3_column_int(statement_, at); }
 
-Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.string()) {
+Database::Database(const std::filesystem::path& file, Mode mode)
+    : file_(file.empty() ? "temporary database" : file.string()) {
   const int flags =
       mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  if (sqlite3_open_v2(file_.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+  if (sqlite3_open_v2(file.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const std::string cause = handle_ ? sqlite3_errmsg(handle_) : "not enough memory";
     sqlite3_close(handle_);
     throw IoError(file_ + ": " + cause);

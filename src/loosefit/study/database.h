@@ -50,7 +50,8 @@ class Statement {
 class Database {
  public:
   enum class Mode { read, write };
-  /// Opens, for writing also makes it. Waits up to a minute for others who write.
+  /// Opens, for writing also makes it. Waits up to a minute for others who write. An empty name is
+  /// a database of this process alone, which goes with it.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();
   Database(const Database&) = delete;

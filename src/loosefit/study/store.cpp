@@ -315,10 +315,7 @@ std::vector<std::string> Store::addresses() const {
   return found;
 }
 
-namespace {
-
-void bring_up(const StudyFolder& folder, const FolderPlan& plan) {
-  Store store(folder.database());
+void bring_up(Store& store, const StudyFolder& folder, const FolderPlan& plan) {
   store.put_plan(plan);
   const std::vector<std::string> listed = store.addresses();
   std::set<std::string> in(listed.begin(), listed.end()), seen;
@@ -330,6 +327,8 @@ void bring_up(const StudyFolder& folder, const FolderPlan& plan) {
     if (!record && in.count(one.address)) store.forget(one.address);
   }
 }
+
+namespace {
 
 /// Under a name that is free, with the journal that belongs to it.
 void set_aside(const fs::path& file) {
@@ -345,16 +344,21 @@ void set_aside(const fs::path& file) {
 
 void collect(const StudyFolder& folder, const FolderPlan& plan) {
   try {
-    return bring_up(folder, plan);
+    Store store(folder.database());
+    return bring_up(store, folder, plan);
   } catch (const DamagedDatabase&) {
   }
   // Damaged, of another schema, or somebody else's: what the study needs is made anew.
   set_aside(folder.database());
-  bring_up(folder, plan);
+  Store store(folder.database());
+  bring_up(store, folder, plan);
 }
 
 std::string content_sha256(const fs::path& file) {
-  const Database database(file, Database::Mode::read);
+  return content_sha256(Database(file, Database::Mode::read));
+}
+
+std::string content_sha256(const Database& database) {
   std::string digests;
   for (const std::string& table : table_names())
     if (table != "execution")
@@ -363,7 +367,10 @@ std::string content_sha256(const fs::path& file) {
 }
 
 std::vector<std::string> export_csv(const fs::path& file, const fs::path& folder) {
-  const Database database(file, Database::Mode::read);
+  return export_csv(Database(file, Database::Mode::read), folder);
+}
+
+std::vector<std::string> export_csv(const Database& database, const fs::path& folder) {
   io::RunFolder files = io::RunFolder::add(folder, "study-tables");
   std::vector<std::string> names;
   for (const std::string& table : table_names()) names.push_back(table + ".csv");

@@ -164,6 +164,16 @@ void write_planned(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
+bool StudyFolder::can_be_written() const {
+  const auto allowed = [](const fs::path& path, int how) {
+    return faccessat(AT_FDCWD, path.c_str(), how, AT_EACCESS) == 0;
+  };
+  if (!allowed(path_, W_OK | X_OK)) return false;
+  for (const fs::path& file : {database(), path_ / ".lock"})
+    if (io::is_there(file) && !allowed(file, R_OK | W_OK)) return false;
+  return true;
+}
+
 void StudyFolder::check_ours() const {
   if (!io::is_there(path_)) return;
   std::error_code error;

@@ -61,6 +61,9 @@ class StudyFolder {
   std::filesystem::path result_file(const std::string& address) const;
   std::filesystem::path database() const { return path_ / "study.sqlite"; }
 
+  /// Whether database and page of a study that is there can be brought up; else it may only be
+  /// read.
+  bool can_be_written() const;
   /// A folder that is there must be empty or a study. Changes nothing. \throws IoError,
   /// InvalidInput.
   void check_ours() const;
