@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/study/counterparts.h"
 
 namespace loosefit::study {
 namespace {
@@ -22,47 +24,54 @@ int find(const Items& items, const Name& is) {
   return -1;
 }
 
-/// What is known of a person: the inputs of the axis of people.
-std::map<std::string, double> measures_of(const StudyData& data, int unit) {
-  const int axis = people_axis(data.plan);
-  std::map<std::string, double> measures;
-  if (axis < 0) return measures;
-  const std::string prefix = data.plan.axes[axis].name + ".";
-  for (const auto& [name, value] : data.plan.axes[axis].levels[unit].inputs)
-    measures[name.substr(std::min(name.size(), prefix.size()))] = value;
-  return measures;
-}
-
-struct Pairs {
-  std::vector<int> a, b;  ///< units
+struct Scores {
+  std::vector<double> a, b;  ///< by unit; NaN: not rated in both
+  std::vector<char> asked;   ///< whether a unit has cases in both studies
 };
 
-Pairs paired_units(const StudyData& a, const StudyData& b) {
-  Pairs pairs;
-  for (std::size_t i = 0; i < a.units.size(); ++i) {
-    const int j = find(b.units, [&](const std::string& name) { return name == a.units[i]; });
-    if (j < 0) continue;
-    if (measures_of(a, static_cast<int>(i)) != measures_of(b, j))
-      throw InvalidInput("\"" + printable(a.units[i]) + "\" of " + printable(a.plan.name) +
-                             " measures otherwise in " + printable(b.plan.name),
-                         "draw the people of both studies from the same statistics with the same "
-                         "seed and axis name, or give both the same CSV file");
-    pairs.a.push_back(static_cast<int>(i));
-    pairs.b.push_back(j);
-  }
-  if (pairs.a.empty())
-    throw InvalidInput("the studies " + printable(a.plan.name) + " and " + printable(b.plan.name) +
-                       " have nobody in common");
-  return pairs;
+/// Lowest score of some cases in a donning; NaN where none is rated.
+double lowest(const SiteTable& site, const std::vector<int>& cases, int donning) {
+  double least = kNotKnown;
+  for (const int c : cases)
+    if (const auto at = site.by_donning[c].find(donning); at != site.by_donning[c].end())
+      least = std::isnan(least) ? at->second : std::min(least, at->second);
+  return least;
 }
 
-PairedDifference difference(const std::vector<double>& a, const std::vector<double>& b,
-                            const Pairs& pairs, double pass, const BootstrapOptions& options) {
+std::set<int> donnings_of(const SiteTable& site, const std::vector<int>& cases) {
+  std::set<int> donnings;
+  for (const int c : cases)
+    for (const auto& [donning, score] : site.by_donning[c]) donnings.insert(donning);
+  return donnings;
+}
+
+Scores paired_scores(const SiteTable& a, const SiteTable& b, const CommonCases& common, int level) {
+  const std::size_t n = common.units.size();
+  Scores scores{std::vector<double>(n, kNotKnown), std::vector<double>(n, kNotKnown),
+                std::vector<char>(n, 0)};
+  for (const Counterparts& group : common.groups) {
+    if (group.level != level) continue;
+    scores.asked[group.unit] = 1;
+    double &x = scores.a[group.unit], &y = scores.b[group.unit];
+    for (const int donning : donnings_of(a, group.a)) {
+      const double in_a = lowest(a, group.a, donning), in_b = lowest(b, group.b, donning);
+      if (std::isnan(in_b)) continue;
+      x = std::isnan(x) ? in_a : std::min(x, in_a);
+      y = std::isnan(y) ? in_b : std::min(y, in_b);
+    }
+  }
+  return scores;
+}
+
+PairedDifference difference(const Scores& scores, double pass, const BootstrapOptions& options) {
   PairedDifference result;
   std::vector<double> differences;
-  for (std::size_t p = 0; p < pairs.a.size(); ++p) {
-    const double x = a[pairs.a[p]], y = b[pairs.b[p]];
-    if (std::isnan(x) || std::isnan(y)) continue;
+  for (std::size_t unit = 0; unit < scores.a.size(); ++unit) {
+    const double x = scores.a[unit], y = scores.b[unit];
+    if (std::isnan(x) || std::isnan(y)) {
+      result.not_rated += scores.asked[unit];
+      continue;
+    }
     differences.push_back(std::clamp(y, 0.0, 1.0) - std::clamp(x, 0.0, 1.0));
     result.better += y > x;
     result.passing_a += x >= pass;
@@ -92,11 +101,24 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
   StudyComparison comparison;
   comparison.name_a = a.plan.name;
   comparison.name_b = b.plan.name;
-  const Pairs pairs = paired_units(a, b);
-  const std::size_t alone = a.units.size() + b.units.size() - 2 * pairs.a.size();
-  if (alone > 0) comparison.notes.push_back(fmt::format("{} people are in one study alone", alone));
+  const CommonCases common = common_cases(a, b);
+  comparison.cases_a = static_cast<int>(a.plan.cases.size());
+  comparison.cases_b = static_cast<int>(b.plan.cases.size());
+  comparison.paired_a = common.paired_a;
+  comparison.paired_b = common.paired_b;
+  comparison.notes = common.notes;
+  const auto in_one_alone = [&](const std::string& what, const StudyData& data) {
+    comparison.notes.push_back(what + ": in " + data.plan.name + " alone");
+  };
+  for (const std::string& modality : b.modalities)
+    if (std::count(a.modalities.begin(), a.modalities.end(), modality) == 0)
+      in_one_alone(modality, b);
   for (std::size_t m = 0; m < a.modalities.size(); ++m) {
     const std::string& modality = a.modalities[m];
+    if (std::count(b.modalities.begin(), b.modalities.end(), modality) == 0) {
+      in_one_alone(modality, a);
+      continue;
+    }
     const auto in_a = a.sites.find(modality), in_b = b.sites.find(modality);
     if (in_a == a.sites.end() || in_b == b.sites.end()) {
       const bool neither = in_a == a.sites.end() && in_b == b.sites.end();
@@ -104,20 +126,21 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
                                                      : " has results in one study alone"));
       continue;
     }
+    const auto same_site = [](const SiteTable& site) {
+      return [&](const SiteTable& s) { return s.site == site.site; };
+    };
+    for (const SiteTable& site : in_b->second)
+      if (find(in_a->second, same_site(site)) < 0) in_one_alone(modality + ", " + site.site, b);
     const double pass = io::load_scorecard(a.plan.modalities[m]).pass;
     for (const SiteTable& site : in_a->second) {
-      const int other = find(in_b->second, [&](const SiteTable& s) { return s.site == site.site; });
+      const int other = find(in_b->second, same_site(site));
       if (other < 0) {
-        comparison.notes.push_back(modality + ", " + site.site + ": in " + a.plan.name + " alone");
+        in_one_alone(modality + ", " + site.site, a);
         continue;
       }
       for (std::size_t k = 0; k < a.level_labels.size(); ++k) {
-        const int level =
-            find(b.level_labels, [&](const std::string& l) { return l == a.level_labels[k]; });
-        if (level < 0) continue;
-        PairedDifference one =
-            difference(unit_scores(a, site, static_cast<int>(k)),
-                       unit_scores(b, in_b->second[other], level), pairs, pass, options);
+        PairedDifference one = difference(
+            paired_scores(site, in_b->second[other], common, static_cast<int>(k)), pass, options);
         one.modality = modality;
         one.site = site.site;
         one.level = a.level_labels[k];
@@ -135,14 +158,19 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
 std::string comparison_text(const StudyComparison& comparison) {
   std::string text = fmt::format("{} (B) against {} (A), scores of the same people, B - A\n",
                                  comparison.name_b, comparison.name_a);
-  text += fmt::format("{:<20} {:<18} {:<12} {:>6} {:>8} {:>18} {:>7} {:>13}\n", "modality", "site",
+  text += fmt::format("paired: {} of {} cases of A with {} of {} of B\n", comparison.paired_a,
+                      comparison.cases_a, comparison.paired_b, comparison.cases_b);
+  text += fmt::format("{:<20} {:<18} {:<12} {:>8} {:>8} {:>18} {:>7} {:>13}\n", "modality", "site",
                       "fit", "people", "mean", "90 % interval", "better", "passing A, B");
   for (const PairedDifference& d : comparison.differences)
     text += fmt::format(
-        "{:<20} {:<18} {:<12} {:>6} {:>+8.3f} {:>+8.3f} to {:>+6.3f} {:>5.0f} % "
+        "{:<20} {:<18} {:<12} {:>8} {:>+8.3f} {:>+8.3f} to {:>+6.3f} {:>5.0f} % "
         "{:>5.0f}, {:.0f} %{}\n",
-        d.modality, d.site, d.level, d.pairs, d.mean, d.interval.low, d.interval.high,
-        100 * d.better, 100 * d.passing_a, 100 * d.passing_b, d.differs() ? " *" : "");
+        d.modality, d.site, d.level,
+        d.not_rated > 0 ? fmt::format("{} of {}", d.pairs, d.pairs + d.not_rated)
+                        : std::to_string(d.pairs),
+        d.mean, d.interval.low, d.interval.high, 100 * d.better, 100 * d.passing_a,
+        100 * d.passing_b, d.differs() ? " *" : "");
   text +=
       "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
@@ -150,15 +178,15 @@ std::string comparison_text(const StudyComparison& comparison) {
 }
 
 std::string comparison_csv(const StudyComparison& comparison) {
-  std::string text =
-      io::csv_line({"modality", "site", "level", "people", "mean_difference", "median_difference",
-                    "interval_low", "interval_high", "share_better", "passing_a", "passing_b"});
+  std::string text = io::csv_line({"modality", "site", "level", "people", "mean_difference",
+                                   "median_difference", "interval_low", "interval_high",
+                                   "share_better", "passing_a", "passing_b", "people_not_rated"});
   for (const PairedDifference& d : comparison.differences)
     text += io::csv_line({io::csv_field(d.modality), io::csv_field(d.site), io::csv_field(d.level),
                           std::to_string(d.pairs), io::csv_field(d.mean), io::csv_field(d.median),
                           io::csv_field(d.interval.low), io::csv_field(d.interval.high),
                           io::csv_field(d.better), io::csv_field(d.passing_a),
-                          io::csv_field(d.passing_b)});
+                          io::csv_field(d.passing_b), std::to_string(d.not_rated)});
   return text;
 }
 
@@ -174,6 +202,7 @@ std::string comparison_json(const StudyComparison& comparison) {
                     {"site", d.site},
                     {"level", d.level},
                     {"people", d.pairs},
+                    {"people_not_rated", d.not_rated},
                     {"mean_difference", number(d.mean)},
                     {"median_difference", number(d.median)},
                     {"interval", {number(d.interval.low), number(d.interval.high)}},
@@ -183,6 +212,10 @@ std::string comparison_json(const StudyComparison& comparison) {
                     {"passing_b", d.passing_b}});
   return Json({{"a", comparison.name_a},
                {"b", comparison.name_b},
+               {"cases_a", comparison.cases_a},
+               {"cases_b", comparison.cases_b},
+               {"paired_a", comparison.paired_a},
+               {"paired_b", comparison.paired_b},
                {"differences", rows},
                {"notes", comparison.notes}})
       .dump(1, ' ', false, Json::error_handler_t::replace);

@@ -6,10 +6,12 @@
 
 namespace loosefit::study {
 
-/// Difference of two studies at one site and looseness, over people that both have.
+/// Difference of two studies at one site and looseness, over people that both have. The score of a
+/// person is the lowest over cases and donnings that both studies have (counterparts.h) and rate.
 struct PairedDifference {
   std::string modality, site, level;
   int pairs = 0;
+  int not_rated = 0;            ///< people of both studies of whom no donning is rated in both
   double mean = 0, median = 0;  ///< of B − A, scores clamped to 0 … 1
   Bounds interval;              ///< of the mean, by bootstrap over people
   double better = 0;            ///< share of people with a higher score in B
@@ -20,11 +22,13 @@ struct PairedDifference {
 struct StudyComparison {
   std::string name_a, name_b;
   std::vector<PairedDifference> differences;
-  std::vector<std::string> notes;  ///< what one of them lacks
+  int cases_a = 0, cases_b = 0;    ///< all of them
+  int paired_a = 0, paired_b = 0;  ///< those with a counterpart in the other study
+  std::vector<std::string> notes;  ///< what one of them lacks, with counts
 };
 
-/// Pairs people by name, sites and levels of looseness by label; people of the same name must
-/// measure the same. \throws InvalidInput when nothing can be paired, or people of one name differ.
+/// Pairs cases by what they have in common (counterparts.h), sites by name.
+/// \throws InvalidInput when nothing can be paired, or people of one name measure otherwise.
 StudyComparison compare_studies(const StudyData& a, const StudyData& b,
                                 const BootstrapOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
@@ -204,6 +205,41 @@ std::string case_address(const scenario::Scenario& scenario,
   return sha256_hex(text);
 }
 
+namespace {
+
+/// What the resolved scenario says of the body: its posture, or all else.
+std::string body_lines(const scenario::Scenario& scenario, bool posture) {
+  scenario::Scenario content = scenario;
+  if (!content.body.file.empty()) content.body.file = digest_of(content.body.file);
+  std::istringstream lines(io::scenario_toml(content));
+  std::string text, line;
+  bool in_body = false;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("[")) in_body = line == "[body]";
+    if (in_body && line.starts_with("posture =") == posture && !line.starts_with("dress_posture ="))
+      text += line + "\n";
+  }
+  return text;
+}
+
+std::string short_digest(const std::string& text) {
+  constexpr std::size_t kDigits = 16;
+  return sha256_hex(text).substr(0, kDigits);
+}
+
+}  // namespace
+
+std::string wearer_digest(const scenario::Scenario& scenario) {
+  return short_digest(body_lines(scenario, false));
+}
+
+std::string wearing_digest(const scenario::Scenario& scenario) {
+  std::string text = body_lines(scenario, true);
+  // The first of a list is the reference posture, which is told already.
+  for (std::size_t k = 1; k < scenario.postures.size(); ++k) text += scenario.postures[k] + "\n";
+  return short_digest(text + std::to_string(scenario.donning.seed));
+}
+
 int drapes_of(const scenario::Scenario& scenario) {
   const int postures = std::max<int>(1, static_cast<int>(scenario.postures.size()));
   return postures * std::max(scenario.donning.repeats, scenario.simulation.repeats);
@@ -249,6 +285,8 @@ Plan make_plan(const StudyFile& study) {
       one.address = case_address(scenario, study.modalities);
       one.drapes = drapes_of(scenario);
       one.edge_length = scenario.simulation.edge_length;
+      one.wearer = wearer_digest(scenario);
+      one.wearing = wearing_digest(scenario);
       one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
       for (const placement::SiteSpec& site : scenario.sites) sites.insert(site.name);
       presets |= scenario.output.preset_sites;

@@ -17,6 +17,8 @@ struct PlannedCase {
   int drapes = 1;           ///< postures × donnings (or repeats)
   double edge_length = 0;   ///< [m]
   bool grade_b = false;     ///< is content with certificate grade B
+  std::string wearer;       ///< digest of whose body it is, whatever the posture
+  std::string wearing;      ///< digest of reference posture, postures and history of putting on
 };
 
 /// All cases of a study, made before anything runs.
@@ -44,6 +46,11 @@ scenario::Scenario compose(const StudyFile& study, const std::vector<int>& level
 /// threads, pictures and the place of files do not matter.
 std::string case_address(const scenario::Scenario& scenario,
                          const std::vector<std::string>& modalities);
+
+/// Sixteen digits by which cases of two studies are told to have the same wearer (also when a scan
+/// lies elsewhere), and to be worn in the same postures and put on alike.
+std::string wearer_digest(const scenario::Scenario& scenario);
+std::string wearing_digest(const scenario::Scenario& scenario);
 
 /// Drapes that a scenario asks for: postures times donnings or repeats.
 int drapes_of(const scenario::Scenario& scenario);

@@ -131,6 +131,7 @@ class Collector {
       SiteTable& table = table_of(sample.modality, sample.site);
       double& lowest = table.by_case[c];
       if (std::isnan(lowest) || sample.margin < lowest) lowest = sample.margin;
+      if (!std::isnan(sample.margin)) table.by_donning[c][sample.donning] = sample.margin;
       if (!std::isnan(sample.margin) && !sample.limiting.empty()) ++table.limiting[sample.limiting];
       for (const auto& [metric, value] : sample.metrics)
         if (std::isfinite(value)) {
@@ -157,6 +158,7 @@ class Collector {
     SiteTable& table = tables.emplace_back();
     table.site = site;
     table.by_case.assign(data_.plan.cases.size(), kNotKnown);
+    table.by_donning.resize(data_.plan.cases.size());
     return table;
   }
 

@@ -19,6 +19,7 @@ struct SiteTable {
   std::string site;
   double x = kNotKnown, y = kNotKnown, z = kNotKnown;  ///< on the first wearer [m]
   std::vector<double> by_case;  ///< per case its lowest score over donnings, not clamped; NaN: none
+  std::vector<std::map<int, double>> by_donning;       ///< per case those that are rated
   std::map<std::string, std::vector<double>> metrics;  ///< per case the mean over donnings
   std::map<std::string, int> limiting;                 ///< metric → in how many cases it limits
 };

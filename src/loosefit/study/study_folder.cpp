@@ -85,7 +85,9 @@ Json plan_json(const Plan& plan) {
                              {"levels", one.levels},
                              {"address", one.address},
                              {"drapes", one.drapes},
-                             {"edge_length", one.edge_length}});
+                             {"edge_length", one.edge_length},
+                             {"wearer", one.wearer},
+                             {"wearing", one.wearing}});
   return json;
 }
 
@@ -264,7 +266,8 @@ FolderPlan StudyFolder::read_plan() const {
     for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
-                            j.at("drapes"), j.at("edge_length")});
+                            j.at("drapes"), j.at("edge_length"), j.value("wearer", std::string()),
+                            j.value("wearing", std::string())});
     check_plan(plan, file.string());
     return plan;
   } catch (const Json::exception& e) {

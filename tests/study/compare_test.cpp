@@ -1,0 +1,192 @@
+#include "loosefit/study/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "loosefit/base/error.h"
+#include "support/study_on_disk.h"
+
+// Two studies are compared case by case of what both have: a score of one posture, donning or
+// person is never held against that of another.
+namespace loosefit::study {
+namespace {
+
+const std::string kHead = "[study]\nname = \"NAME\"\nmodalities = [\"imu-uncalibrated\"]\n";
+const std::string kPeople =
+    "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = 3 }\n";
+const std::string kFits =
+    "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.0, 0.1]\n";
+const std::string kStanding = "[scenario.postures]\nlist = [\"standing\"]\n";
+
+struct Comparison : StudyOnDisk {
+  /// Score of a case by its label, "person 1, fit 0.1", and of a donning.
+  using ScoreOf = std::function<double(const std::string&, int)>;
+
+  StudyData study(const std::string& name, std::string text, const ScoreOf& score,
+                  int donnings = 1) const {
+    text = kHead + text;
+    text.replace(text.find("NAME"), 4, name);
+    const Plan made = make_plan(parse_study_file(text, name + ".toml"));
+    const StudyFolder folder(base / name);
+    fs::create_directories(base);
+    folder.write_plan(made);
+    for (const PlannedCase& one : made.cases) {
+      CaseRecord record = made_up(one.address, 0);
+      const SampleRecord sample = record.samples.front();
+      record.samples.clear();
+      for (int donning = 1; donning <= donnings; ++donning) {
+        record.samples.push_back(sample);
+        record.samples.back().donning = donning;
+        record.samples.back().score = record.samples.back().margin =
+            score(made.label(one), donning);
+      }
+      write_whole(folder.result_file(one.address), record_json(record));
+    }
+    return read_study_data(folder);
+  }
+  static void expect_refused(const StudyData& a, const StudyData& b, const std::string& phrase) {
+    try {
+      compare_studies(a, b);
+      FAIL() << phrase;
+    } catch (const InvalidInput& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("have no case in common"), std::string::npos) << said;
+      EXPECT_NE(said.find(phrase), std::string::npos) << said;
+    }
+  }
+  static bool says(const StudyComparison& comparison, const std::string& phrase) {
+    return comparison_text(comparison).find(phrase) != std::string::npos;
+  }
+};
+
+bool has(const std::string& label, const std::string& part) {
+  return label.find(part) != std::string::npos;
+}
+
+double by_posture(const std::string& label, int) { return has(label, "slouch") ? 0.2 : 0.6; }
+
+// The worst posture of one study is not compared with the only one of another.
+TEST_F(Comparison, IsOfTheSamePostureAlsoWhereOneStudyHasNoAxisOfThem) {
+  const StudyData a = study(
+      "a",
+      kPeople + kFits + "[[axis]]\nname = \"worn\"\npostures = [[\"slouch\"], [\"standing\"]]\n",
+      by_posture);
+  const StudyData b = study("b", kStanding + kPeople + kFits, by_posture);
+  for (const StudyComparison& c : {compare_studies(a, b), compare_studies(b, a)}) {
+    ASSERT_EQ(c.differences.size(), 2u);
+    for (const PairedDifference& d : c.differences) {
+      EXPECT_EQ(d.pairs, 3);
+      EXPECT_EQ(d.mean, 0) << "0.4 where slouch and standing are compared";
+    }
+  }
+  const StudyComparison c = compare_studies(a, b);
+  EXPECT_EQ(c.cases_a, 12);
+  EXPECT_EQ(c.paired_a, 6);
+  EXPECT_EQ(c.paired_b, 6);
+  EXPECT_TRUE(says(c, "paired: 6 of 12 cases of A with 6 of 6 of B")) << comparison_text(c);
+  EXPECT_TRUE(
+      says(c, "6 of 12 cases of a have no counterpart in b: 6 of another posture or donning"))
+      << comparison_text(c);
+}
+
+TEST_F(Comparison, IsOfTheSameDonning) {
+  const ScoreOf worse_and_worse = [](const std::string&, int donning) {
+    return 0.9 - 0.2 * donning;
+  };
+  const StudyData a = study("a", kPeople + kFits, worse_and_worse, 3);
+  const StudyData b = study("b", kPeople + kFits, worse_and_worse, 2);
+  const StudyComparison c = compare_studies(a, b);
+  ASSERT_EQ(c.differences.size(), 2u);
+  EXPECT_EQ(c.differences[0].mean, 0) << "0.2 where the third donning is held against the second";
+  // Of axes of donnings, whatever their names are, those of the same seed.
+  const ScoreOf first_alone = [](const std::string& label, int) {
+    return has(label, "donning 1") ? 0.7 : 0.3;
+  };
+  const StudyData one =
+      study("one", kPeople + kFits + "[[axis]]\nname = \"x\"\ndonnings = 1\n", first_alone);
+  const StudyData two =
+      study("two", kPeople + kFits + "[[axis]]\nname = \"y\"\ndonnings = 2\n", first_alone);
+  EXPECT_EQ(compare_studies(one, two).differences.at(0).mean, 0);
+  EXPECT_EQ(compare_studies(one, two).paired_b, 6);
+}
+
+TEST_F(Comparison, OfStudiesWithoutPeopleIsNotByTheNumbersOfCases) {
+  const std::string fabrics = "[[axis]]\nname = \"cloth\"\nfabrics = [";
+  const ScoreOf by_cloth = [](const std::string& label, int) {
+    return has(label, "denim") ? 0.7 : 0.3;
+  };
+  const StudyData a = study("a", fabrics + "\"denim\", \"cotton-shirting\"]\n", by_cloth);
+  const StudyData b = study("b", fabrics + "\"cotton-shirting\", \"denim\"]\n", by_cloth);
+  const PairedDifference d = compare_studies(a, b).differences.at(0);
+  EXPECT_EQ(d.pairs, 2);
+  EXPECT_EQ(d.mean, 0);
+  EXPECT_EQ(d.better, 0) << "one in two where case 1 is held against case 1";
+  const StudyData other =
+      study("other", "[scenario.body]\nheight = 1.8\n" + fabrics + "\"denim\"]\n", by_cloth);
+  expect_refused(a, other, "2 of another wearer");
+}
+
+TEST_F(Comparison, TellsHowManyCasesHaveNoCounterpart) {
+  const ScoreOf same = [](const std::string&, int) { return 0.5; };
+  const StudyData a = study("a", kPeople + kFits, same);
+  std::string more = kPeople;
+  more.replace(more.find("count = 3"), 9, "count = 4");
+  std::string fits = kFits;
+  fits.replace(fits.find("0.0, 0.1"), 8, "0.1, 0.2");
+  const StudyComparison c = compare_studies(a, study("b", more + fits, same));
+  EXPECT_EQ(c.paired_a, 3);
+  EXPECT_EQ(c.paired_b, 3);
+  EXPECT_TRUE(says(c, "3 of 6 cases of a have no counterpart in b: 3 of another fit"))
+      << comparison_text(c);
+  EXPECT_TRUE(
+      says(c, "5 of 8 cases of b have no counterpart in a: 3 of another fit, 2 of another person"))
+      << comparison_text(c);
+  const std::string json = comparison_json(c);
+  EXPECT_NE(json.find("\"cases_b\": 8"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"paired_b\": 3"), std::string::npos) << json;
+}
+
+TEST_F(Comparison, CountsPeopleWhomOneStudyDoesNotRate) {
+  const StudyData a = study("a", kPeople + kFits, [](const std::string&, int) { return 0.5; });
+  const StudyData b = study("b", kPeople + kFits, [](const std::string& label, int) {
+    return has(label, "person 2, fit 0.1") ? std::nan("") : 0.6;
+  });
+  const StudyComparison c = compare_studies(a, b);
+  EXPECT_EQ(c.differences.at(0).not_rated, 0);
+  EXPECT_EQ(c.differences.at(1).pairs, 2);
+  EXPECT_EQ(c.differences.at(1).not_rated, 1);
+  EXPECT_TRUE(says(c, "2 of 3")) << comparison_text(c);
+}
+
+TEST_F(Comparison, OfStudiesWithoutACommonCaseIsRefusedWithTheReason) {
+  const ScoreOf same = [](const std::string&, int) { return 0.5; };
+  const StudyData a = study("a", kPeople + kFits, same);
+  std::string fits = kFits;
+  fits.replace(fits.find("0.0, 0.1"), 8, "0.3, 0.4");
+  expect_refused(a, study("b", kPeople + fits, same), "6 of another fit");
+  expect_refused(a,
+                 study("c", "[scenario.postures]\nlist = [\"slouch\"]\n" + kPeople + kFits, same),
+                 "6 of another posture or donning");
+  expect_refused(a, study("d", kFits, same), "d has no axis of people");
+}
+
+// An axis of one study alone is no reason not to compare, but is told.
+TEST_F(Comparison, TellsOfAxesThatOneStudyHasAlone) {
+  const ScoreOf by_cloth = [](const std::string& label, int) {
+    return has(label, "denim") ? 0.3 : 0.7;
+  };
+  const StudyData a = study("a", kPeople + kFits, by_cloth);
+  const StudyData b = study(
+      "b",
+      kPeople + kFits + "[[axis]]\nname = \"cloth\"\nfabrics = [\"denim\", \"cotton-shirting\"]\n",
+      by_cloth);
+  const StudyComparison c = compare_studies(a, b);
+  EXPECT_NEAR(c.differences.at(0).mean, -0.4, 1e-12);
+  EXPECT_EQ(c.paired_b, 12);
+  EXPECT_TRUE(says(c, "the axis cloth is in b alone: the worst of its 2 levels counts"))
+      << comparison_text(c);
+}
+
+}  // namespace
+}  // namespace loosefit::study
