@@ -8,11 +8,14 @@ One study of small cases runs undisturbed. Then, in another folder,
   * the disk runs full in the middle, and has room again;
   * a file may not grow beyond a limit (RLIMIT_FSIZE), and then may;
   * a second runner is started beside the first;
-  * Ctrl-C (SIGINT) ends it, and it goes on.
-Each time the rows of the database must be those of the undisturbed run, and no result that was there once may
-have been written again.
+  * Ctrl-C (SIGINT) ends it, and it goes on;
+  * a smaller plan has run there before, with controls of its own.
+Each time the rows of the database must be those of the undisturbed run, the database must be sound, no worker may
+outlive its runner, and no result that was there once may have been written again, but for the control that a case
+goes on to.
 """
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -20,6 +23,7 @@ import random
 import resource
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -29,7 +33,7 @@ STUDY = """
 [study]
 name = "kills"
 modalities = ["imu-uncalibrated", "pressure"]
-seed = 7
+seed = {seed}
 
 [scenario.body]
 posture = "a-pose"
@@ -39,6 +43,7 @@ pattern = "tank-top"
 movements = []
 [scenario.simulation]
 edge_length = 0.05
+certificate = "B"
 
 [[axis]]
 name = "person"
@@ -47,7 +52,7 @@ people = {{ statistics = "ansur-2012", count = {people} }}
 [[axis]]
 name = "fit"
 key = "garment.fit.chest"
-values = [0.02, 0.1]
+values = {fits}
 
 # One iteration is not enough: cases that are sealed, half a second each.
 [[axis]]
@@ -55,6 +60,9 @@ name = "iterations"
 key = "simulation.max_iterations"
 values = [1, 5000]
 """
+
+
+FITS = [0.02, 0.1]
 
 
 class Failed(Exception):
@@ -80,12 +88,26 @@ class Study:
     def run(self, **options):
         return subprocess.run(self.command(), capture_output=True, text=True, **options)
 
+    def finished(self):
+        """Cases that need not run again; a control that has not gone on to grade A is none of them."""
+        said = json.loads(subprocess.run([self.binary, "study", "status", str(self.folder), "--json"], check=True,
+                                         capture_output=True, text=True).stdout)
+        return said["done"] + said["sealed"] + said["failed"]
+
     def look(self):
-        """No whole result may change once it is there."""
+        """No whole result may change once it is there, but that a control comes to it."""
         for file in self.folder.glob("cases/*/*/result.json"):
             stat = file.stat()
             now = (stat.st_ino, stat.st_mtime_ns, stat.st_size)
-            check(self.seen.setdefault(file, now) == now, f"{file} was written twice")
+            if file in self.seen and self.seen[file][0] == now:
+                continue
+            record = json.loads(file.read_text())["result"]
+            control = record.pop("control", None)
+            record.pop("execution")
+            if file in self.seen:
+                _, before, had = self.seen[file]
+                check(record == before and control and not had, f"{file} was written twice")
+            self.seen[file] = (now, record, control)
 
     def finish(self, content):
         """Runs to the end and compares."""
@@ -95,6 +117,12 @@ class Study:
         self.look()
         check(said["content_sha256"] == content, "the database differs from that of the undisturbed run")
         check(said["open"] == 0, "cases are open")
+        check(said["done"] + said["sealed"] + said["failed"] == said["cases"], f"cases are lost or doubled: {said}")
+        with contextlib.closing(sqlite3.connect(self.folder / "study.sqlite")) as database:
+            sound = database.execute("PRAGMA integrity_check").fetchall()
+            numbers = [row[0] for row in database.execute("SELECT number FROM cases ORDER BY number")]
+        check(sound == [("ok",)], f"the database is damaged: {sound}")
+        check(numbers == list(range(1, said["cases"] + 1)), f"cases of the database: {numbers}")
         left = [f.name for f in self.folder.rglob(".*writing*")]
         check(not left, f"half-written files are left: {left}")
         return said
@@ -108,6 +136,22 @@ def workers_of(runner):
     return [int(word) for word in text.split()]
 
 
+def end_with_runner(workers):
+    """A worker that lived on could write beside that of the next runner."""
+    until = time.time() + 5
+    while time.time() < until and any(is_worker(one) for one in workers):
+        time.sleep(0.02)
+    alive = [one for one in workers if is_worker(one)]
+    check(not alive, f"workers live on without their runner: {alive}")
+
+
+def is_worker(process):
+    try:
+        return b"study\0work" in pathlib.Path(f"/proc/{process}/cmdline").read_bytes()
+    except OSError:
+        return False
+
+
 def kill(process):
     try:
         os.kill(process, signal.SIGKILL)
@@ -117,7 +161,7 @@ def kill(process):
 
 def kills(study, content, count, draws):
     """Runner or worker, at random moments; the study may finish in between and is then begun anew."""
-    runners = done = 0
+    runners = done = whole = 0
     longest = 2.5
     while done < count:
         runner = study.start()
@@ -135,15 +179,18 @@ def kills(study, content, count, draws):
                 runners += 1
                 kill(runner.pid)
                 runner.wait()
+                end_with_runner(workers)
                 ended = True
         runner.communicate()
         study.look()
         if ended and runner.returncode == 0 and done < count:
             study.finish(content)
+            whole += 1
             shutil.rmtree(study.folder)
             study.seen = {}
     said = study.finish(content)
-    return f"{count} kills, {runners} of them of the runner; {said['ran']} cases were left at the end"
+    return (f"{count} kills, {runners} of them of the runner, in {whole + 1} runs of the study; "
+            f"{said['ran']} cases were left at the end")
 
 
 def full_disk(study, content, cases):
@@ -153,7 +200,7 @@ set -e
 mkdir -p {study.folder}
 mount -t tmpfs -o size=240k loosefit-test {study.folder}
 code=0; {' '.join(study.command())} > /dev/null 2> {study.folder}.errors || code=$?
-echo "$code $(ls {study.folder}/cases/*/*/result.json | wc -l)"
+echo "$code"; {study.binary} study status {study.folder} --json
 mount -o remount,size=50m {study.folder}
 {' '.join(study.command())} > {study.folder}.json
 """
@@ -161,7 +208,9 @@ mount -o remount,size=50m {study.folder}
     if end.returncode != 0 and ("unshare" in end.stderr or "mount" in end.stderr):
         return "skipped: no file system of our own can be mounted here"
     check(end.returncode == 0, end.stderr)
-    code, finished = (int(word) for word in end.stdout.split())
+    code, state = end.stdout.split("\n", 1)
+    code, state = int(code), json.loads(state)
+    finished = state["done"] + state["sealed"] + state["failed"]
     errors = pathlib.Path(f"{study.folder}.errors").read_text()
     check(code == 2, f"exit code {code} on a full disk: {errors}")
     check(finished < cases, "the disk was full too late: all cases had finished")
@@ -177,7 +226,7 @@ def no_growth(study, content):
     end = study.run(preexec_fn=limit)
     check(end.returncode == 2, f"exit code {end.returncode} with a limit: {end.stderr}")
     study.look()
-    finished = len(study.seen)
+    finished = study.finished()
     said = study.finish(content)
     check(said["ran"] + finished == said["cases"], "a finished case ran again")
     return f"limit met after {finished} of {said['cases']} cases"
@@ -213,6 +262,33 @@ def interrupted(study, content):
     return f"{said['cases'] - said['ran']} cases had finished at Ctrl-C"
 
 
+def grown(study, content, smaller):
+    whole = study.file
+    study.file = smaller
+    end = study.run()
+    check(end.returncode == 0, f"the smaller plan: {end.stderr}")
+    before = json.loads(end.stdout)["cases"]
+    study.look()
+    study.file = whole
+    said = study.finish(content)
+    return f"{before} of {said['cases']} cases had run for a smaller plan"
+
+
+def seed_with_controls(binary, base, people):
+    """A seed of which a control is a case that comes to rest, and is one in a smaller plan, too."""
+    for seed in range(1, 200):
+        text = STUDY.format(people=people, seed=seed, fits=FITS)
+        (base / "seed.toml").write_text(text)
+        folder = base / f"seed-{seed}"
+        subprocess.run([binary, "study", "plan", str(base / "seed.toml"), "-o", str(folder)], check=True,
+                       stdout=subprocess.DEVNULL)
+        plan = json.loads((folder / "plan.json").read_text())
+        shutil.rmtree(folder)
+        if any(case["address"] in plan["controls"] and case["levels"][2] == 1 for case in plan["cases"]):
+            return seed
+    raise Failed("no seed with a control that comes to rest")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("binary")
@@ -223,8 +299,11 @@ def main():
     draws = random.Random(arguments.seed)
     with tempfile.TemporaryDirectory(prefix="loosefit-kills-") as place:
         base = pathlib.Path(place)
-        file = base / "kills.toml"
-        file.write_text(STUDY.format(people=arguments.people))
+        file, smaller = base / "kills.toml", base / "smaller" / "kills.toml"
+        smaller.parent.mkdir()
+        study_seed = seed_with_controls(arguments.binary, base, arguments.people)
+        file.write_text(STUDY.format(people=arguments.people, seed=study_seed, fits=FITS))
+        smaller.write_text(STUDY.format(people=arguments.people, seed=study_seed, fits=FITS[:1]))
 
         def study(name):
             return Study(arguments.binary, file, base / name)
@@ -236,14 +315,17 @@ def main():
             return 1
         said = json.loads(end.stdout)
         content = said["content_sha256"]
+        controls = sum("control" in json.loads(result.read_text())["result"]
+                       for result in (base / "undisturbed").glob("cases/*/*/result.json"))
         print(f"undisturbed: {said['cases']} cases, {said['done']} with scores, {said['sealed']} sealed, "
-              f"{time.time() - begin:.0f} s")
+              f"{controls} controls, {time.time() - begin:.0f} s")
         failed = 0
         for name, act in (("kills", lambda s: kills(s, content, arguments.kills, draws)),
                           ("full disk", lambda s: full_disk(s, content, said["cases"])),
                           ("no growth", lambda s: no_growth(s, content)),
                           ("second runner", lambda s: second_runner(s, content)),
-                          ("interrupted", lambda s: interrupted(s, content))):
+                          ("interrupted", lambda s: interrupted(s, content)),
+                          ("grown", lambda s: grown(s, content, smaller))):
             begin = time.time()
             try:
                 words = act(study(name.replace(" ", "-")))
