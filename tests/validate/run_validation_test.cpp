@@ -177,6 +177,7 @@ TEST(Catalogue, EveryBenchmarkStandsInTheListOfTheoryAndEveryResultIsThatOfOne) 
   }
   std::string results = document("docs/accuracy.md");
   results.erase(0, results.find("<!-- benchmarks: begin -->"));
+  results.erase(0, results.find("| id |"));  // past the version that found them
   results.resize(std::min(results.size(), results.find("\n\n")));  // the first table
   const std::regex row(R"(\| ([A-Z]+[0-9]*(?:-[0-9]+)?) \| ([^|]*) \| [0-9]+ \|)");
   int rows = 0;
