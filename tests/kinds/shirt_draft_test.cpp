@@ -202,12 +202,15 @@ TEST(ShirtDraft, FrontIsAsMuchLongerAndWiderAsTheBodyIs) {
   expect_sound(shirt, bust, fit);
   const pattern::Panel &front = shirt.panels[shirt.find_part("front")],
                        &back = shirt.panels[shirt.find_part("back")];
-  const auto lowest = [](const pattern::Panel& panel) {
-    double low = 0;
-    for (const Vec2& p : pattern::outline_polygon(panel)) low = std::min(low, p.y());
-    return low;
+  // Halfway at the sides, where front and back meet.
+  const auto hem_at = [](const pattern::Panel& panel, double share) {
+    return pattern::EdgePath(panel, pattern::find_edge_part(panel, "hem")).at(share).y();
   };
-  EXPECT_NEAR(lowest(back) - lowest(front), .03, 1e-9);
+  EXPECT_NEAR(hem_at(back, 0.5) - hem_at(front, 0.5), .03, 1e-9);
+  EXPECT_NEAR(hem_at(back, 0.5), -bust.hps_to_hem, 1e-9);
+  for (const pattern::Panel* panel : {&front, &back})
+    for (const double end : {0., 1.})
+      EXPECT_NEAR(hem_at(*panel, end), -bust.hps_to_hem - .015, 1e-9);
   const double y = -bust.hps_to_waist;
   EXPECT_NEAR(width_at(front, y) - width_at(back, y), 2 * 1.1 * .04, 1e-9);
 }

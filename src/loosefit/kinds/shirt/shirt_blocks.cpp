@@ -88,10 +88,12 @@ double side_shift(const TorsoLevels& l, bool front) {
 pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   const double forward = side_shift(l, front);
   const Vec2 underarm((1 + l.chest_fit) * l.chest / 4 + forward, l.underarm_y);
-  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward, l.hem_y);
+  const double end_y = l.hem_y - l.side_drop;
+  // It keeps the girth of the hem below the hem's level.
+  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward, std::max(l.hem_y, end_y));
   pattern::CurveChain side;
   side.start = underarm;
-  const double share = (l.underarm_y - l.waist_y) / (l.underarm_y - l.hem_y);
+  const double share = (l.underarm_y - l.waist_y) / (l.underarm_y - hem.y());
   const double straight = underarm.x() + share * (hem.x() - underarm.x());
   const double needed =
       (1 + l.chest_fit + share * (l.hip_fit - l.chest_fit)) * l.waist / 4 + forward;
@@ -103,8 +105,11 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   } else {
     side.line_to(hem);
   }
+  if (end_y < hem.y()) side.line_to({hem.x(), end_y});
   return side;
 }
+
+double hem_side_drop(double front_balance) { return 0.5 * front_balance; }
 
 TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double underarm_depth,
                            bool front, double drop) {
@@ -120,7 +125,8 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                               .front_fullness = m.front_fullness,
                               .underarm_y = y_underarm,
                               .waist_y = -m.hps_to_waist,
-                              .hem_y = -m.hps_to_hem};
+                              .hem_y = -m.hps_to_hem,
+                              .side_drop = hem_side_drop(m.front_balance)};
   // All levels move alike, which keeps both side seams equal.
   const double forward = side_shift(levels, front);
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
@@ -149,10 +155,8 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
       .cubic_to(pitch - Vec2(0, 0.30 * depth), underarm - Vec2(0.75 * (x_underarm - x_pitch), 0),
                 underarm);
   half.side = draft_side(levels, front);
-  // The way down over bust or belly is longer than over the back: the front ends lower in its
-  // middle and meets the back at the sides.
-  const Vec2& hem = half.side.end();
-  half.hem = draft_hem(hem, hem.y() - (front ? m.front_balance : 0.0));
+  // The way down over bust or belly is longer than over the back, and midway at the sides.
+  half.hem = draft_hem(half.side.end(), levels.hem_y - (front ? m.front_balance : 0.0));
   return half;
 }
 

@@ -37,6 +37,10 @@ double shoulder_half_width(const ShirtMeasures& measures, const ShirtFit& fit);
 /// The same of the body, flat.
 double shoulder_half_width(const ShirtMeasures& measures);
 
+/// How much lower than behind the hem ends at the sides, so that it is level when worn [m]: the way
+/// down over the sides lies midway between those over front and back.
+double hem_side_drop(double front_balance);
+
 /// docs/theory/patterns.md 2. `underarm_depth`: underarm below the body's shoulder point; `drop`:
 /// extra half shoulder width [m].
 TorsoHalf draft_torso_half(const ShirtMeasures& measures, const ShirtFit& fit,
@@ -49,6 +53,7 @@ struct TorsoLevels {
   std::optional<double> waist_fit;                ///< absent: as the body needs
   double front_fullness = 0;                      ///< as ShirtMeasures
   double underarm_y = 0, waist_y = 0, hem_y = 0;  ///< [m], upwards
+  double side_drop = 0;  ///< by which the side seams end below the level of the hem [m]
 };
 /// How far the sides of the front lie beyond a quarter of the girth, and those of the back inside
 /// of it [m]: a bust needs its width in front, the side seams lie where the body's sides are. On a
@@ -57,7 +62,7 @@ struct TorsoLevels {
 double side_shift(const TorsoLevels& levels, bool front);
 /// Side seam of half a torso piece, underarm → hem: straight, or through the asked girth of the
 /// waist, or round a belly that a straight seam leaves less room than was asked for above and
-/// below.
+/// below. It has the girth of the hem from its level down to its end.
 pattern::CurveChain draft_side(const TorsoLevels& levels, bool front);
 
 /// Hem of half a torso piece, from the side seam to the centre line, level at both ends.

@@ -113,10 +113,13 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
                    : fmt::format("at least {:.3f} m, below the underarm", told_least(low))},
         rule, value < low ? low - value : high - value);
   };
-  level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem, -underarm_y + 2 * kLeast, 1e3);
+  const double raised =
+      std::max(0.0, -hem_side_drop(m.front_balance));  // the ends of the side seams
+  level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem,
+        -underarm_y + 2 * kLeast + raised, 1e3);
   if (fit.waist)
     level(ShirtRule::waist_level, "measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast,
-          m.hps_to_hem - kLeast);
+          m.hps_to_hem - kLeast - raised);
 }
 
 void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,

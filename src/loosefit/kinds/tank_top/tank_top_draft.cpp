@@ -43,6 +43,7 @@ TorsoLevels levels_of(const NamedValues& m, const NamedValues& fit) {
       -std::tan(m.at("shoulder_slope")) * shoulder - m.at("scye_depth") - fit.at("scye_ease");
   levels.waist_y = -m.at("hps_to_waist");
   levels.hem_y = -m.at("hps_to_hem");
+  levels.side_drop = hem_side_drop(measure(m, "front_balance"));
   return levels;
 }
 
@@ -77,10 +78,9 @@ Half draft_half(const NamedValues& m, const NamedValues& fit, bool front) {
   half.armhole.start = strap_outer;
   half.armhole.cubic_to(strap_outer - Vec2(0, 0.62 * depth),
                         underarm - Vec2(0.70 * (x_underarm - outer), 0), underarm);
-  // The way down over bust or belly is longer than over the back: as in the shirt the front ends
-  // lower in its middle and meets the back at the sides.
+  // The way down over bust or belly is longer than over the back, and midway at the sides.
   const double longer = front ? measure(m, "front_balance") : 0.0;
-  half.hem = draft_hem(half.side.end(), half.side.end().y() - longer);
+  half.hem = draft_hem(half.side.end(), -m.at("hps_to_hem") - longer);
   return half;
 }
 
@@ -143,7 +143,8 @@ pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
                  "so that the front too ends below the underarm");
   if (fit.count("waist")) {
     refuse_below("hps_to_waist", shortest_tank_top(m, fit) - kLeastSide / 2, "below the underarm");
-    refuse_below("hps_to_hem", m.at("hps_to_waist") + kLeastSide / 2, "below the waist");
+    const double raised = std::max(0.0, -hem_side_drop(measure(m, "front_balance")));
+    refuse_below("hps_to_hem", m.at("hps_to_waist") + kLeastSide / 2 + raised, "below the waist");
   }
   // Straps stand on the shoulder inside the underarm.
   constexpr double kRounding = 1e-9;
