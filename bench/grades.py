@@ -1,126 +1,146 @@
 #!/usr/bin/env python3
-"""How far drapes that end with certificate grade B are from those that go on to grade A.
+"""How far cases that are content with certificate grade B are from the same ones that go on to grade A.
 
-usage: grades.py [--binary FILE] [--count N] [--json FILE]
+usage: grades.py FOLDER [--binary FILE] [--count N] [--edges MM MM] [--garment KIND] [--jobs N]
 
-Cases: every fabric card, two fits, two edge lengths, standing and bent forward by 30 degrees. Each runs to
-grade B and to grade A; both take the same way until the first ends. Prints, for each metric of a site, the
-absolute difference over all sites, drapes and cases (median, 95th percentile, largest), and what B
-saved. --json keeps the figures, and goes on where an earlier run of the same program was interrupted.
+Two studies of the same N cases, one to grade B and one to grade A: fabric cards, two fits, two edge lengths, two
+wearers, and standing or bent forward alone (where the drape that is measured itself ends with B) or one after the
+other (for metrics over postures), each level equally often (Latin hypercube). Both are kept in FOLDER; the same
+command goes on where it stopped. Prints, for every metric of a site that the program knows and for every figure
+of the whole garment, the absolute difference over all sites, scorecards and cases: how many values, median, 95th
+percentile and largest; and what B saved.
 """
 import argparse
-import json
 import pathlib
-import shutil
+import sqlite3
 import statistics
 import subprocess
-import tempfile
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-FITS = (0.05, 0.25)
-EDGES_MM = (14, 20)
-BODIES = ({"sex": '"female"', "height": 1.68}, {"sex": '"male"', "height": 1.78})
-# Of a site, in its unit; the angle of a tilt or a direction wraps and is left out.
-METRICS = ("distance_mm", "gap_mm", "angular_deviation_deg", "rotation_deg", "twist_deg", "coe_rms_deg",
-           "strain_warp", "strain_weft", "strain_max", "shear_angle_deg", "pressure_kPa", "slip_mm")
+# With footprints of every size; each measures all metrics, whatever it judges by.
+SCORECARDS = ("imu-inclination", "ecg", "pressure", "strain-respiration", "capacitive-ecg")
+STUDY = """[study]
+name = "grade {grade}"
+design = "latin-hypercube"
+samples = {count}
+modalities = [{scorecards}]
 
-
-def cases():
-    cards = sorted(p.stem for p in (ROOT / "data" / "materials").glob("*.toml"))
-    return [(f"{card} fit {fit:g} edge {edge} mm", card, fit, edge, BODIES[(i + j) % 2])
-            for edge in EDGES_MM for i, card in enumerate(cards) for j, fit in enumerate(FITS)]
-
-
-def scenario(card, fit, edge, body, grade):
-    return f"""[body]
-sex = {body["sex"]}
-height = {body["height"]}
-[garment]
-pattern = "long-sleeve-shirt"
-fit = {{ chest = {fit}, hip = {fit}, sleeve = {fit + 0.1:g} }}
-[material]
-name = "{card}"
-[postures]
-list = ["standing", "forward-bend-30"]
-[donning]
+[scenario.garment]
+pattern = "{garment}"
+[scenario.donning]
 movements = []
-[simulation]
-edge_length = {edge / 1000:g}
+[scenario.simulation]
 certificate = "{grade}"
-[output]
-maps = ["strain", "shear", "distance", "angular-deviation", "orientation", "pressure", "gap"]
-views = []
+
+[[axis]]
+name = "card"
+fabrics = [{cards}]
+
+[[axis]]
+name = "fit"
+levels = [
+  {{ value = 0.05, set = {{ garment = {{ fit = {{ chest = 0.05, hip = 0.05, sleeve = 0.15 }} }} }} }},
+  {{ value = 0.25, set = {{ garment = {{ fit = {{ chest = 0.25, hip = 0.25, sleeve = 0.35 }} }} }} }},
+]
+
+[[axis]]
+name = "edge"
+key = "simulation.edge_length"
+values = [{edges}]
+
+[[axis]]
+name = "wearer"
+levels = [
+  {{ label = "woman", set = {{ body = {{ sex = "female", height = 1.68 }} }} }},
+  {{ label = "man", set = {{ body = {{ sex = "male", height = 1.78 }} }} }},
+]
+
+[[axis]]
+name = "posture"
+postures = [["standing"], ["forward-bend-30"], ["standing", "forward-bend-30"]]
 """
+# Of which every value has its own line; keys that make two rows the same one.
+TABLES = {"metrics": ("modality, site, donning, metric", "metric", "value"),
+          "garment": ("quantity", "quantity", "value")}
 
 
-def run(binary, text, folder):
-    shutil.rmtree(folder / "out", ignore_errors=True)
-    case = folder / "case.toml"
-    case.write_text(text)
-    out = folder / "out"
-    subprocess.run([binary, "run", str(case), "-o", str(out), "--no-pictures"],
-                   capture_output=True, text=True, check=False)
-    path = out / "summary.json"
-    if not path.exists():
-        raise SystemExit(f"error: {case} wrote no summary")
-    summary = json.loads(path.read_text())
-    drapes = [summary] + summary.get("states", [])
-    if not all(d.get("settled") and d.get("worn") for d in drapes):
-        return {"grades": None}
-    return {"grades": [d["grade"] for d in drapes],
-            "residuals": [d["residual"] for d in drapes],
-            "left": [d.get("left_to_go") for d in drapes],
-            "seconds": sum(summary["seconds"].get(k, 0) for k in ("dress", "settle", "postures")),
-            "sites": [d.get("sites", {}) for d in drapes]}
+def quoted(words):
+    return ", ".join(f'"{word}"' for word in words)
 
 
-def differences(b, a):
+def run(options, grade):
+    """One of the two studies, as far as it has not run."""
+    cards = sorted(p.stem for p in (ROOT / "data" / "materials").glob("*.toml"))
+    options.folder.mkdir(parents=True, exist_ok=True)
+    file = options.folder / f"grade-{grade}.toml"
+    file.write_text(STUDY.format(grade=grade, count=options.count, garment=options.garment, cards=quoted(cards),
+                                 scorecards=quoted(SCORECARDS),
+                                 edges=", ".join(f"{edge / 1000:g}" for edge in options.edges)))
+    folder = options.folder / grade
+    done = subprocess.run([options.binary, "study", "run", str(file), "-o", str(folder), "--jobs", str(options.jobs),
+                           "--quiet"], check=False)
+    if done.returncode not in (0, 1):
+        raise SystemExit(f"error: the study of grade {grade} ended with exit code {done.returncode}")
+    return sqlite3.connect(f"{(folder / 'study.sqlite').absolute().as_uri()}?mode=ro", uri=True)
+
+
+def apart(metric, x, y):
+    """Angles go round."""
+    difference = abs(x - y)
+    if metric.endswith("_deg"):
+        difference %= 360
+        difference = min(difference, 360 - difference)
+    return difference
+
+
+def differences(b, a, table, numbers):
+    """By metric, of the cases with these numbers."""
+    keys, metric, value = TABLES[table]
+    rows = f"SELECT number, {keys}, {metric}, {value} FROM {table} WHERE {value} IS NOT NULL"
+    of_a = {row[:-2]: row[-1] for row in a.execute(rows)}
     found = {}
-    for of_b, of_a in zip(b["sites"], a["sites"]):
-        for site in of_b.keys() & of_a.keys():
-            for metric in METRICS:
-                x, y = of_b[site].get(metric), of_a[site].get(metric)
-                if isinstance(x, (int, float)) and isinstance(y, (int, float)):
-                    found.setdefault(metric, []).append(abs(x - y))
+    for row in b.execute(rows):
+        if row[0] in numbers and row[:-2] in of_a:
+            found.setdefault(row[-2], []).append(apart(row[-2], row[-1], of_a[row[:-2]]))
     return found
+
+
+def print_table(title, found):
+    print(f"\n{title:34}{'values':>8}{'equal':>8}{'median':>11}{'p95':>11}{'largest':>11}")
+    for metric, values in sorted(found.items()):
+        values.sort()
+        equal = sum(v == 0 for v in values) / len(values)
+        print(f"{metric:34}{len(values):8}{100 * equal:6.0f} %{statistics.median(values):11.2e}"
+              f"{values[int(0.95 * (len(values) - 1))]:11.2e}{values[-1]:11.2e}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--binary", default=str(ROOT / "build" / "bin" / "loosefit"))
-    parser.add_argument("--count", type=int, default=1000, help="only the first so many cases")
-    parser.add_argument("--json", type=pathlib.Path)
+    parser.add_argument("--count", type=int, default=60, help="cases")
+    parser.add_argument("--edges", type=float, nargs="+", default=[14, 20], metavar="MM")
+    parser.add_argument("--garment", default="long-sleeve-shirt")
+    parser.add_argument("--jobs", type=int, default=0, help="cases at a time; 0: one per core")
     options = parser.parse_args()
-    kept = json.loads(options.json.read_text()) if options.json and options.json.exists() else {}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, card, fit, edge, body in cases()[:options.count]:
-            if name in kept:
-                continue
-            one = {g: run(options.binary, scenario(card, fit, edge, body, g), pathlib.Path(folder))
-                   for g in "BA"}
-            if not all(one[g] and one[g]["grades"] for g in "BA"):
-                kept[name] = {"failed": True}
-            else:
-                kept[name] = {"grades": one["B"]["grades"], "residuals": one["B"]["residuals"],
-                              "left": one["B"]["left"], "seconds": [one[g]["seconds"] for g in "BA"],
-                              "differences": differences(one["B"], one["A"])}
-            print(name, kept[name].get("grades", "failed"), flush=True)
-            if options.json:
-                options.json.write_text(json.dumps(kept, indent=1))
-    done = [k for k in kept.values() if "grades" in k]
-    drapes = [g for k in done for g in k["grades"]]
-    if not done:
-        raise SystemExit("error: no case settled in both ways")
-    print(f"{len(done)} cases of {len(kept)}, {len(drapes)} drapes, {drapes.count('B')} ended with B; "
-          f"seconds B / A: {sum(k['seconds'][0] for k in done) / sum(k['seconds'][1] for k in done):.3f}")
-    print(f"{'metric':24}{'values':>8}{'median':>12}{'p95':>12}{'largest':>12}")
-    for metric in METRICS:
-        values = sorted(v for k in done for v in k["differences"].get(metric, []))
-        if not values:
-            continue
-        print(f"{metric:24}{len(values):8}{statistics.median(values):12.2e}"
-              f"{values[int(0.95 * (len(values) - 1))]:12.2e}{values[-1]:12.2e}")
+    b, a = run(options, "B"), run(options, "A")
+    states = "SELECT number, status, grade FROM cases"
+    of_b = {number: (status, grade) for number, status, grade in b.execute(states)}
+    of_a = {number: status for number, status, _ in a.execute(states)}
+    both = {n for n in of_b if of_b[n][0] == of_a[n] == "done"}
+    ended_b = {n for n in both if of_b[n][1] == "B"}
+    if not ended_b:
+        print("error: no case ended with grade B and came to rest to grade A, too", file=sys.stderr)
+        return 1
+    seconds = [sum(s for n, s in db.execute("SELECT number, seconds FROM execution") if n in both) for db in (b, a)]
+    print(f"{len(of_b)} cases, {len(both)} came to rest in both ways, {len(ended_b)} of them ended with B; "
+          f"seconds B / A: {seconds[0] / seconds[1]:.3f}")
+    print("differences of those that ended with B; 'equal': bit by bit")
+    print_table("metric of a site", differences(b, a, "metrics", ended_b))
+    print_table("of the whole garment", differences(b, a, "garment", ended_b))
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
