@@ -156,5 +156,24 @@ TEST(TrunkSection, ArmholesAreClosedAlongTheSkin) {
   }
 }
 
+// The skin's outline begins within the opening: at the angle 0.
+TEST(TrunkSection, AnOpeningMayLieAcrossTheFirstCornerOfTheSkin) {
+  const double r = 0.12, big = 0.15, level = 0.513;
+  const body::Body body = testing::cylinder_body(r, 1.0, 400, 20);
+  const garment::Garment tube = testing::tube_garment(2 * kPi * big, 0.4, 400, 20);
+  for (double turned : {0.0, 0.1, 3.0}) {  // of the tube on the skin
+    const drape::Drape d = testing::settled_drape(tube, [&](const Vec2& uv) {
+      const double a = uv.x() / big + turned;
+      return Vec3(big * std::cos(a), big * std::sin(a), 0.3 + uv.y());
+    });
+    const garment::Garment g = cut_tube(tube, big, 0.15, {{-1, 0.3}, {2 * kPi - 0.2, 7}});
+    const auto section =
+        trunk_section(g, d.positions, relate(g, d.positions, body), body, level, 0.1);
+    ASSERT_TRUE(section) << turned;
+    EXPECT_NEAR(section->opened, 0.5 * r, 3 * 2 * kPi / 400 * r) << turned;
+    EXPECT_NEAR(section->gap_area(), (kPi - 0.25) * (big * big - r * r), 1e-4) << turned;
+  }
+}
+
 }  // namespace
 }  // namespace loosefit::maps
