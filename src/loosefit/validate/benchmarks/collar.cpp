@@ -32,10 +32,11 @@ const char* const kBareNeck =
 
 struct Shoulders {
   const char* name;
-  double more;  ///< slope, against the body of the model [rad]
+  double more;    ///< slope, against the body of the model [rad]
+  double missed;  ///< by which the neckline at the neck is known to miss its gate
 };
 const Shoulders kShoulders[] = {
-    {"sloping", radians(6.0)}, {"normal", 0}, {"square", radians(-6.0)}};
+    {"sloping", radians(6.0), 0.995}, {"normal", 0, 0.97}, {"square", radians(-6.0), 0.75}};
 
 /// Largest pressure near the sides of the neck and near the shoulder points [Pa].
 struct Peaks {
@@ -128,7 +129,7 @@ BenchmarkResult benchmark_collar(Effort, Progress& progress) {
       else
         result.findings.push_back(
             in_range(what, "", std::nan(""), ratio, wide ? 0 : 1, wide ? 1 : HUGE_VAL, mesh));
-      if (!wide) result.findings.back().known_miss = KnownMiss{1, kBareNeck};
+      if (!wide) result.findings.back().known_miss = KnownMiss{shoulders.missed, kBareNeck};
       result.notes.push_back(fmt::format(
           "{} shoulders, neckline {}: {:.2f} kPa at the neck, {:.2f} kPa at the shoulder point; a "
           "shirt of {:.0f} g.",
