@@ -171,6 +171,11 @@ TEST_F(Comparison, OfStudiesWithoutACommonCaseIsRefusedWithTheReason) {
   expect_refused(a, study("d", kFits, same), "d has no axis of people");
 }
 
+TEST_F(Comparison, OfOnePersonHasNoInterval) {
+  const StudyData a = study("a", kFits, [](const std::string&, int) { return 0.5; });
+  EXPECT_FALSE(says(compare_studies(a, a), "nan")) << comparison_text(compare_studies(a, a));
+}
+
 // An axis of one study alone is no reason not to compare, but is told.
 TEST_F(Comparison, TellsOfAxesThatOneStudyHasAlone) {
   const ScoreOf by_cloth = [](const std::string& label, int) {

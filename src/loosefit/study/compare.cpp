@@ -155,6 +155,16 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
   return comparison;
 }
 
+namespace {
+
+/// One person alone has no interval.
+std::string interval_text(const Bounds& interval) {
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return "-";
+  return fmt::format("{:>+8.3f} to {:>+6.3f}", interval.low, interval.high);
+}
+
+}  // namespace
+
 std::string comparison_text(const StudyComparison& comparison) {
   std::string text = fmt::format("{} (B) against {} (A), scores of the same people, B - A\n",
                                  comparison.name_b, comparison.name_a);
@@ -164,13 +174,13 @@ std::string comparison_text(const StudyComparison& comparison) {
                       "fit", "people", "mean", "90 % interval", "better", "passing A, B");
   for (const PairedDifference& d : comparison.differences)
     text += fmt::format(
-        "{:<20} {:<18} {:<12} {:>8} {:>+8.3f} {:>+8.3f} to {:>+6.3f} {:>5.0f} % "
+        "{:<20} {:<18} {:<12} {:>8} {:>+8.3f} {:>18} {:>5.0f} % "
         "{:>5.0f}, {:.0f} %{}\n",
         d.modality, d.site, d.level,
         d.not_rated > 0 ? fmt::format("{} of {}", d.pairs, d.pairs + d.not_rated)
                         : std::to_string(d.pairs),
-        d.mean, d.interval.low, d.interval.high, 100 * d.better, 100 * d.passing_a,
-        100 * d.passing_b, d.differs() ? " *" : "");
+        d.mean, interval_text(d.interval), 100 * d.better, 100 * d.passing_a, 100 * d.passing_b,
+        d.differs() ? " *" : "");
   text +=
       "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
