@@ -215,6 +215,23 @@ TEST(ShirtDraft, FrontIsAsMuchLongerAndWiderAsTheBodyIs) {
   EXPECT_NEAR(width_at(front, y) - width_at(back, y), 2 * 1.1 * .04, 1e-9);
 }
 
+TEST(ShirtDraft, GirthsOfTheTrunkEndWhereItsHemBegins) {
+  for (const double balance : {-0.10, -0.02, 0.0, 0.03}) {
+    ShirtMeasures m = kAdult;
+    m.front_balance = balance;
+    m.hps_to_hem = 0.645;
+    const ShirtFit fit = fit_of(.1, .1, .2, .2);
+    double lowest = 0;
+    for (const FitStation& s : shirt_stations(draft_shirt(m, fit), named(m), named(fit))) {
+      if (s.limb != "trunk") continue;
+      lowest = std::max(lowest, s.along);
+      EXPECT_GT(s.garment, 1.1 * m.chest - 0.03) << s.along << " " << balance;
+    }
+    EXPECT_LE(lowest, 0.645 + std::min(0.0, 0.5 * balance));
+    EXPECT_GT(lowest, 0.645 + std::min(0.0, 0.5 * balance) - 0.021);
+  }
+}
+
 TEST(ShirtDraft, SideSeamsFollowTheBodyOnlySoFar) {
   // As measured on a short heavy woman, whose trunk is widest far behind.
   for (const double fullness : {-.095, .13}) {

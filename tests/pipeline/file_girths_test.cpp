@@ -99,6 +99,29 @@ TEST(FileGirths, OfAShirtAreThoseThatItsDraftWasCutTo) {
   EXPECT_EQ(limbs, (std::set<std::string>{"arm", "trunk"}));
 }
 
+TEST(FileGirths, OfATrunkEndWhereTheMiddleOfItsHemIs) {
+  const kinds::GarmentKind& kind = kinds::garment_kind("long-sleeve-shirt");
+  kinds::NamedValues m = kind.sizes.front().measures;
+  m["front_balance"] = 0.03;
+  const pattern::Pattern shirt = as_file(kind.draft({m, "", {}, {}}).pattern);
+  const auto girths_at = [&](double hip_level) {
+    kinds::NamedValues body = kBody;
+    body["hps_to_hip"] = hip_level;
+    return file_girths(shirt, body);
+  };
+  const double hem = m.at("hps_to_hem");
+  const FileGirths whole = girths_at(hem - 0.002);
+  ASSERT_TRUE(find(whole, "hip"));
+  const double girth = find(whole, "hip")->garment;
+  // Below the middle of the back only the corners at its sides are left.
+  for (const double below : {0.001, 0.004, 0.008, 0.012})
+    EXPECT_FALSE(find(girths_at(hem + below), "hip")) << below;
+  for (const kinds::FitStation& s : girths_at(hem + 0.02).stations)
+    if (s.limb == "trunk") {
+      EXPECT_GT(s.garment, 0.9 * girth) << s.along;
+    }
+}
+
 TEST(FileGirths, OfTrousersAreThoseThatTheirDraftWasCutTo) {
   const body::Body woman = body_model().build(body::BodyParameters{}, body::kArmsApart);
   const kinds::GarmentKind& kind = kinds::garment_kind("trousers");

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <random>
 
+#include "loosefit/io/text_file.h"
 #include "loosefit/study/store.h"
 #include "loosefit/study/study_data.h"
 #include "support/study_on_disk.h"
@@ -125,6 +127,20 @@ TEST_F(ControlsOfAStudy, DoNotHangOnTheOrderOfLevels) {
   for (int seed = 1; seed <= 5; ++seed)
     EXPECT_EQ(chosen(plan_with(seed, "[0.0, 0.1, 0.2]")),
               chosen(plan_with(seed, "[0.2, 0.0, 0.1]")));
+}
+
+TEST_F(ControlsOfAStudy, OfAnEarlierProgramStandBesideItsPlan) {
+  plan = plan_with(1, "[0.0, 0.1]");
+  const StudyFolder folder = planned("a");
+  const std::string file = (folder.path() / "plan.json").string();
+  nlohmann::json json = nlohmann::json::parse(io::read_text_file(file, 1000000));
+  json.erase("controls");
+  io::write_text_file(file, json.dump());
+  EXPECT_TRUE(folder.read_plan().controls.empty());
+  std::string lines;
+  for (const std::string& address : control_addresses(plan)) lines += address + "\n";
+  io::write_text_file((folder.path() / "controls.txt").string(), lines);
+  EXPECT_EQ(folder.read_plan().controls, chosen(plan));
 }
 
 TEST_F(ControlsOfAStudy, AreOpenUntilTheyHaveGoneOnToGradeA) {

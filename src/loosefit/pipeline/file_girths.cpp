@@ -29,11 +29,13 @@ constexpr double kCrotchRoom = 0.015;   ///< of trousers below the crotch, as th
 constexpr double kBelowHip = 0.02;      ///< down to which a trunk is one [m]
 constexpr double kOffMiddle = 0.03;     ///< of a panel that lies to one side [m]
 constexpr double kLongSleeve = 0.85;    ///< of the arm
+constexpr double kSlit = 0.2;           ///< widest slit in a hem, of the width of its piece
 
-/// Level line n · x = at in the plane of a panel: length within its outline [m].
-double width_on(const pattern::Panel& panel, const Vec3& n, double at) {
+/// Where the level line n · x = at in the plane of a panel enters and leaves its outline, in turn
+/// [m].
+std::vector<double> crossings_on(const pattern::Panel& panel, const Vec3& n, double at) {
   const Vec2 slope(panel.rotation.col(0).dot(n), panel.rotation.col(1).dot(n));
-  if (slope.norm() < 0.3) return 0;  // lies across
+  if (slope.norm() < 0.3) return {};  // lies across
   const Vec2 up = slope.normalized(), along(up.y(), -up.x());
   const double level = (at - panel.translation.dot(n)) / slope.norm();
   const std::vector<Vec2> outline = pattern::outline_polygon(panel);
@@ -45,10 +47,28 @@ double width_on(const pattern::Panel& panel, const Vec3& n, double at) {
       crossings.push_back(Vec2(a + (level - s) / (t - s) * (b - a)).dot(along));
   }
   std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+/// Length of such a line within the outline [m].
+double width_on(const pattern::Panel& panel, const Vec3& n, double at) {
+  const std::vector<double> crossings = crossings_on(panel, n, at);
   double width = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
     width += crossings[i + 1] - crossings[i];
   return width;
+}
+
+/// Whether a piece ends above a level in its middle: what is left are the corners of its hem.
+bool has_ended_in_its_middle(const pattern::Panel& panel, double z) {
+  const std::vector<double> crossings = crossings_on(panel, Vec3::UnitZ(), z);
+  if (crossings.size() < 4) return false;
+  const double span = crossings.back() - crossings.front();
+  const double middle = 0.5 * (crossings.front() + crossings.back());
+  for (std::size_t i = 1; i + 2 < crossings.size(); i += 2)
+    if (crossings[i] < middle && middle < crossings[i + 1])
+      return crossings[i + 1] - crossings[i] > kSlit * span;
+  return false;
 }
 
 class Measurer {
@@ -142,6 +162,7 @@ class Measurer {
     double before = 0, behind = 0, beside = 0;
     for (std::size_t k = 0; k < panels_.size(); ++k) {
       if (roles_[k] != PanelRole::trunk || !whole_[k] || (side != 0 && side_[k] != side)) continue;
+      if (has_ended_in_its_middle(*panels_[k], z)) return 0;
       const double width = width_on(*panels_[k], Vec3::UnitZ(), z);
       const double y = panels_[k]->rotation.col(2).y();
       (y < -0.7 ? before : y > 0.7 ? behind : beside) += width;

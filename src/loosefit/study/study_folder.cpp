@@ -8,6 +8,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
@@ -61,6 +62,17 @@ Axis axis_of(const Json& json) {
     level.inputs = j.at("inputs").get<std::map<std::string, double>>();
   }
   return axis;
+}
+
+/// The controls of a plan that does not name them, as of programs that wrote them beside it: an
+/// address on each line.
+std::set<std::string> controls_beside(const fs::path& folder) {
+  const fs::path file = folder / "controls.txt";
+  if (!io::is_there(file)) return {};
+  std::istringstream lines(io::read_text_file(file.string(), kLargestPlan));
+  std::set<std::string> controls;
+  for (std::string address; lines >> address;) controls.insert(address);
+  return controls;
 }
 
 Json plan_json(const Plan& plan) {
@@ -261,8 +273,8 @@ FolderPlan StudyFolder::read_plan() const {
     plan.sensors = json.at("sensors");
     plan.spacing = json.at("spacing");
     plan.not_at = json.at("not_at").get<std::vector<std::string>>();
-    // Plans of earlier programs do not name them.
-    plan.controls = json.value("controls", std::set<std::string>());
+    plan.controls = json.contains("controls") ? json.at("controls").get<std::set<std::string>>()
+                                              : controls_beside(path_);
     for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),

@@ -39,6 +39,14 @@ double lowest(const pattern::Panel& piece) {
   return low;
 }
 
+/// How far down a body piece has a girth, to the highest place of its hem; nothing without a hem.
+std::optional<double> whole_down_to(const pattern::Panel& piece) {
+  const int e = pattern::find_edge_part(piece, "hem");
+  if (e < 0) return std::nullopt;
+  const pattern::EdgePath hem(piece, e);
+  return -std::max({hem.at(0).y(), hem.at(0.5).y(), hem.at(1).y()});
+}
+
 }  // namespace
 
 NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
@@ -152,8 +160,9 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
     trunk.push_back({m.hps_to_hem, f.hip});
   }
   const SideSeams before(*front), behind(*back);
+  const double end = std::min(m.hps_to_hem, whole_down_to(*back).value_or(m.hps_to_hem));
   stations = stations_along(
-      "trunk", {back}, underarm, m.hps_to_hem, [](double along) { return -along; }, trunk);
+      "trunk", {back}, underarm, end, [](double along) { return -along; }, trunk);
   for (FitStation& s : stations) s.garment += before.apart(behind.down_to(-s.along));
 
   // Arm: the cap begins where the shoulder of the piece ends, beyond the body's shoulder point.
@@ -166,9 +175,9 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
   const double cap_top = std::max(sleeve_front->vertices[cap_edge.start].y(),
                                   sleeve_front->vertices[cap_edge.end].y());
   const pattern::PanelEdge& seam = front->edges[shoulder];
-  const double end =
+  const double shoulder_end =
       std::max(std::abs(front->vertices[seam.start].x()), std::abs(front->vertices[seam.end].x()));
-  const double dropped = end - shoulder_half_width(m);
+  const double dropped = shoulder_end - shoulder_half_width(m);
   std::vector<AskedMobility> arm;
   if (asked)
     for (const ArmLevel& level : arm_levels(m, f)) arm.push_back({level.along, level.mobility});

@@ -189,7 +189,8 @@ BenchmarkResult benchmark_ease_ladder(Effort, Progress& progress) {
       least_sides = std::min(least_sides, r.bust_sides);
       least_ends = std::min(least_ends, r.waist_ends);
     }
-    const Line line = fit_line(rate, gaps);
+    // A line through two points explains everything.
+    const Line line = rate.size() < 3 ? Line{none, none, none} : fit_line(rate, gaps);
     add("AG6: r² of the gaps at the bust over ease", 1, line.r2, 0.95, 1,
         known(woman.line_missed, kScatter));
     add("AG6: gap without ease, in % of ease", 6.66, line.intercept / line.slope, 3, 12,

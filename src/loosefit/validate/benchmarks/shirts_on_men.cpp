@@ -91,16 +91,16 @@ Reading read(const WornDrape& worn) {
   const auto section = [&](double level) {
     return maps::trunk_section(mesh, x, worn.worn, body, level);
   };
-  const auto of_trunk = [&](int t) {
-    return worn.worn.panel_part[mesh.triangle_panel[t]] == body::BodyPart::trunk;
-  };
-  const auto height = [&](int t) {
-    const Triangle& c = mesh.triangles[t];
-    return (x[c[0]].z() + x[c[1]].z() + x[c[2]].z()) / 3;
-  };
   // Slices from hip to armpit; the air under the inner face of the cloth.
   const double waist_level = body.measured.at("waist_level");
   const maps::FineCloth fine = maps::cut_finer(mesh, x, worn.body, kPartnerEdge);
+  const auto of_trunk = [&](int t) {
+    return fine.worn.panel_part[fine.garment.triangle_panel[t]] == body::BodyPart::trunk;
+  };
+  const auto height = [&](int t) {
+    const Triangle& c = fine.garment.triangles[t];
+    return (fine.positions[c[0]].z() + fine.positions[c[1]].z() + fine.positions[c[2]].z()) / 3;
+  };
   const auto [hem, armholes] = free_of_borders(fine, waist_level);
   const double lowest = std::max(body.measured.at("hip_level") + kSlice, hem);
   const double most = std::min(body.measured.at("armpit_level") - kSlice, armholes);
@@ -117,8 +117,7 @@ Reading read(const WornDrape& worn) {
     reading.by_regions += maps::air_between(
         fine.garment, fine.positions, fine.worn, worn.half_thickness(), lowest, highest,
         [&](int t) {
-          return fine.worn.panel_part[fine.garment.triangle_panel[t]] == body::BodyPart::trunk &&
-                 fine.worn.regions[fine.garment.triangles[t][0]] == region;
+          return of_trunk(t) && fine.worn.regions[fine.garment.triangles[t][0]] == region;
         });
   reading.height = highest - lowest;
   // The profile.
@@ -130,9 +129,10 @@ Reading read(const WornDrape& worn) {
       break;
     }
   const double top = body.landmarks.at("hps_L").z() - kTop;
-  reading.shoulder = maps::air_gap(mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
-                       return of_trunk(t) && height(t) > top;
-                     }).mean_gap();
+  reading.shoulder =
+      maps::air_gap(fine.garment, fine.positions, fine.worn, worn.half_thickness(), [&](int t) {
+        return of_trunk(t) && height(t) > top;
+      }).mean_gap();
   // Where it is carried and where it hangs.
   const auto gaps = maps::skin_gaps(body, mesh, x, worn.half_thickness());
   const std::vector<Region>& regions = worn.body.regions();
