@@ -61,10 +61,6 @@ struct Border {
   }
 };
 
-}  // namespace
-
-namespace {
-
 /// A triangle of the inner face of a cloth and the triangle of its partners on the skin.
 struct Column {
   std::array<Vec3, 3> skin, inner;
