@@ -118,8 +118,8 @@ void collect_results(const study::StudyFolder& folder) {
 
 /// \throws IoError for a folder that may only be read.
 void need_leave_to_write(const study::StudyFolder& folder) {
-  if (!folder.can_be_written())
-    throw IoError(folder.path().string() + ": may only be read by this user, or its study.sqlite",
+  if (const auto part = folder.read_only_part())
+    throw IoError(part->string() + ": may only be read by this user",
                   "-o OUT writes into another folder");
 }
 
@@ -290,7 +290,7 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
         arguments->output.empty() ? (folder.path() / "csv").string() : arguments->output;
     const study::FolderPlan plan = folder.read_plan();
     std::optional<study::Store> own;
-    if (goes_elsewhere(*arguments) && !folder.can_be_written()) {
+    if (goes_elsewhere(*arguments) && folder.read_only_part()) {
       study::bring_up(own.emplace(""), folder, plan);
     } else {
       need_leave_to_write(folder);

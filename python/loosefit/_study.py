@@ -6,7 +6,7 @@ import json
 import os
 import pathlib
 import sqlite3
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any, Optional, Union
 
 from loosefit._errors import InputError, IoError
@@ -68,9 +68,8 @@ class Study:
         An axis that is called as one of these columns ("site") is the column "axis site". Cases without scores (failed, sealed, not run) have no row.
         Raises InputError for a modality or site that the study does not have.
         """
-        self._check_name("modality", modality, "SELECT DISTINCT modality FROM sites ORDER BY 1",
-                         self.facts.get("scorecards", "").split(", "))
-        self._check_name("site", site, "SELECT DISTINCT site FROM sites ORDER BY 1")
+        self._check_name("modality", modality)
+        self._check_name("site", site)
         axes = self.query("SELECT axis FROM axes ORDER BY position")["axis"]
         columns = self.query(
             "SELECT s.*, c.status FROM samples s JOIN cases c USING (number) "
@@ -82,9 +81,9 @@ class Study:
             columns[f"axis {axis}" if axis in columns else axis] = [label[number] for number in columns["number"]]
         return columns
 
-    def _check_name(self, key: str, asked: Optional[str], sql: str, also: Sequence[str] = ()) -> None:
-        """A name that the study does not know would silently select nothing."""
-        known = [name for name in dict.fromkeys([*also, *next(iter(self.query(sql).values()))]) if name]
+    def _check_name(self, key: str, asked: Optional[str]) -> None:
+        """A name that the study does not know would silently select nothing. A study without any scores knows none."""
+        known = self.query(f"SELECT DISTINCT {key} FROM sites ORDER BY 1")[key]
         if asked is None or not known or asked in known:
             return
         near = difflib.get_close_matches(asked, known, 1)

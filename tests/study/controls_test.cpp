@@ -159,5 +159,23 @@ TEST_F(ControlsOfAStudy, AreOpenUntilTheyHaveGoneOnToGradeA) {
   EXPECT_TRUE(folder.record(read, control)) << "a case that failed goes no further";
 }
 
+TEST_F(ControlsOfAStudy, ThatFailedRunAgainWhenAskedAndTheirCasesDoNot) {
+  plan = plan_with(1, "[0.0, 0.1]");
+  const StudyFolder folder = planned("a");
+  const FolderPlan read = folder.read_plan();
+  const std::string control = *read.controls.begin();
+  for (const PlannedCase& one : plan.cases) {
+    CaseRecord record = made_up(one.address, 0.5);
+    if (one.address == control) record.control = {true, "the program crashed", {}};
+    write_whole(folder.result_file(one.address), record_json(record));
+  }
+  EXPECT_TRUE(folder.state(read).open.empty());
+  EXPECT_EQ(folder.forget_failed(read), 1);
+  EXPECT_EQ(folder.state(read).open, std::vector<std::string>{control});
+  ASSERT_TRUE(folder.record(control)) << "the case itself stays";
+  EXPECT_FALSE(folder.record(control)->control.ran);
+  EXPECT_EQ(folder.forget_failed(read), 0);
+}
+
 }  // namespace
 }  // namespace loosefit::study

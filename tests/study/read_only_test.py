@@ -105,6 +105,11 @@ class ReadOnly(unittest.TestCase):
         self.refused(program("export", self.study), "study.sqlite", "-o")
         self.elsewhere("database")
 
+    def test_a_lock_of_somebody_else_is_told_by_its_name(self):
+        self.lock(self.study / ".lock")
+        self.refused(program("report", self.study), ".lock", "may only be read", "-o")
+        self.elsewhere("lock")
+
     def elsewhere(self, name):
         page, tables = self.out / f"{name}-page", self.out / f"{name}-tables"
         for _ in range(2):  # an earlier one is replaced

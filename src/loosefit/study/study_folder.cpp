@@ -178,14 +178,14 @@ void write_planned(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-bool StudyFolder::can_be_written() const {
+std::optional<fs::path> StudyFolder::read_only_part() const {
   const auto allowed = [](const fs::path& path, int how) {
     return faccessat(AT_FDCWD, path.c_str(), how, AT_EACCESS) == 0;
   };
-  if (!allowed(path_, W_OK | X_OK)) return false;
+  if (!allowed(path_, W_OK | X_OK)) return path_;
   for (const fs::path& file : {database(), path_ / ".lock"})
-    if (io::is_there(file) && !allowed(file, R_OK | W_OK)) return false;
-  return true;
+    if (io::is_there(file) && !allowed(file, R_OK | W_OK)) return file;
+  return {};
 }
 
 void StudyFolder::check_ours() const {
@@ -322,13 +322,20 @@ FolderState StudyFolder::state(const FolderPlan& plan) const {
 
 int StudyFolder::forget_failed(const FolderPlan& plan) const {
   int forgotten = 0;
-  for (const FolderCase& one : plan.cases)
-    if (const auto found = record(one.address); found && found->status == CaseStatus::failed) {
+  for (const FolderCase& one : plan.cases) {
+    std::optional<CaseRecord> found = record(one.address);
+    if (!found) continue;
+    const fs::path file = result_file(one.address);
+    if (found->status == CaseStatus::failed) {
       std::error_code error;
-      if (!fs::remove(result_file(one.address), error))
-        throw IoError(result_file(one.address).string() + ": cannot be removed");
+      if (!fs::remove(file, error)) throw IoError(file.string() + ": cannot be removed");
+      ++forgotten;
+    } else if (!found->control.failed.empty()) {
+      found->control = {};  // the case itself stays
+      write_whole(file, record_json(*found));
       ++forgotten;
     }
+  }
   return forgotten;
 }
 

@@ -62,9 +62,9 @@ class StudyFolder {
   std::filesystem::path result_file(const std::string& address) const;
   std::filesystem::path database() const { return path_ / "study.sqlite"; }
 
-  /// Whether database and page of a study that is there can be brought up; else it may only be
-  /// read.
-  bool can_be_written() const;
+  /// What keeps this user from bringing up database and page of a study that is there: the folder,
+  /// its database or its lock, which may only be read; nothing when all may be written.
+  std::optional<std::filesystem::path> read_only_part() const;
   /// A folder that is there must be empty or a study. Changes nothing. \throws IoError,
   /// InvalidInput.
   void check_ours() const;
@@ -81,7 +81,8 @@ class StudyFolder {
   std::optional<CaseRecord> record(const FolderPlan& plan, const std::string& address) const;
   /// Reads all results of a plan.
   FolderState state(const FolderPlan& plan) const;
-  /// Forgets the results of failed cases, which then run again; returns how many.
+  /// Forgets the results of failed cases and of failed controls, which then run again; a case whose
+  /// control failed stays as it is. Returns how many.
   int forget_failed(const FolderPlan& plan) const;
 
  private:
