@@ -71,7 +71,7 @@ TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
 INSTANTIATE_TEST_SUITE_P(
     Cases, DressLayers,
     ::testing::Values(LayerCase{25, 0.05, 0.36, 0.20, 0.028}, LayerCase{40, 0.05, 0.36, 0.20, 0.02},
-                      LayerCase{25, 0.20, 0.36, 0.05, 0.028},  // outer tighter than inner
+                      LayerCase{25, 0.20, 0.40, 0.05, 0.028},  // outer tighter than inner
                       LayerCase{40, 0.10, 1.0, 0.30, 0.035},   // two long-sleeved shirts
                       LayerCase{25, 0.05, 0.5, 0.80, 0.05}));
 

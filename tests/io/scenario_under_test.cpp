@@ -25,7 +25,7 @@ TEST(ScenarioUnder, GarmentsAreReadFromTheSkinOutwardsEachWithItsCloth) {
   ASSERT_EQ(s.worn_under().size(), 2u);
   EXPECT_EQ(s.garments[0].spec.kind, "t-shirt");
   EXPECT_EQ(s.garments[0].spec.fit.at("chest"), 0.02);
-  EXPECT_EQ(s.garments[0].spec.fit.at("sleeve_length"), 0.36);
+  EXPECT_EQ(s.garments[0].spec.fit.at("sleeve_length"), 0.38);
   EXPECT_EQ(s.garments[0].spec.fit.at("wrist"), 0.20);
   EXPECT_EQ(s.garments[0].friction, 0.25);
   EXPECT_EQ(s.garments[0].material.key, "cotton-jersey");

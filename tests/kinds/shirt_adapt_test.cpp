@@ -95,13 +95,13 @@ TEST(AdaptedShirt, BoyWithALooseTShirtGetsALongerSleeve) {
   EXPECT_THROW(draft_shirt(kBoy, fit), InvalidInput);
   const AdaptedShirt shirt = draft_adapted_shirt(kBoy, fit, all_but({"chest"}));
   EXPECT_EQ(shirt.fit.chest, 0.30);
-  EXPECT_GT(shirt.fit.sleeve_length, 0.36);
+  EXPECT_GT(shirt.fit.sleeve_length, 0.38);
   EXPECT_LT(shirt.fit.sleeve_length, 0.55);
   EXPECT_NEAR(shirt_girths(shirt.pattern, 0).at("chest"), 1.3 * kBoy.chest, 1e-9);
   ASSERT_EQ(shirt.changes.size(), 1u);
   const std::string told = shirt.changes[0].told();
   EXPECT_EQ(told.rfind("fit.sleeve_length: 0.", 0), 0u) << told;
-  EXPECT_NE(told.find("instead of 0.36"), std::string::npos) << told;
+  EXPECT_NE(told.find("instead of 0.38"), std::string::npos) << told;
   const pattern::Panel& sleeve = shirt.pattern.panels[shirt.pattern.find_part("sleeve_L_front")];
   EXPECT_NEAR(pattern::EdgePath(sleeve, pattern::find_edge_part(sleeve, "under")).length(), 0.03,
               0.01);
@@ -167,7 +167,7 @@ TEST(AdaptedShirt, OnlyWhatWasAskedForIsRefused) {
     ask("hip", fit.hip, -0.3, 1.0);
     ask("sleeve", fit.sleeve, -0.3, 2.5);
     ask("wrist", fit.wrist, -0.3, 1.0);
-    ask("neck_ease", fit.neck_ease, -0.2, 0.6);
+    ask("neck_ease", fit.neck_ease, -0.2, 1.0);
     ask("sleeve_length", fit.sleeve_length, 0.25, 1.0);
     try {
       const AdaptedShirt shirt = draft_adapted_shirt(m, fit, all_but(asked));
@@ -200,7 +200,7 @@ TEST(AdaptedShirt, ChangesSteadilyWithTheBody) {
   for (double chest = 0.0; chest < 0.6; chest += 0.02) {
     fit.chest = chest;
     const double length = draft_adapted_shirt(kBoy, fit, all_but({"chest"})).fit.sleeve_length;
-    adapted += length > 0.361;
+    adapted += length > 0.381;
     // The underarm moves by steps of 2.5 mm, the cap with it.
     if (before >= 0) {
       EXPECT_LT(std::abs(length - before), 0.04) << chest;

@@ -167,7 +167,8 @@ std::map<std::string, double> BodyTape::all() const {
   found["hps_to_crown"] = measure("height") - (hps.z() - ground);
   found["front_fullness"] =
       trunk_girth_front(rest_.surface, found["chest_level"] + ground) - measure("chest") / 2;
-  found["neck_drop_back"] = hps.z() - vertex(kC7).z();
+  const Vec3 to_c7 = vertex(kC7) - hps;
+  found["neck_depth_back"] = std::hypot(to_c7.y(), to_c7.z());
   found["armscye"] = armscye_round(rest_.surface, joint("upperarm01.L")).girth;
   found["elbow"] = bent_elbow_girth(rest_.surface, joint("upperarm01.L"), joint("lowerarm01.L"),
                                     joint("wrist.L"));

@@ -119,7 +119,7 @@ void add_joints(const ScanSections& s, const std::array<ArmLine, 2>& arms, Body&
 void add_draft_measures(const geometry::TriangleMesh& surface, const Vec3& hps, const Vec3& c7,
                         const Vec3& acromion, const ArmLine& arm, const TrunkTapes& tapes,
                         std::map<std::string, double>& m) {
-  m["neck_drop_back"] = hps.z() - c7.z();
+  m["neck_depth_back"] = std::hypot(hps.y() - c7.y(), hps.z() - c7.z());
   m["elbow_length"] = (acromion - arm.elbow()).norm();
   try {
     m["elbow"] = bent_elbow_girth(surface, arm.points.front(), arm.elbow(), arm.wrist());

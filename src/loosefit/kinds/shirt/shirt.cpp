@@ -208,7 +208,7 @@ GarmentKind t_shirt() {
   fit.sleeve = fit.wrist = 0.20;
   fit.cap_ease = 0;
   fit.cap_ratio = 0.55;  // knits give, and the arms of a T-shirt are raised
-  fit.sleeve_length = 0.36;
+  fit.sleeve_length = 0.38;
   fit.neckband_stretch = 0.10;  // of rib, which gives
   return shirt_kind("t-shirt", "T-shirt", fit);
 }

@@ -153,11 +153,6 @@ class Adapter {
     return true;
   }
 
-  /// How much wider each shoulder is than the body's [m].
-  double widening() const {
-    const ShirtFit& fit = shirt_.fit;
-    return fit.chest * fit.shoulder_follow * shoulder_half_width(shirt_.measures);
-  }
   bool follow_less(double metres) {
     const ShirtFit& fit = shirt_.fit;
     if (!(fit.chest > 0)) return false;
@@ -177,7 +172,7 @@ class Adapter {
         return fit.sleeve > -0.35 && move("fit.sleeve", -0.35, fits);
       }
       case ShirtRule::shoulder_level: {
-        const double slope = std::tan(m.shoulder_slope);
+        const double slope = std::tan(seam_slope(m));
         return (slope > 0 && follow_less(missing / slope)) ||
                set("fit.scye_ease", fit.scye_ease + missing, -0.02, 0.15);
       }
@@ -219,11 +214,8 @@ class Adapter {
         return false;
       case ShirtRule::sleeve_width:
         return move("measures.upper_arm", 0.08, [&] { return sleeve_fits_armhole(m, fit); });
-      case ShirtRule::shoulder_level: {
-        const double wide = widening();
-        return wide > 0 && set("measures.shoulder_slope",
-                               std::atan(std::tan(m.shoulder_slope) - missing / wide), 0, kPi);
-      }
+      case ShirtRule::shoulder_level:
+        return move("measures.shoulder_slope", 0);
       case ShirtRule::hem_level:
         return set("measures.hps_to_hem", m.hps_to_hem + missing, 0.2, 1.6);
       case ShirtRule::waist_level: {

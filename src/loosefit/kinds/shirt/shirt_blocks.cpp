@@ -42,11 +42,11 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
   constexpr int kPieces = 8;
   NeckOpening neck;
   neck.half_width = 0.5 * (1 + fit.neck_ease) * m.neck_width;
-  // A flat back neck is never straight, also where C7 lies as high as the sides of the neck.
-  neck.drop_back = (1 + fit.neck_ease) * std::max(m.neck_drop_back, 0.03 * m.neck);
+  // A back neck is never straight, also where C7 lies right between the sides of the neck.
+  neck.drop_back = (1 + fit.neck_ease) * std::max(m.neck_depth_back, 0.03 * m.neck);
   const double half_seam = 0.5 * (1 + fit.neck_ease) * m.neck;
   const auto length = [&](double drop) {
-    return neck_curve({neck.half_width, 0}, drop, m.shoulder_slope).length(kPieces);
+    return neck_curve({neck.half_width, 0}, drop, seam_slope(m)).length(kPieces);
   };
   const double front = half_seam - length(neck.drop_back);
   double low = 0.5 * neck.half_width, high = 3 * neck.half_width;
@@ -56,8 +56,8 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
   }
   neck.drop_front = 0.5 * (low + high);
   // Down the shoulder seam, the back and the front.
-  neck.half_width += fit.neckband * std::cos(m.shoulder_slope);
-  neck.shoulder = fit.neckband * std::sin(m.shoulder_slope);
+  neck.half_width += fit.neckband * std::cos(seam_slope(m));
+  neck.shoulder = fit.neckband * std::sin(seam_slope(m));
   neck.drop_back += fit.neckband;
   neck.drop_front += fit.neckband;
   return neck;
@@ -66,7 +66,12 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
 pattern::CurveChain draft_neck_half(const ShirtMeasures& m, const ShirtFit& fit, bool front) {
   const NeckOpening neck = fit_neck(m, fit);
   return neck_curve({neck.half_width, -neck.shoulder}, front ? neck.drop_front : neck.drop_back,
-                    m.shoulder_slope);
+                    seam_slope(m));
+}
+
+double seam_slope(const ShirtMeasures& m) {
+  constexpr double kSeam = 2.0 / 3.0;
+  return kSeam * m.shoulder_slope;
 }
 
 double shoulder_half_width(const ShirtMeasures& m, const ShirtFit& fit) {
@@ -132,15 +137,15 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
   const double narrow = (1 + fit.chest) * m.chest / 4 - std::abs(forward);
   const double x_shoulder = std::min(shoulder_half_width(m, fit) + drop, 0.97 * narrow);
-  const double slope = std::tan(m.shoulder_slope);
-  const double y_shoulder = -slope * (x_shoulder - neck.half_width) - neck.shoulder;
+  const double slope = seam_slope(m);
+  const double y_shoulder = -std::tan(slope) * (x_shoulder - neck.half_width) - neck.shoulder;
   const double depth = y_shoulder - y_underarm;
   const double x_pitch =
       std::min(0.97 * x_shoulder, 0.95 * x_underarm) - (front ? 0.010 * m.chest : 0.0);
 
   const Vec2 shoulder_point(x_shoulder, y_shoulder), pitch(x_pitch, y_shoulder - 0.5 * depth),
       underarm(x_underarm, y_underarm);
-  const Vec2 inward(-std::sin(m.shoulder_slope), -std::cos(m.shoulder_slope));
+  const Vec2 inward(-std::sin(slope), -std::cos(slope));
 
   TorsoHalf half;
   half.shoulder_x = x_shoulder;

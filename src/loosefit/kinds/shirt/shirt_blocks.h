@@ -31,6 +31,11 @@ NeckOpening fit_neck(const ShirtMeasures& measures, const ShirtFit& fit);
 /// Half of that edge on the front or on the back, centre → shoulder, of the pieces.
 pattern::CurveChain draft_neck_half(const ShirtMeasures& measures, const ShirtFit& fit, bool front);
 
+/// Slope of the shoulder seam in the pieces [rad]: flatter than the body's shoulder, which lies
+/// behind the pit of the neck and before C7, so that the way from there to the shoulder point is
+/// longer than it is seen from the front (docs/theory/patterns.md 2).
+double seam_slope(const ShirtMeasures& measures);
+
 /// Half the shoulder breadth of the pieces: where the body's shoulder seam ends, and in part where
 /// a loose chest takes it [m].
 double shoulder_half_width(const ShirtMeasures& measures, const ShirtFit& fit);

@@ -66,8 +66,8 @@ const std::vector<ShirtMeasure>& shirt_measure_list() {
       {"elbow_length", &M::elbow_length, 0.08, 0.70, " m",
        [](const M& m) { return 0.56 * m.arm_length; }},
       {"neck_width", &M::neck_width, 0.04, 0.35, " m", [](const M& m) { return 0.31 * m.neck; }},
-      {"neck_drop_back", &M::neck_drop_back, -0.05, 0.10, " m",
-       [](const M& m) { return 0.04 * m.neck; }},
+      {"neck_depth_back", &M::neck_depth_back, 0, 0.12, " m",
+       [](const M& m) { return 0.13 * m.neck; }},
       {"shoulder_length", &M::shoulder_length, 0.03, 0.35, " m",
        [](const M& m) {
          return (0.46 * m.shoulder_breadth - 0.5 * m.neck_width) / std::cos(m.shoulder_slope);

@@ -27,7 +27,7 @@ struct ShirtMeasures {
   double forearm = 0.24928;          ///< where it is fullest
   double elbow_length = 0.3276;      ///< shoulder point to elbow
   double neck_width = 0.1116;        ///< between the high point shoulders
-  double neck_drop_back = 0.0144;    ///< high point shoulder to C7, vertical
+  double neck_depth_back = 0.0468;   ///< high point shoulder to C7, in the plane of symmetry
   double shoulder_length = 0.12908;  ///< high point shoulder to shoulder point
   double front_fullness = 0;         ///< the chest in front of the sides, beyond half of it
   double front_balance = 0;          ///< high point shoulder to hem level, front longer than back
