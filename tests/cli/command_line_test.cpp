@@ -97,7 +97,8 @@ TEST_F(CommandLine, ErrorsOfLaterStagesNameTheScenarioLine) {
   };
   refuse("[body]\n\nmeasurements = { chest = 0.2 }\n",
          "case.toml:3: body.measurements.chest: found 0.2 m");
-  refuse("[garment]\nfit = { sleeve = 2.0 }\n", "case.toml:2: garment.fit.sleeve: found 2");
+  refuse("[garment]\nfit = { sleeve_length = 0.25 }\n",
+         "case.toml:2: garment.fit.sleeve_length: found 0.25");
   refuse("[[site]]\nname = \"s\"\nlandmark = \"c77\"\n", "case.toml:3: site[0].landmark: ");
   refuse(
       "[[attachment]]\nkind = \"board\"\nname = \"x\"\npanel = \"bak\"\nat = [0, 0]\n"
