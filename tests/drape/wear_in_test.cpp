@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "loosefit/body/breath.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/drape/openings.h"
@@ -77,11 +79,22 @@ TEST(WearIn, AWayThereAndBackEndsOnTheSameBodyWithTheClothElsewhere) {
     return body::PosedBody(
         body_model().build(shirt.parameters, {radians(40), 0, 0, radians(60) * share}));
   };
-  state.movements = {{.name = "arm-raise", .way = raised}};
-  wear_in(state);
-  EXPECT_EQ(state.body, body);
-  EXPECT_GT(farthest(state.x, before), 0.005);
-  EXPECT_LT(farthest(state.x, before), 0.3);
+  const auto lowest = [&] {
+    double z = HUGE_VAL;
+    for (const Vec3& p : state.x) z = std::min(z, p.z());
+    return z;
+  };
+  double hem[2];
+  for (const bool drawn : {false, true}) {
+    state.movements = {{.name = "arm-raise", .way = raised, .hem_pull = drawn ? 5.0 : 0.0}};
+    wear_in(state);
+    EXPECT_EQ(state.body, body);
+    EXPECT_FALSE(state.model->is_loaded());
+    EXPECT_GT(farthest(state.x, before), 0.005);
+    EXPECT_LT(farthest(state.x, before), 0.3);
+    hem[drawn] = lowest();
+  }
+  EXPECT_LT(hem[true], hem[false] - 0.001) << "drawn down as the arms come down";
 }
 
 TEST(WearIn, ABodyWithoutASkeletonBreathesToo) {

@@ -12,8 +12,9 @@ struct Movement {
   std::string name = {};  ///< for the report
   /// The body goes from where it stands (0) to the far end (1) and back. Empty: it stands still.
   body::BodyPath way = {};
-  /// Pull on the hem of each garment that hangs on the shoulders, down along the trunk, before it
-  /// is let go, in weights of that garment [–].
+  /// Pull on the hem of each garment that hangs on the shoulders, down along the trunk, in weights
+  /// of that garment [–]: on the way back where there is one, else as the body stands; then it is
+  /// let go.
   double hem_pull = 0;
   /// Small movements in all directions, during which friction holds but this share of what it holds
   /// at rest [–].

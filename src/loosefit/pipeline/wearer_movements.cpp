@@ -24,14 +24,15 @@ drape::Movement arm_raise(const std::shared_ptr<flesh::SoftBody>& person,
                           const body::Posture& stands, double size) {
   if (!person) return {};
   body::Posture up = stands;
-  if (stands.arm_flexion < kRaised) {
+  const bool hang = stands.arm_flexion < kRaised;
+  if (hang) {
     up.arm_flexion += size * kArmRaise;
     up.arm_abduction = std::max(up.arm_abduction, kArmsAside);
   } else {
     up.arm_flexion -= std::min(size, 1.0) * kRaised;
   }
   const auto way = std::make_shared<flesh::SoftWay>(person, stands, up);
-  return {.way = [way](double share) { return way->at(share); }};
+  return {.way = [way](double share) { return way->at(share); }, .hem_pull = hang ? kHemPull : 0};
 }
 
 drape::Movement breath(const body::PosedBody& at_rest, double size) try {

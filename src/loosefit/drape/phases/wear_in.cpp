@@ -29,20 +29,30 @@ std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pa
   return vertices;
 }
 
-void pull_and_let_go(ClothState& state, double weights) {
+void settle_pulled(ClothState& state) {
   const WearInTuning& tuning = state.tuning.wear_in;
-  const SettleGoal goal{tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true};
-  state.model->set_load(hem_pull(state, weights));
-  if (!state.must_stop()) state.settle(goal);
-  state.model->set_load({});
-  if (!state.must_stop()) state.settle(goal);
+  if (!state.must_stop())
+    state.settle({tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true});
 }
 
-void go_there_and_back(ClothState& state, const body::BodyPath& way) {
+void let_go(ClothState& state) {
+  state.model->set_load({});
+  settle_pulled(state);
+}
+
+void pull_and_let_go(ClothState& state, double weights) {
+  state.model->set_load(hem_pull(state, weights));
+  settle_pulled(state);
+  let_go(state);
+}
+
+void go_there_and_back(ClothState& state, const Movement& movement) {
   const std::shared_ptr<const ContactBody> here = state.body;
-  const body::BodyPath back = [&way](double share) { return way(1 - share); };
-  follow_path(state, way, {.stays = false});
+  const body::BodyPath back = [&way = movement.way](double share) { return way(1 - share); };
+  follow_path(state, movement.way, {.stays = false});
+  if (movement.hem_pull > 0) state.model->set_load(hem_pull(state, movement.hem_pull));
   follow_path(state, back, {.stays = true, .known = here});
+  if (movement.hem_pull > 0) let_go(state);
 }
 
 }  // namespace
@@ -64,9 +74,11 @@ particles::VectorField hem_pull(const ClothState& state, double weights) {
 void wear_in(ClothState& state) {
   for (const Movement& movement : state.movements) {
     if (state.must_stop()) return;
-    if (movement.hem_pull > 0) pull_and_let_go(state, movement.hem_pull);
     state.friction_share = std::min(state.friction_share, movement.friction_share);
-    if (movement.way) go_there_and_back(state, movement.way);
+    if (movement.way)
+      go_there_and_back(state, movement);
+    else if (movement.hem_pull > 0)
+      pull_and_let_go(state, movement.hem_pull);
   }
 }
 

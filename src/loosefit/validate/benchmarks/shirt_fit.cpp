@@ -33,7 +33,7 @@ const Wearer kWearers[] = {{"woman of 0.88 m chest",
                            {"woman of 1.04 m chest",
                             "sex = \"female\"\nage = 50\nheight = 1.63\n"
                             "measurements = { chest = 1.04, waist = 0.92, hip = 1.10 }",
-                            ", bust_dart = 0.5", 0.014, 0, 8},
+                            ", bust_dart = 0.5", 0.014, 0, 0},
                            {"man of 1.00 m chest",
                             "sex = \"male\"\nage = 35\nheight = 1.78\n"
                             "measurements = { chest = 1.00, waist = 0.86, hip = 1.00 }",
@@ -42,8 +42,10 @@ const Wearer kWearers[] = {{"woman of 0.88 m chest",
 const char* const kUnderarm =
     "10 % are cut round the underarm, which lies 1 to 2 cm over the level of the chest: there the "
     "body, arms aside, is 2 % wider than its chest is";
-const char* const kCaught =
-    "in some donnings one side stays caught between arm and trunk, which holds the hem up there";
+const char* const kFrontBalance =
+    "front and sides hang 8 and 12 mm over the back, in every donning: his front wants to be some "
+    "8 "
+    "mm longer than the tape says. Why, is not known";
 
 /// Mean height of the hem at its places over the donnings [m].
 HemHeights hem_heights(const std::vector<WornDrape>& drapes) {
@@ -95,7 +97,7 @@ BenchmarkResult benchmark_shirt_fit(Effort, Progress& progress) {
     const HemHeights hem = hem_heights(worn_drapes(worn));
     const auto [low, high] = std::minmax_element(hem.begin(), hem.end());
     add("highest of right, front, back and left of the hem over the lowest", "mm",
-        1e3 * (*high - *low), 0, kHemRange, wearer.hem_missed, kCaught);
+        1e3 * (*high - *low), 0, kHemRange, wearer.hem_missed, kFrontBalance);
     result.notes.push_back(fmt::format(
         "{}: the hem stands {:.0f} mm over its lowest place at the right, {:.0f} in front, {:.0f} "
         "behind, {:.0f} at the left; {:.1f} weights more are squeezed between arms and trunk.",
