@@ -217,7 +217,8 @@ void make_run_command(CLI::App* parent, const std::shared_ptr<Arguments>& argume
       ->check(CLI::Range(1, 256));
   command->add_flag("--keep-output", arguments->runner.keep_output,
                     "also keep all files of each case, as of loosefit run");
-  command->add_flag("--retry-failed", arguments->retry_failed, "run failed cases again");
+  command->add_flag("--retry-failed", arguments->retry_failed,
+                    "run failed cases and controls again");
   command->add_option("--executor", arguments->executor, "local or slurm")
       ->check(CLI::IsMember({"local", "slurm"}));
   command->add_option("--partition", arguments->runner.partition, "of Slurm");

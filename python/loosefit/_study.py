@@ -66,7 +66,7 @@ class Study:
         """One row per case, modality, site and donning: score and what limits it, with the label of every axis.
 
         An axis that is called as one of these columns ("site") is the column "axis site". Cases without scores (failed, sealed, not run) have no row.
-        Raises InputError for a modality or site that the study does not have.
+        Raises InputError for a modality or site that the study does not have scores of; where no case has scores, none is known and nothing is refused.
         """
         self._check_name("modality", modality)
         self._check_name("site", site)

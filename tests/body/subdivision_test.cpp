@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "loosefit/base/error.h"
@@ -145,6 +146,8 @@ TEST(Subdivision, MeasuresOfAWomanAreThoseOfATailor) {
   EXPECT_NEAR(body.measured.at("scye_depth"), 0.145, 0.02);
   EXPECT_NEAR(body.measured.at("armscye"), 0.38, 0.02);
   EXPECT_NEAR(body.measured.at("hps_to_waist"), 0.425, 0.03);
+  const Vec3 to_c7 = body.landmarks.at("c7") - body.landmarks.at("hps_L");
+  EXPECT_NEAR(body.measured.at("neck_depth_back"), std::hypot(to_c7.y(), to_c7.z()), 1e-3);
   EXPECT_NEAR(body.measured.at("hps_to_hip"), 0.63, 0.02);
   EXPECT_NEAR(body.measured.at("back_length"), 0.425, 0.025);
   EXPECT_NEAR(body.measured.at("crotch_height"), 0.782, 0.03);

@@ -71,28 +71,28 @@ TEST(WearIn, LeavesBodyAndLoadAsTheyWereAndTheClothElsewhere) {
 }
 
 TEST(WearIn, AWayThereAndBackEndsOnTheSameBodyWithTheClothElsewhere) {
-  Dressed shirt;
-  ClothState& state = shirt.state;
-  const std::shared_ptr<const ContactBody> body = state.body;
-  const std::vector<Vec3> before = state.x;
-  const auto raised = [&](double share) {
-    return body::PosedBody(
-        body_model().build(shirt.parameters, {radians(40), 0, 0, radians(60) * share}));
-  };
-  const auto lowest = [&] {
+  const auto lowest = [](const std::vector<Vec3>& x) {
     double z = HUGE_VAL;
-    for (const Vec3& p : state.x) z = std::min(z, p.z());
+    for (const Vec3& p : x) z = std::min(z, p.z());
     return z;
   };
   double hem[2];
   for (const bool drawn : {false, true}) {
+    Dressed shirt;
+    ClothState& state = shirt.state;
+    const std::shared_ptr<const ContactBody> body = state.body;
+    const std::vector<Vec3> before = state.x;
+    const auto raised = [&](double share) {
+      return body::PosedBody(
+          body_model().build(shirt.parameters, {radians(40), 0, 0, radians(60) * share}));
+    };
     state.movements = {{.name = "arm-raise", .way = raised, .hem_pull = drawn ? 5.0 : 0.0}};
     wear_in(state);
     EXPECT_EQ(state.body, body);
     EXPECT_FALSE(state.model->is_loaded());
     EXPECT_GT(farthest(state.x, before), 0.005);
     EXPECT_LT(farthest(state.x, before), 0.3);
-    hem[drawn] = lowest();
+    hem[drawn] = lowest(state.x);
   }
   EXPECT_LT(hem[true], hem[false] - 0.001) << "drawn down as the arms come down";
 }

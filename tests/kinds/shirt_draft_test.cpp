@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/kinds/fit_stations.h"
+#include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_levels.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
@@ -144,6 +145,18 @@ TEST(ShirtDraft, NeckSeamIsAsLongAndAsWideAsTheNeckBaseWithItsEase) {
       const pattern::PanelEdge& neck = front.edges[pattern::find_edge_part(front, "neck")];
       EXPECT_NEAR((front.vertices[neck.start] - front.vertices[neck.end]).norm(),
                   (1 + ease) * m.neck_width, 1e-9);
+      EXPECT_NEAR(fit_neck(m, fit).drop_back, (1 + ease) * m.neck_depth_back, 1e-12);
+    }
+}
+
+TEST(ShirtDraft, ShoulderSeamSlopesByTwoThirdsOfTheShoulder) {
+  for (const ShirtMeasures& m : {kAdult, kChild, kMeanFemale})
+    for (const char* part : {"front", "back"}) {
+      const pattern::Pattern shirt = draft_shirt(m, fit_of(.05, .05, .10, .15));
+      const pattern::Panel& panel = shirt.panels[shirt.find_part(part)];
+      const pattern::PanelEdge& seam = panel.edges[pattern::find_edge_part(panel, "shoulder_L")];
+      const Vec2 way = panel.vertices[seam.start] - panel.vertices[seam.end];
+      EXPECT_NEAR(std::atan(std::abs(way.y() / way.x())), m.shoulder_slope / 1.5, 1e-9) << part;
     }
 }
 

@@ -32,13 +32,13 @@ std::vector<CaseMovement> drawn_movements(const scenario::ScenarioDonning& donni
 
 /// How a wearer makes them who stands so: "hem-pull" pulls with five weights of each garment, a
 /// light tug of two hands, so that it slides where friction holds it; "arm-raise" raises the arms
-/// forward by 45° and to 25° aside, and draws the hem down as much while they come down again, so
-/// that arms do not catch it against the trunk, or lowers them by 60° where they are up; "breath"
-/// widens the chest by 2 % of its girth; "fidget" are small movements in all directions, which
-/// leave a fifth of friction (to the power of their size): what rubs to and fro resists a slow
-/// slide across hardly more than it lasts (Popov 2020). What a wearer cannot do is left out: one
-/// without a person (a scan) keeps the arms. `person`: who is asked for other postures than
-/// `stands`, in which the body is `at_rest`.
+/// forward by 45° and to 25° aside, and draws the hem down by as much, whatever its size, while
+/// they come down again, so that arms do not catch it against the trunk, or lowers them by 60°
+/// where they are up; "breath" widens the chest by 2 % of its girth; "fidget" are small movements
+/// in all directions, which leave a fifth of friction (to the power of their size): what rubs to
+/// and fro resists a slow slide across hardly more than it lasts (Popov 2020). What a wearer cannot
+/// do is left out: one without a person (a scan) keeps the arms. `person`: who is asked for other
+/// postures than `stands`, in which the body is `at_rest`.
 drape::Movements movements_of(const body::PosedBody& at_rest,
                               const std::shared_ptr<flesh::SoftBody>& person,
                               const body::Posture& stands,

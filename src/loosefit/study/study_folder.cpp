@@ -330,7 +330,7 @@ int StudyFolder::forget_failed(const FolderPlan& plan) const {
       std::error_code error;
       if (!fs::remove(file, error)) throw IoError(file.string() + ": cannot be removed");
       ++forgotten;
-    } else if (!found->control.failed.empty()) {
+    } else if (plan.controls.count(one.address) && !found->control.failed.empty()) {
       found->control = {};  // the case itself stays
       write_whole(file, record_json(*found));
       ++forgotten;

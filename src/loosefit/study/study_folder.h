@@ -62,7 +62,7 @@ class StudyFolder {
   std::filesystem::path result_file(const std::string& address) const;
   std::filesystem::path database() const { return path_ / "study.sqlite"; }
 
-  /// What keeps this user from bringing up database and page of a study that is there: the folder,
+  /// What keeps this user from bringing up the database of a study that is there: the folder,
   /// its database or its lock, which may only be read; nothing when all may be written.
   std::optional<std::filesystem::path> read_only_part() const;
   /// A folder that is there must be empty or a study. Changes nothing. \throws IoError,
