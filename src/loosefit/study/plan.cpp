@@ -193,7 +193,7 @@ std::string case_address(const scenario::Scenario& scenario,
     if (!garment.spec.seams.empty()) garment.spec.seams = digest_of(garment.spec.seams);
   }
   std::string text =
-      "loosefit case 2\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
+      "loosefit case 3\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
   for (const std::string& modality : modalities) {
     const placement::Scorecard card = io::load_scorecard(modality);
     const bool file = modality.find('/') != std::string::npos;
