@@ -4,11 +4,13 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "exit_code.h"
 #include "loosefit/base/error.h"
@@ -45,8 +47,14 @@ CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& 
   return command->add_option("DIR", arguments->folder, "folder of the study")->required();
 }
 
-void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t open) {
-  const double work = study::estimated_core_seconds(plan.cases);
+/// `open`: addresses that are still to run.
+void print_plan(const study::Plan& plan, const Arguments& arguments,
+                const std::set<std::string>& open) {
+  double work = 0;
+  for (const auto& [address, seconds] : study::estimated_work(plan))
+    if (open.contains(address)) work += seconds;
+  const std::size_t to_run = static_cast<std::size_t>(std::ranges::count_if(
+      plan.cases, [&](const study::PlannedCase& one) { return open.contains(one.address); }));
   const int workers = arguments.runner.jobs > 0 ? arguments.runner.jobs : usable_threads();
   if (arguments.json) {
     Json axes = Json::array();
@@ -59,7 +67,7 @@ void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t
                          {"estimated_core_seconds", work},
                          {"estimated_seconds", work / workers},
                          {"workers", workers},
-                         {"open", open}})
+                         {"open", to_run}})
                        .dump(1));
     return;
   }
@@ -82,7 +90,7 @@ void print_plan(const study::Plan& plan, const Arguments& arguments, std::size_t
              (plan.study.modalities.empty() ? "none: nothing is scored"
                                             : terminal_line(join(plan.study.modalities))),
              plan.cases.size(), plan.drapes(),
-             open < plan.cases.size() ? fmt::format(", {} of them still to run", open) : "");
+             to_run < plan.cases.size() ? fmt::format(", {} of them still to run", to_run) : "");
   fmt::print("time     about {} on {} workers of this machine, {} of one core\n",
              study::duration_text(work / workers), workers, study::duration_text(work));
 }
@@ -98,12 +106,14 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
     const study::Plan plan = study::make_plan(study::read_study_file(arguments->study));
-    std::size_t open = plan.cases.size();
+    std::set<std::string> open;
+    for (const study::PlannedCase& one : plan.cases) open.insert(one.address);
     if (!arguments->output.empty()) {
       const study::StudyFolder folder(arguments->output);
       const study::StudyLock lock(folder);
       folder.write_plan(plan);
-      open = folder.state(folder.read_plan()).open.size();
+      const std::vector<std::string> left = folder.state(folder.read_plan()).open;
+      open = {left.begin(), left.end()};
     }
     print_plan(plan, *arguments, open);
   });
@@ -181,6 +191,7 @@ int run(const Arguments& arguments) {
       given_up.push_back({{"address", one.address}, {"why", one.why}});
     print_document(Json({{"cases", plan.cases.size()},
                          {"ran", done.ran},
+                         {"of_other_builds", done.of_other_builds},
                          {"done", state.done},
                          {"sealed", state.sealed},
                          {"failed", state.failed},
@@ -198,10 +209,17 @@ int run(const Arguments& arguments) {
       fmt::print("{}\n", terminal_line(sentence));
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   }
+  if (done.of_other_builds > 0)
+    fmt::print(stderr,
+               "warning: the results of {} cases are of another build of the program, of the same "
+               "version; a new folder has all of one\n",
+               done.of_other_builds);
   for (const study::GivenUp& one : done.given_up)
     fmt::print(stderr, "warning: case {} stays open: {}\n", one.address.substr(0, 12),
                terminal_line(one.why));
-  return state.open.empty() ? kGood : kNotSettled;
+  // Nothing that could be judged is no success, though every case has ended.
+  const bool good = state.open.empty() && (state.done > 0 || plan.cases.empty());
+  return good ? kGood : kNotSettled;
 }
 
 void make_run_command(CLI::App* parent, const std::shared_ptr<Arguments>& arguments,

@@ -74,7 +74,8 @@ TEST_P(StaysWherePut, TrousersWithASnugWaist) {
 TEST_P(StaysWherePut, DressesAndTopsOnTheShoulders) {
   for (const double length : {0.6, 0.9}) {
     const double moved =
-        top(dress(levels, 1.15, length * levels.neck_height / 1.44)) - levels.neck_height;
+        top(testing_support::dress(levels, 1.15, length * levels.neck_height / 1.44)) -
+        levels.neck_height;
     EXPECT_GT(moved, -0.04) << length;
     EXPECT_LT(moved, 0.04) << length;
   }

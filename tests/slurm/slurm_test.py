@@ -198,8 +198,15 @@ def main():
             remote, killed = run_slurm(arguments.binary.resolve(), file, root / "slurm", cluster, arguments.kills)
             took = time.monotonic() - begun
         print(f"{2 * arguments.people} cases, {killed} tasks killed, {took:.0f} s; rounds: "
-              f"{len(list((root / 'slurm' / 'slurm').glob('bundles-*.txt')))}")
-        for key in ("content_sha256", "open"):
+              f"{len(list((root / 'slurm' / 'slurm').glob('bundles-*.txt')))}; "
+              f"{local['done']} with scores, {local['sealed']} sealed, {local['failed']} failed")
+        rounds = len(list((root / "slurm" / "slurm").glob("bundles-*.txt")))
+        # Of failures and of a first round that never lost a task nothing could be told.
+        for what, found, least in (("cases with scores", local["done"], 1), ("rounds", rounds, 2)):
+            if found < least:
+                print(f"error: {what}: found {found}, expected at least {least}", file=sys.stderr)
+                return 1
+        for key in ("content_sha256", "open", "done", "sealed", "failed"):
             if local[key] != remote[key]:
                 print(f"error: {key}: found {remote[key]}, expected {local[key]} of the local run", file=sys.stderr)
                 return 1

@@ -319,6 +319,10 @@ def main():
                        for result in (base / "undisturbed").glob("cases/*/*/result.json"))
         print(f"undisturbed: {said['cases']} cases, {said['done']} with scores, {said['sealed']} sealed, "
               f"{controls} controls, {time.time() - begin:.0f} s")
+        for what, found in (("cases with scores", said["done"]), ("controls", controls)):
+            if found == 0:
+                print(f"error: the undisturbed run has no {what}", file=sys.stderr)
+                return 1
         failed = 0
         for name, act in (("kills", lambda s: kills(s, content, arguments.kills, draws)),
                           ("full disk", lambda s: full_disk(s, content, said["cases"])),

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "loosefit/base/error.h"
@@ -14,6 +15,7 @@
 #include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
 #include "loosefit/study/gallery.h"
+#include "loosefit/study/run_here.h"
 #include "loosefit/study/study_page.h"
 #include "loosefit/study/worker_process.h"
 #include "support/study_on_disk.h"
@@ -207,10 +209,15 @@ TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {
   // The worst person scores 0.9 − 3 b.
   EXPECT_NEAR(answer.limit, (0.9 - modality.pass) / 3, 1e-9);
   EXPECT_EQ(analysis.data.units.size(), 4u);
+  int of_the_fit = 0;
   for (const Sensitivity& s : modality.sensitivity)
     if (s.quantity == "score" && s.input == "fit") {
+      ++of_the_fit;
       EXPECT_GT(std::abs(s.value), 0.9) << s.main_effect;
     }
+  EXPECT_EQ(of_the_fit, 2);  // rank correlation and share of variance
+  EXPECT_EQ(headlines(analysis).back(),
+            "comfort: for 95 % of people comfortable at all fits tried");
   EXPECT_EQ(analysis.comfort->limit, -std::numeric_limits<double>::infinity());
   const std::string page = study_html(analysis);
   EXPECT_NE(page.find("How loose may it be?"), std::string::npos);
@@ -231,6 +238,41 @@ TEST_F(StudyOnDisk, WhereNoFitWorksTheHeadlineNamesTheNearest) {
             std::string::npos)
       << sentence;
   EXPECT_EQ(study_html(analysis).find("nowhere to nowhere"), std::string::npos);
+}
+
+// Who could not be rated may be the worst: what so many people carry is said of those who were.
+TEST_F(StudyOnDisk, PeopleWithoutAnyScoreCarryNoStatementAboutThePopulation) {
+  const StudyFolder folder = planned("a");
+  for (const PlannedCase& one : plan.cases)
+    if (one.levels[0] > 0) finish(folder, one);
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
+  EXPECT_EQ(rated_units(analysis.data), 3);
+  const std::string page = study_html(analysis);
+  EXPECT_NE(page.find("With 3 independent people"), std::string::npos);
+  EXPECT_NE(page.find("1 of the 4 have no score at all"), std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(analysis_json(analysis));
+  EXPECT_EQ(json["rated"], 3);
+  EXPECT_NEAR(json["worst_is_below_p5_with_confidence"], 1 - std::pow(0.95, 3), 1e-12);
+}
+
+// Chosen ease is in metres; what a wearer may have of it is a BGM of that wearer.
+TEST_F(StudyOnDisk, ChosenEaseIsAnsweredAsABodyGarmentMobility) {
+  const Plan eased = make_plan(parse_study_file(
+      "[study]\nname = \"x\"\nmodalities = [\"imu-uncalibrated\"]\n"
+      "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = 4 }\n"
+      "[[axis]]\nname = \"ease\"\nease = { chosen = \"blouse\", count = 5 }\n",
+      "x.toml"));
+  const StudyFolder folder(base / "eased");
+  fs::create_directories(base);
+  folder.write_plan(eased);
+  const StudyData data = read_study_data(folder);
+  double metres = 0, bgm = 0, chest = 0;
+  for (const AxisLevel& level : eased.study.axes[1].levels) metres += *level.value / 5;
+  for (const double level : data.level_bgm)
+    bgm += level / static_cast<double>(data.level_bgm.size());
+  for (const AxisLevel& level : eased.study.axes[0].levels)
+    chest += level.inputs.at("person.chest") / 4;
+  EXPECT_NEAR(bgm, metres / chest, 0.1 * metres / chest);
 }
 
 // A fit at which nobody could be rated is no nearest one, whatever comes after it.
@@ -296,6 +338,56 @@ TEST_F(StudyOnDisk, GalleryIsThereWhereOutputsWereKept) {
   EXPECT_NE(study_html(analysis, {"png", "", 2}).find("drapes of 2 cases"), std::string::npos);
   EXPECT_NE(study_html(analysis, {"", "no <screen>", 2}).find("no &lt;screen&gt;"),
             std::string::npos);
+}
+
+/// A program that does to its worker what is asked of it.
+std::string program(const fs::path& folder, const std::string& deed) {
+  fs::create_directories(folder);
+  const fs::path file = folder / "program.sh";
+  io::write_text_file(file.string(), "#!/bin/sh\n" + deed + "\n");
+  fs::permissions(file, fs::perms::owner_all);
+  return file.string();
+}
+
+TEST_F(StudyOnDisk, ACaseThatCrashesTheProgramIsRecordedAndStopsNothing) {
+  const StudyFolder folder = planned("a");
+  const FolderPlan read = folder.read_plan();
+  const std::string log = (base / "log").string();
+  RunnerOptions options;
+  options.program = program(base / "bin", "echo $4 >> " + log + "; kill -SEGV $$");
+  options.jobs = 2;
+  const std::vector<std::string> two = {plan.cases[0].address, plan.cases[1].address};
+  int seen = 0;
+  Progress silent;
+  const auto given_up = run_here(
+      folder, read, two, options, [&](const CaseRecord&) { ++seen; }, silent);
+  EXPECT_TRUE(given_up.empty());
+  EXPECT_EQ(seen, 2);
+  for (const std::string& address : two) {
+    const std::optional<CaseRecord> record = folder.record(read, address);
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->status, CaseStatus::failed);
+    EXPECT_NE(record->reason.find("crashed 3 times"), std::string::npos) << record->reason;
+  }
+  const std::string tried = io::read_text_file(log, 10000);
+  EXPECT_EQ(std::count(tried.begin(), tried.end(), '\n'), 6);
+}
+
+TEST_F(StudyOnDisk, TroubleOfTheMachineStopsTheStudyAndIsTold) {
+  const StudyFolder folder = planned("a");
+  RunnerOptions options;
+  options.program = program(base / "bin", "echo 'error: disk full' >&2; exit 2");
+  options.jobs = 1;
+  Progress silent;
+  try {
+    run_here(
+        folder, folder.read_plan(), {plan.cases[0].address}, options, [](const CaseRecord&) {},
+        silent);
+    FAIL();
+  } catch (const IoError& error) {
+    EXPECT_STREQ(error.what(), "disk full");
+  }
+  EXPECT_FALSE(folder.record(plan.cases[0].address));
 }
 
 TEST(WorkerProcess, TellsHowAProgramEnded) {

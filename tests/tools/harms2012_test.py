@@ -12,6 +12,7 @@ from statements import OF_PLACES, order  # noqa: E402
 
 try:
     import numpy
+    import children
     import inclination
 except ImportError:
     numpy = None
@@ -54,6 +55,44 @@ class Verdicts(unittest.TestCase):
 
     def test_order_is_by_error(self):
         self.assertEqual(order({"a": 2, "b": 1}), ["b", "a"])
+
+
+@unittest.skipUnless(numpy, "needs numpy")
+class Children(unittest.TestCase):
+    """The table of drawn children (validation/harms2012/children.py)."""
+
+    def test_the_blades_are_sewn_alike_and_the_spine_in_the_middle(self):
+        site = lambda u, v: {"u_m": u, "v_m": v}
+        summaries = [{"sites": {"scapula left": site(0.08, -0.1), "scapula right": site(-0.06, -0.12),
+                                "upper back": site(0.004, -0.05), "mid back": site(0, -0.2),
+                                "lower back": site(0, v)}} for v in (-0.3, -0.32)]
+        places = children.shirt_places(summaries)
+        self.assertEqual(places["scapula left"], [0.07, -0.11])
+        self.assertEqual(places["scapula right"], [-0.07, -0.11])
+        self.assertEqual(places["upper back"], [0, -0.05])
+        self.assertEqual(places["lower back"], [0, -0.31])
+
+    def test_a_child_has_the_mean_of_its_donnings_and_of_both_blades(self):
+        donning = lambda left, right, back: {"scapula left": {"error_rms": left},
+                                             "scapula right": {"error_rms": right},
+                                             **{name: {"error_rms": back} for name in children.PLACES[2:]}}
+        found = children.by_site([{"donnings": [donning(1, 3, 5), donning(2, 6, 7)]},
+                                  {"donnings": [donning(4, 4, 1)]}])
+        self.assertEqual(found["scapula"], [3, 4])
+        self.assertEqual(found["mid_back"], [6, 1])
+
+    def test_the_page_tells_the_order_and_the_statements_of_the_study(self):
+        donning = {"scapula left": {"error_rms": 1.0}, "scapula right": {"error_rms": 1.0},
+                   "upper back": {"error_rms": 4.0}, "mid back": {"error_rms": 2.0},
+                   "lower back": {"error_rms": 3.0}}
+        kept = {"asked": 3, "minutes": 7.0, "version": "1",
+                "children": [{"donnings": [donning]}, {"donnings": [donning, donning]}, {"donnings": []}]}
+        lines = children.block(kept)
+        self.assertIn("2 of 3 children and 3 of 6 donnings count", lines[0])
+        order = [line.split(" | ")[1] for line in lines if line[:3] in ("| 1", "| 2", "| 3", "| 4")]
+        self.assertEqual(order, ["scapula", "mid back", "lower back", "upper back"])
+        self.assertTrue(any("the scapula sensor has the smallest error | agrees, 100 %" in line
+                            for line in lines))
 
 
 @unittest.skipUnless(numpy, "needs numpy")

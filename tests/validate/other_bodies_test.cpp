@@ -59,6 +59,23 @@ TEST(ShoulderSlope, TurnsTheLineFromNeckToTipAndCarriesTheArms) {
   }
 }
 
+// Ways and movements of a sloped wearer: none may lead back to the shoulders of the model.
+TEST(ShoulderSlope, IsThatOfEveryBodyOfAWay) {
+  const double more = radians(6.0);
+  const body::BodyPath lifting = [](double share) {
+    return body::PosedBody(two_arms(0.3 * share));
+  };
+  const body::BodyPath sloped = sloped_way(lifting, more), plain = sloped_way(lifting, 0);
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const body::Body model = two_arms(0.3 * share);
+    EXPECT_EQ(sloped(share)->surface.vertices, with_shoulder_slope(model, more).surface.vertices);
+    EXPECT_NE(sloped(share)->surface.vertices, model.surface.vertices);
+    EXPECT_EQ(plain(share)->surface.vertices, model.surface.vertices);
+  }
+  const body::BodyPath none = sloped_way({}, more);
+  EXPECT_FALSE(none) << "a movement of a wearer who stands still";
+}
+
 TEST(BentArm, KeepsItsGirthsAndKnowsWhereItsSkinHasGone) {
   const BentArm arm;
   const body::Body straight = arm.at(0), bent = arm.at(1);

@@ -76,6 +76,19 @@ TEST(FindingGates, ARangeMayBeOpenAtOneEnd) {
   EXPECT_EQ(gate_text(ranged(1, 2, kOpen)), "at least 2");
 }
 
+TEST(FindingGates, ACountThatIsKnownToBeWrongCanStillMiss) {
+  EXPECT_EQ(whole_count("pairs", 4, 4, "").verdict(), Verdict::pass);
+  EXPECT_EQ(whole_count("pairs", 4, 3, "").verdict(), Verdict::miss);
+  const auto folded = [](int obtained) {
+    return whole_count("pairs", 4, obtained, "", 2, "a fold").verdict();
+  };
+  EXPECT_EQ(folded(4), Verdict::unexpected_pass);
+  EXPECT_EQ(folded(2), Verdict::known_miss);
+  EXPECT_EQ(folded(1), Verdict::miss);
+  EXPECT_NO_THROW(whole_count("pairs", 4, 2, "", 3, "a fold"));
+  EXPECT_THROW(whole_count("pairs", 4, 2, "", 4, "a fold"), Error) << "0 of 4 would be no miss";
+}
+
 TEST(RunValidation, KnownMissesStandBesideTheOthersAndUnexpectedPassesAreNamed) {
   Progress silent;
   const Finding good = finding(1, 1, Finding::Gate::relative, 0.01);

@@ -97,6 +97,7 @@ TEST(ValidationOutputs, KnownMissesAreToldWithTheirReasonInJsonAndPage) {
   EXPECT_NE(page.find("verdict-known\">known miss"), std::string::npos);
   EXPECT_NE(page.find("filling: known to miss by up to 0.1: because of &lt;folds&gt;"),
             std::string::npos);
+  EXPECT_NE(page.find("the reason stands as far as it is known"), std::string::npos);
 }
 
 TEST(ValidationPage, IsSelfContainedAndShowsPlotsTablesAndSettings) {

@@ -33,15 +33,6 @@ std::string beginning(const std::filesystem::path& path) {
   return text;
 }
 
-/// The side file that is to be read; empty: there is none.
-std::filesystem::path side_file(const std::filesystem::path& path,
-                                const std::filesystem::path& seams) {
-  std::error_code ignored;
-  const std::filesystem::path beside = seams_path(path);
-  if (!seams.empty()) return seams;
-  return std::filesystem::exists(beside, ignored) ? beside : std::filesystem::path();
-}
-
 /// Seams of a side file, or those of a known garment.
 void sew(PatternFile& file, const std::filesystem::path& from) {
   if (!from.empty()) {

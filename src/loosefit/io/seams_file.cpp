@@ -168,6 +168,14 @@ std::filesystem::path seams_path(const std::filesystem::path& pattern_file) {
   return path.replace_extension(".seams.toml");
 }
 
+std::filesystem::path side_file(const std::filesystem::path& pattern_file,
+                                const std::filesystem::path& given) {
+  if (!given.empty()) return given;
+  std::error_code ignored;
+  const std::filesystem::path beside = seams_path(pattern_file);
+  return std::filesystem::exists(beside, ignored) ? beside : std::filesystem::path();
+}
+
 void parse_seams(const std::string& text, const std::string& file, PatternFile& into) {
   const ConfigNode root = parse_toml(text, file);
   ConfigReader reader(root, file);

@@ -11,6 +11,11 @@ namespace loosefit::io {
 /// NAME.seams.toml beside NAME.dxf.
 std::filesystem::path seams_path(const std::filesystem::path& pattern_file);
 
+/// The side file that a pattern is read with: `given`, else the one beside it where there is one;
+/// empty: none.
+std::filesystem::path side_file(const std::filesystem::path& pattern_file,
+                                const std::filesystem::path& given);
+
 /// Adds the seams of a side file to a pattern that has none (docs/patterns.md):
 ///     confirmed = false        # proposed by us, and nobody has looked at it yet
 ///     leave_out = ["POCKET"]   # pieces that are not taken

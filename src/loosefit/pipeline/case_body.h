@@ -51,10 +51,11 @@ std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& 
 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing
 /// posture, along its wide one, which then is its path, with a warning. Of the movements those that
-/// this wearer can make are made and kept in the body. `scenario`: for what can be advised.
+/// this wearer can make are made and kept in the body; without any the garment is not worn in.
+/// `scenario`: for what can be advised.
 /// \throws GeometryError when it cannot be laid at all.
 drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
-                    const std::vector<CaseMovement>& movements = {},
+                    const std::vector<CaseMovement>& movements,
                     const scenario::Scenario* scenario = nullptr);
 
 }  // namespace loosefit::pipeline

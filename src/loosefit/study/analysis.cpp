@@ -184,6 +184,13 @@ StudyAnalysis analyse(StudyData data) {
   return analysis;
 }
 
+std::string in_words(const ComfortLimit& comfort) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (comfort.limit == -kInfinity) return "comfortable at all fits tried";
+  if (comfort.limit == kInfinity) return "not comfortable at any fit tried";
+  return fmt::format("comfortable from a BGM of {:.2f} on", comfort.limit);
+}
+
 std::vector<std::string> headlines(const StudyAnalysis& analysis) {
   std::vector<std::string> sentences;
   for (const ModalityAnalysis& modality : analysis.modalities) {
@@ -212,6 +219,8 @@ std::vector<std::string> headlines(const StudyAnalysis& analysis) {
       sentences.push_back(modality.name + ": loosest at " + loosest->first + ", " +
                           in_words(loosest->second, analysis.options));
   }
+  if (analysis.comfort && analysis.data.done > 0)
+    sentences.push_back("comfort: for 95 % of people " + in_words(*analysis.comfort));
   return sentences;
 }
 

@@ -50,8 +50,11 @@ struct StudyAnalysis {
 /// All statistics of a study (docs/studies.md 5). \throws as load_scorecard.
 StudyAnalysis analyse(StudyData data);
 
+/// "comfortable from a BGM of 0.05 on"
+std::string in_words(const ComfortLimit& comfort);
+
 /// One sentence per modality: the site that may be loosest, or ranks first; where none works, the
-/// nearest.
+/// nearest. Last the comfort limit, in studies of looseness.
 std::vector<std::string> headlines(const StudyAnalysis& analysis);
 
 }  // namespace loosefit::study

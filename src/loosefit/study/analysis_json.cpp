@@ -91,8 +91,11 @@ std::string analysis_json(const StudyAnalysis& analysis) {
                {"drapes", data.drapes},
                {"drapes_counted", data.drapes_counted},
                {"confidence", analysis.options.confidence},
+               {"rated", rated_units(data)},
                {"worst_is_below_p5_with_confidence",
-                worst_of_n_confidence(static_cast<int>(data.units.size()), 1 - kRobustPeople)},
+                people_axis(data.plan) < 0
+                    ? Json(nullptr)  // cases of one body are no sample of people
+                    : Json(worst_of_n_confidence(rated_units(data), 1 - kRobustPeople))},
                {"headlines", headlines(analysis)},
                {"modalities", Json::object()},
                {"troubles", Json::array()}};

@@ -16,6 +16,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/seams_file.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/resample.h"
 #include "loosefit/placement/site_points.h"
@@ -155,7 +156,10 @@ std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int
   return rows;
 }
 
-scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels) {
+namespace {
+
+/// The base scenario with what each of these levels changes.
+io::ConfigNode composed(const StudyFile& study, const std::vector<int>& levels) {
   io::ConfigNode root = study.base;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     io::ConfigNode patch = study.axes[k].levels[levels[k]].patch;
@@ -169,12 +173,35 @@ scenario::Scenario compose(const StudyFile& study, const std::vector<int>& level
     const double bgm = std::round(1e4 * *level.chest_ease / chest_of(root)) / 1e4;
     for (const std::string& key : study.axes[k].keys) set_value(root, key, number_node(bgm));
   }
+  return root;
+}
+
+scenario::Scenario scenario_of(const io::ConfigNode& root, const StudyFile& study) {
   const bool budget = value_at(root, "simulation.time_budget") != nullptr;
   scenario::Scenario scenario = io::scenario_of(root, study.base_file);
   if (!budget) scenario.simulation.time_budget = kNoTimeBudget;
   scenario.simulation.threads = 0;
   scenario.ranking = {};
   return scenario;
+}
+
+/// Where a case lies on the axis of looseness: ease that is asked for in metres is a BGM of its own
+/// for each wearer. Nothing without such an axis.
+std::optional<double> looseness_of(const StudyFile& study, const std::vector<int>& levels,
+                                   const io::ConfigNode& root) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const Axis& axis = study.axes[k];
+    if (axis.name != study.looseness) continue;
+    const AxisLevel& level = axis.levels[levels[k]];
+    return level.chest_ease ? value_at(root, axis.keys.front())->number : level.value;
+  }
+  return {};
+}
+
+}  // namespace
+
+scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels) {
+  return scenario_of(composed(study, levels), study);
 }
 
 std::string case_address(const scenario::Scenario& scenario,
@@ -189,8 +216,11 @@ std::string case_address(const scenario::Scenario& scenario,
   content.output.height = usual.height;
   if (!content.body.file.empty()) content.body.file = digest_of(content.body.file);
   for (scenario::ScenarioGarment& garment : content.garments) {
-    if (!garment.spec.file.empty()) garment.spec.file = digest_of(garment.spec.file);
-    if (!garment.spec.seams.empty()) garment.spec.seams = digest_of(garment.spec.seams);
+    if (garment.spec.file.empty()) continue;
+    const std::filesystem::path seams =
+        io::side_file(garment.spec.file, std::filesystem::path(garment.spec.seams));
+    garment.spec.seams = seams.empty() ? "" : digest_of(seams.string());
+    garment.spec.file = digest_of(garment.spec.file);
   }
   std::string text =
       "loosefit case 3\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
@@ -280,7 +310,9 @@ Plan make_plan(const StudyFile& study) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       if (!columns[k].empty()) one.levels[k] = columns[k][i];
     try {
-      const scenario::Scenario scenario = compose(plan.study, one.levels);
+      const io::ConfigNode root = composed(plan.study, one.levels);
+      const scenario::Scenario scenario = scenario_of(root, plan.study);
+      one.looseness = looseness_of(plan.study, one.levels, root);
       one.toml = io::scenario_toml(scenario);
       one.address = case_address(scenario, study.modalities);
       one.drapes = drapes_of(scenario);
@@ -301,16 +333,17 @@ Plan make_plan(const StudyFile& study) {
   return plan;
 }
 
-double estimated_core_seconds(const std::vector<PlannedCase>& cases) {
+namespace {
+
+double estimated_core_seconds(const PlannedCase& one) {
   // Measured on shirts of adults: body, pattern and measuring of a case; of a drape what is done
   // with bodies and coarse meshes whatever the edge (putting on, wearing in), and the finest one at
   // 10 mm, whose time grows with the number of vertices to the power of 1.25.
   constexpr double kCase = 5, kCoarse = 11, kFine = 28, kEdge = 0.010, kPower = 2.5;
-  double sum = 0;
-  for (const PlannedCase& one : cases)
-    sum += kCase + one.drapes * (kCoarse + kFine * std::pow(kEdge / one.edge_length, kPower));
-  return sum;
+  return kCase + one.drapes * (kCoarse + kFine * std::pow(kEdge / one.edge_length, kPower));
 }
+
+}  // namespace
 
 std::vector<std::string> control_addresses(const Plan& plan) {
   std::vector<std::string> of_grade_b;
@@ -321,7 +354,7 @@ std::vector<std::string> control_addresses(const Plan& plan) {
 
 std::map<std::string, double> estimated_work(const Plan& plan) {
   std::map<std::string, double> work;
-  for (const PlannedCase& one : plan.cases) work[one.address] = estimated_core_seconds({one});
+  for (const PlannedCase& one : plan.cases) work[one.address] = estimated_core_seconds(one);
   for (const std::string& control : control_addresses(plan)) work[control] *= 2;
   return work;
 }

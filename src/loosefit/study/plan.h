@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,16 @@ namespace loosefit::study {
 
 /// One case of a study: an ordinary scenario, and where it stands in the design.
 struct PlannedCase {
-  int number = 0;           ///< from 1, in the order of the design
-  std::vector<int> levels;  ///< per axis of the plan
-  std::string address;      ///< content address: same address, same results
-  std::string toml;         ///< the resolved scenario
-  int drapes = 1;           ///< postures × donnings (or repeats)
-  double edge_length = 0;   ///< [m]
-  bool grade_b = false;     ///< is content with certificate grade B
-  std::string wearer;       ///< digest of whose body it is, whatever the posture
-  std::string wearing;      ///< digest of reference posture, postures and history of putting on
+  int number = 0;                   ///< from 1, in the order of the design
+  std::vector<int> levels;          ///< per axis of the plan
+  std::string address;              ///< content address: same address, same results
+  std::string toml;                 ///< the resolved scenario
+  int drapes = 1;                   ///< postures × donnings (or repeats)
+  double edge_length = 0;           ///< [m]
+  bool grade_b = false;             ///< is content with certificate grade B
+  std::optional<double> looseness;  ///< BGM on the axis of looseness; nothing without one
+  std::string wearer;               ///< digest of whose body it is, whatever the posture
+  std::string wearing;  ///< digest of reference posture, postures and history of putting on
 };
 
 /// All cases of a study, made before anything runs.
@@ -58,11 +60,9 @@ int drapes_of(const scenario::Scenario& scenario);
 /// Addresses of the cases that also go on to grade A (control_addresses of those content with B).
 std::vector<std::string> control_addresses(const Plan& plan);
 
-/// Core seconds that so many cases take by figures measured on an x86-64 core of 2.5 GHz
-/// (docs/scaling.md); within a factor of two for shirts.
-double estimated_core_seconds(const std::vector<PlannedCase>& cases);
-
-/// The same of each case by its address; a control runs twice.
+/// Core seconds of each case by its address, by figures measured on an x86-64 core of 2.5 GHz
+/// (docs/scaling.md); within a factor of two for shirts. A control runs twice; cases of one address
+/// run once.
 std::map<std::string, double> estimated_work(const Plan& plan);
 
 }  // namespace loosefit::study

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "loosefit/base/build_id.h"
 #include "loosefit/base/text.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/store.h"
@@ -46,6 +47,18 @@ class Forecast {
   Clock::time_point start_ = Clock::now();
 };
 
+/// Cases with a result that another build of the program has computed.
+int of_other_builds(const StudyFolder& folder, const FolderPlan& plan) {
+  const std::string here = build_id();
+  int count = 0;
+  for (const FolderCase& one : plan.cases)
+    if (const auto record = folder.record(plan, one.address)) {
+      const auto build = record->versions.find("build");
+      count += build == record->versions.end() || build->second != here;
+    }
+  return count;
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -73,6 +86,7 @@ StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOpti
   if (retry_failed) folder.forget_failed(planned);
   collect(folder, planned);
   StudyRun run;
+  run.of_other_builds = of_other_builds(folder, planned);
   const std::vector<std::string> open = folder.state(planned).open;
   progress.stage("cases");
   {

@@ -68,7 +68,11 @@ class Collector {
 
   void set_bins(const Axis& axis, int loose) {
     const int cases = static_cast<int>(data_.plan.cases.size());
-    const auto value = [&](int c) { return *axis.levels[data_.plan.cases[c].levels[loose]].value; };
+    // What every wearer has of the axis may be another BGM for each: ease in metres is.
+    const auto value = [&](int c) {
+      const FolderCase& one = data_.plan.cases[c];
+      return one.looseness.value_or(*axis.levels[one.levels[loose]].value);
+    };
     std::vector<int> order(cases);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value(a) < value(b); });
@@ -169,6 +173,15 @@ class Collector {
 }  // namespace
 
 StudyData read_study_data(const StudyFolder& folder) { return Collector(folder).all(); }
+
+int rated_units(const StudyData& data) {
+  std::vector<char> rated(data.units.size(), 0);
+  for (const auto& [modality, tables] : data.sites)
+    for (const SiteTable& table : tables)
+      for (std::size_t c = 0; c < table.by_case.size(); ++c)
+        if (!std::isnan(table.by_case[c])) rated[data.unit_of_case[c]] = 1;
+  return static_cast<int>(std::count(rated.begin(), rated.end(), 1));
+}
 
 std::vector<double> unit_scores(const StudyData& data, const SiteTable& site, int level) {
   std::vector<double> scores(data.units.size(), kNotKnown);

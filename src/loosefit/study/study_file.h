@@ -25,7 +25,9 @@ struct StudyFile {
   Design design = Design::crossed;
   int samples = 0;                      ///< of a Latin hypercube
   std::vector<std::string> modalities;  ///< scorecards, by name or absolute path
-  std::string looseness;  ///< the axis that answers "how loose may it be?"; empty: none
+  /// The axis that answers "how loose may it be?", whose values are BGM, or ease that becomes one
+  /// for each wearer; empty: none.
+  std::string looseness;
   int looseness_line = 0;
   int sensors = 3;                  ///< up to so many are chosen together
   double spacing = 0.05;            ///< least distance between them [m]

@@ -64,6 +64,12 @@ Axis axis_of(const Json& json) {
   return axis;
 }
 
+std::optional<double> optional_number(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return {};
+  return found->get<double>();
+}
+
 /// The controls of a plan that does not name them, as of programs that wrote them beside it: an
 /// address on each line.
 std::set<std::string> controls_beside(const fs::path& folder) {
@@ -98,6 +104,7 @@ Json plan_json(const Plan& plan) {
                              {"address", one.address},
                              {"drapes", one.drapes},
                              {"edge_length", one.edge_length},
+                             {"looseness", one.looseness ? Json(*one.looseness) : Json(nullptr)},
                              {"wearer", one.wearer},
                              {"wearing", one.wearing}});
   return json;
@@ -129,6 +136,12 @@ void check_plan(const FolderPlan& plan, const std::string& file) {
       if (!level.value)
         refuse("looseness", "\"" + printable(plan.looseness) + "\"",
                "an axis whose levels have a value");
+  // Metres of ease are no BGM; plans of earlier programs know nothing else.
+  if (const int loose = looseness_axis(plan); loose >= 0 && plan.axes[loose].kind == "ease")
+    for (const FolderCase& one : plan.cases)
+      if (!one.looseness)
+        refuse("cases.looseness", "nothing for case " + std::to_string(one.number),
+               "a body-garment mobility: loosefit study plan STUDY.toml -o DIR writes it");
 }
 
 }  // namespace
@@ -278,8 +291,8 @@ FolderPlan StudyFolder::read_plan() const {
     for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
-                            j.at("drapes"), j.at("edge_length"), j.value("wearer", std::string()),
-                            j.value("wearing", std::string())});
+                            j.at("drapes"), j.at("edge_length"), optional_number(j, "looseness"),
+                            j.value("wearer", std::string()), j.value("wearing", std::string())});
     check_plan(plan, file.string());
     return plan;
   } catch (const Json::exception& e) {

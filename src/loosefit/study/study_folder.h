@@ -28,7 +28,8 @@ struct FolderCase {
   std::string address;
   int drapes = 1;
   double edge_length = 0;
-  std::string wearer, wearing;  ///< as PlannedCase; empty in plans of earlier programs
+  std::optional<double> looseness;  ///< as PlannedCase; absent in plans of earlier programs
+  std::string wearer, wearing;      ///< as PlannedCase; empty in plans of earlier programs
 };
 
 /// plan.json: what a study is made of, without its study file.

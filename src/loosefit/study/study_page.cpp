@@ -25,6 +25,8 @@ using report::fixed;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Curves that one plot can bear.
 constexpr std::size_t kMostCurves = 5;
+/// Robust scores are not clamped, so that those that fail still differ; drawn down to here.
+constexpr double kLeastDrawn = -1;
 /// Rows of a table of sensitivity.
 constexpr std::size_t kMostSensitivities = 12;
 
@@ -106,7 +108,7 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
   const StudyData& data = analysis.data;
   report::Plot plot;
   plot.x_label = "body-garment mobility (" + data.plan.looseness + ")";
-  plot.y_label = "score that 95 % of people reach";
+  plot.y_label = "score that 95 % of people reach (drawn from -1 on)";
   const auto sites = by_limit(modality);
   for (const auto& [site, answer] : sites) {
     if (plot.series.size() >= kMostCurves) break;
@@ -116,7 +118,7 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
     for (const LoosePoint& p : answer->curve) {
       if (std::isnan(p.robust)) continue;
       line.x.push_back(p.bgm);
-      line.y.push_back(std::clamp(p.robust, 0.0, 1.0));
+      line.y.push_back(std::clamp(p.robust, kLeastDrawn, 1.0));
     }
     if (!line.x.empty()) plot.series.push_back(line);
   }
@@ -142,15 +144,10 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
                limiting == modality.limiting.end() ? "–" : limiting->second});
   }
   std::string comfort;
-  if (analysis.comfort) {
-    const double limit = analysis.comfort->limit;
-    comfort = limit == -kInfinity  ? "comfortable at all fits tried"
-              : limit == kInfinity ? "not comfortable at any fit tried"
-                                   : "comfortable from a BGM of " + fixed(limit, 2) + " on";
-    comfort = element("p", escaped("Comfort limit: the garment is " + comfort +
+  if (analysis.comfort)
+    comfort = element("p", escaped("Comfort limit: the garment is " + in_words(*analysis.comfort) +
                                    " (for 95 % of people at most 1 % of its area presses with "
                                    "more than 4 kPa)."));
-  }
   return element("h3", "How loose may it be?") + report::svg_plot(plot) + table.html() + comfort;
 }
 
@@ -231,8 +228,9 @@ std::string grade_text(const StudyData& data) {
       "p",
       escaped(fmt::format(
           "{} of {} cases ended with certificate grade B: no vertex has more than 0.1 mm to go, "
-          "99 % of normals no more than 0.2 degrees to turn. {} of them went on to grade A as "
-          "controls{}.",
+          "99 % of normals no more than 0.2 degrees to turn. {} cases were run once more to grade "
+          "A "
+          "as controls{}.",
           data.grade_b, data.done, data.controls.cases,
           data.controls.failed > 0 ? fmt::format(", {} without coming there", data.controls.failed)
                                    : "")));
@@ -243,23 +241,32 @@ std::string grade_text(const StudyData& data) {
   return text + table.html();
 }
 
+/// What the number of people carries. Cases of one body are no sample of a population.
+std::string people_text(const StudyData& data) {
+  const int rated = rated_units(data), all = static_cast<int>(data.units.size());
+  if (people_axis(data.plan) < 0 || rated == 0) return {};
+  std::string text = fmt::format(
+      "With {} independent people the worst of them lies below the 5th percentile of their "
+      "population with {:.0f} % confidence, whatever the distribution (59 make it 95 %). "
+      "With 20 people or fewer the 5th percentile is the worst of them, and its interval "
+      "reaches upwards only.",
+      rated, 100 * worst_of_n_confidence(rated, 1 - kRobustPeople));
+  if (rated < all)
+    text +=
+        fmt::format(" {} of the {} have no score at all: if they would fail, figures are too good.",
+                    all - rated, all);
+  return element("p", escaped(text));
+}
+
 std::string method_section(const StudyAnalysis& analysis) {
   const StudyData& data = analysis.data;
-  const int n = static_cast<int>(data.units.size());
   std::string text = element("h2", "How it was reckoned");
   text += element(
       "p", escaped("A person's score at a site is the lowest over all that the person went through "
                    "there: donnings, and whatever else varies. Percentiles, shares and intervals "
                    "are over people; intervals come from 2000 draws of people with replacement, "
                    "those of correlations from 400."));
-  text += element(
-      "p",
-      escaped(fmt::format(
-          "With {} independent people the worst of them lies below the 5th percentile of their "
-          "population with {:.0f} % confidence, whatever the distribution (59 make it 95 %). "
-          "With 20 people or fewer the 5th percentile is the worst of them, and its interval "
-          "reaches upwards only.",
-          n, 100 * worst_of_n_confidence(n, 1 - kRobustPeople))));
+  text += people_text(data);
   text += grade_text(data);
   text += element("p", escaped(fmt::format("Cases took {} of one "
                                            "core; seed {}, design {}. Made by Loosefit {}.",

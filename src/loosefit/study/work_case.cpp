@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
@@ -53,6 +54,15 @@ CaseRecord measured(const StudyFolder& folder, const std::string& address,
   } catch (const std::bad_alloc&) {
     throw IoError("case " + address + ": not enough memory",
                   "fewer workers (--jobs), or a larger simulation.edge_length");
+  } catch (const IoError&) {
+    throw;  // of the machine, not of the case, which is to run again
+  } catch (const std::system_error&) {
+    throw;  // likewise
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    // Nothing that a case brings with it may keep the others from running.
+    return failed(std::string("an unexpected error of the program: ") + error.what());
   }
 }
 

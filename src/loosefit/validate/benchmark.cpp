@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/check.h"
+
 namespace loosefit::validate {
 
 std::string name(Verdict verdict) {
@@ -69,6 +71,14 @@ Finding in_range(std::string what, std::string unit, double expected, double obt
   f.mesh = std::move(mesh);
   f.low = low;
   f.high = high;
+  return f;
+}
+
+Finding whole_count(std::string what, int all, int obtained, std::string mesh, int wrong,
+                    std::string reason) {
+  require(wrong >= 0 && wrong < all, "a count of which fewer than all are known to be wrong");
+  Finding f = in_range(std::move(what), "", all, obtained, all, all, std::move(mesh));
+  if (wrong > 0) f.known_miss = KnownMiss{static_cast<double>(wrong), std::move(reason)};
   return f;
 }
 

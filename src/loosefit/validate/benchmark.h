@@ -61,6 +61,12 @@ struct Finding {
 Finding in_range(std::string what, std::string unit, double expected, double obtained, double low,
                  double high, std::string mesh);
 
+/// How many of `all` things are as they ought to be, which is all of them. As many as `wrong` are
+/// known not to be, for `reason`; 0: none. \throws Error unless that is fewer than all: else no
+/// count at all could be a miss.
+Finding whole_count(std::string what, int all, int obtained, std::string mesh, int wrong = 0,
+                    std::string reason = {});
+
 /// What one benchmark found.
 struct BenchmarkResult {
   std::vector<Finding> findings;

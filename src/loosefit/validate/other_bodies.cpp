@@ -39,6 +39,7 @@ body::Body halves(const body::Body& left, const body::Body& right) {
 }
 
 body::Body with_shoulder_slope(body::Body body, double more) {
+  if (more == 0) return body;
   const double neck = body.landmarks.at("hps_L").x(), tip = body.landmarks.at("acromion_L").x();
   const double armpit = body.measured.at("armpit_level"), waist = body.measured.at("waist_level");
   const double slope = body.measured.at("shoulder_slope");
@@ -67,6 +68,12 @@ body::Body with_shoulder_slope(body::Body body, double more) {
   body.measured["shoulder_slope"] = slope + more;
   renew_surface(body);
   return body;
+}
+
+body::BodyPath sloped_way(const body::BodyPath& way, double more) {
+  if (!way || more == 0) return way;
+  return
+      [way, more](double share) { return body::PosedBody(with_shoulder_slope(way(share), more)); };
 }
 
 }  // namespace loosefit::validate

@@ -13,4 +13,7 @@ body::Body halves(const body::Body& left, const body::Body& right);
 /// the waist. `measured` of the slope follows. \pre upright; landmarks hps_L, acromion_L
 body::Body with_shoulder_slope(body::Body body, double more);
 
+/// The same of every body of a way; no way stays none.
+body::BodyPath sloped_way(const body::BodyPath& way, double more);
+
 }  // namespace loosefit::validate

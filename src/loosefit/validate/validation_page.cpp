@@ -153,9 +153,10 @@ std::string reading_aid() {
                      "dd",
                      "in percent: difference over the expected figure; with a unit: the "
                      "difference itself. The gate is the largest error allowed. "
-                     "“reported” has no gate. A “known miss” misses its gate for the reason that "
-                     "stands under the table, by no more than stated there; an “unexpected pass” "
-                     "is stated to miss and does not, so the statement is out of date.") +
+                     "“reported” has no gate. A “known miss” misses its gate by no more than is "
+                     "stated under the table, where the reason stands as far as it is known; an "
+                     "“unexpected pass” is stated to miss and does not, so the statement is out of "
+                     "date.") +
                  report::element("dt", "mesh") +
                  report::element("dd",
                                  "mean edge and number of triangles; meshes are irregular, as "

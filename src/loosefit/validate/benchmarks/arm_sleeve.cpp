@@ -31,6 +31,15 @@ const char* const kLocking =
 const char* const kFacets =
     "a surface of flat triangles that touches an arm lies inside of a round one";
 
+/// By what shares 10 mm edges are known to miss at most; 0: they do not.
+struct Missed {
+  double force, gap, warp, weft;
+};
+/// The sleeves of +15 and +5 % against 2.5 mm: a tenth more than was found.
+constexpr Missed kLoose = {2.94, 0.214, 1.10, 0.905}, kClose = {3.53, 0.207, 1.46, 1.53};
+/// The loose sleeve against 5 mm edges, which have much of the error themselves.
+constexpr Missed kQuick = {1.53, 0, 0.735, 0.62};
+
 /// What is read off a drape.
 struct Reading {
   double force = 0;           ///< normal, of all contacts, over the weight of the sleeve
@@ -104,22 +113,12 @@ BenchmarkResult benchmark_arm_sleeve(Effort effort, Progress& progress) {
       if (most > 0) f.known_miss = KnownMiss{most, why};
       result.findings.push_back(f);
     };
-    // Against 2.5 mm the mesh shows more than against 5 mm, which has half of its error itself.
-    const bool quick = effort == Effort::quick;
-    const bool loose = ease > 0.1;
-    add("normal force over weight", "", &Reading::force, 0.15,
-        quick   ? 2
-        : loose ? 3.2
-                : 3.8,
-        kLocking);
-    add("share of the skin in contact", "", &Reading::contact, 0.15, 0, kLocking);
-    add("mean gap", "mm", &Reading::gap, 0.10, quick ? 0 : 0.23, kFacets);
-    add("yarn strain, warp, rms", "%", &Reading::warp, 0.15, quick || loose ? 1.2 : 1.6, kLocking);
-    add("yarn strain, weft, rms", "%", &Reading::weft, 0.15,
-        quick   ? 1.2
-        : loose ? 1.0
-                : 1.7,
-        kLocking);
+    const Missed& missed = effort == Effort::quick ? kQuick : ease > 0.1 ? kLoose : kClose;
+    add("normal force over weight", "", &Reading::force, 0.15, missed.force, kLocking);
+    add("share of the skin in contact", "", &Reading::contact, 0.15);
+    add("mean gap", "mm", &Reading::gap, 0.10, missed.gap, kFacets);
+    add("yarn strain, warp, rms", "%", &Reading::warp, 0.15, missed.warp, kLocking);
+    add("yarn strain, weft, rms", "%", &Reading::weft, 0.15, missed.weft, kLocking);
   }
   result.notes = {
       "Two cones and an elbow bent by 45°, radius 45 to 28 mm; the sleeve of paper-cotton lies on "

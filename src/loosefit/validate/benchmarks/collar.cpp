@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
@@ -10,6 +11,7 @@
 #include "loosefit/maps/pressure.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/simulation_options.h"
+#include "loosefit/pipeline/wearer_movements.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/other_bodies.h"
 #include "loosefit/validate/worn_drapes.h"
@@ -56,28 +58,27 @@ Peaks peaks_of(const Shoulders& shoulders, double neck_ease, Progress& progress,
     s.studied().material.material.areal_density = kWeight;
     return s;
   }();
-  const auto sloped = [&](const body::Body& body) {
-    return shoulders.more == 0 ? body : with_shoulder_slope(body, shoulders.more);
-  };
-  pipeline::CaseBody wearer = pipeline::make_body(scenario.body);
-  wearer.body = body::PosedBody(sloped(wearer.body));
-  for (body::BodyPath* path : {&wearer.path, &wearer.wide_path})
-    if (*path)
-      *path = [&sloped, inner = *path](double share) {
-        return body::PosedBody(sloped(inner(share)));
-      };
-  const auto garments = pipeline::mesh_garments(
-      scenario, pipeline::make_patterns(scenario, wearer.body), {}, pipeline::MeshLevels::all);
+  const pipeline::CaseBody model = pipeline::make_body(scenario.body);
+  const body::PosedBody wearer(with_shoulder_slope(model.body, shoulders.more));
+  // The model's movements are sloped as all its bodies are: they begin and end where it stands.
+  drape::Movements movements = pipeline::movements_of(model.body, model.person, model.to,
+                                                      pipeline::usual_movements(scenario.donning));
+  for (drape::Movement& movement : movements)
+    movement.way = sloped_way(movement.way, shoulders.more);
+  const auto garments = pipeline::mesh_garments(scenario, pipeline::make_patterns(scenario, wearer),
+                                                {}, pipeline::MeshLevels::all);
   drape::DrapeSession session(pipeline::cloth_layers(scenario, garments),
                               pipeline::drape_options(scenario.simulation), progress);
-  const drape::Drape drape = pipeline::put_on(session, wearer);
+  const drape::Drape drape =
+      session.put_on(sloped_way(model.path, shoulders.more),
+                     sloped_way(model.wide_path, shoulders.more), std::move(movements));
   if (!drape.certificate.settled())
     throw SolverFailure(std::string(shoulders.name) +
                         " shoulders: it did not settle: " + drape.certificate.stop_reason);
   const garment::Garment& mesh = garments.back().mesh();
   mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
   const maps::PressureField field =
-      maps::contact_pressure(mesh, drape, wearer.body, scenario.studied().material.material);
+      maps::contact_pressure(mesh, drape, wearer, scenario.studied().material.material);
   // Force in a probe over the cloth in it.
   const auto read = [&](const Vec3& place) {
     double force = 0, area = 0;
@@ -89,7 +90,7 @@ Peaks peaks_of(const Shoulders& shoulders, double neck_ease, Progress& progress,
   const auto peak_at = [&](const char* landmark) {
     double most = 0;
     for (const char* side : {"_L", "_R"}) {
-      const Vec3& place = wearer.body->landmarks.at(std::string(landmark) + side);
+      const Vec3& place = wearer->landmarks.at(std::string(landmark) + side);
       for (int v = 0; v < mesh.vertex_count; ++v)
         if ((drape.positions[v] - place).norm() < kNear)
           most = std::max(most, read(drape.positions[v]));
@@ -141,9 +142,8 @@ BenchmarkResult benchmark_collar(Effort, Progress& progress) {
     }
   result.notes.push_back(fmt::format(
       "Peaks of the mean pressure over discs of {:g} mm radius within {:g} mm of the landmark; "
-      "shoulders of the body sloped by 6° to either side. Source and order: docs/theory/air_gap.md "
-      "1 "
-      "(R11).",
+      "shoulders of the body sloped by 6° to either side. Worn in. Source and order: "
+      "docs/theory/air_gap.md 1 (R11).",
       1e3 * kProbe, 1e3 * kNear));
   return result;
 }

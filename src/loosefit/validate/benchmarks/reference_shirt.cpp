@@ -29,9 +29,9 @@ struct Compared {
   const char *array, *what, *unit;
   double maps::MapStatistics::*of;  ///< means; of what is of either sign, where means cancel, tails
   const char* statistic;
-  double least;                        ///< floor of the denominator, in the unit of the map
-  double median, worst;                ///< gates
-  double median_missed, worst_missed;  ///< known to miss by this share at most; 0: not
+  double least;                                ///< floor of the denominator, in the map's unit
+  double median, worst;                        ///< gates; 0: only told
+  double median_missed = 0, worst_missed = 0;  ///< known to miss by this share at most; 0: not
 };
 const auto kMean = &maps::MapStatistics::area_mean;
 const auto kTail = &maps::MapStatistics::p95;
@@ -43,7 +43,12 @@ const Compared kMaps[] = {
     {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.28,
      0},
     {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35, 0.2, 0},
-    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.27, 0}};
+    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.27, 0},
+    {"gap_mm", "gap", "mm", kMean, "means", 2, 0, 0},
+    {"contact", "share of the cloth in contact", "", kMean, "means", 0.05, 0, 0},
+    // About the weight of the cloth on as much area.
+    {"pressure_kPa", "contact pressure", "kPa", kMean, "means", 0.001, 0, 0},
+    {"rotation_deg", "rotation against the body", "°", kMean, "means", 3, 0, 0}};
 
 const char* const kLocking =
     "flat triangles of 10 mm cannot fold as the cloth does at 5 mm and shear instead (locking): in "
@@ -52,10 +57,15 @@ const char* const kLocking =
     "where the cloth itself was by 0.7 %; and with four times the stiffness in the plane sleeves "
     "and "
     "sides kept 74 to 108 % of their principal strain, the shoulders, which bear the shirt, 41 %";
+const char* const kPresses =
+    "flat triangles of 10 mm are stretched where the cloth would fold (locking), and what is "
+    "stretched presses more: of the shirt as it was cut before, means of several drapes were 4.9 "
+    "weights at 10 mm and 3.3 at 5 mm (docs/accuracy.md 2)";
 
 pipeline::CaseResult run(double edge, Progress& progress) {
   scenario::Scenario s = worn_scenario(kBody, kGarment, edge, 1);
-  s.output.maps = {"strain", "distance", "angular-deviation", "shear"};
+  s.output.maps = {"strain",   "distance", "angular-deviation", "shear",
+                   "pressure", "gap",      "orientation"};
   return wear(s, fmt::format("reference shirt, {:g} mm", 1e3 * edge), progress);
 }
 
@@ -83,7 +93,7 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
     Finding f;
     f.what = what;
     f.obtained = obtained;
-    f.gate = Finding::Gate::absolute;
+    f.gate = limit > 0 ? Finding::Gate::absolute : Finding::Gate::reported;
     f.limit = limit;
     f.mesh = mesh;
     if (missed > 0) f.known_miss = KnownMiss{missed, kLocking};
@@ -128,14 +138,19 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
                              there.between_arm_and_trunk / there.weight,
                              here.between_arm_and_trunk / here.weight, Finding::Gate::reported, 0,
                              mesh});
-  result.findings.push_back({"the same, free of arms and trunk", "", free(there), free(here),
-                             Finding::Gate::reported, 0, mesh});
+  Finding free_force = force;
+  free_force.what = "the same, free of arms and trunk";
+  free_force.expected = free(there);
+  free_force.obtained = free(here);
+  free_force.known_miss = KnownMiss{0.5, kPresses};
+  result.findings.push_back(free_force);
   result.notes.push_back(
       "Single drapes: folds are not unique, and part of a difference is another fold "
       "(docs/accuracy.md 3 has the spread). Differences are shares of the figure at 5 mm, of 2 mm, "
-      "3°, 0.05 % of strain and 0.3° of shear at least. The total force agrees as two differences "
-      "cancel: at 10 mm stretched cloth presses more, and less is squeezed between arms and "
-      "trunk.");
+      "3°, 0.05 % of strain, 0.3° of shear, a twentieth in contact and 1 Pa at least. No band has "
+      "been set for gap, contact, pressure and rotation by region. The total force agrees as two "
+      "differences cancel: at 10 mm stretched cloth presses more, and less is squeezed between "
+      "arms and trunk.");
   return result;
 }
 
