@@ -36,7 +36,7 @@ inline pattern::Pattern shirt_for(const body::Body& body, double fit, double sle
   const kinds::GarmentKind& shirt = kinds::garment_kind("long-sleeve-shirt");
   const kinds::ShirtMeasures measures =
       kinds::shirt_measures_of(kinds::known_measures(shirt, body.measured));
-  kinds::ShirtFit ease;
+  kinds::ShirtFit ease = kinds::usual_shirt_fit();
   ease.chest = ease.hip = fit;
   ease.sleeve_length = sleeve_length;
   if (sleeve_length < 1) ease.cap_ratio = 0.55;  // as a T-shirt

@@ -29,9 +29,10 @@ constexpr double kProbe = 0.012;  ///< radius over which pressure is read [m]
 constexpr double kNear = 0.035;   ///< of a landmark, where its peak is looked for [m]
 
 const char* const kSlope =
-    "two degrees of the shoulder seam decide it, at pressures of 0.1 to 0.4 kPa: with a seam 2° "
-    "flatter square shoulders have 1.1, with one 4° steeper normal shoulders have 0.3 under the "
-    "wider neckline and 0.4 under the one at the neck. The source does not tell the shirt's";
+    "why is not known. What is seen: worn in, the shirt hangs from the shoulder beside the neck "
+    "under either neckline, at pressures of 0.1 to 0.7 kPa; just put on, with a shoulder seam 4° "
+    "steeper, normal shoulders had 0.3 under the wider one. The source does not tell the seam of "
+    "its shirt";
 
 struct Shoulders {
   const char* name;
@@ -40,7 +41,7 @@ struct Shoulders {
   double missed_wider;  ///< the same of the wider one
 };
 const Shoulders kShoulders[] = {
-    {"sloping", radians(6.0), 0, 0}, {"normal", 0, 0, 0.75}, {"square", radians(-6.0), 0.6, 0}};
+    {"sloping", radians(6.0), 0, 0}, {"normal", 0, 0, 2.0}, {"square", radians(-6.0), 0, 0}};
 
 /// Largest pressure near the sides of the neck and near the shoulder points [Pa].
 struct Peaks {
