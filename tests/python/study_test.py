@@ -106,7 +106,7 @@ class AStudy(unittest.TestCase):
                 study.headlines
 
     def test_headline_is_in_the_report(self):
-        self.assertEqual(len(self.study.headlines), 1)
+        self.assertEqual(len(self.study.headlines), 2)  # of the modality, and of comfort
         self.assertTrue(self.study.headlines[0].startswith("imu-uncalibrated: "))
 
     def test_what_is_not_there_is_refused(self):

@@ -30,7 +30,7 @@ constexpr double kNear = 0.035;   ///< of a landmark, where its peak is looked f
 
 const char* const kSlope =
     "why is not known. What is seen: worn in, the shirt hangs from the shoulder beside the neck "
-    "under either neckline, at pressures of 0.1 to 0.7 kPa; just put on, with a shoulder seam 4° "
+    "under either neckline, at pressures of 0.2 to 0.9 kPa; just put on, with a shoulder seam 4° "
     "steeper, normal shoulders had 0.3 under the wider one. The source does not tell the seam of "
     "its shirt";
 
