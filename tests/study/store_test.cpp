@@ -222,6 +222,7 @@ TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {
   const std::string page = study_html(analysis);
   EXPECT_NE(page.find("How loose may it be?"), std::string::npos);
   EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("class=\"box good\""), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
 }
 
@@ -237,7 +238,10 @@ TEST_F(StudyOnDisk, WhereNoFitWorksTheHeadlineNamesTheNearest) {
   EXPECT_NE(sentence.find("nearest is scapula: 75 % of 4 people pass at a BGM of"),
             std::string::npos)
       << sentence;
-  EXPECT_EQ(study_html(analysis).find("nowhere to nowhere"), std::string::npos);
+  const std::string page = study_html(analysis);
+  EXPECT_EQ(page.find("nowhere to nowhere"), std::string::npos);
+  EXPECT_EQ(page.find("class=\"box good\""), std::string::npos);
+  EXPECT_NE(page.find("75 % at 0.00"), std::string::npos);
 }
 
 // Who could not be rated may be the worst: what so many people carry is said of those who were.

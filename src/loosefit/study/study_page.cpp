@@ -54,6 +54,15 @@ std::string end_text(double limit) {
   return fixed(limit, 2);
 }
 
+/// The fit at which most people pass: "58 % at 0.02".
+std::string most_passing(const HowLoose& answer) {
+  const LoosePoint* most = nullptr;
+  for (const LoosePoint& point : answer.curve)
+    if (point.rated > 0 && (!most || point.passing > most->passing)) most = &point;
+  if (!most) return "–";
+  return most->passing > 0 ? percent(most->passing) + " at " + fixed(most->bgm, 2) : "nobody";
+}
+
 std::string interval_text(const Bounds& ends) {
   const std::string low = end_text(ends.low), high = end_text(ends.high);
   return low == high ? low : low + " to " + high;
@@ -76,6 +85,17 @@ std::vector<std::pair<std::string, const HowLoose*>> by_limit(const ModalityAnal
   return sites;
 }
 
+/// Whether each kind of sensor works for 95 % of people somewhere, at some fit.
+bool all_work(const StudyAnalysis& analysis) {
+  return std::ranges::all_of(analysis.modalities, [](const ModalityAnalysis& modality) {
+    if (modality.how_loose.empty())
+      return !modality.rankings.empty() && !modality.rankings.back().empty() &&
+             modality.rankings.back().front().p5 >= modality.pass;
+    return std::ranges::any_of(modality.how_loose,
+                               [](const auto& site) { return site.second.limit > -kInfinity; });
+  });
+}
+
 std::string head(const StudyAnalysis& analysis) {
   const StudyData& data = analysis.data;
   const int n = static_cast<int>(data.units.size());
@@ -93,7 +113,7 @@ std::string head(const StudyAnalysis& analysis) {
                   element("strong", looseness_axis(data.plan) >= 0 ? "How loose may it be?"
                                                                    : "Where does it work?") +
                       element("ul", list),
-                  std::string("box ") + (whole ? "good" : "warn"));
+                  std::string("box ") + (whole && all_work(analysis) ? "good" : "warn"));
   if (!whole)
     text += element("div",
                     escaped(fmt::format("{} of {} cases have no scores; they are listed below and "
@@ -133,15 +153,15 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
                            true});
   report::Table table({"site", "loosest BGM that passes",
                        fmt::format("{:.0f} % interval", 100 * analysis.options.confidence),
-                       "fails again tighter than", "what limits"});
+                       "fails again tighter than", "most people pass", "what limits"});
   for (const auto& [site, answer] : sites) {
     const auto limiting = modality.limiting.find(site);
-    table.add({site, limit_text(answer->limit, data),
-               std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
-               std::isinf(answer->tightest) || answer->limit == -kInfinity
-                   ? "–"
-                   : fixed(answer->tightest, 2),
-               limiting == modality.limiting.end() ? "–" : limiting->second});
+    table.add(
+        {site, limit_text(answer->limit, data),
+         std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
+         std::isinf(answer->tightest) || answer->limit == -kInfinity ? "–"
+                                                                     : fixed(answer->tightest, 2),
+         most_passing(*answer), limiting == modality.limiting.end() ? "–" : limiting->second});
   }
   std::string comfort;
   if (analysis.comfort)
