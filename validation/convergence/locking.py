@@ -162,7 +162,8 @@ def main():
             m = np.mean(states[state], axis=0)
             table.append(f"| {name if state == 'fine' else ''} | {titles[state]} | {m[0]:.2f}, {m[1]:.2f} | "
                          f"{m[2]:.2f}, {m[3]:.2f} | {m[4]:.2f} |")
-    text = f"Means of {len(pairs)} pairs of drapes.\n\n" + "\n".join(table)
+    of = "One pair of drapes." if len(pairs) == 1 else f"Means of {len(pairs)} pairs of drapes."
+    text = of + "\n\n" + "\n".join(table)
     print(text)
     page = arguments.page.read_text()
     written, count = re.subn(r"(<!-- locking: begin -->\n).*?(<!-- locking: end -->)",
