@@ -5,7 +5,7 @@ Runs that study with all files of each case (finished cases are not run again), 
 inclination error of the five places from the drapes as run_study.py does, and writes children.json
 beside this file and the table "children" of docs/validation/harms2012.md. The sensors are sewn at one
 place of the shirt for all, the mean of where the landmarks of the children lie in it. Needs
-python3-numpy; 10 MB of disk a case.
+python3-numpy; 22 MB of disk a case.
 
     python3 validation/harms2012/children.py -o out/harms2012-children
 """
