@@ -12,5 +12,7 @@ if(LOOSEFIT_HAS_AVX2 AND NOT LOOSEFIT_PORTABLE)
 endif()
 # The same bits from the same build: no contraction that depends on the optimiser's mood.
 add_compile_options(-ffp-contract=off -fno-math-errno)
+# Results of studies tell by it which build made them (base/build_id.h).
+add_link_options(LINKER:--build-id=sha1)
 # Functions of a static library are inlined although it could become part of a shared one.
 add_compile_options(-fno-semantic-interposition)

@@ -17,7 +17,6 @@ text contains the words in quotes.
 import json
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -151,11 +150,10 @@ def short(benchmark, version):
             "findings": [{key: f[key] for key in KEPT} for f in benchmark["findings"]]}
 
 
-def with_commit(version, root):
-    """Versions are seldom, changes of figures are not: the commit tells the program too."""
-    git = subprocess.run(["git", "-C", str(root), "rev-parse", "--short=7", "HEAD"], capture_output=True,
-                         text=True)
-    return f"{version} ({git.stdout.strip()})" if git.returncode == 0 else version
+def program(versions):
+    """Versions are seldom, changes of figures are not: the build tells the program too."""
+    build = versions.get("build", "")[:8]
+    return f"{versions['loosefit']} (build {build})" if build else versions["loosefit"]
 
 
 def main(argv, root=ROOT):
@@ -168,7 +166,7 @@ def main(argv, root=ROOT):
         report = json.loads(pathlib.Path(argv[1]).read_text())
         if report["effort"] != "full":
             raise SystemExit(f"error: {argv[1]}: found the quick subset, expected a full validation")
-        version = with_commit(report["versions"]["loosefit"], root)
+        version = program(report["versions"])
         stored = merged(stored, [short(b, version) for b in report["benchmarks"]])
         results.write_text(json.dumps(stored, indent=1, ensure_ascii=False) + "\n")
     stale = []

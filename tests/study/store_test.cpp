@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
+#include "loosefit/base/build_id.h"
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/analysis.h"
@@ -31,6 +33,15 @@ TEST(CaseRecord, ReadsBackAsTheSameBits) {
   EXPECT_EQ(again.samples[0].margin, 0.1 + 0.2);
   EXPECT_EQ(again.residual, 0.1 / 3);
   EXPECT_TRUE(std::isnan(again.body.at("odd")));
+}
+
+TEST(CaseRecord, KnowsWhetherAnotherBuildMadeIt) {
+  CaseRecord record = made_up("a", 0.5);
+  EXPECT_TRUE(of_another_build(record)) << "of a program that did not tell its build";
+  record.versions["build"] = build_id();
+  EXPECT_FALSE(of_another_build(parse_record(record_json(record), "result.json")));
+  record.versions["build"] = std::string(40, '0');
+  EXPECT_TRUE(of_another_build(record));
 }
 
 TEST(CaseRecord, OfWhichAnythingIsMissingOrChangedDoesNotCount) {
@@ -270,13 +281,62 @@ TEST_F(StudyOnDisk, ChosenEaseIsAnsweredAsABodyGarmentMobility) {
   fs::create_directories(base);
   folder.write_plan(eased);
   const StudyData data = read_study_data(folder);
-  double metres = 0, bgm = 0, chest = 0;
-  for (const AxisLevel& level : eased.study.axes[1].levels) metres += *level.value / 5;
-  for (const double level : data.level_bgm)
-    bgm += level / static_cast<double>(data.level_bgm.size());
-  for (const AxisLevel& level : eased.study.axes[0].levels)
-    chest += level.inputs.at("person.chest") / 4;
-  EXPECT_NEAR(bgm, metres / chest, 0.1 * metres / chest);
+  std::vector<double> bgm;
+  for (const PlannedCase& one : eased.cases) bgm.push_back(*one.looseness);
+  std::sort(bgm.begin(), bgm.end());
+  ASSERT_EQ(bgm.size(), 20u);
+  ASSERT_EQ(data.level_bgm.size(), 5u);
+  for (std::size_t bin = 0; bin < 5; ++bin)
+    EXPECT_NEAR(data.level_bgm[bin], std::accumulate(&bgm[4 * bin], &bgm[4 * bin] + 4, 0.0) / 4,
+                1e-12);
+  // As a plan of an earlier program has it: in metres, without what each wearer makes of them.
+  const fs::path file = folder.path() / "plan.json";
+  nlohmann::json earlier = nlohmann::json::parse(io::read_text_file(file.string(), 1000000));
+  for (nlohmann::json& one : earlier["cases"]) one.erase("looseness");
+  write_whole(file, earlier.dump());
+  EXPECT_NO_THROW(folder.read_plan());
+  EXPECT_THROW(read_study_data(folder), InvalidInput);
+}
+
+// A fit that nobody has worn yet is neither comfortable nor uncomfortable.
+TEST_F(StudyOnDisk, ComfortOfFitsThatWereNotTriedYetIsNotKnown) {
+  const StudyFolder folder = planned("a");
+  const auto comfort = [&] { return headlines(analyse(read_study_data(folder))).back(); };
+  for (const PlannedCase& one : plan.cases)
+    if (one.levels[1] < 2) finish(folder, one);
+  EXPECT_EQ(comfort(),
+            "comfort: for 95 % of people comfortable at all fits tried; not known at 0.20");
+  for (const PlannedCase& one : plan.cases) finish(folder, one);
+  EXPECT_EQ(comfort(), "comfort: for 95 % of people comfortable at all fits tried");
+}
+
+// Who was listed or spread evenly is no sample: nothing is said of a population.
+TEST_F(StudyOnDisk, PeopleWhoWereNotDrawnCarryNoStatementAboutThePopulation) {
+  fs::create_directories(base);
+  io::write_text_file((base / "people.csv").string(),
+                      "name,sex,height,chest\nA,female,1.65,0.9\nB,male,1.8,1.0\n");
+  for (const std::string people : {"{ file = \"people.csv\" }",
+                                   "{ statistics = \"ansur-2012\", count = 4, stratified = true }",
+                                   "{ statistics = \"ansur-2012\", count = 4 }"}) {
+    SCOPED_TRACE(people);
+    const Plan asked =
+        make_plan(parse_study_file("[study]\nname = \"x\"\nmodalities = [\"imu-uncalibrated\"]\n"
+                                   "[[axis]]\nname = \"person\"\npeople = " +
+                                       people + "\n",
+                                   (base / "x.toml").string()));
+    const StudyFolder folder(base / "a");
+    fs::remove_all(folder.path());
+    folder.write_plan(asked);
+    for (const PlannedCase& one : asked.cases)
+      write_whole(folder.result_file(one.address), record_json(made_up(one.address, 0.9)));
+    const StudyAnalysis analysis = analyse(read_study_data(folder));
+    const bool drawn = people.find("count = 4 }") != std::string::npos;
+    EXPECT_EQ(is_sample(analysis.data), drawn);
+    EXPECT_EQ(study_html(analysis).find("independent people") != std::string::npos, drawn);
+    EXPECT_EQ(nlohmann::json::parse(analysis_json(analysis))["worst_is_below_p5_with_confidence"]
+                  .is_null(),
+              !drawn);
+  }
 }
 
 // A fit at which nobody could be rated is no nearest one, whatever comes after it.

@@ -49,10 +49,10 @@ class Summary(unittest.TestCase):
             code = summary.main(["summary.py", *map(str, arguments)], self.root)
         return code, printed.getvalue()
 
-    def validated(self, *benchmarks, effort="full", version="0.3.0"):
+    def validated(self, *benchmarks, effort="full", version="0.3.0", build=""):
         path = self.root / "validation.json"
         path.write_text(json.dumps({"effort": effort, "benchmarks": benchmarks,
-                                    "versions": {"loosefit": version, "compiler": "g++"}}))
+                                    "versions": {"loosefit": version, "build": build, "compiler": "g++"}}))
         return path
 
     def test_tables_figures_and_reasons_are_written_and_then_hold(self):
@@ -90,6 +90,8 @@ class Summary(unittest.TestCase):
         stored = json.loads((self.root / "validation" / "results.json").read_text())
         self.assertEqual({b["id"]: b["version"] for b in stored}, {"B1": "0.3.0", "C1": "0.4.0"})
         self.assertIn("0.3.0: B1; 0.4.0: C1.", self.page.read_text())
+        self.call(self.validated(benchmark("C1", finding("b", 2.0, "pass")), build="0123456789abcdef"))
+        self.assertIn("0.3.0: B1; 0.3.0 (build 01234567): C1.", self.page.read_text())
 
     def test_a_figure_of_no_or_several_findings_and_the_quick_subset_are_refused(self):
         with self.assertRaises(SystemExit):

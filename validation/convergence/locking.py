@@ -6,22 +6,32 @@ chords of its folds, so that they are shorter than the cloth they stand for: clo
 in compression as in tension cannot take that shape and shears and stretches elsewhere instead. This
 measures, place by place on the pattern, the strain of the vertices of the coarse mesh (the mean over
 their triangles, what the energy of decision 12 sees) at its own rest and laid along the fine shape,
-beside that of the fine mesh at its rest. Reads drapes that run.py has made.
+beside that of the fine mesh at its rest. And it drapes cloth of four times the stiffness in the plane: a
+strain that bears load falls to a quarter, one that the mesh asks for stays. Reads drapes that run.py has
+made; writes the tables "locking" and "stiff" of docs/accuracy.md.
 
-    python3 validation/convergence/locking.py out/convergence          # table of docs/accuracy.md
+    python3 validation/convergence/locking.py out/convergence
 """
 
 import argparse
+import json
 import pathlib
 import re
+import subprocess
 
 import numpy as np
 import vtk
+from run import scenario_text
 from vtk.util.numpy_support import vtk_to_numpy
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGE = REPOSITORY / "docs" / "accuracy.md"
 COARSE, FINE = 10, 5        # edge lengths [mm]
+STIFFER = 4
+LEAST = 2e-4                # strains of less have no share that means anything
+STIFFNESS = {"stiffness_warp": 2000, "stiffness_weft": 2000, "stiffness_shear": 40}  # of paper-cotton
+KEPT = {"strain_max": ("principal strain, mean", "area_mean"),
+        "strain_weft": ("weft, 95th percentile", "p95")}
 SIDE = 0.7                  # of half a panel's width: beyond it is the side
 APART = 10.0                # of panels from each other, for one search in all of them [m]
 
@@ -135,9 +145,46 @@ def figures(drape, corners):
     return rows
 
 
+def stiff(binary, folder, seed):
+    """The summary of the coarse drape of this start in stiffer cloth, which is made if it is not there."""
+    target = folder / f"stiff-{COARSE}mm-{seed}"
+    if not (target / "summary.json").exists():
+        keys = "".join(f"\n{key} = {STIFFER * value}" for key, value in STIFFNESS.items())
+        text, changed = re.subn(r'(name = "paper-cotton")', r"\1" + keys, scenario_text(COARSE, seed))
+        if changed != 1:
+            raise SystemExit("error: examples/reference-shirt.toml: found no paper-cotton")
+        target.with_suffix(".toml").write_text(text)
+        subprocess.run([binary, "run", str(target.with_suffix(".toml")), "-o", str(target), "--no-pictures",
+                        "-q"], check=True)
+    return json.loads((target / "summary.json").read_text())
+
+
+def shares_kept(binary, folder, drapes):
+    """Rows: what the strain of a region keeps of itself in stiffer cloth [%], mean over the drapes."""
+    rows = {}
+    for drape in drapes:
+        seed = drape.name.rpartition("-")[2]
+        soft, hard = json.loads((drape / "summary.json").read_text()), stiff(binary, folder, seed)
+        for region in soft["maps"]["strain_max"]["regions"]:
+            value = lambda s, array, of: s["maps"][array]["regions"][region][of]
+            share = lambda a, of: 100 * value(hard, a, of) / value(soft, a, of)
+            rows.setdefault(region, []).append([share(a, of) if value(soft, a, of) > LEAST else np.nan
+                                                for a, (_, of) in KEPT.items()])
+    return {region: np.mean(found, axis=0) for region, found in rows.items()}
+
+
+def write_between(page, name, text):
+    """The text between the markers of this name, where the page has them."""
+    written, count = re.subn(rf"(<!-- {name}: begin -->\n).*?(<!-- {name}: end -->)",
+                             lambda m: m[1] + text + "\n" + m[2], page.read_text(), flags=re.S)
+    if count == 1:
+        page.write_text(written)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="what run.py wrote")
+    parser.add_argument("--binary", default=str(REPOSITORY / "build" / "bin" / "loosefit"))
     parser.add_argument("--page", type=pathlib.Path, default=PAGE)
     arguments = parser.parse_args()
     coarse = sorted(arguments.folder.glob(f"{COARSE}mm-*/drape.vtp"))
@@ -164,12 +211,14 @@ def main():
                          f"{m[2]:.2f}, {m[3]:.2f} | {m[4]:.2f} |")
     of = "One pair of drapes." if len(pairs) == 1 else f"Means of {len(pairs)} pairs of drapes."
     text = of + "\n\n" + "\n".join(table)
-    print(text)
-    page = arguments.page.read_text()
-    written, count = re.subn(r"(<!-- locking: begin -->\n).*?(<!-- locking: end -->)",
-                             lambda m: m[1] + text + "\n" + m[2], page, flags=re.S)
-    if count == 1:
-        arguments.page.write_text(written)
+    kept = shares_kept(arguments.binary, arguments.folder, [a.parent for a, _ in pairs])
+    second = ["| of itself in cloth of four times the stiffness | " + " | ".join(t for t, _ in KEPT.values()) + " |",
+              "|---" * (1 + len(KEPT)) + "|"]
+    second += [f"| {region.replace('_', ' ')} | " + " | ".join("–" if np.isnan(share) else f"{share:.0f} %" for share in shares) + " |"
+               for region, shares in kept.items()]
+    print(text, *second, sep="\n")
+    write_between(arguments.page, "locking", text)
+    write_between(arguments.page, "stiff", "\n".join(second))
 
 
 if __name__ == "__main__":

@@ -46,9 +46,15 @@ def finished(folder):
     for case in plan["cases"]:
         place = folder / "cases" / case["address"][:2] / case["address"]
         result = place / "result.json"
-        record = json.loads(result.read_text())["result"] if result.exists() else {"status": "open"}
-        if record["status"] == "done" and (place / "output" / "summary.json").exists():
-            found.append((case["number"], record, place / "output"))
+        if not result.exists():
+            raise SystemExit(f"error: {folder}: case {case['number']} is still open")
+        record = json.loads(result.read_text())["result"]
+        if record["status"] != "done":
+            continue
+        if not (place / "output" / "summary.json").exists():
+            raise SystemExit(f"error: {place}: found no output, expected that of a case that ran with "
+                             "--keep-output: choose a new folder")
+        found.append((case["number"], record, place / "output"))
     return found, len(plan["cases"])
 
 
@@ -123,7 +129,7 @@ def main():
     arguments = parser.parse_args()
     run = subprocess.run([arguments.binary, "study", "run", str(STUDY), "-o", str(arguments.output),
                           "--keep-output", "--jobs", str(arguments.jobs)], stdout=subprocess.DEVNULL)
-    if run.returncode > 1:
+    if run.returncode not in (0, 1):
         raise SystemExit("error: the study did not run to its end")
     cases, asked = finished(arguments.output)
     if not cases:

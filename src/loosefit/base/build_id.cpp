@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace loosefit {
 namespace {
@@ -34,7 +35,9 @@ std::string build_id_among(const unsigned char* notes, std::size_t size) {
     std::memcpy(&head, notes + at, sizeof head);
     const std::size_t content = at + sizeof head + padded(head.n_namesz);
     if (content + head.n_descsz > size) break;
-    if (head.n_type == NT_GNU_BUILD_ID) {
+    const std::string_view owner(reinterpret_cast<const char*>(notes + at + sizeof head),
+                                 head.n_namesz);
+    if (head.n_type == NT_GNU_BUILD_ID && owner == std::string_view("GNU", 4)) {
       std::string digits;
       for (std::size_t i = 0; i < head.n_descsz; ++i)
         digits += fmt::format("{:02x}", notes[content + i]);

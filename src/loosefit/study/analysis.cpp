@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "loosefit/base/quantile.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/scorecard_file.h"
 
 namespace loosefit::study {
@@ -143,17 +144,21 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
 
 ComfortLimit comfort_of(const StudyData& data) {
   ComfortLimit comfort;
-  std::vector<double> worst;
+  std::vector<double> known, worst;
   for (std::size_t level = 0; level < data.level_bgm.size(); ++level) {
     std::vector<double> shares =
         greatest_by_unit(data, data.uncomfortable_share, static_cast<int>(level));
     std::erase_if(shares, [](double s) { return std::isnan(s); });
-    // Where nothing is known nothing is promised.
-    worst.push_back(shares.empty() ? std::numeric_limits<double>::infinity()
-                                   : quantile(shares, 1 - kRobustPeople));
+    if (shares.empty()) {
+      comfort.worst_share.push_back(kNotKnown);
+      comfort.unknown.push_back(data.level_bgm[level]);
+      continue;
+    }
+    known.push_back(data.level_bgm[level]);
+    worst.push_back(quantile(shares, 1 - kRobustPeople));
+    comfort.worst_share.push_back(worst.back());
   }
-  comfort.worst_share = worst;
-  comfort.limit = least_within(data.level_bgm, worst, kUncomfortableArea);
+  comfort.limit = known.empty() ? kNotKnown : least_within(known, worst, kUncomfortableArea);
   return comfort;
 }
 
@@ -162,10 +167,10 @@ std::string nearest_in_words(const ModalityAnalysis& modality) {
   const std::string* site = nullptr;
   const LoosePoint* best = nullptr;
   for (const auto& [name, answer] : modality.how_loose)
-    for (const LoosePoint& point : answer.curve)
-      if (point.rated > 0 && (!best || std::pair(point.passing, point.robust) >
-                                           std::pair(best->passing, best->robust)))
-        site = &name, best = &point;
+    if (const LoosePoint* point = most_passing(answer);
+        point && (!best || std::pair(point->passing, point->robust) >
+                               std::pair(best->passing, best->robust)))
+      site = &name, best = point;
   if (!best || best->passing == 0) return "nobody passes anywhere";
   return fmt::format("nearest is {}: {:.0f} % of {} people pass at a BGM of {:.2f}", *site,
                      100 * best->passing, best->rated, best->bgm);
@@ -186,9 +191,13 @@ StudyAnalysis analyse(StudyData data) {
 
 std::string in_words(const ComfortLimit& comfort) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (comfort.limit == -kInfinity) return "comfortable at all fits tried";
-  if (comfort.limit == kInfinity) return "not comfortable at any fit tried";
-  return fmt::format("comfortable from a BGM of {:.2f} on", comfort.limit);
+  if (std::isnan(comfort.limit)) return "not known";
+  std::string text = fmt::format("comfortable from a BGM of {:.2f} on", comfort.limit);
+  if (comfort.limit == -kInfinity) text = "comfortable at all fits tried";
+  if (comfort.limit == kInfinity) text = "not comfortable at any fit tried";
+  std::vector<std::string> unknown;
+  for (const double bgm : comfort.unknown) unknown.push_back(fmt::format("{:.2f}", bgm));
+  return unknown.empty() ? text : text + "; not known at " + join(unknown);
 }
 
 std::vector<std::string> headlines(const StudyAnalysis& analysis) {

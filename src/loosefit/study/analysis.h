@@ -35,8 +35,10 @@ struct ModalityAnalysis {
 /// From which BGM on a garment is comfortable for 95 % of people: at most kUncomfortableArea of its
 /// area presses with more than 4 kPa (maps/pressure.h, kPressureClasses).
 struct ComfortLimit {
-  double limit = kNotKnown;  ///< −∞: already at the tightest tried; +∞: not at the loosest
-  std::vector<double> worst_share;  ///< per level: the 95th percentile over people
+  /// −∞: already at the tightest tried; +∞: not at the loosest; NaN: not known anywhere.
+  double limit = kNotKnown;
+  std::vector<double> worst_share;  ///< per level: the 95th percentile over people; NaN: not known
+  std::vector<double> unknown;      ///< BGM of the levels of which nothing is known
 };
 inline constexpr double kUncomfortableArea = 0.01;
 

@@ -83,31 +83,30 @@ Json modality_json(const ModalityAnalysis& modality, const StudyData& data) {
 
 std::string analysis_json(const StudyAnalysis& analysis) {
   const StudyData& data = analysis.data;
-  Json json = {{"study", data.plan.name},
-               {"version", version()},
-               {"cases", data.plan.cases.size()},
-               {"done", data.done},
-               {"people", data.units.size()},
-               {"drapes", data.drapes},
-               {"drapes_counted", data.drapes_counted},
-               {"confidence", analysis.options.confidence},
-               {"rated", rated_units(data)},
-               {"worst_is_below_p5_with_confidence",
-                people_axis(data.plan) < 0
-                    ? Json(nullptr)  // cases of one body are no sample of people
-                    : Json(worst_of_n_confidence(rated_units(data), 1 - kRobustPeople))},
-               {"headlines", headlines(analysis)},
-               {"modalities", Json::object()},
-               {"troubles", Json::array()}};
+  Json json = {
+      {"study", data.plan.name},
+      {"version", version()},
+      {"cases", data.plan.cases.size()},
+      {"done", data.done},
+      {"people", data.units.size()},
+      {"drapes", data.drapes},
+      {"drapes_counted", data.drapes_counted},
+      {"confidence", analysis.options.confidence},
+      {"rated", rated_units(data)},
+      {"worst_is_below_p5_with_confidence",
+       !is_sample(data) ? Json(nullptr)
+                        : Json(worst_of_n_confidence(rated_units(data), 1 - kRobustPeople))},
+      {"headlines", headlines(analysis)},
+      {"modalities", Json::object()},
+      {"troubles", Json::array()}};
   if (analysis.comfort) {
     Json shares = Json::array();
-    // Infinite where nobody was rated.
     for (const double share : analysis.comfort->worst_share)
       shares.push_back(std::isfinite(share) ? Json(share) : Json(nullptr));
     const double limit = analysis.comfort->limit;
     json["comfort"] = {
         {"limit_bgm",
-         std::isinf(limit) ? Json(limit < 0 ? "at the tightest" : "nowhere") : Json(limit)},
+         std::isinf(limit) ? Json(limit < 0 ? "at the tightest" : "nowhere") : number(limit)},
         {"uncomfortable_share_p95", shares}};
   }
   for (const ModalityAnalysis& modality : analysis.modalities)

@@ -85,6 +85,7 @@ class Reading {
         throw table_.error("people", error.found(), error.expected(), error.hint());
       }
       axis_.sampled = true;
+      axis_.stratified = asked.stratified;
     }
     wish.finish();
     for (const Person& person : people) add(person);

@@ -33,6 +33,7 @@ struct Axis {
   std::string name;
   std::string kind;  ///< people, fabrics, ease, place, postures, donnings, levels, values, range
   bool sampled = false;           ///< levels are random draws, not values that were chosen
+  bool stratified = false;        ///< spread evenly: they cover a population and are no sample
   bool each_case = false;         ///< a draw of its own for every case of the others
   std::vector<std::string> keys;  ///< of the scenario, for ease, values and range
   std::vector<AxisLevel> levels;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/build_id.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/io/text_file.h"
@@ -159,6 +160,11 @@ const char* name(CaseStatus status) {
       return "failed";
   }
   return "?";
+}
+
+bool of_another_build(const CaseRecord& record) {
+  const auto build = record.versions.find("build");
+  return build == record.versions.end() || build->second != build_id();
 }
 
 std::string record_json(const CaseRecord& record) {

@@ -79,6 +79,9 @@ struct CaseRecord {
   Execution execution;
 };
 
+/// Whether a build of the program other than this one made it (base/build_id.h).
+bool of_another_build(const CaseRecord& record);
+
 /// JSON with its own SHA-256: what a process has left behind is whole or told from it. Numbers are
 /// written so that they read back as the same bits.
 std::string record_json(const CaseRecord& record);

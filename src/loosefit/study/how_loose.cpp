@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "loosefit/base/quantile.h"
 #include "loosefit/placement/resample.h"
@@ -89,6 +90,15 @@ HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
   for (std::size_t k = 0; k < levels.size(); ++k)
     answer.curve[k].robust_interval = percentile_bounds(robusts[k], options.confidence);
   return answer;
+}
+
+const LoosePoint* most_passing(const HowLoose& answer) {
+  const LoosePoint* most = nullptr;
+  for (const LoosePoint& point : answer.curve)
+    if (point.rated > 0 &&
+        (!most || std::pair(point.passing, point.robust) > std::pair(most->passing, most->robust)))
+      most = &point;
+  return most;
 }
 
 std::string in_words(const HowLoose& answer, const BootstrapOptions& options) {

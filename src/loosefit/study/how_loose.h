@@ -40,6 +40,10 @@ double greatest_passing(const std::vector<double>& bgm, const std::vector<double
 /// likewise. −∞: already at the tightest; +∞: not even at the loosest.
 double least_within(const std::vector<double>& bgm, const std::vector<double>& value, double bound);
 
+/// Where most people pass, of points alike that with the better robust score; none where nobody is
+/// rated.
+const LoosePoint* most_passing(const HowLoose& answer);
+
 /// Levels in ascending order of BGM, the same people in all. The interval draws people, the same
 /// ones at all levels, and finds the limit anew.
 HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,

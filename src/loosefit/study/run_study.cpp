@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <set>
 
-#include "loosefit/base/build_id.h"
 #include "loosefit/base/text.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/store.h"
@@ -47,16 +47,14 @@ class Forecast {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Cases with a result that another build of the program has computed.
+/// Results that another build of the program has made, of cases of this plan.
 int of_other_builds(const StudyFolder& folder, const FolderPlan& plan) {
-  const std::string here = build_id();
-  int count = 0;
-  for (const FolderCase& one : plan.cases)
-    if (const auto record = folder.record(plan, one.address)) {
-      const auto build = record->versions.find("build");
-      count += build == record->versions.end() || build->second != here;
-    }
-  return count;
+  std::set<std::string> addresses;
+  for (const FolderCase& one : plan.cases) addresses.insert(one.address);
+  return static_cast<int>(std::ranges::count_if(addresses, [&](const std::string& address) {
+    const auto record = folder.record(address);
+    return record && of_another_build(*record);
+  }));
 }
 
 }  // namespace

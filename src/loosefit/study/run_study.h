@@ -12,8 +12,7 @@ namespace loosefit::study {
 struct StudyRun {
   FolderState state;  ///< of the folder at its end
   int ran = 0;        ///< cases that ran now
-  /// Cases whose earlier results stay though another build of the program made them: their address
-  /// knows its version only.
+  /// Earlier results that another build of the program made: an address knows its version only.
   int of_other_builds = 0;
   std::vector<GivenUp> given_up;
   double seconds = 0;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "loosefit/base/error.h"
+
 namespace loosefit::study {
 namespace {
 
@@ -52,6 +54,14 @@ class Collector {
       return;
     }
     const Axis& axis = data_.plan.axes[loose];
+    // Metres of ease are no BGM, and plans of earlier programs know nothing else.
+    if (axis.kind == "ease")
+      for (const FolderCase& one : data_.plan.cases)
+        if (!one.looseness)
+          throw InvalidInput(
+              {(folder_.path() / "plan.json").string(), 0, "cases.looseness"},
+              "nothing for case " + std::to_string(one.number), "a body-garment mobility",
+              "loosefit study plan STUDY.toml -o " + folder_.path().string() + " writes it");
     if (axis.sampled) return set_bins(axis, loose);
     std::vector<int> order(axis.levels.size()), place(axis.levels.size());
     std::iota(order.begin(), order.end(), 0);
@@ -181,6 +191,11 @@ int rated_units(const StudyData& data) {
       for (std::size_t c = 0; c < table.by_case.size(); ++c)
         if (!std::isnan(table.by_case[c])) rated[data.unit_of_case[c]] = 1;
   return static_cast<int>(std::count(rated.begin(), rated.end(), 1));
+}
+
+bool is_sample(const StudyData& data) {
+  const int people = people_axis(data.plan);
+  return people >= 0 && data.plan.axes[people].sampled && !data.plan.axes[people].stratified;
 }
 
 std::vector<double> unit_scores(const StudyData& data, const SiteTable& site, int level) {

@@ -52,6 +52,10 @@ StudyData read_study_data(const StudyFolder& folder);
 /// How many of `units` have a score at some site for some modality.
 int rated_units(const StudyData& data);
 
+/// Whether the units are a random sample of a population: people that were drawn, not spread evenly
+/// or listed in a file, and not cases of one body.
+bool is_sample(const StudyData& data);
+
 /// Scores per unit of a site at a level (−1: over all levels): the least over the cases of that
 /// unit; NaN where none is rated.
 std::vector<double> unit_scores(const StudyData& data, const SiteTable& site, int level);

@@ -42,11 +42,9 @@ Json axis_json(const Axis& axis) {
     levels.push_back({{"label", level.label},
                       {"value", level.value ? Json(*level.value) : Json(nullptr)},
                       {"inputs", level.inputs}});
-  return {{"name", axis.name},
-          {"kind", axis.kind},
-          {"sampled", axis.sampled},
-          {"each_case", axis.each_case},
-          {"levels", levels}};
+  return {{"name", axis.name},           {"kind", axis.kind},
+          {"sampled", axis.sampled},     {"stratified", axis.stratified},
+          {"each_case", axis.each_case}, {"levels", levels}};
 }
 
 Axis axis_of(const Json& json) {
@@ -54,6 +52,7 @@ Axis axis_of(const Json& json) {
   axis.name = json.at("name");
   axis.kind = json.at("kind");
   axis.sampled = json.at("sampled");
+  axis.stratified = json.value("stratified", false);  // unknown to plans of earlier programs
   axis.each_case = json.at("each_case");
   for (const Json& j : json.at("levels")) {
     AxisLevel& level = axis.levels.emplace_back();
@@ -136,12 +135,6 @@ void check_plan(const FolderPlan& plan, const std::string& file) {
       if (!level.value)
         refuse("looseness", "\"" + printable(plan.looseness) + "\"",
                "an axis whose levels have a value");
-  // Metres of ease are no BGM; plans of earlier programs know nothing else.
-  if (const int loose = looseness_axis(plan); loose >= 0 && plan.axes[loose].kind == "ease")
-    for (const FolderCase& one : plan.cases)
-      if (!one.looseness)
-        refuse("cases.looseness", "nothing for case " + std::to_string(one.number),
-               "a body-garment mobility: loosefit study plan STUDY.toml -o DIR writes it");
 }
 
 }  // namespace

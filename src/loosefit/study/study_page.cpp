@@ -55,10 +55,8 @@ std::string end_text(double limit) {
 }
 
 /// The fit at which most people pass: "58 % at 0.02".
-std::string most_passing(const HowLoose& answer) {
-  const LoosePoint* most = nullptr;
-  for (const LoosePoint& point : answer.curve)
-    if (point.rated > 0 && (!most || point.passing > most->passing)) most = &point;
+std::string most_passing_text(const HowLoose& answer) {
+  const LoosePoint* most = most_passing(answer);
   if (!most) return "–";
   return most->passing > 0 ? percent(most->passing) + " at " + fixed(most->bgm, 2) : "nobody";
 }
@@ -87,6 +85,7 @@ std::vector<std::pair<std::string, const HowLoose*>> by_limit(const ModalityAnal
 
 /// Whether each kind of sensor works for 95 % of people somewhere, at some fit.
 bool all_work(const StudyAnalysis& analysis) {
+  if (analysis.modalities.empty()) return false;
   return std::ranges::all_of(analysis.modalities, [](const ModalityAnalysis& modality) {
     if (modality.how_loose.empty())
       return !modality.rankings.empty() && !modality.rankings.back().empty() &&
@@ -161,7 +160,7 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
          std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
          std::isinf(answer->tightest) || answer->limit == -kInfinity ? "–"
                                                                      : fixed(answer->tightest, 2),
-         most_passing(*answer), limiting == modality.limiting.end() ? "–" : limiting->second});
+         most_passing_text(*answer), limiting == modality.limiting.end() ? "–" : limiting->second});
   }
   std::string comfort;
   if (analysis.comfort)
@@ -261,10 +260,10 @@ std::string grade_text(const StudyData& data) {
   return text + table.html();
 }
 
-/// What the number of people carries. Cases of one body are no sample of a population.
+/// What the number of people carries.
 std::string people_text(const StudyData& data) {
   const int rated = rated_units(data), all = static_cast<int>(data.units.size());
-  if (people_axis(data.plan) < 0 || rated == 0) return {};
+  if (!is_sample(data) || rated == 0) return {};
   std::string text = fmt::format(
       "With {} independent people the worst of them lies below the 5th percentile of their "
       "population with {:.0f} % confidence, whatever the distribution (59 make it 95 %). "
