@@ -56,15 +56,15 @@ TEST_P(DressLayers, TheOuterShirtEnclosesTheInnerAndNothingCuts) {
   EXPECT_TRUE(geometry::self_intersections(y, outer.triangles).empty());
   EXPECT_TRUE(geometry::mesh_intersections(x, inner.triangles, y, outer.triangles).empty());
   // Seen from every vertex of the inner shirt that the outer one covers, one sheet of that passes
-  // before it and one behind; but where both sleeves end, and slant, one may look out.
-  int covered = 0, odd = 0;
+  // before it and one behind.
+  int covered = 0;
   for (const Vec3& p : x) {
     const auto [before, behind] = sheets_round(p, outer, y);
     if (before + behind == 0) continue;  // above its neck or below its hem
     ++covered;
-    odd += before != 1 || behind != 1;
+    EXPECT_EQ(before, 1);
+    EXPECT_EQ(behind, 1);
   }
-  EXPECT_LE(odd, 0.005 * covered);
   EXPECT_GT(covered, 0.9 * inner.vertex_count);
 }
 
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
     Cases, DressLayers,
     ::testing::Values(LayerCase{25, 0.05, 0.36, 0.20, 0.028}, LayerCase{40, 0.05, 0.36, 0.20, 0.02},
                       LayerCase{25, 0.20, 0.40, 0.05, 0.028},  // outer tighter than inner
-                      LayerCase{40, 0.10, 1.0, 0.30, 0.024},   // two long-sleeved shirts
+                      LayerCase{40, 0.10, 1.0, 0.30, 0.035},   // two long-sleeved shirts
                       LayerCase{25, 0.05, 0.5, 0.80, 0.05}));
 
 TEST(DressLayers, OneLayerIsDressedAsIfAlone) {

@@ -1,6 +1,4 @@
 #pragma once
-#include "loosefit/kinds/body_measures.h"
-#include "loosefit/kinds/registry.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "support/body_fixture.h"
 
@@ -33,10 +31,20 @@ inline body::Body standing(const body::BodyParameters& parameters, double arm_de
 
 /// The shirt drafted for this body with the same fit at chest and hip.
 inline pattern::Pattern shirt_for(const body::Body& body, double fit, double sleeve_length = 1) {
-  const kinds::GarmentKind& shirt = kinds::garment_kind("long-sleeve-shirt");
-  const kinds::ShirtMeasures measures =
-      kinds::shirt_measures_of(kinds::known_measures(shirt, body.measured));
-  kinds::ShirtFit ease = kinds::usual_shirt_fit();
+  const auto of = [&](const char* name) { return body.measured.at(name); };
+  const kinds::ShirtMeasures measures = {.chest = of("chest"),
+                                         .waist = of("waist"),
+                                         .hip = of("hip"),
+                                         .neck = of("neck"),
+                                         .upper_arm = of("upper_arm"),
+                                         .wrist = of("wrist"),
+                                         .shoulder_breadth = of("shoulder_breadth"),
+                                         .shoulder_slope = of("shoulder_slope"),
+                                         .scye_depth = of("scye_depth"),
+                                         .hps_to_waist = of("hps_to_waist"),
+                                         .hps_to_hem = of("hps_to_hip"),
+                                         .arm_length = of("arm_length")};
+  kinds::ShirtFit ease;
   ease.chest = ease.hip = fit;
   ease.sleeve_length = sleeve_length;
   if (sleeve_length < 1) ease.cap_ratio = 0.55;  // as a T-shirt
