@@ -14,7 +14,7 @@ packages=(
 )
 [ "${1:-}" = program ] || packages+=(
   libgtest-dev libbenchmark-dev
-  pybind11-dev python3-dev python3-numpy python3-matplotlib
+  pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
   python3-jsonschema python3-ezdxf
   chromium
 )

@@ -332,17 +332,25 @@ void make_compare_command(CLI::App* parent, const std::shared_ptr<Arguments>& ar
       parent->add_subcommand("compare", "paired differences of two studies of the same people");
   command->add_option("A", arguments->folder, "folder of a study")->required();
   command->add_option("B", arguments->other, "folder of another")->required();
-  command->add_option("-o,--output", arguments->output, "CSV file to write");
+  command->add_option("-o,--output", arguments->output,
+                      "CSV file to write; limits of looseness go to NAME.limits.csv beside it");
   command->add_flag("--overwrite", arguments->overwrite, "replace a file that is there already");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
-    if (!arguments->output.empty()) io::check_whole_file(arguments->output, arguments->overwrite);
+    std::string limits;
+    if (!arguments->output.empty()) {
+      limits = std::filesystem::path(arguments->output).replace_extension(".limits.csv").string();
+      for (const std::string& file : {arguments->output, limits})
+        io::check_whole_file(file, arguments->overwrite);
+    }
     const study::StudyComparison comparison =
         study::compare_studies(study::read_study_data(study::StudyFolder(arguments->folder)),
                                study::read_study_data(study::StudyFolder(arguments->other)));
-    if (!arguments->output.empty())
+    if (!arguments->output.empty()) {
       io::write_whole_file(arguments->output, study::comparison_csv(comparison),
                            arguments->overwrite);
+      io::write_whole_file(limits, study::limits_csv(comparison), arguments->overwrite);
+    }
     if (arguments->json) return print_document(study::comparison_json(comparison));
     fmt::print("{}", terminal_text(study::comparison_text(comparison)));
   });

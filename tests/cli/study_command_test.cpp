@@ -81,6 +81,12 @@ TEST_F(StudyCommand, AComparisonReplacesNoFile) {
   const Json refused = document("study compare " + folder + " " + folder + " --json -o " + mine, 2);
   EXPECT_EQ(refused["error"]["found"], "a file that is there already");
   EXPECT_EQ(io::read_text_file(mine, 1000), "1,2,3");
+  const std::string limits = file("other.limits.csv", "4,5,6");
+  const Json again =
+      document("study compare " + folder + " " + folder + " --json -o " + path("other.csv"), 2);
+  EXPECT_EQ(again["error"]["found"], "a file that is there already");
+  EXPECT_EQ(io::read_text_file(limits, 1000), "4,5,6");
+  EXPECT_FALSE(fs::exists(path("other.csv")));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ TEST(ScenarioDocs, NameEveryKey) {
   scenario.attachments = {{"board", "back", garment::Board{}}, {"cable", "back", garment::Cable{}}};
   placement::SiteSpec pattern, anatomical;
   pattern.panel = "back";
+  pattern.shift = {0.01, 0};
   anatomical.anatomy = placement::BodyAddress{placement::BodySegment::forearm, 1, Vec3(0, 50, 30)};
   anatomical.board = placement::SensorBoard{};
   scenario.sites = {placement::SiteSpec{}, pattern, anatomical};

@@ -69,6 +69,7 @@ landmark = "chest_band"
 name = "stretch"
 panel = "back"
 at = [0.1, -0.3]
+shift = [0.005, -0.01]
 angle_deg = 90
 footprint = { length = 0.08 }
 [simulation]
@@ -260,6 +261,19 @@ TEST(ScenarioErrors, SitesThatCannotBe) {
                 .find("site[0].board: found a table, expected no board under a line"),
             std::string::npos);
   EXPECT_NE(site(here + "board = { mass = 12 }\n").find("kilograms from 0 to 2"),
+            std::string::npos);
+  for (const auto& [wrong, found] :
+       std::map<std::string, std::string>{{"0.02", "0.02"},
+                                          {"\"left\"", "\"left\""},
+                                          {"[0.02]", "an array of 1"},
+                                          {"[0.02, \"up\"]", "an array of 2"},
+                                          {"[nan, 0]", "nan, expected metres from -0.2 to 0.2"},
+                                          {"[0, 20]", "20, expected metres from -0.2 to 0.2"}}) {
+    const std::string told = site(here + "shift = " + wrong + "\n");
+    EXPECT_NE(told.find("case.toml:4: site[0].shift: found " + found), std::string::npos) << told;
+  }
+  EXPECT_NE(site("from = \"c7\"\nto = \"sternum\"\nshift = [0, 0]\n")
+                .find("site[0].shift: found an unknown key"),
             std::string::npos);
   EXPECT_NE(refusal("[[attachment]]\nkind = \"board\"\nname = \"s\"\npanel = \"back\"\n"
                     "at = [0, 0]\nradius = 0.01\n[[site]]\nname = \"s\"\nlandmark = \"c7\"\n"

@@ -43,6 +43,31 @@ TEST(CaseSewnParts, ABoardWantedOnTheBodyGetsAPlaceInThePattern) {
   EXPECT_NEAR(garment.mass - bare.mass, 0.03, 1e-12);
 }
 
+// Once it has its place in the pattern there is nothing left to shift.
+TEST(CaseSewnParts, ABoardThatIsShiftedIsSewnOnWhereItsShiftLeads) {
+  const std::string board = "board = { mass = 0.02 }\n";
+  const std::string spine = "landmark = \"upper_back\"\n" + board;
+  const std::string flat = "panel = \"front\"\nat = [0.1, -0.3]\n" + board;
+  const std::string shift = "shift = [0.015, -0.02]\n";
+  scenario::Scenario scenario = scenario_with(
+      "[[site]]\nname = \"a\"\n" + spine + "[[site]]\nname = \"b\"\n" + spine + shift +
+      "[[site]]\nname = \"c\"\n" + flat + "[[site]]\nname = \"d\"\n" + flat + shift);
+  Progress silent;
+  const CaseBody body = make_body(scenario.body);
+  const SewnParts parts =
+      place_sewn_parts(scenario, body, make_patterns(scenario, body.body), silent);
+  for (const std::size_t still : {0, 2}) {
+    const placement::SiteSpec &from = parts.sites[still], &to = parts.sites[still + 1];
+    EXPECT_EQ(to.panel, from.panel);
+    EXPECT_LT((to.at - from.at - Vec2(0.015, -0.02)).norm(), 1e-6);
+    EXPECT_EQ(to.shift, Vec2(Vec2::Zero()));
+    EXPECT_EQ(std::get<garment::Board>(parts.attachments[still + 1].part).centre, to.at);
+  }
+  EXPECT_EQ(parts.sites[0].landmark, "upper_back");
+  EXPECT_TRUE(parts.sites[1].landmark.empty())
+      << "20 mm from there on purpose, not worth a warning";
+}
+
 TEST(CaseSewnParts, MovedFarFromWhereTheyWereWantedAreTold) {
   CaseResult result;
   result.scenario = scenario_with(

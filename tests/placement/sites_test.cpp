@@ -122,6 +122,55 @@ TEST_F(Sites, SkinBesideTheGarmentIsNotCovered) {
   }
 }
 
+// Weft runs round the tube, warp up it.
+TEST_F(Sites, AShiftMovesTheSensorAlongTheCloth) {
+  SiteSpec still{"still", "", {}, "scapula_L"}, moved = still;
+  moved.name = "moved";
+  moved.shift = {0.015, -0.020};
+  const std::vector<Site> sites = find({still, moved});
+  EXPECT_LT((sites[1].at - sites[0].at - moved.shift).norm(), 1e-9);
+  EXPECT_EQ(sites[1].panel, "tube");
+  EXPECT_NEAR(sites[1].position.z() - sites[0].position.z(), -0.020, 1e-9);
+  const auto round = [](const Site& site) {
+    return std::atan2(site.position.y(), site.position.x());
+  };
+  EXPECT_NEAR(round(sites[1]) - round(sites[0]), 0.015 / kTube, 1e-4);
+  EXPECT_NEAR(sites[1].body_point.z(), sites[1].position.z(), 1e-3) << "the skin under it";
+  // All that it covers lies about the place to which it was moved.
+  for (const Footprint::Sample& sample : sites[1].footprint.samples) {
+    const Vec2 place = pattern_place(garment_, {sample.triangle, sample.barycentric});
+    EXPECT_LE((place - sites[1].at).norm(), kFootprintRadius + 1e-9);
+  }
+}
+
+TEST_F(Sites, AShiftGoesOnBeyondASeam) {
+  SiteSpec spec{"s", "tube", {0.005, 0.1}, ""};
+  spec.shift = {-0.020, 0.010};
+  const Site site = find({spec}).at(0);
+  EXPECT_NEAR(site.at.x(), 2 * kPi * kTube - 0.015, 1e-9);
+  EXPECT_NEAR(site.at.y(), 0.11, 1e-9);
+  EXPECT_NEAR(std::atan2(site.position.y(), site.position.x()), -0.015 / kTube, 1e-4);
+}
+
+TEST_F(Sites, ShiftedOverTheEdgeThereIsNoPlace) {
+  SiteSpec spec{"s", "tube", {0.1, 0.39}, ""};
+  spec.shift = {0, 0.010};
+  EXPECT_NEAR(find({spec}).at(0).at.y(), 0.4, 1e-9);
+  spec.shift = {0, 0.011};
+  try {
+    find({spec});
+    FAIL() << "the tube ends at 0.4 m";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "site[0].shift");
+    EXPECT_EQ(error.found(), "[0, 0.011], over the edge");
+  }
+  std::vector<UncoveredSite> uncovered;
+  EXPECT_TRUE(find_sites(garment_, drape_.positions, body_, worn_, maps_, {spec}, false, &uncovered)
+                  .empty());
+  ASSERT_EQ(uncovered.size(), 1u);
+  EXPECT_EQ(uncovered[0].why, "its shift leads over the edge of the garment");
+}
+
 TEST_F(Sites, BandsGoRoundAndKeepTheirThread) {
   SiteSpec band;
   band.name = "band";
@@ -203,6 +252,9 @@ TEST(SiteBoards, TakeTheFootprintOfTheirSensor) {
 
   box.footprint.kind = FootprintShape::Kind::line;
   EXPECT_EQ(board_error(box), "site[1].footprint");
+  SiteSpec shifted = disc;
+  shifted.shift = {0.01, 0};
+  EXPECT_EQ(board_error(shifted), "site[1].board") << "it is not there";
   disc.panel.clear();
   EXPECT_EQ(board_error(disc), "site[1].board");
 }

@@ -33,6 +33,40 @@ partial = true
 """
 
 
+# A sensor at two drawn places beside one that stays: the same drape twice.
+PLACE_STUDY = """
+[study]
+name = "two places"
+modalities = ["imu-uncalibrated"]
+
+[scenario.body]
+posture = "a-pose"
+[scenario.garment]
+pattern = "tank-top"
+[scenario.donning]
+movements = []
+[scenario.simulation]
+edge_length = 0.05
+[[scenario.site]]
+name = "still"
+landmark = "mid_back"
+[[scenario.site]]
+name = "moved"
+landmark = "mid_back"
+
+[[axis]]
+name = "place"
+place = { site = 1, shift = 0.020, count = 2 }
+"""
+
+
+def run_study(base, text):
+    """Folder of a study that has run in the folder `base`."""
+    (base / "study.toml").write_text(text)
+    command_line("study", "run", base / "study.toml", "-o", base / "out", "--quiet")
+    return base / "out"
+
+
 def unsettled(iterations=1):
     """The same, given up at once: half a second."""
     return tank_top(max_iterations=iterations)

@@ -1,10 +1,15 @@
 #include "loosefit/study/compare.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/scorecard_file.h"
+#include "loosefit/io/text_file.h"
 #include "support/study_on_disk.h"
 
 // Two studies are compared case by case of what both have: a score of one posture, donning or
@@ -174,6 +179,124 @@ TEST_F(Comparison, OfStudiesWithoutACommonCaseIsRefusedWithTheReason) {
 TEST_F(Comparison, OfOnePersonHasNoInterval) {
   const StudyData a = study("a", kFits, [](const std::string&, int) { return 0.5; });
   EXPECT_FALSE(says(compare_studies(a, a), "nan")) << comparison_text(compare_studies(a, a));
+}
+
+const std::string kMoreFits =
+    "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.0, 0.1, 0.2]\n";
+
+/// BGM and number of the person in "person 2, fit 0.1".
+double fit_of(const std::string& label) { return std::stod(label.substr(label.find("fit ") + 4)); }
+int person_of(const std::string& label) {
+  return std::stoi(label.substr(label.find("person ") + 7));
+}
+
+double pass_mark() { return io::load_scorecard("imu-uncalibrated").pass; }
+
+/// Person p reaches the pass mark at the BGM limit + 0.01 (p − 1).
+Comparison::ScoreOf limited(double limit) {
+  return [limit](const std::string& label, int) {
+    return pass_mark() + limit + 0.01 * (person_of(label) - 1) - fit_of(label);
+  };
+}
+
+TEST_F(Comparison, TellsHowMuchLooserOneStudyMayBe) {
+  const StudyData a = study("a", kPeople + kMoreFits, limited(0.08)),
+                  b = study("b", kPeople + kMoreFits, limited(0.12));
+  const StudyComparison c = compare_studies(a, b);
+  ASSERT_EQ(c.limits.size(), 1u);
+  const LimitDifference& limits = c.limits[0];
+  EXPECT_EQ(limits.modality, "imu-uncalibrated");
+  EXPECT_EQ(limits.site, "scapula");
+  EXPECT_NEAR(limits.difference, 0.04, 1e-9);
+  EXPECT_NEAR(limits.interval.low, 0.04, 1e-9) << "all differ alike, whoever is drawn";
+  EXPECT_NEAR(limits.interval.high, 0.04, 1e-9);
+  // What each study says of itself.
+  const auto own = [](const StudyData& data) {
+    return analyse(data).modalities.at(0).how_loose.at("scapula").limit;
+  };
+  EXPECT_EQ(limits.limit_a, own(a));
+  EXPECT_EQ(limits.limit_b, own(b));
+  EXPECT_NEAR(limits.limit_a, 0.08, 1e-9);
+  EXPECT_TRUE(says(c, "people are drawn jointly")) << comparison_text(c);
+  EXPECT_TRUE(says(c, "+0.040  +0.040 to +0.040")) << comparison_text(c);
+  EXPECT_TRUE(says(c, "up to 20 people a limit is that of the worst of them"))
+      << comparison_text(c);
+  const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
+  EXPECT_EQ(json["people_drawn"], "jointly");
+  EXPECT_NEAR(json["difference_bgm"].get<double>(), 0.04, 1e-9);
+  EXPECT_NEAR(json["limit_b_bgm"].get<double>(), 0.12, 1e-9);
+  EXPECT_EQ(json["differs"], true);
+  EXPECT_NE(limits_csv(c).find(",jointly,0,"), std::string::npos) << limits_csv(c);
+}
+
+TEST_F(Comparison, OfLimitsDrawsOtherPeopleIndependently) {
+  std::string more = kPeople;
+  more.replace(more.find("count = 3"), 9, "count = 4");
+  const StudyComparison c = compare_studies(study("a", kPeople + kMoreFits, limited(0.08)),
+                                            study("b", more + kMoreFits, limited(0.12)));
+  ASSERT_EQ(c.limits.size(), 1u);
+  EXPECT_FALSE(c.limits[0].paired);
+  EXPECT_EQ(c.limits[0].people_b, 4);
+  EXPECT_NEAR(c.limits[0].difference, 0.04, 1e-9);
+  // The worst of A is not drawn in 8 of 27 draws: its limit is then at least 0.01 higher.
+  EXPECT_LT(c.limits[0].interval.low, 0.031);
+  EXPECT_TRUE(says(c, "people are drawn independently")) << comparison_text(c);
+  EXPECT_TRUE(says(c, "limits are of all cases of each study")) << comparison_text(c);
+  EXPECT_NE(comparison_json(c).find("\"people_drawn\": \"independently\""), std::string::npos);
+}
+
+// By name, whatever the order of a file is; as many others are not the same.
+TEST_F(Comparison, OfLimitsKnowsPeopleByTheirNames) {
+  const std::map<std::string, double> heights = {
+      {"ann", 1.61}, {"bob", 1.72}, {"cy", 1.83}, {"dan", 1.84}};
+  const auto listed = [&](const std::string& name, const std::vector<std::string>& people,
+                          double limit) {
+    fs::create_directories(base);
+    std::string csv = "name,height\n";
+    for (const std::string& one : people) csv += fmt::format("{},{}\n", one, heights.at(one));
+    const std::string file = (base / (name + ".csv")).string();
+    io::write_text_file(file, csv);
+    const std::string axis = "[[axis]]\nname = \"person\"\npeople = { file = \"" + file + "\" }\n";
+    return study(name, axis + kMoreFits, [&, limit](const std::string& label, int) {
+      const double own = 0.2 * (heights.at(label.substr(0, label.find(','))) - 1.61);
+      return pass_mark() + limit + own - fit_of(label);
+    });
+  };
+  const StudyData a = listed("a", {"ann", "bob", "cy"}, 0.08);
+  const LimitDifference same =
+      compare_studies(a, listed("b", {"cy", "ann", "bob"}, 0.12)).limits.at(0);
+  EXPECT_TRUE(same.paired);
+  EXPECT_NEAR(same.interval.low, 0.04, 1e-9);
+  EXPECT_NEAR(same.interval.high, 0.04, 1e-9);
+  const LimitDifference other =
+      compare_studies(a, listed("c", {"ann", "bob", "dan"}, 0.12)).limits.at(0);
+  EXPECT_FALSE(other.paired);
+  EXPECT_LT(other.interval.low, 0.03);
+}
+
+TEST_F(Comparison, InventsNoLimit) {
+  const StudyData nowhere = study("a", kPeople + kMoreFits, limited(-0.2)),
+                  beyond = study("b", kPeople + kMoreFits, limited(0.25));
+  const StudyComparison c = compare_studies(nowhere, beyond);
+  const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
+  EXPECT_EQ(json["limit_a_bgm"], "nowhere");
+  EXPECT_EQ(json["limit_b_bgm"], "beyond the loosest");
+  for (const char* key : {"difference_bgm", "open_draws"}) EXPECT_TRUE(json[key].is_null()) << key;
+  EXPECT_EQ(json["interval"], nlohmann::json({nullptr, nullptr}));
+  EXPECT_EQ(json["differs"], false);
+  EXPECT_TRUE(says(c, "B still passes at 0.20, the loosest tried")) << comparison_text(c);
+  EXPECT_FALSE(says(c, "inf") || says(c, "nan")) << comparison_text(c);
+  EXPECT_NE(limits_csv(c).find("imu-uncalibrated,scapula,,,,,,3,3,jointly,,"), std::string::npos)
+      << limits_csv(c);
+}
+
+TEST_F(Comparison, OfStudiesWithoutLoosenessHasNoLimits) {
+  const ScoreOf same = [](const std::string&, int) { return 0.5; };
+  const StudyData a = study("a", kPeople, same);
+  const StudyComparison c = compare_studies(a, study("b", kPeople, same));
+  EXPECT_TRUE(c.limits.empty());
+  EXPECT_FALSE(says(c, "how loose")) << comparison_text(c);
+  EXPECT_EQ(nlohmann::json::parse(comparison_json(c))["limits"], nlohmann::json::array());
 }
 
 // An axis of one study alone is no reason not to compare, but is told.

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/store.h"
 #include "loosefit/study/study_data.h"
+#include "loosefit/study/study_page.h"
 #include "support/study_on_disk.h"
 
 namespace loosefit::study {
@@ -62,6 +64,68 @@ TEST(Controls, TellTheGreatestChange) {
   EXPECT_EQ(summary.cases, 2);
   EXPECT_EQ(summary.failed, 1);
   EXPECT_NEAR(summary.largest.at("gap_mm"), 0.02, 1e-12);
+}
+
+// From 179° to −179° it is 2°, and a rate per degree is no angle.
+TEST(Controls, TurnAnglesTheShorterWay) {
+  const auto with = [](double twist, double gain, double gap) {
+    CaseRecord r = record(0, 0.5);
+    r.samples.resize(1);
+    r.samples[0].metrics = {
+        {"twist_deg", twist}, {"line_gain_percent_per_deg", gain}, {"gap_mm", gap}};
+    return r;
+  };
+  const Control control = compared(with(179, 400, 350), with(-179, 0, 0));
+  EXPECT_NEAR(control.largest.at("twist_deg"), 2, 1e-12);
+  EXPECT_NEAR(control.largest.at("line_gain_percent_per_deg"), 400, 1e-12);
+  EXPECT_NEAR(control.largest.at("gap_mm"), 350, 1e-12);
+  EXPECT_NEAR(compared(with(-90, 0, 0), with(90, 0, 0)).largest.at("twist_deg"), 180, 1e-12);
+  EXPECT_NEAR(compared(with(10, 0, 0), with(-20, 0, 0)).largest.at("twist_deg"), 30, 1e-12);
+  EXPECT_NEAR(compared(with(0, 0, 0), with(725, 0, 0)).largest.at("twist_deg"), 5, 1e-12);
+}
+
+// A score that is there at one grade alone has no difference, and is the greatest change of all.
+TEST(Controls, CountSamplesThatLoseOrGainTheirScore) {
+  const CaseRecord rated = record(1, 0.5);  // two donnings
+  CaseRecord half = rated, first = rated, elsewhere = rated;
+  half.samples[1].score = kNotKnown;
+  first.samples.resize(1);
+  for (SampleRecord& sample : elsewhere.samples) sample.site = "l5";
+  const auto expect = [](const CaseRecord& b, const CaseRecord& a, const ScoreChanges& expected) {
+    const Control control = compared(b, a);
+    ASSERT_TRUE(control.scores);
+    EXPECT_EQ(control.scores->kept, expected.kept);
+    EXPECT_EQ(control.scores->lost, expected.lost);
+    EXPECT_EQ(control.scores->gained, expected.gained);
+  };
+  expect(rated, rated, {2, 0, 0});
+  expect(rated, half, {1, 1, 0});
+  expect(half, rated, {1, 0, 1});
+  expect(half, half, {1, 0, 0});
+  expect(rated, first, {1, 1, 0});
+  expect(first, rated, {1, 0, 1});
+  expect(rated, elsewhere, {0, 2, 2});
+  CaseRecord sealed;
+  sealed.status = CaseStatus::sealed;
+  EXPECT_FALSE(compared(rated, sealed).scores) << "it is told as failed";
+  ControlSummary summary;
+  for (const CaseRecord& a : {half, first, elsewhere, sealed}) add(compared(rated, a), summary);
+  EXPECT_EQ(summary.scores.kept, 2);
+  EXPECT_EQ(summary.scores.lost, 4);
+  EXPECT_EQ(summary.scores.gained, 2);
+}
+
+TEST(Controls, AreReadAsTheyWereWritten) {
+  CaseRecord one = made_up("ab12", 0.5);
+  one.control = {true, "", {{"slip_mm", 0.25}}, ScoreChanges{7, 2, 1}};
+  const Control read = parse_record(record_json(one), "x").control;
+  ASSERT_TRUE(read.scores);
+  EXPECT_EQ(read.scores->kept, 7);
+  EXPECT_EQ(read.scores->lost, 2);
+  EXPECT_EQ(read.scores->gained, 1);
+  // An earlier program did not count.
+  one.control.scores.reset();
+  EXPECT_FALSE(parse_record(record_json(one), "x").control.scores);
 }
 
 /// kStudy, content with grade B, with other people and fits.
@@ -157,6 +221,40 @@ TEST_F(ControlsOfAStudy, AreOpenUntilTheyHaveGoneOnToGradeA) {
   failed.address = control;
   write_whole(folder.result_file(control), record_json(failed));
   EXPECT_TRUE(folder.record(read, control)) << "a case that failed goes no further";
+}
+
+TEST_F(ControlsOfAStudy, TellOfLostScoresInDatabaseAndPage) {
+  plan = plan_with(1, "[0.0, 0.1]");
+  const StudyFolder folder = planned("a");
+  const FolderPlan read = folder.read_plan();
+  for (const PlannedCase& one : plan.cases) {
+    CaseRecord record = made_up(one.address, 0.5);
+    record.grade = "B";
+    if (read.controls.count(one.address))
+      record.control = {true, "", {{"slip_mm", 0.25}}, ScoreChanges{7, 2, 1}};
+    write_whole(folder.result_file(one.address), record_json(record));
+  }
+  collect(folder, read);
+  const auto rows = [&] {
+    const Database database(folder.database(), Database::Mode::read);
+    std::vector<std::array<int, 3>> all;
+    for (Statement row = database.prepare("SELECT kept, lost, gained FROM control_scores");
+         row.step();)
+      all.push_back({row.integer(0), row.integer(1), row.integer(2)});
+    return all;
+  };
+  EXPECT_EQ(rows(), (std::vector<std::array<int, 3>>(read.controls.size(), {7, 2, 1})));
+  const int n = static_cast<int>(read.controls.size());
+  const std::string page = study_html(analyse(read_study_data(folder)));
+  const std::string sentence =
+      fmt::format("samples {} have a score at both grades, {} lose it by going on to A and {} gain",
+                  7 * n, 2 * n, n);
+  EXPECT_NE(page.find(sentence), std::string::npos) << page;
+  // A case that is no control any more loses them.
+  FolderPlan without = read;
+  without.controls.clear();
+  Store(folder.database()).put_plan(without);
+  EXPECT_TRUE(rows().empty());
 }
 
 TEST_F(ControlsOfAStudy, ThatFailedRunAgainWhenAskedAndTheirCasesDoNot) {

@@ -300,6 +300,13 @@ Vec2 ConfigReader::point(const std::string& key, const NumberRange& range,
   return point_of(key, *node, range);
 }
 
+Vec2 ConfigReader::point_or_zero(const std::string& key, const NumberRange& range,
+                                 const std::string& about) {
+  note(key, array_form(number_form(range), 2, 2), about, "[0, 0]");
+  const ConfigNode* node = this->node(key);
+  return node ? point_of(key, *node, range) : Vec2(Vec2::Zero());
+}
+
 std::vector<Vec2> ConfigReader::points(const std::string& key, const NumberRange& range,
                                        std::size_t at_least, const std::string& about) {
   note(key, array_form(array_form(number_form(range), 2, 2), at_least, 1000), about);

@@ -69,6 +69,9 @@ class ConfigReader {
                        const std::string& about);
   /// [u, v]; every coordinate within `range`. Required.
   Vec2 point(const std::string& key, const NumberRange& range, const std::string& about = {});
+  /// The same; [0, 0] where it is absent.
+  Vec2 point_or_zero(const std::string& key, const NumberRange& range,
+                     const std::string& about = {});
   /// [[u, v], [u, v], …]. Required, at least `at_least`, at most 1000 points.
   std::vector<Vec2> points(const std::string& key, const NumberRange& range, std::size_t at_least,
                            const std::string& about = {});

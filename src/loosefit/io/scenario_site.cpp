@@ -244,7 +244,7 @@ placement::SiteSpec read_site_section(ConfigReader table) {
     table.finish();
     return site;
   }
-  table.only({"name", "landmark", "panel", "at", "segment", "side", "ratios", "angle_deg",
+  table.only({"name", "landmark", "panel", "at", "segment", "side", "ratios", "shift", "angle_deg",
               "footprint", "board"});
   table.require("name", "a name");
   site.name = table.text("name", "", "what the place is called in the output");
@@ -263,6 +263,8 @@ placement::SiteSpec read_site_section(ConfigReader table) {
     site.at = table.point("at", {-5, 5, "metres"}, "place in pattern coordinates: u weft, v warp");
   }
   if (segment) site.anatomy = read_anatomy(table);
+  site.shift = table.point_or_zero("shift", {-0.2, 0.2, "metres"},
+                                   "of the sensor from there along the cloth: weft, warp");
   site.angle = radians(table.number("angle_deg", 0, {-360, 360, "degrees"},
                                     "of the axis of the sensor, from the warp, counter-clockwise"));
   if (const auto footprint = table.optional_table("footprint", "cloth under the sensor: one shape"))
@@ -279,9 +281,10 @@ placement::SiteSpec read_site_section(ConfigReader table) {
 
 std::string site_toml(const placement::SiteSpec& site) {
   if (site.line) return line_toml(site.name, *site.line);
-  std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n" + place_text(site) +
-                     "angle_deg = " + degrees_text(site.angle) + "\nfootprint = { " +
-                     footprint_text(site.footprint) + " }\n";
+  std::string text = "[[site]]\nname = " + toml_quoted(site.name) + "\n" + place_text(site);
+  if (!site.shift.isZero()) text += "shift = " + pair_text(site.shift) + "\n";
+  text += "angle_deg = " + degrees_text(site.angle) + "\nfootprint = { " +
+          footprint_text(site.footprint) + " }\n";
   if (site.board)
     text += fmt::format("board = {{ mass = {}, bending = {}, membrane_factor = {} }}\n",
                         shortest(site.board->mass), shortest(site.board->bending),

@@ -31,7 +31,7 @@ bool needs_drape(const SiteSpec& site) {
     return !site.line->over.empty() ||
            std::any_of(site.line->stops.begin(), site.line->stops.end(),
                        [](const LinePlace& place) { return place.panel.empty(); });
-  return site.board && site.panel.empty();
+  return site.board && (site.panel.empty() || !site.shift.isZero());
 }
 
 /// The mesh cuts the corners of a curved outline, at a concave one to its outside.
@@ -83,6 +83,11 @@ void place_on_drape(const scenario::Scenario& scenario, const CaseBody& body,
       if (!needs_drape(site)) continue;
       site.panel = at.panel;
       site.at = in_pattern(at.panel, at.at);
+      if (site.shift.isZero()) continue;
+      // It is not meant to lie over its landmark: only the place in the pattern stays.
+      site.shift.setZero();
+      site.landmark.clear();
+      site.anatomy.reset();
     } else if (needs_drape(site)) {
       const std::vector<GarmentPoint> stops = for_site(i, [&] { return finder.stops(*site.line); });
       site.line->stops.clear();

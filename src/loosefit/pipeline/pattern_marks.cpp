@@ -56,8 +56,9 @@ std::vector<io::PatternMark> scenario_marks(const scenario::Scenario& scenario) 
                      true});
   }
   for (const placement::SiteSpec& site : scenario.sites)
-    if (!site.panel.empty())
-      marks.push_back(sensor_mark(site.name, site.panel, site.at, site.angle, site.footprint));
+    if (!site.panel.empty())  // beyond a seam it is drawn where it would lie if the piece went on
+      marks.push_back(
+          sensor_mark(site.name, site.panel, site.at + site.shift, site.angle, site.footprint));
   return marks;
 }
 

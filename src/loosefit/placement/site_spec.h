@@ -16,7 +16,7 @@ struct SensorBoard {
 };
 
 /// Where a sensor is wanted, in one of three ways: a place in the pattern, a body landmark or
-/// preset by name, or an anatomical address; and what it is. Or a line.
+/// preset by name, or an anatomical address, and shifted from there; and what it is. Or a line.
 struct SiteSpec {
   std::string name;
   std::string panel;                        ///< with `at`; wins over the other two
@@ -29,6 +29,9 @@ struct SiteSpec {
   /// A sensor that is a line: then it has no place and footprint of the others, and is found by
   /// lines/find_course.h.
   std::optional<LineSpec> line = {};
+  /// From the place above, along the cloth: weft and warp of the panel in which that lies [m]. On
+  /// over seams (shifted in address_garment.h).
+  Vec2 shift = Vec2::Zero();
 };
 
 }  // namespace loosefit::placement

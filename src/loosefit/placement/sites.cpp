@@ -102,6 +102,15 @@ InvalidInput not_covered(const Finder& finder, const SiteSpec& spec, std::size_t
                       where + ", which the garment does not cover", "skin under the garment", hint);
 }
 
+const char* const kOverTheEdge = "its shift leads over the edge of the garment";
+
+InvalidInput over_the_edge(const SiteSpec& spec, std::size_t i) {
+  return InvalidInput(
+      InputPlace{"", 0, site_key(i, "shift")},
+      "[" + shortest(spec.shift.x()) + ", " + shortest(spec.shift.y()) + "], over the edge",
+      "a shift that ends on the garment", "");
+}
+
 }  // namespace
 
 void check_sites(const garment::Garment& garment, const body::Body& body,
@@ -134,16 +143,18 @@ std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<
   std::vector<Site> sites;
   const auto add = [&](const SiteSpec& spec, std::optional<std::size_t> index) {
     const GarmentOverSkin::Over over = finder.find(spec);
-    if (!over.covered) {
+    std::optional<GarmentPoint> place = over.point;
+    if (over.covered && !spec.shift.isZero()) place = shifted(garment, over.point, spec.shift);
+    if (!over.covered || !place) {
       if (uncovered)
-        uncovered->push_back({spec.name, !index, over.why_not});
+        uncovered->push_back({spec.name, !index, place ? over.why_not : kOverTheEdge});
       else if (index)
-        throw not_covered(finder, spec, *index, over.point);
+        throw place ? not_covered(finder, spec, *index, over.point) : over_the_edge(spec, *index);
       return;
     }
     Site site;
     site.name = spec.name;
-    site.point = over.point;
+    site.point = *place;
     site.angle = spec.angle;
     site.shape = spec.footprint;
     site.preset = !index;
@@ -177,7 +188,7 @@ std::vector<garment::Attachment> site_boards(const std::vector<SiteSpec>& sites)
         site.footprint.kind != FootprintShape::Kind::rectangle)
       throw InvalidInput(InputPlace{"", 0, site_key(i, "footprint")}, "a line under a board",
                          "radius or size", "sew a thread or cable on with [[attachment]]");
-    if (site.panel.empty())
+    if (site.panel.empty() || !site.shift.isZero())
       throw InvalidInput(InputPlace{"", 0, site_key(i, "board")}, "a board without a place",
                          "panel and at", "");
     garment::Board board;

@@ -44,11 +44,12 @@ struct UncoveredSite {
 };
 
 /// Finds each site on the draped garment and averages every map over its footprint. A landmark or
-/// anatomical address goes to the garment point over it (GarmentOverSkin). What the garment does
-/// not cover goes into `uncovered`; without that a preset is left out, and a wished one is an
-/// error. Every site has both addresses. Lines are passed over. \throws InvalidInput with a key as check_sites: unknown
+/// anatomical address goes to the garment point over it (GarmentOverSkin), then by the site's shift
+/// along the cloth. What the garment does not cover, and what is shifted over its edge, goes into
+/// `uncovered`; without that a preset is left out, and a wished one is an error. Every site has
+/// both addresses. Lines are passed over. \throws InvalidInput with a key as check_sites: unknown
 /// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
-/// not cover (with the nearest place that it does).
+/// not cover (with the nearest place that it does); key `site[i].shift` over its edge.
 std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,
                              const body::PosedBody& body, const maps::WornGarment& worn,
                              const std::vector<maps::PerformanceMap>& maps,
@@ -70,7 +71,7 @@ void check_sites(const garment::Garment& garment, const body::Body& body,
 
 /// The boards of sites with a place in the pattern as attachments of the same name, disc or
 /// rectangle as their footprint. \throws InvalidInput, key `site[i].footprint`, for a board under a
-/// line; `site[i].board` for a site without a place in the pattern.
+/// line; `site[i].board` for a site without a place in the pattern, or one that is shifted from it.
 std::vector<garment::Attachment> site_boards(const std::vector<SiteSpec>& sites);
 
 }  // namespace loosefit::placement

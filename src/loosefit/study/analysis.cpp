@@ -118,15 +118,8 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   result.sensors = choose_sensors(over_all, data.plan.sensors, constraints_of(data, tables));
   const std::vector<std::vector<int>> units = cases_of_units(data);
   for (const SiteTable& table : tables) {
-    if (looseness_axis(data.plan) >= 0) {
-      std::vector<LooseLevel> by_level;
-      for (int level = 0; level < levels; ++level)
-        by_level.push_back({data.level_bgm[level], unit_scores(data, table, level)});
-      HowLoose answer = how_loose(by_level, card.pass, options);
-      const bool rated = std::any_of(answer.curve.begin(), answer.curve.end(),
-                                     [](const LoosePoint& p) { return p.rated > 0; });
-      if (rated) result.how_loose[table.site] = std::move(answer);
-    }
+    if (const std::vector<LooseLevel> by_level = loose_levels(data, table); !by_level.empty())
+      result.how_loose[table.site] = how_loose(by_level, card.pass, options);
     add_sensitivity(data, table, "score", table.by_case, options, units, result.sensitivity);
     for (const placement::Criterion& criterion : card.criteria)
       if (const auto metric = table.metrics.find(criterion.metric); metric != table.metrics.end())
@@ -177,6 +170,18 @@ std::string nearest_in_words(const ModalityAnalysis& modality) {
 }
 
 }  // namespace
+
+std::vector<LooseLevel> loose_levels(const StudyData& data, const SiteTable& site) {
+  std::vector<LooseLevel> levels;
+  if (looseness_axis(data.plan) < 0) return levels;
+  bool rated = false;
+  for (std::size_t level = 0; level < data.level_bgm.size(); ++level) {
+    levels.push_back({data.level_bgm[level], unit_scores(data, site, static_cast<int>(level))});
+    for (const double score : levels.back().scores) rated |= !std::isnan(score);
+  }
+  if (!rated) levels.clear();
+  return levels;
+}
 
 StudyAnalysis analyse(StudyData data) {
   StudyAnalysis analysis;

@@ -49,6 +49,10 @@ struct StudyAnalysis {
   BootstrapOptions options;
 };
 
+/// Scores of the people at a site by looseness; none without an axis of looseness, or when nobody
+/// is rated at any level of it.
+std::vector<LooseLevel> loose_levels(const StudyData& data, const SiteTable& site);
+
 /// All statistics of a study (docs/studies.md 5). \throws as load_scorecard.
 StudyAnalysis analyse(StudyData data);
 

@@ -13,7 +13,7 @@ namespace loosefit::study {
 /// A sensor shifted from where it is asked for.
 struct SiteShift {
   int site = 0;         ///< which [[site]] of the base scenario
-  double u = 0, v = 0;  ///< in the pattern, weft and warp [m]
+  double u = 0, v = 0;  ///< along the cloth, in weft and warp of its panel [m]
 };
 
 /// One value of an axis: what it changes in the base scenario.

@@ -103,6 +103,9 @@ Json result_json(const CaseRecord& r) {
                  {"host", r.execution.host}}}};
   if (r.control.ran)
     json["control"] = {{"failed", r.control.failed}, {"largest", numbers(r.control.largest)}};
+  if (const auto& scores = r.control.scores)
+    json["control"]["scores"] = {
+        {"kept", scores->kept}, {"lost", scores->lost}, {"gained", scores->gained}};
   for (const auto& [array, values] : r.maps) json["maps"][array] = numbers(values);
   for (const SiteRecord& s : r.sites) json["sites"].push_back(site_json(s));
   for (const SampleRecord& s : r.samples) json["samples"].push_back(sample_json(s));
@@ -127,6 +130,10 @@ CaseRecord result_of(const Json& j) {
     r.control.ran = true;
     r.control.failed = j.at("control").at("failed");
     r.control.largest = numbers(j.at("control").at("largest"));
+    if (j.at("control").contains("scores")) {
+      const Json& scores = j.at("control").at("scores");
+      r.control.scores = {scores.at("kept"), scores.at("lost"), scores.at("gained")};
+    }
   }
   r.vertices = j.at("vertices");
   r.triangles = j.at("triangles");

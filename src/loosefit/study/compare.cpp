@@ -17,6 +17,9 @@
 namespace loosefit::study {
 namespace {
 
+/// Up to so many people the 5th percentile is the least of their scores.
+constexpr int kWorstIsRobust = 20;
+
 template <class Items, class Name>
 int find(const Items& items, const Name& is) {
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -94,6 +97,41 @@ PairedDifference difference(const Scores& scores, double pass, const BootstrapOp
   return result;
 }
 
+/// Adds how loose both studies say that it may be at a site.
+void add_limits(const StudyData& a, const SiteTable& in_a, const StudyData& b,
+                const SiteTable& in_b, const std::string& modality, double pass,
+                const BootstrapOptions& options, StudyComparison& comparison) {
+  const std::vector<LooseLevel> of_a = loose_levels(a, in_a), of_b = loose_levels(b, in_b);
+  if (of_a.empty() != of_b.empty())
+    comparison.notes.push_back(modality + ", " + in_a.site + ": how loose it may be is told in " +
+                               (of_a.empty() ? b : a).plan.name + " alone");
+  if (of_a.empty() || of_b.empty()) return;
+  LimitDifference one = limit_difference(of_a, of_b, pass, same_people(a, b), options);
+  one.modality = modality;
+  one.site = in_a.site;
+  comparison.limits.push_back(std::move(one));
+}
+
+/// What has to be known of limits before they are compared.
+void note_limits(const StudyData& a, const StudyData& b, StudyComparison& comparison) {
+  if (comparison.limits.empty()) return;
+  if (a.plan.looseness != b.plan.looseness)
+    comparison.notes.push_back("limits are of " + a.plan.looseness + " in " + a.plan.name +
+                               " and of " + b.plan.looseness + " in " + b.plan.name);
+  if (comparison.paired_a < comparison.cases_a || comparison.paired_b < comparison.cases_b)
+    comparison.notes.push_back(
+        "limits are of all cases of each study, also of those without a counterpart: they may "
+        "differ for that alone");
+  const bool few = std::ranges::any_of(comparison.limits, [](const LimitDifference& one) {
+    return std::min(one.people_a, one.people_b) <= kWorstIsRobust;
+  });
+  if (few)
+    comparison.notes.push_back(
+        fmt::format("with up to {} people a limit is that of the worst of them: its interval knows "
+                    "of nobody worse and may be too narrow",
+                    kWorstIsRobust));
+}
+
 }  // namespace
 
 StudyComparison compare_studies(const StudyData& a, const StudyData& b,
@@ -146,12 +184,14 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
         one.level = a.level_labels[k];
         if (one.pairs > 0) comparison.differences.push_back(std::move(one));
       }
+      add_limits(a, site, b, in_b->second[other], modality, pass, options, comparison);
     }
   }
   if (comparison.differences.empty())
     throw InvalidInput("the studies " + printable(a.plan.name) + " and " + printable(b.plan.name) +
                            " have no site and fit in common where both are rated",
                        join(comparison.notes, "; "));
+  note_limits(a, b, comparison);
   return comparison;
 }
 
@@ -161,6 +201,38 @@ namespace {
 std::string interval_text(const Bounds& interval) {
   if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return "-";
   return fmt::format("{:>+8.3f} to {:>+6.3f}", interval.low, interval.high);
+}
+
+std::string people_drawn(const LimitDifference& one) {
+  return one.paired ? "jointly" : "independently";
+}
+
+std::string limits_text(const std::vector<LimitDifference>& limits) {
+  if (limits.empty()) return "";
+  std::string text = fmt::format(
+      "how loose may it be? Greatest BGM at which 95 % of people pass, as each study says, B - A\n"
+      "{:<20} {:<18} {:>11} {:>11} {:>8}  {:<16} {:>11}  {}\n",
+      "modality", "site", "A", "B", "B - A", "90 % interval", "people A, B", "draws");
+  for (const LimitDifference& one : limits) {
+    text += fmt::format("{:<20} {:<18} {:>11} {:>11} ", one.modality, one.site,
+                        limit_text(one.limit_a, one.tried_a), limit_text(one.limit_b, one.tried_b));
+    if (std::isnan(one.difference)) {
+      text += in_words(one) + "\n";
+      continue;
+    }
+    text += fmt::format(
+        "{:>+8.3f}  {:<16} {:>11}  {}{}\n", one.difference, limit_interval_text(one.interval),
+        fmt::format("{}, {}", one.people_a, one.people_b),
+        std::isnan(one.open_draws) ? "none"
+        : one.open_draws > 0 ? fmt::format("{:.1f} % outside the fits tried", 100 * one.open_draws)
+                             : "all within the fits tried",
+        one.differs() ? " *" : "");
+  }
+  return text +
+         (limits.front().paired
+              ? "intervals of limits: people are drawn jointly, the same ones in A and B\n"
+              : "intervals of limits: people are drawn independently in A and B: they are not "
+                "the same, or there are none\n");
 }
 
 }  // namespace
@@ -181,6 +253,7 @@ std::string comparison_text(const StudyComparison& comparison) {
                         : std::to_string(d.pairs),
         d.mean, interval_text(d.interval), 100 * d.better, 100 * d.passing_a, 100 * d.passing_b,
         d.differs() ? " *" : "");
+  text += limits_text(comparison.limits);
   text +=
       "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
@@ -200,9 +273,23 @@ std::string comparison_csv(const StudyComparison& comparison) {
   return text;
 }
 
+std::string limits_csv(const StudyComparison& comparison) {
+  std::string text = io::csv_line({"modality", "site", "limit_a_bgm", "limit_b_bgm",
+                                   "difference_bgm", "interval_low", "interval_high", "people_a",
+                                   "people_b", "people_drawn", "open_draws", "words"});
+  for (const LimitDifference& one : comparison.limits)
+    text += io::csv_line({io::csv_field(one.modality), io::csv_field(one.site),
+                          io::csv_field(one.limit_a), io::csv_field(one.limit_b),
+                          io::csv_field(one.difference), io::csv_field(one.interval.low),
+                          io::csv_field(one.interval.high), std::to_string(one.people_a),
+                          std::to_string(one.people_b), people_drawn(one),
+                          io::csv_field(one.open_draws), io::csv_field(in_words(one))});
+  return text;
+}
+
 std::string comparison_json(const StudyComparison& comparison) {
   using Json = nlohmann::json;
-  // JSON has no NaN: the bounds of one pair.
+  // JSON has neither NaN, the bounds of one pair, nor infinity, an interval that is open.
   const auto number = [](double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
   };
@@ -220,6 +307,25 @@ std::string comparison_json(const StudyComparison& comparison) {
                     {"share_better", d.better},
                     {"passing_a", d.passing_a},
                     {"passing_b", d.passing_b}});
+  // Words as of study-report.json.
+  const auto limit = [](double value) {
+    if (std::isinf(value)) return Json(value > 0 ? "beyond the loosest" : "nowhere");
+    return Json(value);
+  };
+  Json limits = Json::array();
+  for (const LimitDifference& one : comparison.limits)
+    limits.push_back({{"modality", one.modality},
+                      {"site", one.site},
+                      {"limit_a_bgm", limit(one.limit_a)},
+                      {"limit_b_bgm", limit(one.limit_b)},
+                      {"difference_bgm", number(one.difference)},
+                      {"interval", {number(one.interval.low), number(one.interval.high)}},
+                      {"differs", one.differs()},
+                      {"people_a", one.people_a},
+                      {"people_b", one.people_b},
+                      {"people_drawn", people_drawn(one)},
+                      {"open_draws", number(one.open_draws)},
+                      {"words", in_words(one)}});
   return Json({{"a", comparison.name_a},
                {"b", comparison.name_b},
                {"cases_a", comparison.cases_a},
@@ -227,6 +333,7 @@ std::string comparison_json(const StudyComparison& comparison) {
                {"paired_a", comparison.paired_a},
                {"paired_b", comparison.paired_b},
                {"differences", rows},
+               {"limits", limits},
                {"notes", comparison.notes}})
       .dump(1, ' ', false, Json::error_handler_t::replace);
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/study/analysis.h"
+#include "loosefit/study/limit_difference.h"
 
 namespace loosefit::study {
 
@@ -22,18 +23,22 @@ struct PairedDifference {
 struct StudyComparison {
   std::string name_a, name_b;
   std::vector<PairedDifference> differences;
-  int cases_a = 0, cases_b = 0;    ///< all of them
-  int paired_a = 0, paired_b = 0;  ///< those with a counterpart in the other study
-  std::vector<std::string> notes;  ///< what one of them lacks, with counts
+  std::vector<LimitDifference> limits;  ///< where both studies tell how loose it may be
+  int cases_a = 0, cases_b = 0;         ///< all of them
+  int paired_a = 0, paired_b = 0;       ///< those with a counterpart in the other study
+  std::vector<std::string> notes;       ///< what one of them lacks, with counts
 };
 
-/// Pairs cases by what they have in common (counterparts.h), sites by name.
+/// Pairs cases by what they have in common (counterparts.h), sites by name. What passes is what the
+/// scorecard of A says, also in B.
 /// \throws InvalidInput when nothing can be paired, or people of one name measure otherwise.
 StudyComparison compare_studies(const StudyData& a, const StudyData& b,
                                 const BootstrapOptions& options = {});
 
 std::string comparison_text(const StudyComparison& comparison);
+/// Of the differences of scores; of the limits.
 std::string comparison_csv(const StudyComparison& comparison);
+std::string limits_csv(const StudyComparison& comparison);
 std::string comparison_json(const StudyComparison& comparison);
 
 }  // namespace loosefit::study

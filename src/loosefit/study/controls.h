@@ -13,13 +13,15 @@ namespace loosefit::study {
 /// grows keeps them, and the least one where that picks none.
 std::vector<std::string> control_addresses(const std::vector<std::string>& addresses);
 
-/// What grade A changes of a case.
+/// What grade A changes of a case. Angles (metrics in degrees) change by 180° at most. A sample
+/// whose score is there at one grade alone has no difference: it is counted.
 Control compared(const CaseRecord& b, const CaseRecord& a);
 
 /// Over the controls of a study.
 struct ControlSummary {
   int cases = 0, failed = 0;
   std::map<std::string, double> largest;  ///< as Control
+  ScoreChanges scores;                    ///< of those that tell
 };
 void add(const Control& control, ControlSummary& summary);
 

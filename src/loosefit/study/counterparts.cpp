@@ -192,4 +192,16 @@ CommonCases common_cases(const StudyData& a, const StudyData& b) {
   return common;
 }
 
+std::vector<int> same_people(const StudyData& a, const StudyData& b) {
+  if (people_axis(a.plan) < 0 || people_axis(b.plan) < 0 || a.units.size() != b.units.size())
+    return {};
+  std::vector<int> in_b;
+  for (const std::string& person : a.units) {
+    const auto at = std::ranges::find(b.units, person);
+    if (at == b.units.end()) return {};
+    in_b.push_back(static_cast<int>(at - b.units.begin()));
+  }
+  return in_b;
+}
+
 }  // namespace loosefit::study

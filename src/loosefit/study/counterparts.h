@@ -29,4 +29,8 @@ struct CommonCases {
 /// when people of one name measure otherwise.
 CommonCases common_cases(const StudyData& a, const StudyData& b);
 
+/// For each person of `a` the same one in `b`; nothing when one study has people that the other has
+/// not, or none. \pre people of one name measure alike (common_cases)
+std::vector<int> same_people(const StudyData& a, const StudyData& b);
+
 }  // namespace loosefit::study

@@ -34,6 +34,16 @@ double greatest_passing(const std::vector<double>& bgm, const std::vector<double
   return -kInfinity;
 }
 
+double greatest_passing(const std::vector<LooseLevel>& levels, double pass,
+                        const std::vector<int>& draw) {
+  std::vector<double> bgm, robust;
+  for (const LooseLevel& level : levels) {
+    bgm.push_back(level.bgm);
+    robust.push_back(robust_score(level.scores, draw));
+  }
+  return greatest_passing(bgm, robust, pass);
+}
+
 double least_within(const std::vector<double>& bgm, const std::vector<double>& value,
                     double bound) {
   std::size_t k = bgm.size();

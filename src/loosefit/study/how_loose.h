@@ -36,6 +36,10 @@ struct HowLoose {
 double greatest_passing(const std::vector<double>& bgm, const std::vector<double>& score,
                         double pass);
 
+/// The same of the robust scores of a draw of people.
+double greatest_passing(const std::vector<LooseLevel>& levels, double pass,
+                        const std::vector<int>& draw);
+
 /// Smallest BGM from which on, up to the loosest, `value` is at most `bound`: interpolated
 /// likewise. −∞: already at the tightest; +∞: not even at the loosest.
 double least_within(const std::vector<double>& bgm, const std::vector<double>& value, double bound);

@@ -92,14 +92,29 @@ std::vector<int> shuffled_levels(int count, int size, std::uint64_t seed) {
   return column;
 }
 
+/// Beside what the scenario itself, or another axis, shifts the sensor by.
 void apply(const SiteShift& shift, io::ConfigNode& root) {
   const std::string site = "site[" + std::to_string(shift.site) + "]";
+  const char* const expected = "the number of a [[site]] of the base scenario, from 0";
   if (!value_at(root, site))
-    throw InvalidInput({"", 0, "place.site"}, std::to_string(shift.site),
-                       "the number of a [[site]] of the base scenario, from 0");
+    throw InvalidInput({"", 0, "place.site"}, std::to_string(shift.site), expected);
+  if (value_at(root, site + ".from"))
+    throw InvalidInput({"", 0, "place.site"}, std::to_string(shift.site) + ", a line,", expected);
   io::ConfigNode both;
   both.kind = Kind::array;
   both.items = {number_node(shift.u), number_node(shift.v)};
+  if (const io::ConfigNode* own = value_at(root, site + ".shift")) {
+    const auto is_number = [](const io::ConfigNode& item) {
+      return item.kind == Kind::integer || item.kind == Kind::number;
+    };
+    // What is no shift is left for the reader of scenarios to refuse.
+    if (own->kind != Kind::array || own->items.size() != 2 ||
+        !std::ranges::all_of(own->items, is_number))
+      return;
+    for (std::size_t i = 0; i < 2; ++i) both.items[i].number += own->items[i].number;
+    both.line = own->line;
+    stands_in(both, own->file);
+  }
   set_value(root, site + ".shift", both);
 }
 

@@ -50,6 +50,8 @@ CREATE TABLE IF NOT EXISTS metrics (number INTEGER NOT NULL, modality TEXT NOT N
   PRIMARY KEY (number, modality, site, donning, metric)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS controls (number INTEGER NOT NULL, metric TEXT NOT NULL,
   largest REAL, PRIMARY KEY (number, metric)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS control_scores (number INTEGER PRIMARY KEY, kept INTEGER NOT NULL,
+  lost INTEGER NOT NULL, gained INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS notes (number INTEGER NOT NULL, kind TEXT NOT NULL,
   position INTEGER NOT NULL, text TEXT NOT NULL, PRIMARY KEY (number, kind, position)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS versions (number INTEGER NOT NULL, library TEXT NOT NULL,
@@ -60,9 +62,9 @@ CREATE TABLE IF NOT EXISTS execution (number INTEGER PRIMARY KEY, seconds REAL,
 
 /// Those that hold what a case has yielded, with its number.
 const std::vector<std::string>& result_tables() {
-  static const std::vector<std::string> kNames = {"body",  "fit",      "garment",  "maps",
-                                                  "sites", "samples",  "metrics",  "controls",
-                                                  "notes", "versions", "execution"};
+  static const std::vector<std::string> kNames = {
+      "body",    "fit",      "garment",        "maps",  "sites",    "samples",
+      "metrics", "controls", "control_scores", "notes", "versions", "execution"};
   return kNames;
 }
 
@@ -76,7 +78,10 @@ void forget_results(const Database& database, int number) {
 
 /// Of a case that is no control any more.
 void forget_control(const Database& database, int number) {
-  database.prepare("DELETE FROM controls WHERE number = ?1").bind(1, number).run();
+  for (const char* table : {"controls", "control_scores"})
+    database.prepare(std::string("DELETE FROM ") + table + " WHERE number = ?1")
+        .bind(1, number)
+        .run();
   database.prepare("DELETE FROM notes WHERE number = ?1 AND kind = ?2")
       .bind(1, number)
       .bind(2, std::string(kControlNote))
@@ -109,6 +114,13 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   put_pairs(database, "INSERT INTO fit VALUES (?1, ?2, ?3)", number, r.fit);
   put_pairs(database, "INSERT INTO garment VALUES (?1, ?2, ?3)", number, r.garment);
   put_pairs(database, "INSERT INTO controls VALUES (?1, ?2, ?3)", number, r.control.largest);
+  if (const auto& scores = r.control.scores)
+    database.prepare("INSERT INTO control_scores VALUES (?1, ?2, ?3, ?4)")
+        .bind(1, number)
+        .bind(2, scores->kept)
+        .bind(3, scores->lost)
+        .bind(4, scores->gained)
+        .run();
   Statement maps = database.prepare("INSERT INTO maps VALUES (?1, ?2, ?3, ?4)");
   for (const auto& [array, values] : r.maps)
     for (const auto& [statistic, value] : values)
@@ -220,8 +232,9 @@ std::string rows_text(const Database& database, const std::string& table) {
 
 const std::vector<std::string>& table_names() {
   static const std::vector<std::string> kNames = {
-      "study", "axes",  "cases",   "levels",  "inputs",   "body",  "fit",      "garment",
-      "maps",  "sites", "samples", "metrics", "controls", "notes", "versions", "execution"};
+      "study",    "axes",           "cases", "levels",   "inputs",   "body",
+      "fit",      "garment",        "maps",  "sites",    "samples",  "metrics",
+      "controls", "control_scores", "notes", "versions", "execution"};
   return kNames;
 }
 

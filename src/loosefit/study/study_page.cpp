@@ -253,6 +253,11 @@ std::string grade_text(const StudyData& data) {
           data.grade_b, data.done, data.controls.cases,
           data.controls.failed > 0 ? fmt::format(", {} without coming there", data.controls.failed)
                                    : "")));
+  const ScoreChanges& scores = data.controls.scores;
+  if (scores.kept + scores.lost + scores.gained > 0)
+    text += element("p", escaped(fmt::format("Of the controls' samples {} have a score at both "
+                                             "grades, {} lose it by going on to A and {} gain one.",
+                                             scores.kept, scores.lost, scores.gained)));
   if (data.controls.largest.empty()) return text;
   report::Table table({"of all controls, sites and donnings", "greatest change by going on to A"});
   for (const auto& [metric, largest] : data.controls.largest)
