@@ -53,11 +53,18 @@ def drape(binary, folder, edge_mm, seed):
     return target
 
 
+def load(summary):
+    """Normal force over weight, and how much of it is squeezed between arms and trunk."""
+    of_all = summary["load"]["force_over_weight"]
+    share = summary["load"]["between_arm_and_trunk_N"] / summary["pressure"]["normal_force_N"]
+    return {"force_over_weight": of_all, "squeezed": share * of_all}
+
+
 def figures(target):
     """What is kept of one drape: per map and region the statistics."""
     summary = json.loads((target / "summary.json").read_text())
     kept = {"settled": summary["settled"], "residual": summary["residual"],
-            "vertices": summary["vertices"], "maps": {}}
+            "vertices": summary["vertices"], "load": load(summary), "maps": {}}
     for name in MAPS if summary["settled"] else []:
         whole = summary["maps"][name]
         parts = {"whole": whole, **whole["regions"]}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Table and plot of docs/accuracy.md from results.json.
+"""Tables and plot of docs/accuracy.md from results.json.
 
     python3 validation/convergence/tables.py          # needs python3-matplotlib
 """
@@ -95,6 +95,28 @@ def need_table(results, edges):
     return lines + [""]
 
 
+def load_table(results, edges):
+    """Force over weight by mesh, mean and standard deviation over the starts."""
+    lines = ["| edges | drapes | normal force over weight | of it squeezed between arms and trunk | free of them |",
+             "|---|---|---|---|---|"]
+    for edge in edges:
+        loads = [r["load"] for r in results[edge].values() if r["settled"]]
+        kinds = ([r["force_over_weight"] for r in loads], [r["squeezed"] for r in loads],
+                 [r["force_over_weight"] - r["squeezed"] for r in loads])
+        cells = ["{:.1f} ± {:.1f}".format(*mean_and_deviation(values)) for values in kinds]
+        lines.append(f"| {edge} mm | {len(loads)} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def put(page, mark, lines):
+    """The page with these lines between the marks of that name."""
+    begin, end = f"<!-- {mark}: begin -->", f"<!-- {mark}: end -->"
+    if begin not in page or end not in page:
+        raise SystemExit(f"error: {PAGE}: found no place for a table, expected {begin} … {end}")
+    head, rest = page.split(begin, 1)
+    return head + begin + "\n" + "\n".join(lines) + "\n" + end + rest.split(end, 1)[1]
+
+
 def draw(results, edges):
     figure, axes = plot.subplots(2, 3, figsize=(11, 7))
     for axis, (name, (title, scale, unit, _)) in zip(axes.flat, MAPS.items()):
@@ -133,13 +155,8 @@ def main():
     for name in MAPS:
         lines += region_table(results, name, edges)
     draw(results, edges)
-    page = PAGE.read_text()
-    begin, end = "<!-- convergence: begin -->", "<!-- convergence: end -->"
-    if begin not in page or end not in page:
-        raise SystemExit(f"error: {PAGE}: found no place for the tables, expected {begin} … {end}")
-    head, rest = page.split(begin, 1)
-    tail = rest.split(end, 1)[1]
-    PAGE.write_text(head + begin + "\n" + "\n".join(lines) + end + tail)
+    page = put(PAGE.read_text(), "convergence", lines[:-1])  # they end with an empty line
+    PAGE.write_text(put(page, "load by mesh", load_table(results, edges)))
 
 
 if __name__ == "__main__":
