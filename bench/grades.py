@@ -8,8 +8,9 @@ on, two edge lengths, two wearers, and standing or bent forward alone (where the
 other (for metrics over postures), each level equally often (Latin hypercube). Both are kept in FOLDER; the same
 command goes on where it stopped. Prints, for every metric of a site that the program knows and for every figure
 of the whole garment, the absolute difference over all sites, scorecards and cases: how many values, median, 95th
-and 99th percentile and largest; and what B saved. Exit code 1 when they are apart by more than what grade B promises
-of its last step: 0.1 mm anywhere, 0.2 degrees at the 99th percentile.
+and 99th percentile and largest; and what B saved. Exit code 1 when a value of one grade is missing from the other, or
+the sites of a case are apart by more than what grade B promises of its last step: 0.1 mm anywhere, 0.2 degrees at the
+99th percentile.
 """
 import argparse
 import datetime
@@ -76,7 +77,8 @@ postures = [["standing"], ["forward-bend-30"], ["standing", "forward-bend-30"]]
 """
 # Of which every value has its own line; keys that make two rows the same one.
 TABLES = {"metrics": ("modality, site, donning, metric", "metric", "value"),
-          "samples": ("modality, site, donning", "'score'", "score"),
+          # Most scores are 0 or 1, beyond which they are cut off; margins are not.
+          "samples": ("modality, site, donning", "'margin'", "margin"),
           "garment": ("quantity", "quantity", "value")}
 
 
@@ -100,25 +102,55 @@ def run(options, grade):
     return sqlite3.connect(f"{(folder / 'study.sqlite').absolute().as_uri()}?mode=ro", uri=True)
 
 
+def is_angle(metric):
+    return metric.endswith("_deg") and not metric.endswith("_per_deg")
+
+
 def apart(metric, x, y):
     """Angles go round."""
     difference = abs(x - y)
-    if metric.endswith("_deg"):
+    if is_angle(metric):
         difference %= 360
         difference = min(difference, 360 - difference)
     return difference
 
 
-def differences(b, a, table, numbers):
-    """By metric, of the cases with these numbers."""
+def values_of(database, table, numbers):
+    """{(case, key, …, metric): value} of the cases with these numbers."""
     keys, metric, value = TABLES[table]
-    rows = f"SELECT number, {keys}, {metric}, {value} FROM {table} WHERE {value} IS NOT NULL"
-    of_a = {row[:-2]: row[-1] for row in a.execute(rows)}
-    found = {}
-    for row in b.execute(rows):
-        if row[0] in numbers and row[:-2] in of_a:
-            found.setdefault(row[-2], []).append(apart(row[-2], row[-1], of_a[row[:-2]]))
-    return found
+    rows = database.execute(f"SELECT number, {keys}, {metric}, {value} FROM {table} WHERE {value} IS NOT NULL")
+    return {row[:-1]: row[-1] for row in rows if row[0] in numbers}
+
+
+def differences(b, a, table, numbers):
+    """{(case, key, …, metric): absolute difference} of the values that both have; how many only one has."""
+    of_b, of_a = values_of(b, table, numbers), values_of(a, table, numbers)
+    found = {key: apart(key[-1], x, of_a[key]) for key, x in of_b.items() if key in of_a}
+    return found, {"lost": len(of_a) - len(found), "gained": len(of_b) - len(found)}
+
+
+def by_metric(found):
+    values = {}
+    for key, difference in found.items():
+        values.setdefault(key[-1], []).append(difference)
+    return {metric: summed_up(of_metric) for metric, of_metric in sorted(values.items())}
+
+
+def by_case(b, found):
+    """Of each case its residual and how far its sites are apart: largest of lengths, 99th percentile and largest of
+    angles, and where these are. The case that is farthest apart comes first."""
+    residuals = dict(b.execute("SELECT number, residual FROM cases"))
+    cases = []
+    for number in sorted({key[0] for key in found}):
+        lengths = {key: d for key, d in found.items() if key[0] == number and key[-1].endswith("_mm")}
+        angles = {key: d for key, d in found.items() if key[0] == number and is_angle(key[-1])}
+        longest, widest = max(lengths, key=lengths.get), max(angles, key=angles.get)
+        p99 = quantile(sorted(angles.values()), 0.99)
+        cases.append({"case": number, "residual": residuals[number],
+                      "largest_mm": lengths[longest], "at_mm": [str(word) for word in longest[1:-1]],
+                      "p99_deg": p99, "largest_deg": angles[widest], "at_deg": [str(word) for word in widest[1:-1]],
+                      "beyond": lengths[longest] > PROMISED_MM or p99 > PROMISED_DEG})
+    return sorted(cases, key=lambda case: -max(case["largest_mm"] / PROMISED_MM, case["p99_deg"] / PROMISED_DEG))
 
 
 def by_level(database, numbers):
@@ -144,26 +176,24 @@ def versions(database):
         for library in ("loosefit", "build")}
 
 
+def quantile(values, p):
+    """The ⌈p n⌉-th smallest of sorted values: one that occurs."""
+    return values[max(0, math.ceil(p * len(values) - 1e-9) - 1)]
+
+
 def summed_up(values):
-    """Of absolute differences; the percentiles are values that occur, none smaller."""
+    """Of absolute differences."""
     values = sorted(values)
-    last = len(values) - 1
     return {"values": len(values), "equal": sum(v == 0 for v in values) / len(values),
-            "median": statistics.median(values), "p95": values[math.ceil(0.95 * last)],
-            "p99": values[math.ceil(0.99 * last)], "largest": values[-1]}
-
-
-def beyond_promise(metric, row):
-    """Whether a metric differs by more than grade B says that is left to go."""
-    return (metric.endswith("_deg") and row["p99"] > PROMISED_DEG) or \
-        (metric.endswith("_mm") and row["largest"] > PROMISED_MM)
+            "median": statistics.median(values), "p95": quantile(values, 0.95),
+            "p99": quantile(values, 0.99), "largest": values[-1]}
 
 
 def print_table(title, rows):
     print(f"\n{title:34}{'values':>8}{'equal':>8}{'median':>11}{'p95':>11}{'p99':>11}{'largest':>11}")
     for metric, row in rows.items():
         print(f"{metric:34}{row['values']:8}{100 * row['equal']:6.0f} %{row['median']:11.2e}{row['p95']:11.2e}"
-              f"{row['p99']:11.2e}{row['largest']:11.2e}{'  more than promised' if beyond_promise(metric, row) else ''}")
+              f"{row['p99']:11.2e}{row['largest']:11.2e}")
 
 
 def put_into(page, tables):
@@ -200,26 +230,35 @@ def main():
         print("error: no case ended with grade B and came to rest to grade A, too", file=sys.stderr)
         return 1
     seconds = [sum(s for n, s in db.execute("SELECT number, seconds FROM execution") if n in both) for db in (b, a)]
-    tables = {table: {metric: summed_up(values) for metric, values in sorted(differences(b, a, table, ended_b).items())}
-              for table in TABLES}
-    found = {"cases": len(of_b), "came_to_rest_in_both": len(both), "ended_with_b": len(ended_b),
-             "ended_with_b_by_level": by_level(b, ended_b), "not_in_both": reasons(b, a, set(of_b) - both),
-             "seconds_b_over_a": seconds[0] / seconds[1]}
+    found = {table: differences(b, a, table, ended_b) for table in TABLES}
+    tables = {table: by_metric(values) for table, (values, _) in found.items()}
+    missing = {table: counts for table, (_, counts) in found.items()}
+    cases = by_case(b, found["metrics"][0])
+    beyond = [case for case in cases if case["beyond"]]
+    record = {"date": datetime.date.today().isoformat(), "kind": options.garment, "edges_mm": options.edges,
+              "versions": versions(b), "cases": len(of_b), "came_to_rest_in_both": len(both),
+              "ended_with_b": len(ended_b), "ended_with_b_by_level": by_level(b, ended_b),
+              "not_in_both": reasons(b, a, set(of_b) - both), "seconds_b_over_a": seconds[0] / seconds[1],
+              "missing": missing, "beyond": len(beyond), "by_case": cases} | tables
     print(f"{len(of_b)} cases, {len(both)} came to rest in both ways, {len(ended_b)} of them ended with B; "
-          f"seconds B / A: {found['seconds_b_over_a']:.3f}")
+          f"seconds B / A: {record['seconds_b_over_a']:.3f}")
     print("differences of those that ended with B; 'equal': bit by bit")
     print_table("metric of a site", tables["metrics"])
     print_table("of a sample", tables["samples"])
     print_table("of the whole garment", tables["garment"])
-    for axis, labels in found["ended_with_b_by_level"].items():
+    for axis, labels in record["ended_with_b_by_level"].items():
         print(f"{axis}: " + ", ".join(f"{label} {count}" for label, count in labels.items()))
+    for case in cases[:3]:
+        print(f"case {case['case']}, residual {case['residual']:.4f}: {case['largest_mm']:.3f} mm at "
+              f"{' '.join(case['at_mm'])}, {case['largest_deg']:.3f} degrees at {' '.join(case['at_deg'])} (99 % below "
+              f"{case['p99_deg']:.3f}){', more than promised' if case['beyond'] else ''}")
+    print(f"{len(beyond)} of {len(cases)} cases are farther apart than promised; values of A that B lacks, and of B "
+          f"that A lacks: " + ", ".join(f"{t} {c['lost']}, {c['gained']}" for t, c in missing.items()))
     if options.json:
-        record = {"date": datetime.date.today().isoformat(), "kind": options.garment, "edges_mm": options.edges,
-                  "versions": versions(b)} | found | tables
         options.json.write_text(records.json_lines(record) + "\n")
     if options.page:
         put_into(options.page, tables)
-    return int(any(beyond_promise(metric, row) for rows in tables.values() for metric, row in rows.items()))
+    return int(bool(beyond) or any(c["lost"] or c["gained"] for c in missing.values()))
 
 
 if __name__ == "__main__":
