@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
+#include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/placement/site_points.h"
@@ -66,6 +69,103 @@ TEST(CaseSewnParts, ABoardThatIsShiftedIsSewnOnWhereItsShiftLeads) {
   EXPECT_EQ(parts.sites[0].landmark, "upper_back");
   EXPECT_TRUE(parts.sites[1].landmark.empty())
       << "20 mm from there on purpose, not worth a warning";
+}
+
+/// Counts what a drape reports.
+struct Listener : Progress {
+  mutable std::atomic<int> checks{0};
+  void check_cancelled() const override { ++checks; }
+};
+
+struct Placed {
+  SewnParts parts;
+  int checks = 0;
+  explicit Placed(const std::string& sites) {
+    const scenario::Scenario scenario = scenario_with(sites);
+    const CaseBody body = make_body(scenario.body);
+    Listener listener;
+    parts = place_sewn_parts(scenario, body, make_patterns(scenario, body.body), listener);
+    checks = listener.checks;
+  }
+};
+
+const char* const kBoard = "board = { mass = 0.02 }\n";
+const char* const kSpine = "[[site]]\nname = \"spine\"\nlandmark = \"upper_back\"\n";
+const char* const kFlat = "[[site]]\nname = \"flat\"\npanel = \"front\"\nat = [0.1, -0.3]\n";
+
+// From the side of the front onto the back: the axis leads on.
+TEST(CaseSewnParts, ABoardThatIsShiftedInThePatternNeedsNoDrape) {
+  const Placed placed(std::string(kFlat) + kBoard +
+                      "shift = [0.2, 0]\nangle_deg = 90\nfootprint = { size = [0.02, 0.04] }\n");
+  EXPECT_EQ(placed.checks, 0);
+  EXPECT_GT(Placed(std::string(kSpine) + kBoard).checks, 0) << "as a drape does";
+  const placement::SiteSpec& site = placed.parts.sites[0];
+  EXPECT_EQ(site.panel, "back");
+  EXPECT_TRUE(site.shift.isZero());
+  const garment::Board& board = std::get<garment::Board>(placed.parts.attachments[0].part);
+  EXPECT_EQ(board.centre, site.at);
+  EXPECT_EQ(board.angle, site.angle);
+  EXPECT_EQ(placed.parts.attachments[0].panel, "back");
+  // Back along its axis, which lay along the shift at the start (90 degrees: along −u).
+  const scenario::Scenario scenario = scenario_with(kFlat);
+  const CaseBody body = make_body(scenario.body);
+  const std::vector<CaseGarment> mesh =
+      mesh_garments(scenario, make_patterns(scenario, body.body), {}, MeshLevels::coarsest);
+  placement::SiteSpec back = site;
+  back.shift = 0.2 * placement::axis_in_pattern(site.angle);
+  back = placement::without_shift(back, mesh.back().mesh());
+  EXPECT_EQ(back.panel, "front");
+  EXPECT_LT((back.at - Vec2(0.1, -0.3)).norm(), 1e-6);
+}
+
+// As from the place in the pattern that the landmark has by itself.
+TEST(CaseSewnParts, ABoardThatIsShiftedFromALandmarkTakesItsAxisAlong) {
+  const std::string waist =
+      "[[site]]\nlandmark = \"waist_L\"\nangle_deg = 30\n" + std::string(kBoard) + "name = ";
+  const Placed placed(waist + "\"still\"\n" + waist + "\"one\"\nshift = [0.08, 0.01]\n" + waist +
+                      "\"other\"\nshift = [-0.08, 0.01]\n");
+  const scenario::Scenario scenario = scenario_with("");
+  const CaseBody body = make_body(scenario.body);
+  const std::vector<CaseGarment> mesh =
+      mesh_garments(scenario, make_patterns(scenario, body.body), {}, MeshLevels::coarsest);
+  int over_a_seam = 0;
+  for (const std::size_t i : {1, 2}) {
+    placement::SiteSpec from = placed.parts.sites[0];
+    from.shift = {i == 1 ? 0.08 : -0.08, 0.01};
+    const placement::SiteSpec expected = placement::without_shift(from, mesh.back().mesh());
+    const placement::SiteSpec& site = placed.parts.sites[i];
+    EXPECT_EQ(site.panel, expected.panel);
+    EXPECT_LT((site.at - expected.at).norm(), 1e-6);
+    EXPECT_NEAR(site.angle, expected.angle, 1e-9);
+    if (site.panel == from.panel) continue;
+    ++over_a_seam;
+    EXPECT_GT(std::abs(site.angle - radians(30.0)), radians(1.0)) << "the sides slant";
+    EXPECT_EQ(std::get<garment::Board>(placed.parts.attachments[i].part).angle, site.angle);
+  }
+  EXPECT_GT(over_a_seam, 0);
+}
+
+std::string refused_key(const std::string& sites) {
+  try {
+    Placed{sites};
+  } catch (const InvalidInput& error) {
+    return error.place().key;
+  }
+  return "accepted";
+}
+
+// A sensor without a board that ends over the edge is warned of once the garment is worn.
+TEST(CaseSewnParts, OnlyABoardMustEndOnTheCloth) {
+  const std::string over = "shift = [0, -0.2]\n",
+                    low = "[[site]]\nname = \"low\"\npanel = \"front\"\nat = [0.1, -0.55]\n" + over;
+  const std::string spine = std::string(kSpine) + kBoard;
+  EXPECT_EQ(refused_key(low + spine), "accepted");
+  EXPECT_EQ(refused_key("[[site]]\nname = \"knee\"\nlandmark = \"patella_L\"\n" + spine),
+            "accepted");
+  EXPECT_EQ(refused_key(kFlat + low + kBoard), "site[1].shift");
+  EXPECT_EQ(refused_key(low + "[[site]]\nname = \"neck\"\nlandmark = \"c7\"\n" + kBoard +
+                        "shift = [0, 0.15]\n"),
+            "site[1].shift");
 }
 
 TEST(CaseSewnParts, MovedFarFromWhereTheyWereWantedAreTold) {

@@ -152,6 +152,70 @@ TEST_F(Sites, AShiftGoesOnBeyondASeam) {
   EXPECT_NEAR(std::atan2(site.position.y(), site.position.x()), -0.015 / kTube, 1e-4);
 }
 
+// The same tube in two pieces, the second drawn otherwise: the same cloth lies under the sensor.
+TEST_F(Sites, AShiftTakesTheAxisAlongIntoAPieceThatIsDrawnOtherwise) {
+  SiteSpec spec{"s", "tube", {kPi * kTube - 0.005, 0.1}, ""};
+  spec.shift = {0.020, 0.010};
+  spec.angle = radians(30.0);
+  spec.footprint.kind = FootprintShape::Kind::rectangle;
+  spec.footprint.size = {0.01, 0.05};
+  const Site whole = find({spec}).at(0);
+  Mat2 turned, mirrored;
+  turned << 0, -1, 1, 0;
+  mirrored << -1, 0, 0, 1;
+  const garment::Garment tube = garment_;
+  for (const Mat2& drawn : {turned, mirrored}) {
+    garment_ = tube;
+    garment_.panel_names.push_back("other");
+    for (std::size_t t = 0; t < garment_.triangles.size(); ++t) {
+      auto& uv = garment_.triangle_uv[t];
+      if ((uv[0] + uv[1] + uv[2]).x() < 3 * kPi * kTube) continue;
+      garment_.triangle_panel[t] = 1;
+      for (Vec2& p : uv) p = drawn * p;
+    }
+    worn_ = maps::relate(garment_, drape_.positions, body_);
+    const Site site = find({spec}).at(0);
+    EXPECT_EQ(site.panel, "other");
+    EXPECT_LT((site.at - drawn * whole.at).norm(), 1e-9);
+    EXPECT_LT((site.position - whole.position).norm(), 1e-9);
+    EXPECT_NEAR(site.angle, radians(drawn == turned ? 120.0 : -30.0), 1e-9);
+    EXPECT_LT(
+        (axis_in_pattern(site.segment_angle) - drawn * axis_in_pattern(whole.segment_angle)).norm(),
+        1e-6);
+    double covered = 0, of_whole = 0;
+    Vec3 far = Vec3::Zero(), far_of_whole = Vec3::Zero();
+    const auto moments = [&](const Site& of, double& area, Vec3& second) {
+      for (const Footprint::Sample& sample : of.footprint.samples) {
+        const Vec3 p = at(garment_, {sample.triangle, sample.barycentric}, drape_.positions);
+        area += sample.area;
+        second += sample.area * (p - of.position) * (p - of.position).z();
+      }
+    };
+    moments(site, covered, far);
+    moments(whole, of_whole, far_of_whole);
+    EXPECT_NEAR(covered, of_whole, 0.01 * of_whole);
+    EXPECT_LT((far - far_of_whole).norm(), 0.02 * far_of_whole.norm()) << "leans alike";
+  }
+}
+
+TEST_F(Sites, ABoardIsNeverPassedOver) {
+  SiteSpec plain{"plain", "tube", {0.1, 0.39}, ""}, board = plain;
+  plain.shift = board.shift = {0, 0.05};
+  board.board = SensorBoard{};
+  std::vector<UncoveredSite> uncovered;
+  const auto find_both = [&](const SiteSpec& a, const SiteSpec& b) {
+    find_sites(garment_, drape_.positions, body_, worn_, maps_, {a, b}, false, &uncovered);
+  };
+  EXPECT_NO_THROW(find_both(plain, plain));
+  EXPECT_EQ(uncovered.size(), 2u);
+  try {
+    find_both(plain, board);
+    FAIL() << "nothing to sew it on";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "site[1].shift");
+  }
+}
+
 TEST_F(Sites, ShiftedOverTheEdgeThereIsNoPlace) {
   SiteSpec spec{"s", "tube", {0.1, 0.39}, ""};
   spec.shift = {0, 0.010};

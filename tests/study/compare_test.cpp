@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/study/analysis_json.h"
 #include "support/study_on_disk.h"
 
 // Two studies are compared case by case of what both have: a score of one posture, donning or
@@ -176,11 +178,6 @@ TEST_F(Comparison, OfStudiesWithoutACommonCaseIsRefusedWithTheReason) {
   expect_refused(a, study("d", kFits, same), "d has no axis of people");
 }
 
-TEST_F(Comparison, OfOnePersonHasNoInterval) {
-  const StudyData a = study("a", kFits, [](const std::string&, int) { return 0.5; });
-  EXPECT_FALSE(says(compare_studies(a, a), "nan")) << comparison_text(compare_studies(a, a));
-}
-
 const std::string kMoreFits =
     "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.0, 0.1, 0.2]\n";
 
@@ -192,11 +189,44 @@ int person_of(const std::string& label) {
 
 double pass_mark() { return io::load_scorecard("imu-uncalibrated").pass; }
 
+std::string people_of(int count) {
+  std::string text = kPeople;
+  return text.replace(text.find("count = 3"), 9, "count = " + std::to_string(count));
+}
+
 /// Person p reaches the pass mark at the BGM limit + 0.01 (p − 1).
 Comparison::ScoreOf limited(double limit) {
   return [limit](const std::string& label, int) {
     return pass_mark() + limit + 0.01 * (person_of(label) - 1) - fit_of(label);
   };
+}
+
+// Without people the cases are of one wearer, each at one fit: to draw them is to draw fits.
+TEST_F(Comparison, OfOneWearerHasNoInterval) {
+  const auto falling = [](double limit) {
+    return [limit](const std::string& label, int) { return pass_mark() + limit - fit_of(label); };
+  };
+  const StudyData a = study("a", kMoreFits, falling(0.08)),
+                  b = study("b", kMoreFits, falling(0.12));
+  const StudyComparison c = compare_studies(a, b);
+  ASSERT_EQ(c.limits.size(), 1u);
+  EXPECT_NEAR(c.limits[0].difference, 0.04, 1e-9);
+  EXPECT_TRUE(std::isnan(c.limits[0].interval.low) && std::isnan(c.limits[0].interval.high));
+  EXPECT_TRUE(says(c, "limits without draws have no interval")) << comparison_text(c);
+  for (const char* phrase : {"drawn jointly", "drawn independently", "nan", "up to 20 people"})
+    EXPECT_FALSE(says(c, phrase)) << phrase << "\n" << comparison_text(c);
+  const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
+  EXPECT_EQ(json["people_drawn"], "none");
+  EXPECT_EQ(json["people_a"], 1);
+  EXPECT_EQ(json["people_b"], 1);
+  EXPECT_EQ(json["interval"], nlohmann::json({nullptr, nullptr}));
+  EXPECT_TRUE(json["open_draws"].is_null());
+  EXPECT_NE(limits_csv(c).find(",,,false,1,1,none,,"), std::string::npos) << limits_csv(c);
+  // Nor has what the study says of itself.
+  const HowLoose own = analyse(a).modalities.at(0).how_loose.at("scapula");
+  EXPECT_NEAR(own.limit, 0.08, 1e-9);
+  EXPECT_TRUE(std::isnan(own.interval.low) && std::isnan(own.interval.high));
+  EXPECT_EQ(in_words(own), "up to a BGM of 0.08");
 }
 
 TEST_F(Comparison, TellsHowMuchLooserOneStudyMayBe) {
@@ -214,28 +244,59 @@ TEST_F(Comparison, TellsHowMuchLooserOneStudyMayBe) {
   const auto own = [](const StudyData& data) {
     return analyse(data).modalities.at(0).how_loose.at("scapula").limit;
   };
-  EXPECT_EQ(limits.limit_a, own(a));
-  EXPECT_EQ(limits.limit_b, own(b));
-  EXPECT_NEAR(limits.limit_a, 0.08, 1e-9);
+  EXPECT_EQ(limits.limit_a.low, own(a));
+  EXPECT_EQ(limits.limit_b.low, own(b));
+  EXPECT_NEAR(limits.limit_a.low, 0.08, 1e-9);
   EXPECT_TRUE(says(c, "people are drawn jointly")) << comparison_text(c);
   EXPECT_TRUE(says(c, "+0.040  +0.040 to +0.040")) << comparison_text(c);
-  EXPECT_TRUE(says(c, "up to 20 people a limit is that of the worst of them"))
-      << comparison_text(c);
+  EXPECT_TRUE(says(c, "0.080          0.120 ")) << comparison_text(c);
   const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
   EXPECT_EQ(json["people_drawn"], "jointly");
   EXPECT_NEAR(json["difference_bgm"].get<double>(), 0.04, 1e-9);
   EXPECT_NEAR(json["limit_b_bgm"].get<double>(), 0.12, 1e-9);
-  EXPECT_EQ(json["differs"], true);
-  EXPECT_NE(limits_csv(c).find(",jointly,0,"), std::string::npos) << limits_csv(c);
+  EXPECT_EQ(json["differs"], false) << "three people";
+  EXPECT_NE(limits_csv(c).find(",false,3,3,jointly,0,"), std::string::npos) << limits_csv(c);
+}
+
+/// The row of the table of limits.
+std::string limits_row(const StudyComparison& comparison) {
+  const std::string text = comparison_text(comparison);
+  const std::size_t row = text.find("scapula", text.find("how loose may it be?"));
+  return text.substr(row, text.find('\n', row) - row);
+}
+
+TEST_F(Comparison, MarksNoLimitOfFewPeople) {
+  const auto of = [&](int people) {
+    const std::string n = std::to_string(people);
+    return compare_studies(study("a" + n, people_of(people) + kMoreFits, limited(0.0)),
+                           study("b" + n, people_of(people) + kMoreFits, limited(0.15)));
+  };
+  const std::string scores = "of 20 such rows without any difference 2 would be so",
+                    few =
+                        "with up to 20 people about one row in four would differ without any "
+                        "difference (half with 3), so none is marked";
+  const StudyComparison twelve = of(12), many = of(21);
+  EXPECT_GT(twelve.limits.at(0).interval.low, 0.03) << "far from zero";
+  EXPECT_EQ(limits_row(twelve).find('*'), std::string::npos) << limits_row(twelve);
+  EXPECT_TRUE(says(twelve, few)) << comparison_text(twelve);
+  EXPECT_NE(comparison_json(twelve).find(few), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(comparison_json(twelve))["limits"].at(0)["differs"], false);
+  EXPECT_TRUE(limits_row(many).ends_with(" *")) << limits_row(many);
+  EXPECT_FALSE(says(many, few)) << comparison_text(many);
+  EXPECT_NE(limits_csv(many).find(",true,21,21,jointly,"), std::string::npos) << limits_csv(many);
+  // What is said of rows of scores stands under these.
+  for (const StudyComparison& c : {twelve, many}) {
+    const std::string text = comparison_text(c);
+    EXPECT_LT(text.find(scores), text.find("how loose may it be?")) << text;
+    EXPECT_EQ(text.find(scores), text.rfind(scores)) << text;
+  }
 }
 
 TEST_F(Comparison, OfLimitsDrawsOtherPeopleIndependently) {
-  std::string more = kPeople;
-  more.replace(more.find("count = 3"), 9, "count = 4");
   const StudyComparison c = compare_studies(study("a", kPeople + kMoreFits, limited(0.08)),
-                                            study("b", more + kMoreFits, limited(0.12)));
+                                            study("b", people_of(4) + kMoreFits, limited(0.12)));
   ASSERT_EQ(c.limits.size(), 1u);
-  EXPECT_FALSE(c.limits[0].paired);
+  EXPECT_EQ(c.limits[0].drawn, PeopleDrawn::independently);
   EXPECT_EQ(c.limits[0].people_b, 4);
   EXPECT_NEAR(c.limits[0].difference, 0.04, 1e-9);
   // The worst of A is not drawn in 8 of 27 draws: its limit is then at least 0.01 higher.
@@ -265,12 +326,12 @@ TEST_F(Comparison, OfLimitsKnowsPeopleByTheirNames) {
   const StudyData a = listed("a", {"ann", "bob", "cy"}, 0.08);
   const LimitDifference same =
       compare_studies(a, listed("b", {"cy", "ann", "bob"}, 0.12)).limits.at(0);
-  EXPECT_TRUE(same.paired);
+  EXPECT_EQ(same.drawn, PeopleDrawn::jointly);
   EXPECT_NEAR(same.interval.low, 0.04, 1e-9);
   EXPECT_NEAR(same.interval.high, 0.04, 1e-9);
   const LimitDifference other =
       compare_studies(a, listed("c", {"ann", "bob", "dan"}, 0.12)).limits.at(0);
-  EXPECT_FALSE(other.paired);
+  EXPECT_EQ(other.drawn, PeopleDrawn::independently);
   EXPECT_LT(other.interval.low, 0.03);
 }
 
@@ -281,13 +342,43 @@ TEST_F(Comparison, InventsNoLimit) {
   const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
   EXPECT_EQ(json["limit_a_bgm"], "nowhere");
   EXPECT_EQ(json["limit_b_bgm"], "beyond the loosest");
-  for (const char* key : {"difference_bgm", "open_draws"}) EXPECT_TRUE(json[key].is_null()) << key;
-  EXPECT_EQ(json["interval"], nlohmann::json({nullptr, nullptr}));
+  EXPECT_TRUE(json["difference_bgm"].is_null());
+  EXPECT_NEAR(json["interval"][0].get<double>(), 0.2, 1e-9) << "from the tightest to the loosest";
+  EXPECT_TRUE(json["interval"][1].is_null());
+  EXPECT_EQ(json["open_draws"], 1);
   EXPECT_EQ(json["differs"], false);
-  EXPECT_TRUE(says(c, "B still passes at 0.20, the loosest tried")) << comparison_text(c);
+  EXPECT_NE(json["words"].get<std::string>().find("B still passes at 0.200, the loosest tried"),
+            std::string::npos)
+      << json;
+  for (const char* phrase : {"nowhere", "beyond 0.200", "at least +0.200", "+0.200 to open"})
+    EXPECT_NE(limits_row(c).find(phrase), std::string::npos) << phrase << ": " << limits_row(c);
   EXPECT_FALSE(says(c, "inf") || says(c, "nan")) << comparison_text(c);
-  EXPECT_NE(limits_csv(c).find("imu-uncalibrated,scapula,,,,,,3,3,jointly,,"), std::string::npos)
+  EXPECT_NE(limits_csv(c).find("imu-uncalibrated,scapula,nowhere,beyond the loosest,,0.2,inf,false,"
+                               "3,3,jointly,1,"),
+            std::string::npos)
       << limits_csv(c);
+  // What is open on both sides is not what is not known.
+  EXPECT_NE(limits_csv(compare_studies(beyond, beyond)).find(",,-inf,inf,false,3,3,jointly,1,"),
+            std::string::npos);
+}
+
+// Nobody is rated at the loosest fit of B: its limit is at least the fit before.
+TEST_F(Comparison, TellsALimitThatEndsWhereNobodyIsRated) {
+  const StudyData a = study("a", kPeople + kMoreFits, limited(0.05)),
+                  b = study("b", kPeople + kMoreFits, [](const std::string&label, int donning) {
+                    return has(label, "fit 0.2") ? std::nan("") : limited(0.12)(label, donning);
+                  });
+  const StudyComparison c = compare_studies(a, b);
+  for (const char* phrase : {"0.050", "at least 0.100", "at least +0.050", "+0.040 to open"})
+    EXPECT_NE(limits_row(c).find(phrase), std::string::npos) << phrase << ": " << limits_row(c);
+  const nlohmann::json json = nlohmann::json::parse(comparison_json(c))["limits"].at(0);
+  EXPECT_EQ(json["limit_b_bgm"], "at least 0.100");
+  EXPECT_TRUE(json["difference_bgm"].is_null());
+  EXPECT_NE(limits_csv(c).find(",at least 0.100,,"), std::string::npos) << limits_csv(c);
+  const StudyAnalysis own = analyse(b);
+  const std::string words = "at least up to a BGM of 0.10, beyond which nobody is rated";
+  EXPECT_NE(in_words(own.modalities.at(0).how_loose.at("scapula")).find(words), std::string::npos);
+  EXPECT_NE(analysis_json(own).find("\"limit_bgm\": \"at least 0.100\""), std::string::npos);
 }
 
 TEST_F(Comparison, OfStudiesWithoutLoosenessHasNoLimits) {

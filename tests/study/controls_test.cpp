@@ -109,7 +109,9 @@ TEST(Controls, CountSamplesThatLoseOrGainTheirScore) {
   sealed.status = CaseStatus::sealed;
   EXPECT_FALSE(compared(rated, sealed).scores) << "it is told as failed";
   ControlSummary summary;
-  for (const CaseRecord& a : {half, first, elsewhere, sealed}) add(compared(rated, a), summary);
+  for (const CaseRecord& a : {sealed, half, first, elsewhere}) add(compared(rated, a), summary);
+  EXPECT_EQ(summary.cases, 4);
+  EXPECT_EQ(summary.counted, 3);
   EXPECT_EQ(summary.scores.kept, 2);
   EXPECT_EQ(summary.scores.lost, 4);
   EXPECT_EQ(summary.scores.gained, 2);
@@ -243,13 +245,24 @@ TEST_F(ControlsOfAStudy, TellOfLostScoresInDatabaseAndPage) {
       all.push_back({row.integer(0), row.integer(1), row.integer(2)});
     return all;
   };
-  EXPECT_EQ(rows(), (std::vector<std::array<int, 3>>(read.controls.size(), {7, 2, 1})));
+  const std::vector<std::array<int, 3>> all(read.controls.size(), {7, 2, 1});
+  EXPECT_EQ(rows(), all);
+  // The database of an earlier program gets the table.
+  Database(folder.database(), Database::Mode::write).run("DROP TABLE control_scores");
+  collect(folder, read);
+  EXPECT_EQ(rows(), all);
   const int n = static_cast<int>(read.controls.size());
-  const std::string page = study_html(analyse(read_study_data(folder)));
-  const std::string sentence =
-      fmt::format("samples {} have a score at both grades, {} lose it by going on to A and {} gain",
-                  7 * n, 2 * n, n);
-  EXPECT_NE(page.find(sentence), std::string::npos) << page;
+  StudyAnalysis analysis = analyse(read_study_data(folder));
+  const auto sentence = [&](int controls) {
+    return fmt::format(
+        "{} of {} controls count their scores: of their samples {} have a score at both grades, {} "
+        "lose it by going on to A and {} gain one",
+        n, controls, 7 * n, 2 * n, n);
+  };
+  EXPECT_NE(study_html(analysis).find(sentence(n)), std::string::npos) << study_html(analysis);
+  // Others failed, or were run by an earlier program.
+  analysis.data.controls.cases += 2;
+  EXPECT_NE(study_html(analysis).find(sentence(n + 2)), std::string::npos) << study_html(analysis);
   // A case that is no control any more loses them.
   FolderPlan without = read;
   without.controls.clear();

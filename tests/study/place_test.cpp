@@ -153,6 +153,25 @@ TEST(PlaceAxis, IsRefusedWithItsKey) {
   EXPECT_NE(far.find("study.toml:7: site[0].shift: found 0."), std::string::npos) << far;
 }
 
+// Also where a place brings the sum back into the range.
+TEST(PlaceAxis, DoesNotHideAShiftThatIsTooFar) {
+  const auto with = [](const std::string& own, const std::string& more = "") {
+    return kHead + "[[scenario.site]]\nname = \"s\"\nlandmark = \"c7\"\nshift = " + own + "\n" +
+           axis("{ shift = 0.15, count = 8 }") + more;
+  };
+  for (const auto& [own, found] : {std::pair{"[0.3, 0]", "0.3"},
+                                   {"[0, -0.3]", "-0.3"},
+                                   {"[0.2001, 0]", "0.2001"},
+                                   {"[nan, 0]", "nan"}}) {
+    const std::string told = refusal(with(own));
+    EXPECT_NE(told.find(std::string("study.toml:7: site[0].shift: found ") + found +
+                        " in case 1 (place "),
+              std::string::npos)
+        << own << ": " << told;
+    EXPECT_NE(told.find("metres from -0.2 to 0.2"), std::string::npos) << told;
+  }
+}
+
 struct PlaceOnDisk : StudyOnDisk {
   PlaceOnDisk() { plan = plan_of(std::string(kStudy) + kSites + axis("{ site = 1, count = 2 }")); }
 };

@@ -208,13 +208,41 @@ TEST(Sensors, KeepTheirDistanceAndStayOffWhatIsExcluded) {
 
 TEST(HowLoose, InterpolatesBetweenTheLevels) {
   const std::vector<double> bgm = {0, 0.1, 0.2, 0.3};
-  EXPECT_NEAR(greatest_passing(bgm, {1, 0.8, 0.4, 0}, 0.5), 0.175, 1e-12);
-  EXPECT_EQ(greatest_passing(bgm, {1, 0.8, 0.6, 0.5}, 0.5), kInfinity);
-  EXPECT_EQ(greatest_passing(bgm, {0.4, 0.3, 0.2, kNaN}, 0.5), -kInfinity);
-  // What is not rated fails, and is not interpolated into.
-  EXPECT_EQ(greatest_passing(bgm, {1, 0.8, kNaN, 0}, 0.5), 0.1);
+  const auto expect = [&](const std::vector<double>& score, double low, double high) {
+    const Bounds limit = limit_bounds(bgm, score, 0.5);
+    EXPECT_DOUBLE_EQ(limit.low, low);
+    EXPECT_DOUBLE_EQ(limit.high, high);
+  };
+  expect({1, 0.8, 0.4, 0}, 0.175, 0.175);
+  expect({1, 0.8, 0.6, 0.5}, kInfinity, kInfinity);
+  expect({0.4, 0.3, 0.2, 0}, -kInfinity, -kInfinity);
   // Of two stretches that pass the looser one counts.
-  EXPECT_NEAR(greatest_passing(bgm, {1, 0, 0.6, 0.4}, 0.5), 0.25, 1e-12);
+  expect({1, 0, 0.6, 0.4}, 0.25, 0.25);
+  // What is not rated neither passes nor fails: the limit is between the levels that are.
+  expect({1, 0.8, kNaN, 0}, 0.1, 0.3);
+  expect({1, 0.8, kNaN, kNaN}, 0.1, kInfinity);
+  expect({1, kNaN, kNaN, 0.5}, kInfinity, kInfinity);
+  expect({kNaN, 0.8, 0.4, 0}, 0.175, 0.175);
+  expect({kNaN, kNaN, 0.2, 0.1}, -kInfinity, 0.2);
+  expect({0.4, 0.3, 0.2, kNaN}, -kInfinity, -kInfinity);
+  expect({kNaN, kNaN, kNaN, kNaN}, -kInfinity, kInfinity);
+}
+
+// Whoever is drawn alone is rated at the tighter fits, or nowhere.
+TEST(HowLoose, KnowsNothingOfPeopleWhoAreNotRated) {
+  const std::vector<double> bgm = {0, 0.1, 0.2, 0.3};
+  std::vector<LooseLevel> levels;
+  for (const double b : bgm) levels.push_back({b, {0.95 - 2 * b, 0.95 - 2 * b}});
+  EXPECT_NEAR(how_loose(levels, 0.5).interval.high, 0.225, 1e-12);
+  levels[2].scores[1] = levels[3].scores[1] = kNaN;
+  const HowLoose beyond = how_loose(levels, 0.5);
+  EXPECT_NEAR(beyond.limit, 0.225, 1e-12);
+  EXPECT_EQ(beyond.at_most, beyond.limit);
+  EXPECT_EQ(beyond.interval.low, 0.1);
+  EXPECT_EQ(beyond.interval.high, kInfinity) << "in a quarter of the draws nothing is known beyond";
+  for (LooseLevel& level : levels) level.scores[1] = kNaN;
+  EXPECT_EQ(how_loose(levels, 0.5).interval.low, -kInfinity);
+  EXPECT_EQ(how_loose(levels, 0.5).interval.high, kInfinity);
 }
 
 TEST(HowLoose, ComfortIsTheTightestFromWhichOnItHolds) {
@@ -249,6 +277,11 @@ TEST(HowLoose, TellsTheTightEndOfWhatPasses) {
   const HowLoose answer = how_loose(levels, 0.5);
   EXPECT_NEAR(answer.limit, 0.15, 1e-12);
   EXPECT_NEAR(answer.tightest, 0.05, 1e-12);
+  // It is not known to fail where nobody is rated.
+  levels[0].scores = {kNaN, kNaN};
+  EXPECT_EQ(how_loose(levels, 0.5).tightest, -kInfinity);
+  levels.insert(levels.begin(), {-0.1, {0.2, 0.3}});
+  EXPECT_NEAR(how_loose(levels, 0.5).tightest, 0.1, 1e-12);
 }
 
 }  // namespace

@@ -263,7 +263,7 @@ placement::SiteSpec read_site_section(ConfigReader table) {
     site.at = table.point("at", {-5, 5, "metres"}, "place in pattern coordinates: u weft, v warp");
   }
   if (segment) site.anatomy = read_anatomy(table);
-  site.shift = table.point_or_zero("shift", {-0.2, 0.2, "metres"},
+  site.shift = table.point_or_zero("shift", {-kMostSiteShift, kMostSiteShift, "metres"},
                                    "of the sensor from there along the cloth: weft, warp");
   site.angle = radians(table.number("angle_deg", 0, {-360, 360, "degrees"},
                                     "of the axis of the sensor, from the warp, counter-clockwise"));

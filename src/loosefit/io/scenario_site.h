@@ -6,6 +6,9 @@
 
 namespace loosefit::io {
 
+/// How far a sensor may be shifted along the cloth, each way [m].
+inline constexpr double kMostSiteShift = 0.2;
+
 /// One [[site]]: where a sensor is and what it is.
 placement::SiteSpec read_site_section(ConfigReader table);
 /// The same as TOML, every default written out.

@@ -25,13 +25,18 @@ using placement::SiteSpec;
 
 bool is_sewn_line(const SiteSpec& site) { return site.line && site.line->is_sewn_part(); }
 
+/// A board with a place in the pattern from which it is shifted.
+bool is_shifted_board(const SiteSpec& site) {
+  return site.board && !site.panel.empty() && !site.shift.isZero();
+}
+
 /// Its places in the pattern are seen on a drape only.
 bool needs_drape(const SiteSpec& site) {
   if (is_sewn_line(site))
     return !site.line->over.empty() ||
            std::any_of(site.line->stops.begin(), site.line->stops.end(),
                        [](const LinePlace& place) { return place.panel.empty(); });
-  return site.board && (site.panel.empty() || !site.shift.isZero());
+  return site.board && site.panel.empty();
 }
 
 /// The mesh cuts the corners of a curved outline, at a concave one to its outside.
@@ -47,6 +52,17 @@ auto for_site(std::size_t i, const Work& work) try {
   return work();
 } catch (const InvalidInput& error) {
   throw error.at({"", 0, "site[" + std::to_string(i) + "]." + error.place().key});
+}
+
+/// Boards that are shifted from a place in the pattern: their way is seen on the flat cloth.
+void place_on_flat(const garment::Garment& mesh, const pattern::Pattern& pattern,
+                   std::vector<SiteSpec>& sites) {
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    SiteSpec& site = sites[i];
+    if (!is_shifted_board(site)) continue;
+    site = for_site(i, [&] { return placement::without_shift(site, mesh); });
+    site.at = inside(pattern.panels[pattern.find_panel(site.panel)], site.at);
+  }
 }
 
 /// Gives sites that need it their places on the bare garment, draped on its coarsest mesh over what
@@ -72,23 +88,26 @@ void place_on_drape(const scenario::Scenario& scenario, const CaseBody& body,
   const auto in_pattern = [&](const std::string& panel, const Vec2& at) {
     return inside(pattern.panels[pattern.find_panel(panel)], at);
   };
-  // Lines are not among those found.
+  // What carries no board is looked for on the final drape, and only warned of if it is not there.
+  std::vector<placement::UncoveredSite> uncovered;
   const std::vector<placement::Site> found =
-      placement::find_sites(bare, drape.positions, body.body, worn, {}, sites, false);
-  std::size_t next = 0;
+      placement::find_sites(bare, drape.positions, body.body, worn, {}, sites, false, &uncovered);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     SiteSpec& site = sites[i];
+    if (!needs_drape(site)) continue;
     if (!site.line) {
-      const placement::Site& at = found[next++];
-      if (!needs_drape(site)) continue;
-      site.panel = at.panel;
-      site.at = in_pattern(at.panel, at.at);
+      const auto at = std::find_if(found.begin(), found.end(), [&](const placement::Site& other) {
+        return other.name == site.name;
+      });
+      site.panel = at->panel;
+      site.at = in_pattern(at->panel, at->at);
       if (site.shift.isZero()) continue;
+      site.angle = at->angle;
       // It is not meant to lie over its landmark: only the place in the pattern stays.
       site.shift.setZero();
       site.landmark.clear();
       site.anatomy.reset();
-    } else if (needs_drape(site)) {
+    } else {
       const std::vector<GarmentPoint> stops = for_site(i, [&] { return finder.stops(*site.line); });
       site.line->stops.clear();
       for (const GarmentPoint& stop : stops) {
@@ -146,9 +165,11 @@ SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& b
   SewnParts parts{scenario.sites, scenario.attachments};
   const bool drapes = std::any_of(parts.sites.begin(), parts.sites.end(), needs_drape);
   const bool lines = std::any_of(parts.sites.begin(), parts.sites.end(), is_sewn_line);
+  const bool shifts = std::any_of(parts.sites.begin(), parts.sites.end(), is_shifted_board);
   std::vector<CaseGarment> coarse;
-  if (drapes || lines)
+  if (drapes || lines || shifts)
     coarse = mesh_garments(scenario, patterns, scenario.attachments, MeshLevels::coarsest);
+  if (shifts) place_on_flat(coarse.back().mesh(), patterns.back().pattern, parts.sites);
   if (drapes) place_on_drape(scenario, body, patterns, coarse, parts.sites, progress);
   const std::vector<garment::Attachment> boards = placement::site_boards(parts.sites);
   parts.attachments.insert(parts.attachments.end(), boards.begin(), boards.end());

@@ -19,8 +19,8 @@ struct SewnParts {
 /// What must be known before the garment can be meshed with what is sewn on. Where the scenario
 /// names a landmark or an anatomical address, the bare garment (the scenario's own attachments
 /// only) is draped on its coarsest mesh to a residual of 1 %, and the place found on that becomes
-/// the place in the pattern.
-/// \throws InvalidInput as find_sites, site_boards and CourseFinder::stops.
+/// the place in the pattern. A place in the pattern with a shift needs no drape.
+/// \throws InvalidInput as find_sites, without_shift, site_boards and CourseFinder::stops.
 SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& body,
                            const std::vector<CasePattern>& patterns, Progress& progress);
 

@@ -17,7 +17,6 @@ namespace loosefit::placement {
 namespace {
 
 constexpr double kEdgeSlack = 1e-4;    // [m]
-constexpr double kSamePlace = 1e-9;    // [m]
 constexpr double kNearMiss = 0.015;    // [m]
 constexpr double kInnerMiss = 0.060;   // over a furrow that the cloth bridges [m]
 constexpr double kSameMiss = 5e-4;     // [m]
@@ -78,27 +77,6 @@ GarmentPoint pattern_point(const garment::Garment& garment, const std::string& p
                        place_text(place) + ", " + fmt::format("{:.0f}", 1000 * distance) +
                            " mm outside panel " + panel,
                        "a place in it; the nearest is " + place_text(nearest.head<2>()));
-  return best;
-}
-
-std::optional<GarmentPoint> shifted(const garment::Garment& garment, const GarmentPoint& point,
-                                    const Vec2& shift) {
-  const Vec2 from = pattern_place(garment, point), to = from + shift;
-  GarmentPoint best;
-  double distance = std::numeric_limits<double>::infinity();
-  // Where pieces that are laid flat overlap, beyond a dart, the nearest to `from` comes first and
-  // is kept.
-  for (const FlatTriangle& flat :
-       unfold(garment, point.triangle, from, shift.norm() + kEdgeSlack)) {
-    const Vec3 a = lifted(flat.corners[0]), b = lifted(flat.corners[1]),
-               c = lifted(flat.corners[2]);
-    const Vec3 weights = geometry::closest_barycentric(lifted(to), a, b, c);
-    const double d = (weights[0] * a + weights[1] * b + weights[2] * c - lifted(to)).norm();
-    if (d >= distance - kSamePlace) continue;
-    distance = d;
-    best = {flat.triangle, weights};
-  }
-  if (!(distance <= kEdgeSlack)) return std::nullopt;
   return best;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +22,6 @@ Vec3 at(const garment::Garment& garment, const GarmentPoint& point, const std::v
 /// did-you-mean) or "at" (with the nearest place in the panel).
 GarmentPoint pattern_point(const garment::Garment& garment, const std::string& panel,
                            const Vec2& place);
-
-/// The point that lies `shift` [m] farther in the flat cloth, in weft and warp of the panel of
-/// `point`. Beyond a seam the next piece is laid flat against it, as under a footprint. Nothing
-/// where that leads over a free edge by more than 0.1 mm.
-std::optional<GarmentPoint> shifted(const garment::Garment& garment, const GarmentPoint& point,
-                                    const Vec2& shift);
 
 /// Farther from the skin than this a garment does not cover it [m].
 inline constexpr double kCoverReach = 0.15;

@@ -27,19 +27,18 @@ struct Layout {
   Vec2 operator()(const Vec2& p) const { return turn * p + shift; }
 };
 
-/// Layout of a neighbour whose edge from → to must come to lie on a → b, its third corner `apex` on
+/// Turn of a neighbour whose edge from → to must come to lie on a → b, its third corner `apex` on
 /// the other side of it than `inner`.
-Layout against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from, const Vec2& to,
-               const Vec2& apex) {
+Mat2 turn_against(const Vec2& a, const Vec2& b, const Vec2& inner, const Vec2& from, const Vec2& to,
+                  const Vec2& apex) {
   const Vec2 target = (b - a).normalized(), has = (to - from).normalized();
   const double c = target.dot(has), s = geometry::cross(has, target);
-  Layout layout;
-  layout.turn << c, -s, s, c;
+  Mat2 turn;
+  turn << c, -s, s, c;
   // Turned on, the neighbour would cover this piece: a right-to-wrong seam. Turn it over first.
   if ((geometry::cross(to - from, apex - from) > 0) == (geometry::cross(b - a, inner - a) > 0))
-    layout.turn *= 2 * has * has.transpose() - Mat2::Identity();
-  layout.shift = (a + b) / 2 - layout.turn * (from + to) / 2;
-  return layout;
+    turn *= 2 * has * has.transpose() - Mat2::Identity();
+  return turn;
 }
 
 }  // namespace
@@ -62,6 +61,24 @@ TriangleNeighbours triangle_neighbours(const garment::Garment& garment) {
     }
   }
   return beyond;
+}
+
+AcrossEdge across_edge(const garment::Garment& garment, int triangle, int k, int next) {
+  const Triangle &ids = garment.triangles[triangle], &other = garment.triangles[next];
+  const auto corner = [&](int vertex) {
+    return static_cast<int>(std::find(other.begin(), other.end(), vertex) - other.begin());
+  };
+  const auto &here = garment.triangle_uv[triangle], &there = garment.triangle_uv[next];
+  const Vec2 &a = here[k], &b = here[(k + 1) % 3];
+  AcrossEdge across;
+  across.ends = {corner(ids[k]), corner(ids[(k + 1) % 3])};
+  const Vec2 &from = there[across.ends[0]], &to = there[across.ends[1]];
+  across.seam = garment.triangle_panel[next] != garment.triangle_panel[triangle] ||
+                (from - a).norm() > 1e-9 || (to - b).norm() > 1e-9;
+  if (across.seam)
+    across.turn =
+        turn_against(a, b, here[(k + 2) % 3], from, to, there[3 - across.ends[0] - across.ends[1]]);
+  return across;
 }
 
 std::vector<FlatTriangle> unfold(const garment::Garment& garment, int triangle, const Vec2& centre,
@@ -87,7 +104,6 @@ std::vector<FlatTriangle> unfold(const garment::Garment& garment, int triangle, 
     const Step step = open.top();
     open.pop();
     if (!done.insert(step.triangle).second) continue;
-    const Triangle& ids = garment.triangles[step.triangle];
     // Nearest triangle next, laid flat by the layout of the path that leads to it.
     FlatTriangle flat{step.triangle, {}};
     for (int k = 0; k < 3; ++k)
@@ -98,20 +114,14 @@ std::vector<FlatTriangle> unfold(const garment::Garment& garment, int triangle, 
       // shifted so that the shared edges meet.
       const int next = beyond[step.triangle][k];
       if (next < 0 || done.count(next)) continue;
-      const int a = ids[k], b = ids[(k + 1) % 3];
-      const Triangle& other = garment.triangles[next];
-      const auto corner = [&](int vertex) {
-        return static_cast<int>(std::find(other.begin(), other.end(), vertex) - other.begin());
-      };
-      const int ca = corner(a), cb = corner(b);
+      const AcrossEdge across = across_edge(garment, step.triangle, k, next);
       const auto& uv = garment.triangle_uv[next];
       Layout layout = step.layout;
-      const bool seam = garment.triangle_panel[next] != garment.triangle_panel[step.triangle] ||
-                        (uv[ca] - garment.triangle_uv[step.triangle][k]).norm() > 1e-9 ||
-                        (uv[cb] - garment.triangle_uv[step.triangle][(k + 1) % 3]).norm() > 1e-9;
-      if (seam)
-        layout = against(flat.corners[k], flat.corners[(k + 1) % 3], flat.corners[(k + 2) % 3],
-                         uv[ca], uv[cb], uv[3 - ca - cb]);
+      if (across.seam) {
+        layout.turn *= across.turn;
+        layout.shift = (flat.corners[k] + flat.corners[(k + 1) % 3]) / 2 -
+                       layout.turn * (uv[across.ends[0]] + uv[across.ends[1]]) / 2;
+      }
       // Only what comes within reach of the centre is followed.
       std::array<Vec2, 3> corners;
       for (int c = 0; c < 3; ++c) corners[c] = layout(uv[c]);

@@ -17,6 +17,17 @@ struct FlatTriangle {
 using TriangleNeighbours = std::vector<std::array<int, 3>>;
 TriangleNeighbours triangle_neighbours(const garment::Garment& garment);
 
+/// How the triangle beyond an edge lies against this one.
+struct AcrossEdge {
+  std::array<int, 2> ends = {};  ///< its corners at the start and the end of the edge
+  bool seam = false;             ///< the pattern does not go on there
+  /// Directions in its pattern into those of this triangle's, once it is laid flat on the other
+  /// side of the edge; a reflection behind a right-to-wrong seam.
+  Mat2 turn = Mat2::Identity();
+};
+/// For the edge from corner k to k + 1 of `triangle`. \pre `next` lies beyond it
+AcrossEdge across_edge(const garment::Garment& garment, int triangle, int k, int next);
+
 /// All triangles that come within `reach` [m] of `centre`, a place in pattern coordinates of
 /// `triangle`. Pieces of the same panel stay where the pattern has them; across a seam the
 /// neighbour is turned and moved rigidly so that the two sides of the seam's mesh edge fit at their

@@ -23,14 +23,16 @@ struct SiteSpec {
   Vec2 at = Vec2::Zero();                   ///< u (weft), v (warp) in the panel [m]
   std::string landmark = {};                ///< any of SitePoints::names
   std::optional<BodyAddress> anatomy = {};  ///< when neither panel nor landmark is given
-  double angle = 0;  ///< of the sensor's axis in the pattern (FootprintShape)
+  /// Of the sensor's axis in the pattern, where the place above lies (FootprintShape). A shift
+  /// takes the axis along.
+  double angle = 0;
   FootprintShape footprint = {};
   std::optional<SensorBoard> board = {};  ///< simulated as a stiff part
   /// A sensor that is a line: then it has no place and footprint of the others, and is found by
   /// lines/find_course.h.
   std::optional<LineSpec> line = {};
   /// From the place above, along the cloth: weft and warp of the panel in which that lies [m]. On
-  /// over seams (shifted in address_garment.h).
+  /// over seams (shift_along_cloth.h).
   Vec2 shift = Vec2::Zero();
 };
 

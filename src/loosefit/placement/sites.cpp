@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/placement/shift_along_cloth.h"
 #include "loosefit/placement/site_points.h"
 
 namespace loosefit::placement {
@@ -104,9 +105,9 @@ InvalidInput not_covered(const Finder& finder, const SiteSpec& spec, std::size_t
 
 const char* const kOverTheEdge = "its shift leads over the edge of the garment";
 
-InvalidInput over_the_edge(const SiteSpec& spec, std::size_t i) {
+InvalidInput over_the_edge(const SiteSpec& spec) {
   return InvalidInput(
-      InputPlace{"", 0, site_key(i, "shift")},
+      InputPlace{"", 0, "shift"},
       "[" + shortest(spec.shift.x()) + ", " + shortest(spec.shift.y()) + "], over the edge",
       "a shift that ends on the garment", "");
 }
@@ -133,6 +134,18 @@ void check_sites(const garment::Garment& garment, const body::Body& body,
   }
 }
 
+SiteSpec without_shift(const SiteSpec& site, const garment::Garment& garment) {
+  const std::optional<ShiftedPoint> place =
+      shifted(garment, pattern_point(garment, site.panel, site.at), site.shift);
+  if (!place) throw over_the_edge(site);
+  SiteSpec there = site;
+  there.panel = garment.panel_names[garment.triangle_panel[place->point.triangle]];
+  there.at = pattern_place(garment, place->point);
+  there.angle = place->angle(site.angle);
+  there.shift.setZero();
+  return there;
+}
+
 std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,
                              const body::PosedBody& body, const maps::WornGarment& worn,
                              const std::vector<maps::PerformanceMap>& maps,
@@ -143,19 +156,21 @@ std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<
   std::vector<Site> sites;
   const auto add = [&](const SiteSpec& spec, std::optional<std::size_t> index) {
     const GarmentOverSkin::Over over = finder.find(spec);
-    std::optional<GarmentPoint> place = over.point;
-    if (over.covered && !spec.shift.isZero()) place = shifted(garment, over.point, spec.shift);
-    if (!over.covered || !place) {
-      if (uncovered)
-        uncovered->push_back({spec.name, !index, place ? over.why_not : kOverTheEdge});
+    std::optional<ShiftedPoint> place;
+    if (over.covered) place = shifted(garment, over.point, spec.shift);
+    if (!place) {
+      if (uncovered && !spec.board)
+        uncovered->push_back({spec.name, !index, over.covered ? kOverTheEdge : over.why_not});
+      else if (index && over.covered)
+        throw over_the_edge(spec).at({"", 0, site_key(*index, "shift")});
       else if (index)
-        throw place ? not_covered(finder, spec, *index, over.point) : over_the_edge(spec, *index);
+        throw not_covered(finder, spec, *index, over.point);
       return;
     }
     Site site;
     site.name = spec.name;
-    site.point = *place;
-    site.angle = spec.angle;
+    site.point = place->point;
+    site.angle = place->angle(spec.angle);
     site.shape = spec.footprint;
     site.preset = !index;
     finder.describe(site);

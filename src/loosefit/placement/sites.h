@@ -45,9 +45,10 @@ struct UncoveredSite {
 
 /// Finds each site on the draped garment and averages every map over its footprint. A landmark or
 /// anatomical address goes to the garment point over it (GarmentOverSkin), then by the site's shift
-/// along the cloth. What the garment does not cover, and what is shifted over its edge, goes into
-/// `uncovered`; without that a preset is left out, and a wished one is an error. Every site has
-/// both addresses. Lines are passed over. \throws InvalidInput with a key as check_sites: unknown
+/// along the cloth, which turns its angle along with it at seams. What the garment does not cover,
+/// and what is shifted over its edge, goes into `uncovered`; without that a preset is left out, and
+/// a wished one is an error, as one with a board always is. Every site has both addresses. Lines
+/// are passed over. \throws InvalidInput with a key as check_sites: unknown
 /// panel or landmark, point outside its panel, bad anatomical address, skin that the garment does
 /// not cover (with the nearest place that it does); key `site[i].shift` over its edge.
 std::vector<Site> find_sites(const garment::Garment& garment, const std::vector<Vec3>& positions,
@@ -68,6 +69,10 @@ std::vector<Site> revisit_sites(const std::vector<Site>& sites, const garment::G
 /// `.segment`, `.side` or `.ratios`.
 void check_sites(const garment::Garment& garment, const body::Body& body,
                  const std::vector<SiteSpec>& wished);
+
+/// A site with `panel` and `at`, told by where its shift leads; its angle is that of the same axis
+/// there. \throws InvalidInput as pattern_point; key "shift" over the edge.
+SiteSpec without_shift(const SiteSpec& site, const garment::Garment& garment);
 
 /// The boards of sites with a place in the pattern as attachments of the same name, disc or
 /// rectangle as their footprint. \throws InvalidInput, key `site[i].footprint`, for a board under a

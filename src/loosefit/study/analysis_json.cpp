@@ -48,7 +48,11 @@ Json how_loose_json(const HowLoose& answer) {
                      {"robust_interval", bounds(p.robust_interval)},
                      {"median", number(p.median)},
                      {"passing", number(p.passing)}});
-  return {{"limit_bgm", number(answer.limit)},
+  const Json limit = answer.at_most > answer.limit
+                         ? Json(limit_text({answer.limit, answer.at_most},
+                                           {answer.curve.front().bgm, answer.curve.back().bgm}))
+                         : number(answer.limit);
+  return {{"limit_bgm", limit},
           {"interval", bounds(answer.interval)},
           {"fails_below_bgm", std::isinf(answer.tightest) ? Json(nullptr) : Json(answer.tightest)},
           {"curve", curve}};

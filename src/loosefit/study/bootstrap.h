@@ -9,7 +9,7 @@ namespace loosefit::study {
 /// person drawn together, since two donnings of one person tell less than those of two.
 struct BootstrapOptions {
   std::uint64_t seed = 1;
-  int resamples = 2000;
+  int resamples = 2000;  ///< 0: no interval
   double confidence = 0.90;
 };
 

@@ -17,9 +17,6 @@
 namespace loosefit::study {
 namespace {
 
-/// Up to so many people the 5th percentile is the least of their scores.
-constexpr int kWorstIsRobust = 20;
-
 template <class Items, class Name>
 int find(const Items& items, const Name& is) {
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -106,7 +103,9 @@ void add_limits(const StudyData& a, const SiteTable& in_a, const StudyData& b,
     comparison.notes.push_back(modality + ", " + in_a.site + ": how loose it may be is told in " +
                                (of_a.empty() ? b : a).plan.name + " alone");
   if (of_a.empty() || of_b.empty()) return;
-  LimitDifference one = limit_difference(of_a, of_b, pass, same_people(a, b), options);
+  LimitDifference one = people_axis(a.plan) < 0 || people_axis(b.plan) < 0
+                            ? limit_difference_of_wearer(of_a, of_b, pass)
+                            : limit_difference(of_a, of_b, pass, same_people(a, b), options);
   one.modality = modality;
   one.site = in_a.site;
   comparison.limits.push_back(std::move(one));
@@ -123,12 +122,13 @@ void note_limits(const StudyData& a, const StudyData& b, StudyComparison& compar
         "limits are of all cases of each study, also of those without a counterpart: they may "
         "differ for that alone");
   const bool few = std::ranges::any_of(comparison.limits, [](const LimitDifference& one) {
-    return std::min(one.people_a, one.people_b) <= kWorstIsRobust;
+    return one.drawn != PeopleDrawn::none && std::min(one.people_a, one.people_b) <= kWorstIsRobust;
   });
   if (few)
     comparison.notes.push_back(
-        fmt::format("with up to {} people a limit is that of the worst of them: its interval knows "
-                    "of nobody worse and may be too narrow",
+        fmt::format("the limit of few people is that of the worst of them: with up to {} people "
+                    "about one row in four would differ without any difference (half with 3), so "
+                    "none is marked",
                     kWorstIsRobust));
 }
 
@@ -203,36 +203,54 @@ std::string interval_text(const Bounds& interval) {
   return fmt::format("{:>+8.3f} to {:>+6.3f}", interval.low, interval.high);
 }
 
-std::string people_drawn(const LimitDifference& one) {
-  return one.paired ? "jointly" : "independently";
-}
-
 std::string limits_text(const std::vector<LimitDifference>& limits) {
   if (limits.empty()) return "";
   std::string text = fmt::format(
       "how loose may it be? Greatest BGM at which 95 % of people pass, as each study says, B - A\n"
-      "{:<20} {:<18} {:>11} {:>11} {:>8}  {:<16} {:>11}  {}\n",
+      "{:<20} {:<18} {:>14} {:>14} {:>16}  {:<16} {:>11}  {}\n",
       "modality", "site", "A", "B", "B - A", "90 % interval", "people A, B", "draws");
-  for (const LimitDifference& one : limits) {
-    text += fmt::format("{:<20} {:<18} {:>11} {:>11} ", one.modality, one.site,
-                        limit_text(one.limit_a, one.tried_a), limit_text(one.limit_b, one.tried_b));
-    if (std::isnan(one.difference)) {
-      text += in_words(one) + "\n";
-      continue;
-    }
+  for (const LimitDifference& one : limits)
     text += fmt::format(
-        "{:>+8.3f}  {:<16} {:>11}  {}{}\n", one.difference, limit_interval_text(one.interval),
+        "{:<20} {:<18} {:>14} {:>14} {:>16}  {:<16} {:>11}  {}{}\n", one.modality, one.site,
+        limit_text(one.limit_a, one.tried_a), limit_text(one.limit_b, one.tried_b),
+        difference_text(one), limit_interval_text(one.interval),
         fmt::format("{}, {}", one.people_a, one.people_b),
-        std::isnan(one.open_draws) ? "none"
-        : one.open_draws > 0 ? fmt::format("{:.1f} % outside the fits tried", 100 * one.open_draws)
-                             : "all within the fits tried",
+        one.drawn == PeopleDrawn::none ? "none"
+        : one.open_draws > 0 ? fmt::format("{:.1f} % without a number", 100 * one.open_draws)
+                             : "all with a number",
         one.differs() ? " *" : "");
-  }
-  return text +
-         (limits.front().paired
-              ? "intervals of limits: people are drawn jointly, the same ones in A and B\n"
-              : "intervals of limits: people are drawn independently in A and B: they are not "
-                "the same, or there are none\n");
+  const auto are_drawn = [&](PeopleDrawn drawn) {
+    return std::ranges::any_of(limits,
+                               [&](const LimitDifference& one) { return one.drawn == drawn; });
+  };
+  if (are_drawn(PeopleDrawn::jointly))
+    text += "intervals of limits: people are drawn jointly, the same ones in A and B\n";
+  if (are_drawn(PeopleDrawn::independently))
+    text +=
+        "intervals of limits: people are drawn independently in A and B: they are not the same\n";
+  if (are_drawn(PeopleDrawn::none))
+    text += "limits without draws have no interval: they are of one person\n";
+  if (std::ranges::any_of(limits, &LimitDifference::differs))
+    text += "* zero is not within the interval\n";
+  return text;
+}
+
+/// The words of study-report.json; nothing for a limit that is a number.
+std::string limit_words(const Bounds& limit, const Bounds& tried) {
+  if (std::isfinite(limit.low) && limit.low == limit.high) return "";
+  return std::isfinite(limit.low) || limit.low < 0 ? limit_text(limit, tried)
+                                                   : "beyond the loosest";
+}
+
+std::string limit_field(const Bounds& limit, const Bounds& tried) {
+  const std::string words = limit_words(limit, tried);
+  return words.empty() ? io::csv_field(limit.low) : io::csv_field(words);
+}
+
+/// An end that is open is infinite, one that is not known empty.
+std::string end_field(double end) {
+  if (std::isinf(end)) return end > 0 ? "inf" : "-inf";
+  return io::csv_field(end);
 }
 
 }  // namespace
@@ -253,9 +271,9 @@ std::string comparison_text(const StudyComparison& comparison) {
                         : std::to_string(d.pairs),
         d.mean, interval_text(d.interval), 100 * d.better, 100 * d.passing_a, 100 * d.passing_b,
         d.differs() ? " *" : "");
-  text += limits_text(comparison.limits);
   text +=
       "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
+  text += limits_text(comparison.limits);
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;
 }
@@ -275,15 +293,16 @@ std::string comparison_csv(const StudyComparison& comparison) {
 
 std::string limits_csv(const StudyComparison& comparison) {
   std::string text = io::csv_line({"modality", "site", "limit_a_bgm", "limit_b_bgm",
-                                   "difference_bgm", "interval_low", "interval_high", "people_a",
-                                   "people_b", "people_drawn", "open_draws", "words"});
+                                   "difference_bgm", "interval_low", "interval_high", "differs",
+                                   "people_a", "people_b", "people_drawn", "open_draws", "words"});
   for (const LimitDifference& one : comparison.limits)
-    text += io::csv_line({io::csv_field(one.modality), io::csv_field(one.site),
-                          io::csv_field(one.limit_a), io::csv_field(one.limit_b),
-                          io::csv_field(one.difference), io::csv_field(one.interval.low),
-                          io::csv_field(one.interval.high), std::to_string(one.people_a),
-                          std::to_string(one.people_b), people_drawn(one),
-                          io::csv_field(one.open_draws), io::csv_field(in_words(one))});
+    text +=
+        io::csv_line({io::csv_field(one.modality), io::csv_field(one.site),
+                      limit_field(one.limit_a, one.tried_a), limit_field(one.limit_b, one.tried_b),
+                      io::csv_field(one.difference), end_field(one.interval.low),
+                      end_field(one.interval.high), one.differs() ? "true" : "false",
+                      std::to_string(one.people_a), std::to_string(one.people_b), name(one.drawn),
+                      io::csv_field(one.open_draws), io::csv_field(in_words(one))});
   return text;
 }
 
@@ -307,23 +326,22 @@ std::string comparison_json(const StudyComparison& comparison) {
                     {"share_better", d.better},
                     {"passing_a", d.passing_a},
                     {"passing_b", d.passing_b}});
-  // Words as of study-report.json.
-  const auto limit = [](double value) {
-    if (std::isinf(value)) return Json(value > 0 ? "beyond the loosest" : "nowhere");
-    return Json(value);
+  const auto limit = [](const Bounds& value, const Bounds& tried) {
+    const std::string words = limit_words(value, tried);
+    return words.empty() ? Json(value.low) : Json(words);
   };
   Json limits = Json::array();
   for (const LimitDifference& one : comparison.limits)
     limits.push_back({{"modality", one.modality},
                       {"site", one.site},
-                      {"limit_a_bgm", limit(one.limit_a)},
-                      {"limit_b_bgm", limit(one.limit_b)},
+                      {"limit_a_bgm", limit(one.limit_a, one.tried_a)},
+                      {"limit_b_bgm", limit(one.limit_b, one.tried_b)},
                       {"difference_bgm", number(one.difference)},
                       {"interval", {number(one.interval.low), number(one.interval.high)}},
                       {"differs", one.differs()},
                       {"people_a", one.people_a},
                       {"people_b", one.people_b},
-                      {"people_drawn", people_drawn(one)},
+                      {"people_drawn", name(one.drawn)},
                       {"open_draws", number(one.open_draws)},
                       {"words", in_words(one)}});
   return Json({{"a", comparison.name_a},

@@ -82,6 +82,7 @@ void add(const Control& control, ControlSummary& summary) {
   summary.failed += !control.failed.empty();
   for (const auto& [metric, most] : control.largest) widen(summary.largest, metric, most);
   if (!control.scores) return;
+  ++summary.counted;
   summary.scores.kept += control.scores->kept;
   summary.scores.lost += control.scores->lost;
   summary.scores.gained += control.scores->gained;

@@ -21,7 +21,8 @@ Control compared(const CaseRecord& b, const CaseRecord& a);
 struct ControlSummary {
   int cases = 0, failed = 0;
   std::map<std::string, double> largest;  ///< as Control
-  ScoreChanges scores;                    ///< of those that tell
+  int counted = 0;                        ///< controls that count their scores
+  ScoreChanges scores;                    ///< of these
 };
 void add(const Control& control, ControlSummary& summary);
 

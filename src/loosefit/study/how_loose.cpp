@@ -17,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double crossing(double b0, double b1, double v0, double v1, double level) {
-  if (!std::isfinite(v1) || v0 == v1) return b0;  // nothing known beyond: the level that holds
+  if (!std::isfinite(v1) || v0 == v1) return b0;  // no line there: the level that holds
   return b0 + (level - v0) / (v1 - v0) * (b1 - b0);
 }
 
@@ -25,23 +25,34 @@ std::string number(double bgm) { return fmt::format("{:.2f}", bgm + 0.0); }
 
 }  // namespace
 
-double greatest_passing(const std::vector<double>& bgm, const std::vector<double>& score,
-                        double pass) {
-  for (std::size_t k = bgm.size(); k-- > 0;)
-    if (score[k] >= pass)
-      return k + 1 == bgm.size() ? kInfinity
-                                 : crossing(bgm[k], bgm[k + 1], score[k], score[k + 1], pass);
-  return -kInfinity;
+Bounds limit_bounds(const std::vector<double>& bgm, const std::vector<double>& score, double pass) {
+  const std::size_t end = bgm.size();
+  const auto rated_from = [&](std::size_t k) {
+    while (k < end && std::isnan(score[k])) ++k;
+    return k;
+  };
+  for (std::size_t k = end; k-- > 0;) {
+    if (!(score[k] >= pass)) continue;
+    if (k + 1 == end) return {kInfinity, kInfinity};
+    const std::size_t next = rated_from(k + 1);
+    if (next == end) return {bgm[k], kInfinity};
+    if (next > k + 1) return {bgm[k], bgm[next]};
+    const double limit = crossing(bgm[k], bgm[next], score[k], score[next], pass);
+    return {limit, limit};
+  }
+  const std::size_t first = rated_from(0);
+  if (first == end) return {-kInfinity, kInfinity};
+  return {-kInfinity, first == 0 ? -kInfinity : bgm[first]};
 }
 
-double greatest_passing(const std::vector<LooseLevel>& levels, double pass,
-                        const std::vector<int>& draw) {
+Bounds limit_bounds(const std::vector<LooseLevel>& levels, double pass,
+                    const std::vector<int>& draw) {
   std::vector<double> bgm, robust;
   for (const LooseLevel& level : levels) {
     bgm.push_back(level.bgm);
     robust.push_back(robust_score(level.scores, draw));
   }
-  return greatest_passing(bgm, robust, pass);
+  return limit_bounds(bgm, robust, pass);
 }
 
 double least_within(const std::vector<double>& bgm, const std::vector<double>& value,
@@ -73,18 +84,27 @@ HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
     bgm.push_back(level.bgm);
     robust.push_back(point.robust);
   }
-  answer.limit = greatest_passing(bgm, robust, pass);
+  const Bounds limit = limit_bounds(bgm, robust, pass);
+  answer.limit = limit.low;
+  answer.at_most = limit.high;
   // The tight end of the stretch that ends at the limit.
   answer.tightest = -kInfinity;
   std::size_t last = robust.size();
   while (last > 0 && !(robust[last - 1] >= pass)) --last;
-  for (std::size_t k = last; k-- > 0;)
-    if (!(robust[k] >= pass)) {
-      answer.tightest = crossing(bgm[k + 1], bgm[k], robust[k + 1], robust[k], pass);
-      break;
+  std::size_t passing = last;  ///< the tightest so far
+  for (std::size_t k = last; k-- > 0;) {
+    if (std::isnan(robust[k])) continue;
+    if (robust[k] >= pass) {
+      passing = k;
+      continue;
     }
+    answer.tightest = k + 1 == passing
+                          ? crossing(bgm[passing], bgm[k], robust[passing], robust[k], pass)
+                          : bgm[passing];
+    break;
+  }
   const int people = levels.empty() ? 0 : static_cast<int>(levels.front().scores.size());
-  std::vector<double> limits;
+  std::vector<double> low, high;
   std::vector<std::vector<double>> robusts(levels.size());
   if (people >= 2)
     for (const std::vector<int>& draw :
@@ -94,9 +114,12 @@ HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
         now.push_back(robust_score(levels[k].scores, draw));
         robusts[k].push_back(now.back());
       }
-      limits.push_back(greatest_passing(bgm, now, pass));
+      const Bounds drawn = limit_bounds(bgm, now, pass);
+      low.push_back(drawn.low);
+      high.push_back(drawn.high);
     }
-  answer.interval = percentile_bounds(limits, options.confidence);
+  answer.interval = {percentile_bounds(low, options.confidence).low,
+                     percentile_bounds(high, options.confidence).high};
   for (std::size_t k = 0; k < levels.size(); ++k)
     answer.curve[k].robust_interval = percentile_bounds(robusts[k], options.confidence);
   return answer;
@@ -111,6 +134,17 @@ const LoosePoint* most_passing(const HowLoose& answer) {
   return most;
 }
 
+std::string limit_text(const Bounds& limit, const Bounds& tried) {
+  const auto text = [](double bgm) { return fmt::format("{:.3f}", bgm + 0.0); };
+  if (limit.low == kInfinity) return "beyond " + text(tried.high);
+  if (limit.high == -kInfinity) return "nowhere";
+  if (limit.low == limit.high) return text(limit.low);
+  if (std::isfinite(limit.low))
+    return std::isfinite(limit.high) ? text(limit.low) + " to " + text(limit.high)
+                                     : "at least " + text(limit.low);
+  return std::isfinite(limit.high) ? "at most " + text(limit.high) : "not known";
+}
+
 std::string in_words(const HowLoose& answer, const BootstrapOptions& options) {
   if (answer.curve.empty()) return "not tried";
   const std::string tight = number(answer.curve.front().bgm),
@@ -123,8 +157,15 @@ std::string in_words(const HowLoose& answer, const BootstrapOptions& options) {
   std::string text;
   if (answer.limit == kInfinity)
     text = "at least up to a BGM of " + loose + ", the loosest tried";
-  else if (answer.limit == -kInfinity)
+  else if (answer.at_most == -kInfinity)
     text = "at none of the fits tried (BGM " + tight + " to " + loose + ")";
+  else if (answer.limit == -kInfinity)
+    text = "at none of the fits at which anybody is rated";
+  else if (answer.at_most == kInfinity)
+    text = "at least up to a BGM of " + number(answer.limit) + ", beyond which nobody is rated";
+  else if (answer.at_most > answer.limit)
+    text = "at least up to a BGM of " + number(answer.limit) + ", short of " +
+           number(answer.at_most) + "; nobody is rated between";
   else
     text = "up to a BGM of " + number(answer.limit);
   if (!std::isnan(answer.interval.low))

@@ -22,23 +22,26 @@ struct LoosePoint {
 
 /// The answer to "how loose may it be?".
 struct HowLoose {
-  /// Greatest BGM at which the robust score passes; −∞: at none that was tried, +∞: still at the
-  /// loosest.
+  /// Greatest BGM at which the robust score is known to pass; −∞: at none that was tried, +∞: still
+  /// at the loosest.
   double limit = 0;
+  double at_most = 0;   ///< it may be up to this (limit_bounds); equal where it is known
   Bounds interval;      ///< ends may be infinite, likewise
   double tightest = 0;  ///< BGM below the limit under which it fails again; −∞: nowhere
   std::vector<LoosePoint> curve;
 };
 
-/// Between two levels of which the tighter passes and the looser fails the limit is where the
-/// straight line between their scores meets `pass`. −∞ when none passes, +∞ when the loosest does.
-/// \pre levels ascend in BGM; NaN scores count as failing
-double greatest_passing(const std::vector<double>& bgm, const std::vector<double>& score,
-                        double pass);
+/// The greatest BGM that passes, as far as it is known; equal ends: it is. Between two neighbouring
+/// levels of which the tighter passes and the looser fails it is where the straight line between
+/// their scores meets `pass`; −∞ when none passes, +∞ when the loosest does. A level without a
+/// score (NaN) tells nothing: the limit lies between the levels around it that have one; it may be
+/// anything beyond where no looser one has.
+/// \pre levels ascend in BGM
+Bounds limit_bounds(const std::vector<double>& bgm, const std::vector<double>& score, double pass);
 
 /// The same of the robust scores of a draw of people.
-double greatest_passing(const std::vector<LooseLevel>& levels, double pass,
-                        const std::vector<int>& draw);
+Bounds limit_bounds(const std::vector<LooseLevel>& levels, double pass,
+                    const std::vector<int>& draw);
 
 /// Smallest BGM from which on, up to the loosest, `value` is at most `bound`: interpolated
 /// likewise. −∞: already at the tightest; +∞: not even at the loosest.
@@ -53,8 +56,13 @@ const LoosePoint* most_passing(const HowLoose& answer);
 HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
                    const BootstrapOptions& options = {});
 
-/// "up to a BGM of 0.18 (90 % interval 0.12 to 0.24)", "at none of the fits tried (0.00 to 0.30)",
-/// "at least up to 0.30, the loosest tried".
+/// "0.180", "nowhere", "beyond 0.300"; of bounds "at least 0.200", "0.100 to 0.300".
+/// \param tried tightest and loosest BGM
+std::string limit_text(const Bounds& limit, const Bounds& tried);
+
+/// "up to a BGM of 0.18, 90 % interval 0.12 to 0.24", "at none of the fits tried (BGM 0.00 to
+/// 0.30)", "at least up to a BGM of 0.30, the loosest tried", "at least up to a BGM of 0.20, beyond
+/// which nobody is rated".
 std::string in_words(const HowLoose& answer, const BootstrapOptions& options = {});
 
 }  // namespace loosefit::study

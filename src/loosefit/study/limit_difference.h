@@ -7,23 +7,32 @@
 
 namespace loosefit::study {
 
+/// Up to so many people the 5th percentile is the least of their scores. The bootstrap of a least
+/// value is not consistent: of limits without a difference a quarter would be told to differ.
+inline constexpr int kWorstIsRobust = 20;
+
+/// How a draw takes the people of two studies: the same ones in both, those of each study by
+/// itself, or not at all.
+enum class PeopleDrawn { jointly, independently, none };
+const char* name(PeopleDrawn drawn);
+
 /// How much looser a garment may be in study B than in study A, at one site. The limits are those
 /// that each study tells for itself: of all its people and cases.
 struct LimitDifference {
   std::string modality, site;
-  double limit_a = kNotKnown, limit_b = kNotKnown;  ///< as HowLoose::limit
-  Bounds tried_a, tried_b;                          ///< tightest and loosest BGM
-  int people_a = 0, people_b = 0;                   ///< that are rated at some fit
-  /// Whether each draw takes the same people in both studies; otherwise each study is drawn by
-  /// itself.
-  bool paired = false;
-  /// B − A; NaN unless both limits are numbers. Then the interval, too, is not known.
+  Bounds limit_a, limit_b;         ///< from HowLoose::limit to at_most
+  Bounds tried_a, tried_b;         ///< tightest and loosest BGM
+  int people_a = 0, people_b = 0;  ///< that are rated at some fit; 1 without an axis of people
+  PeopleDrawn drawn = PeopleDrawn::none;
+  /// B − A; NaN unless both limits are numbers.
   double difference = kNotKnown;
-  /// By bootstrap over people. A draw whose limit lies outside the fits tried counts as all that it
-  /// may be, so ends may be infinite: the draws do not bound the difference on that side.
+  Bounds bounds = {kNotKnown, kNotKnown};  ///< all that B − A may be; ends may be infinite
+  /// By bootstrap over people. A draw whose limit is no number counts as all that it may be, so
+  /// ends may be infinite: the draws do not bound the difference on that side. NaN without draws.
   Bounds interval = {kNotKnown, kNotKnown};
   double open_draws = kNotKnown;  ///< share of draws in which a limit is no number
-  bool differs() const { return interval.low > 0 || interval.high < 0; }
+  /// Never with few people: see kWorstIsRobust.
+  bool differs() const;
 };
 
 /// `in_b`: for each person of `a` the index of the same one in `b`; empty: they are others.
@@ -32,13 +41,18 @@ LimitDifference limit_difference(const std::vector<LooseLevel>& a, const std::ve
                                  double pass, const std::vector<int>& in_b,
                                  const BootstrapOptions& options = {});
 
-/// "B - A = +0.05, 90 % interval +0.02 to +0.08", "no number: A still passes at 0.30, the loosest
-/// tried; B passes up to 0.18".
+/// The same of studies of one wearer each, whose levels have a score per case: there is nobody to
+/// draw, and no interval.
+LimitDifference limit_difference_of_wearer(const std::vector<LooseLevel>& a,
+                                           const std::vector<LooseLevel>& b, double pass);
+
+/// "B - A = +0.050, 90 % interval +0.020 to +0.080", "B - A is at least +0.200: A passes up to
+/// 0.100; B still passes at 0.300, the loosest tried", "no number: A …; B …".
 std::string in_words(const LimitDifference& limits, const BootstrapOptions& options = {});
 
-/// "0.18", "beyond 0.30", "nowhere".
-std::string limit_text(double limit, const Bounds& tried);
-/// "+0.02 to +0.08", "open to +0.08"; "-" when nothing is known.
+/// "+0.050", "at least +0.200", "at most -0.200", "+0.050 to +0.150"; "-" when nothing is known.
+std::string difference_text(const LimitDifference& limits);
+/// "+0.020 to +0.080", "open to +0.080"; "-" when nothing is known.
 std::string limit_interval_text(const Bounds& interval);
 
 }  // namespace loosefit::study

@@ -14,6 +14,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_site.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/io/seams_file.h"
@@ -173,6 +174,22 @@ std::vector<std::vector<int>> design_matrix(Design design, const std::vector<int
 
 namespace {
 
+/// Whether the shifts that the scenario itself has are such as it may have. What a place adds must
+/// not hide one that is too far.
+bool may_shift(const StudyFile& study, const std::vector<int>& levels, const io::ConfigNode& root) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const auto& shift = study.axes[k].levels[levels[k]].shift;
+    if (!shift) continue;
+    const io::ConfigNode* own = value_at(root, "site[" + std::to_string(shift->site) + "].shift");
+    if (own && own->kind == Kind::array &&
+        !std::ranges::all_of(own->items, [](const io::ConfigNode& item) {
+          return std::abs(item.number) <= io::kMostSiteShift;
+        }))
+      return false;
+  }
+  return true;
+}
+
 /// The base scenario with what each of these levels changes.
 io::ConfigNode composed(const StudyFile& study, const std::vector<int>& levels) {
   io::ConfigNode root = study.base;
@@ -181,9 +198,11 @@ io::ConfigNode composed(const StudyFile& study, const std::vector<int>& levels) 
     stands_in(patch, study.file);
     merge_tables(root, patch);
   }
+  // What it refuses is left for the reader of scenarios.
+  const bool shifts = may_shift(study, levels, root);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const AxisLevel& level = study.axes[k].levels[levels[k]];
-    if (level.shift) apply(*level.shift, root);
+    if (level.shift && shifts) apply(*level.shift, root);
     if (!level.chest_ease) continue;
     const double bgm = std::round(1e4 * *level.chest_ease / chest_of(root)) / 1e4;
     for (const std::string& key : study.axes[k].keys) set_value(root, key, number_node(bgm));

@@ -42,10 +42,11 @@ std::string score_bounds(const Bounds& b) {
 }
 std::string percent(double share) { return std::isnan(share) ? "–" : fixed(100 * share, 0) + " %"; }
 
-std::string limit_text(double limit, const StudyData& data) {
-  if (limit == -kInfinity) return "at no fit tried";
-  if (limit == kInfinity) return "≥ " + fixed(data.level_bgm.back(), 2);
-  return fixed(limit, 2);
+std::string limit_text(const HowLoose& answer, const StudyData& data) {
+  if (answer.at_most == -kInfinity) return "at no fit tried";
+  if (answer.limit == -kInfinity) return "at no fit rated";
+  if (answer.limit == kInfinity) return "≥ " + fixed(data.level_bgm.back(), 2);
+  return (answer.at_most > answer.limit ? "≥ " : "") + fixed(answer.limit, 2);
 }
 
 std::string end_text(double limit) {
@@ -156,7 +157,7 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
   for (const auto& [site, answer] : sites) {
     const auto limiting = modality.limiting.find(site);
     table.add(
-        {site, limit_text(answer->limit, data),
+        {site, limit_text(*answer, data),
          std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
          std::isinf(answer->tightest) || answer->limit == -kInfinity ? "–"
                                                                      : fixed(answer->tightest, 2),
@@ -255,9 +256,12 @@ std::string grade_text(const StudyData& data) {
                                    : "")));
   const ScoreChanges& scores = data.controls.scores;
   if (scores.kept + scores.lost + scores.gained > 0)
-    text += element("p", escaped(fmt::format("Of the controls' samples {} have a score at both "
-                                             "grades, {} lose it by going on to A and {} gain one.",
-                                             scores.kept, scores.lost, scores.gained)));
+    text += element(
+        "p", escaped(fmt::format("{} of {} controls count their scores: of their samples {} have a "
+                                 "score at both grades, {} lose it by going on to A and {} gain "
+                                 "one.",
+                                 data.controls.counted, data.controls.cases, scores.kept,
+                                 scores.lost, scores.gained)));
   if (data.controls.largest.empty()) return text;
   report::Table table({"of all controls, sites and donnings", "greatest change by going on to A"});
   for (const auto& [metric, largest] : data.controls.largest)
