@@ -10,7 +10,7 @@ and counts once; take people enough that the last case, with one worker idle, is
 hardly change when other work runs beside; the rest needs a quiet machine.
 """
 import argparse
-import json
+import datetime
 import os
 import pathlib
 import resource
@@ -18,6 +18,8 @@ import sqlite3
 import subprocess
 import tempfile
 import time
+
+import records
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
@@ -90,7 +92,8 @@ def main():
             print(f"{edge:8g}{jobs:9}{row['drapes']:8}{row['asked']:5}{row['seconds']:9.0f}"
                   f"{row['per_hour']:9.0f}{row['scaling']:9.2f}{row['core_seconds_a_drape']:8.1f}", flush=True)
     if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+        record = {"date": datetime.date.today().isoformat(), "cases": rows}
+        options.json.write_text(records.json_lines(record) + "\n")
 
 
 if __name__ == "__main__":

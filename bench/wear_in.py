@@ -11,6 +11,7 @@ spread, and their ratio (1 where two ways differ as two donnings do: the differe
 sqrt(2) spreads), and what the movements cost.
 """
 import argparse
+import datetime
 import json
 import math
 import pathlib
@@ -19,6 +20,7 @@ import sys
 import tempfile
 
 import bench_cases
+import records
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MAPS = ("distance_mm", "angular_deviation_deg")
@@ -112,7 +114,8 @@ def main():
           f"({found['usual']['seconds'] / found['none']['seconds']:.2f}); iterations "
           f"{found['none']['iterations']}, {found['usual']['iterations']}")
     if options.json:
-        pathlib.Path(options.json).write_text(json.dumps(found, indent=1) + "\n")
+        record = {"date": datetime.date.today().isoformat(), "cases": found}
+        pathlib.Path(options.json).write_text(records.json_lines(record, 3) + "\n")
 
 
 if __name__ == "__main__":
