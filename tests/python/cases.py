@@ -33,10 +33,11 @@ partial = true
 """
 
 
-# A sensor at two drawn places beside one that stays: the same drape twice.
-PLACE_STUDY = """
+def small_study(name, rest):
+    """Text of a study of the tank top; `rest`: sites of its scenario and axes."""
+    return f"""
 [study]
-name = "two places"
+name = "{name}"
 modalities = ["imu-uncalibrated"]
 
 [scenario.body]
@@ -47,6 +48,11 @@ pattern = "tank-top"
 movements = []
 [scenario.simulation]
 edge_length = 0.05
+{rest}"""
+
+
+# A sensor at two drawn places beside one that stays: the same drape twice.
+PLACE_STUDY = small_study("two places", """
 [[scenario.site]]
 name = "still"
 landmark = "mid_back"
@@ -57,13 +63,13 @@ landmark = "mid_back"
 [[axis]]
 name = "place"
 place = { site = 1, shift = 0.020, count = 2 }
-"""
+""")
 
 
-def run_study(base, text):
+def run_study(base, text, *options):
     """Folder of a study that has run in the folder `base`."""
     (base / "study.toml").write_text(text)
-    command_line("study", "run", base / "study.toml", "-o", base / "out", "--quiet")
+    command_line("study", "run", base / "study.toml", "-o", base / "out", "--quiet", *options)
     return base / "out"
 
 

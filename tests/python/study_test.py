@@ -6,22 +6,10 @@ import subprocess
 import tempfile
 import unittest
 
+import cases
 import loosefit
 
-STUDY = """
-[study]
-name = "two fits"
-modalities = ["imu-uncalibrated"]
-
-[scenario.body]
-posture = "a-pose"
-[scenario.garment]
-pattern = "tank-top"
-[scenario.donning]
-movements = []
-[scenario.simulation]
-edge_length = 0.05
-
+STUDY = cases.small_study("two fits", """
 [[axis]]
 name = "person"
 people = { statistics = "ansur-2012", sex = "female", count = 1 }
@@ -30,18 +18,14 @@ people = { statistics = "ansur-2012", sex = "female", count = 1 }
 name = "fit"
 keys = ["garment.fit.chest", "garment.fit.hip"]
 values = [0.05, 0.20]
-"""
+""")
 
 
 class AStudy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
-        base = pathlib.Path(cls.place.name)
-        (base / "study.toml").write_text(STUDY)
-        cls.folder = base / "out"
-        subprocess.run([os.environ["LOOSEFIT_BINARY"], "study", "run", str(base / "study.toml"), "-o",
-                        str(cls.folder), "--quiet", "--keep-output"], check=True)
+        cls.folder = cases.run_study(pathlib.Path(cls.place.name), STUDY, "--keep-output")
         cls.study = loosefit.study(cls.folder)
 
     @classmethod
