@@ -98,6 +98,14 @@ def keys_of(schema):
     return {name: merged(values) for name, values in found.items()}
 
 
+def unit(schema):
+    """Unit of a value, or of the numbers in a list."""
+    if "unit" in schema:
+        return schema["unit"]
+    inner = schema.get("anyOf", []) + ([schema["items"]] if schema.get("type") == "array" and "items" in schema else [])
+    return "; ".join(dict.fromkeys(found for found in map(unit, inner) if found))
+
+
 def text(value):
     return str(value).replace("|", "\\|").replace("\n", " ")
 
@@ -111,7 +119,7 @@ def lines(title, schema, out):
     inner = []
     for name, value in keys_of(schema).items():
         default = f"`{json.dumps(value['default'], ensure_ascii=False)}`" if "default" in value else ""
-        out.append(f"| `{name}` | {text(kind(value))} | {text(value.get('unit', ''))} | {text(default)} | "
+        out.append(f"| `{name}` | {text(kind(value))} | {text(unit(value))} | {text(default)} | "
                    f"{text(value.get('description', ''))} |")
         listed = value.get("items", {}) if value.get("type") == "array" else value
         if keys_of(listed):

@@ -47,6 +47,19 @@ CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& 
   return command->add_option("DIR", arguments->folder, "folder of the study")->required();
 }
 
+/// What was hardly meant so.
+void warn_of_same_cases(const study::Plan& plan) {
+  for (const std::string& axis : study::idle_axes(plan))
+    fmt::print(stderr,
+               "warning: axis {} changes nothing: cases that differ in it alone are the same "
+               "scenario\n",
+               terminal_line(axis));
+  if (const int same = study::same_as_others(plan); same > 0)
+    fmt::print(stderr,
+               "warning: {} of {} cases are the same scenario as another one; it runs once\n", same,
+               plan.cases.size());
+}
+
 /// `open`: addresses that are still to run.
 void print_plan(const study::Plan& plan, const Arguments& arguments,
                 const std::set<std::string>& open) {
@@ -67,7 +80,9 @@ void print_plan(const study::Plan& plan, const Arguments& arguments,
                          {"estimated_core_seconds", work},
                          {"estimated_seconds", work / workers},
                          {"workers", workers},
-                         {"open", to_run}})
+                         {"open", to_run},
+                         {"same_as_others", study::same_as_others(plan)},
+                         {"idle_axes", study::idle_axes(plan)}})
                        .dump(1));
     return;
   }
@@ -116,6 +131,7 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
       open = {left.begin(), left.end()};
     }
     print_plan(plan, *arguments, open);
+    warn_of_same_cases(plan);
   });
 }
 
@@ -209,6 +225,7 @@ int run(const Arguments& arguments) {
       fmt::print("{}\n", terminal_line(sentence));
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   }
+  warn_of_same_cases(plan);
   if (done.of_other_builds > 0)
     fmt::print(stderr,
                "warning: the results of {} cases are of another build of the program, of the same "

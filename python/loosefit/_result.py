@@ -206,7 +206,7 @@ class State:
         self._draped: bool = row.pop("draped")
         #: Name of the posture.
         self.posture: str = row.pop("posture")
-        #: From 1; the first is undisturbed.
+        #: From 1; the first is undisturbed unless the scenario says that it is drawn too.
         self.donning: int = row.pop("donning")
         #: False: left out of every statistic.
         self.counts: bool = row.pop("counts")

@@ -53,6 +53,22 @@ TEST(ScenarioWear, MovementsAreMadeUnlessSwitchedOffAndAskForNoRepeats) {
   EXPECT_EQ(scenario_toml(parse_scenario(scenario_toml(own), "again.toml")), scenario_toml(own));
 }
 
+TEST(ScenarioWear, ADrawnFirstDonningAsksForNoRepeats) {
+  const scenario::Scenario s =
+      parse_scenario("[donning]\nfirst = \"drawn\"\nseed = 5\n", "case.toml");
+  EXPECT_TRUE(s.donning.first_drawn);
+  EXPECT_EQ(s.donning.repeats, 1);
+  const scenario::Scenario again = parse_scenario(scenario_toml(s), "again.toml");
+  EXPECT_TRUE(again.donning.first_drawn);
+  EXPECT_EQ(again.donning.repeats, 1);
+  EXPECT_EQ(again.donning.seed, 5u);
+  EXPECT_EQ(scenario_toml(again), scenario_toml(s));
+  EXPECT_EQ(
+      parse_scenario("[donning]\nfirst = \"drawn\"\nrepeats = 3\n", "case.toml").donning.repeats,
+      3);
+  EXPECT_EQ(parse_scenario("[donning]\nfirst = \"undisturbed\"\n", "case.toml").donning.repeats, 4);
+}
+
 TEST(ScenarioWear, AScanKeepsItsPostureUnlessOneIsAskedFor) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "scan-posture.obj";
   std::ofstream(file) << "v 0 0 0\n";
@@ -99,6 +115,9 @@ TEST(ScenarioWear, OddInputIsRefusedByName) {
   expect_refused("[donning]\nfriction_spread = -0.1", {"donning.friction_spread"});
   expect_refused("[donning]\nrepeats = 2\n[simulation]\nrepeats = 2",
                  {"donning.repeats", "simulation.repeats"});
+  expect_refused("[donning]\nfirst = \"drawn\"\n[simulation]\nrepeats = 2",
+                 {"donning.first", "simulation.repeats"});
+  expect_refused("[donning]\nfirst = \"tossed\"", {"donning.first", "drawn"});
   expect_refused("[donning]\nmovements = [\"jump\"]", {"donning.movements", "hem-pull"});
   expect_refused("[donning]\nmovements = \"breath\"", {"donning.movements", "array"});
   expect_refused("[donning]\nmovement_spread = 2", {"donning.movement_spread"});

@@ -49,5 +49,27 @@ TEST(DrapeStates, SameBitsSideBySideAsOneByOneInAnotherOrderOfPostures) {
       << "another donning";
 }
 
+/// A tank top that is put on so: its last drape.
+std::vector<Vec3> put_on_so(const std::string& donning) {
+  const std::string text = donning +
+                           "[garment]\npattern = \"tank-top\"\n[body]\nposture = \"a-pose\"\n"
+                           "[simulation]\nedge_length = 0.05\n";
+  Progress silent;
+  RunOptions options;
+  options.only_drape = true;
+  const CaseResult result = run_case(io::parse_scenario(text, "case.toml"), silent, options);
+  EXPECT_TRUE(result.certificate().holds()) << donning;
+  return result.wear.states.empty() ? result.studied().drape.positions
+                                    : result.wear.states.back().drape().positions;
+}
+
+TEST(DrapeStates, ADrawnFirstDonningIsDrapedAsADrawnSecondOne) {
+  // Of the same draws, but for the order and size of movements.
+  const std::string still = "movements = [\"breath\"]\nmovement_spread = 0\nseed = 3\n";
+  const auto first = put_on_so("[donning]\nfirst = \"drawn\"\n" + still);
+  EXPECT_EQ(first, put_on_so("[donning]\nrepeats = 2\n" + still));
+  EXPECT_NE(first, put_on_so("[donning]\nmovements = [\"breath\"]\n"));
+}
+
 }  // namespace
 }  // namespace loosefit::pipeline

@@ -98,6 +98,26 @@ TEST(WearStates, DonningsAreDrawnWithinTheirLimitsAndTheFirstIsPlain) {
   EXPECT_TRUE(plan_wear(io::parse_scenario("", "case.toml")).postures.empty());
 }
 
+TEST(WearStates, TheFirstDonningIsDrawnWhereAskedFor) {
+  const auto donnings = [](const std::string& text) {
+    return planned_donnings(io::parse_scenario("[donning]\n" + text, "case.toml").donning);
+  };
+  const std::vector<CaseDonning> all = donnings("first = \"drawn\"\nrepeats = 3\nseed = 8\n");
+  ASSERT_EQ(all.size(), 3u);
+  const CaseDonning first = all.front();
+  EXPECT_FALSE(first.shift.isZero());
+  EXPECT_NE(first.twist, 0);
+  EXPECT_NE(first.friction, 1);
+  EXPECT_NE(first.movements, all[1].movements);
+  // Alone as with others after it; of another seed it is another one.
+  const CaseDonning alone = donnings("first = \"drawn\"\nseed = 8\n").front();
+  EXPECT_EQ(alone.shift, first.shift);
+  EXPECT_EQ(alone.movements, first.movements);
+  EXPECT_NE(donnings("first = \"drawn\"\nseed = 9\n").front().shift, first.shift);
+  EXPECT_EQ(donnings("repeats = 2\n").size(), 2u);
+  EXPECT_EQ(donnings("movements = [\"breath\"]\n").front().movements.size(), 1u);
+}
+
 TEST(WearStates, PosingIsShownAndEndsOnTheWayWhenAsked) {
   struct Shown : Progress {
     std::set<double> fractions;

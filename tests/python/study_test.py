@@ -1,7 +1,10 @@
 """A study of two small cases, run by the program and read by the package."""
+import contextlib
 import csv
 import os
 import pathlib
+import re
+import sqlite3
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +22,21 @@ name = "fit"
 keys = ["garment.fit.chest", "garment.fit.hip"]
 values = [0.05, 0.20]
 """)
+MANUAL = (cases.SOURCE / "docs" / "studies.md").read_text(encoding="utf-8")
+
+
+def documented_columns(manual):
+    """Table -> its columns, as section 4 of docs/studies.md lists them: "| `table` | `column`, `column` | …"."""
+    section = re.search(r"^## 4 .*?(?=^## )", manual, re.M | re.S).group(0)
+    return {name: re.findall(r"`(\w+)`", columns)
+            for name, columns in re.findall(r"^\| `(\w+)` \| ([^|]*) \|", section, re.M)}
+
+
+def columns_of(database):
+    """The same of a database."""
+    with contextlib.closing(sqlite3.connect(database)) as connection:
+        tables = [name for name, in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
+        return {table: [row[1] for row in connection.execute(f'PRAGMA table_info("{table}")')] for table in tables}
 
 
 class AStudy(unittest.TestCase):
@@ -38,6 +56,23 @@ class AStudy(unittest.TestCase):
         self.assertEqual(cases["status"], ["done", "done"])
         self.assertEqual(cases["grade"], ["A", "A"])
         self.assertEqual(self.study.facts["name"], "two fits")
+
+    def test_the_manual_lists_every_table_and_column_of_the_database(self):
+        self.assertEqual(documented_columns(MANUAL), columns_of(self.folder / "study.sqlite"))
+
+    def test_a_column_that_the_manual_lacks_is_noticed(self):
+        for there, lacking in (("`text` | a sentence", " | a sentence"), ("| `versions` |", "| |")):
+            lacking = MANUAL.replace(there, lacking)
+            self.assertNotEqual(lacking, MANUAL)
+            self.assertNotEqual(documented_columns(lacking), columns_of(self.folder / "study.sqlite"))
+
+    def test_the_manual_explains_what_stands_in_the_rows(self):
+        explained = set(re.findall(r"`([^`]+)`", re.search(r"^## 4 .*?(?=^## )", MANUAL, re.M | re.S).group(0)))
+        for column, table in (("key", "study"), ("kind", "axes"), ("status", "cases"), ("quantity", "garment"),
+                              ("statistic", "maps"), ("kind", "notes")):
+            for name in self.study.query(f"SELECT DISTINCT {column} FROM {table}")[column]:
+                name = re.sub("^not told of .*", "not told of MODALITY", name)
+                self.assertIn(name, explained, f"{table}.{column}")
 
     def test_page_has_a_gallery_of_kept_outputs(self):
         page = (self.folder / "study-report.html").read_text(encoding="utf-8")

@@ -3,7 +3,7 @@
 
 usage: slurm_test.py BINARY [--people N] [--kills K]    as root; exit 0 good, 1 not, 2 no Slurm here
 
-Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
+Two postures, drawn donnings, grade B with its controls. Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
 and takes them down again. Of the study's array tasks K are killed (SIGKILL) while they run; they are to be submitted
 again by the runner.
 """
@@ -24,14 +24,15 @@ STUDY = """
 name = "slurm"
 modalities = ["imu-uncalibrated"]
 seed = 11
-[scenario.body]
-posture = "a-pose"
+[scenario.postures]
+list = ["a-pose", "slouch"]
 [scenario.garment]
 pattern = "tank-top"
 [scenario.donning]
 movements = []
 [scenario.simulation]
 edge_length = 0.05
+certificate = "B"
 [[axis]]
 name = "person"
 people = {{ statistics = "ansur-2012", count = {people} }}
@@ -39,6 +40,9 @@ people = {{ statistics = "ansur-2012", count = {people} }}
 name = "fit"
 key = "garment.fit.chest"
 values = [0.02, 0.1]
+[[axis]]
+name = "put on"
+donnings = 2
 """
 
 CONFIGURATION = """
@@ -178,7 +182,7 @@ def run_slurm(binary, file, folder, cluster, kills):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("binary", type=pathlib.Path)
-    parser.add_argument("--people", type=int, default=20, help="two cases each")
+    parser.add_argument("--people", type=int, default=10, help="four cases each")
     parser.add_argument("--kills", type=int, default=5)
     arguments = parser.parse_args()
     missing = [name for name in ("munged", "slurmctld", "slurmd", "sbatch")
@@ -197,7 +201,7 @@ def main():
             begun = time.monotonic()
             remote, killed = run_slurm(arguments.binary.resolve(), file, root / "slurm", cluster, arguments.kills)
             took = time.monotonic() - begun
-        print(f"{2 * arguments.people} cases, {killed} tasks killed, {took:.0f} s; rounds: "
+        print(f"{4 * arguments.people} cases, {killed} tasks killed, {took:.0f} s; rounds: "
               f"{len(list((root / 'slurm' / 'slurm').glob('bundles-*.txt')))}; "
               f"{local['done']} with scores, {local['sealed']} sealed, {local['failed']} failed")
         rounds = len(list((root / "slurm" / "slurm").glob("bundles-*.txt")))

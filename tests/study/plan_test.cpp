@@ -14,6 +14,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pipeline/wear_states.h"
 #include "loosefit/study/controls.h"
 #include "loosefit/study/run_study.h"
 
@@ -191,6 +192,51 @@ TEST(Plan, AnAxisForEachCaseIsDrawnAnewForAll) {
 }
 
 // Seams beside a pattern are read though nobody names them: they are a part of what a case is.
+TEST(Plan, EachDonningOfAnAxisIsAnotherHistory) {
+  for (const std::string base : {"", "[scenario.donning]\nmovements = [\"breath\"]\n",
+                                 "[scenario.donning]\nrepeats = 1\n"}) {
+    const Plan plan = plan_of(kHead + base + "[[axis]]\nname = \"put on\"\ndonnings = 4\n");
+    ASSERT_EQ(plan.cases.size(), 4u);
+    EXPECT_EQ(plan.drapes(), 4) << "each level is one donning: " << base;
+    EXPECT_EQ(same_as_others(plan), 0);
+    EXPECT_TRUE(idle_axes(plan).empty());
+    std::set<std::vector<double>> shifts;
+    for (const PlannedCase& one : plan.cases) {
+      const scenario::Scenario scenario = io::parse_scenario(one.toml, "case.toml");
+      const auto how = pipeline::planned_donnings(scenario.donning).front();
+      shifts.insert({how.shift.x(), how.shift.y(), how.shift.z(), how.twist});
+      EXPECT_FALSE(how.shift.isZero()) << one.toml;
+      EXPECT_NE(how.friction, 1);
+    }
+    EXPECT_EQ(shifts.size(), 4u) << base;
+  }
+  // Repeats of the base stay: so many donnings a level, all drawn.
+  EXPECT_EQ(plan_of(kHead + "[scenario.donning]\nrepeats = 3\n[[axis]]\nname = \"put on\"\n"
+                            "donnings = 2\n")
+                .drapes(),
+            6);
+  expect_refused(kHead +
+                     "[scenario.simulation]\nrepeats = 3\n[[axis]]\nname = \"put on\"\n"
+                     "donnings = 2\n",
+                 "simulation.repeats");
+}
+
+TEST(Plan, TellsOfAxesThatChangeNothing) {
+  const std::string shifts =
+      "[[axis]]\nname = \"shift\"\nkey = \"donning.shift\"\nvalues = [0.01, 0.02]\n";
+  const Plan idle = plan_of(kHead + "[scenario.donning]\nrepeats = 1\n" + kFits + shifts);
+  EXPECT_EQ(idle_axes(idle), std::vector<std::string>{"shift"});
+  EXPECT_EQ(same_as_others(idle), 2);
+  const Plan of_use = plan_of(kHead + "[scenario.donning]\nrepeats = 2\n" + kFits + shifts);
+  EXPECT_TRUE(idle_axes(of_use).empty());
+  EXPECT_EQ(same_as_others(of_use), 0);
+  // Where it changes something beside one level of another axis it is of use.
+  const Plan in_part = plan_of(
+      kHead + "[[axis]]\nname = \"times\"\nkey = \"donning.repeats\"\nvalues = [1, 2]\n" + shifts);
+  EXPECT_TRUE(idle_axes(in_part).empty());
+  EXPECT_EQ(same_as_others(in_part), 1);
+}
+
 TEST(Plan, AddressesKnowTheSeamsBesideAPattern) {
   namespace fs = std::filesystem;
   const fs::path folder =

@@ -1,7 +1,9 @@
 """The study of four back sensors: its calibrated error, and its verdicts."""
+import json
 import math
 import pathlib
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -14,6 +16,7 @@ try:
     import numpy
     import children
     import inclination
+    import tables
 except ImportError:
     numpy = None
 
@@ -81,18 +84,56 @@ class Children(unittest.TestCase):
         self.assertEqual(found["scapula"], [3, 4])
         self.assertEqual(found["mid_back"], [6, 1])
 
-    def test_the_page_tells_the_order_and_the_statements_of_the_study(self):
-        donning = {"scapula left": {"error_rms": 1.0}, "scapula right": {"error_rms": 1.0},
-                   "upper back": {"error_rms": 4.0}, "mid back": {"error_rms": 2.0},
-                   "lower back": {"error_rms": 3.0}}
-        kept = {"asked": 3, "minutes": 7.0, "version": "1",
+    def kept(self):
+        """Errors in the order of the study, deviations with the scapula last."""
+        site = lambda error, deviation: {"error_rms": error, "deviation": deviation, "coe_rms": 2 * error}
+        donning = {"scapula left": site(1.0, 20.0), "scapula right": site(1.0, 20.0), "upper back": site(4.0, 2.0),
+                   "mid back": site(2.0, 10.0), "lower back": site(3.0, 12.0)}
+        return {"asked": 3, "minutes": 7.0, "version": "1",
                 "children": [{"donnings": [donning]}, {"donnings": [donning, donning]}, {"donnings": []}]}
-        lines = children.block(kept)
+
+    def test_the_page_tells_both_orders_and_the_statements(self):
+        lines = children.block(self.kept())
         self.assertIn("2 of 3 children and 3 of 6 donnings count", lines[0])
+        self.assertIn("version 1, build not recorded, date not recorded", lines[0])
         order = [line.split(" | ")[1] for line in lines if line[:3] in ("| 1", "| 2", "| 3", "| 4")]
-        self.assertEqual(order, ["scapula", "mid back", "lower back", "upper back"])
-        self.assertTrue(any("the scapula sensor has the smallest error | agrees, 100 %" in line
+        self.assertEqual(order, ["scapula", "mid back", "lower back", "upper back",
+                                 "upper back", "mid back", "lower back", "scapula"])
+        self.assertTrue(any("the scapula sensor has the smallest error | agrees, 100 %" in line for line in lines))
+        self.assertTrue(any("low deviation at the scapula: below mid and lower back | disagrees, 0 %" in line
                             for line in lines))
+
+    def test_in_short_the_statements_stand_by_their_verdicts(self):
+        lines = children.short_block(self.kept())
+        disagree = lines.index("**We disagree:**")
+        self.assertLess(lines.index("- simulation: low deviation at the upper back: below mid and lower back (100 %)"),
+                        disagree)
+        self.assertGreater(lines.index("- simulation: low deviation at the scapula: below mid and lower back (0 %)"),
+                           disagree)
+
+    def test_a_share_beside_a_bound_has_a_decimal(self):
+        self.assertEqual([children.percent(part) for part in (0.201, 0.26, 0.796, 1.0)],
+                         ["20.1 %", "26 %", "79.6 %", "100 %"])
+
+    def test_what_made_the_figures_is_told(self):
+        old, new = {"version": "1"}, {"version": "2", "build": "0123456789abcdef", "date": "2026-11-29"}
+        self.assertEqual(tables.made_by([new, new]), "version 2, build 0123456789ab, date 2026-11-29")
+        self.assertEqual(tables.made_by([old, new]), "version 1, 2, build 0123456789ab, not recorded, "
+                                                     "date 2026-11-29, not recorded")
+
+    def test_build_and_day_are_kept_with_the_figures(self):
+        with tempfile.TemporaryDirectory() as place:
+            case = pathlib.Path(place)
+            (case / "result.json").write_text("{}")
+            record = lambda build: {"versions": {"loosefit": "3", **build}}
+            cases = [(1, record({"build": "ab"}), case / "output"), (2, record({}), case / "output")]
+            made = children.made(cases)
+        self.assertEqual((made["version"], made["build"]), ("3", "ab, not recorded"))
+        self.assertRegex(made["date"], r"^\d{4}-\d\d-\d\d$")
+
+    def test_the_page_says_what_the_stored_figures_say(self):
+        page = tables.PAGE.read_text()
+        self.assertEqual(children.with_blocks(page, json.loads((children.HERE / "children.json").read_text())), page)
 
 
 @unittest.skipUnless(numpy, "needs numpy")

@@ -28,6 +28,7 @@ from cases import (ADDRESSES, ALL, BENDS, BOARDS, FOLDS, HERE, JUDGED, MAIN, REF
                    UPRIGHT, moved_place, quick, scenario_text)
 from drape_file import DrapeFile
 from inclination import FOOTPRINT, bodies, of_donning
+from tables import day_of
 
 sys.path.insert(0, str(REPOSITORY / "bench"))
 from records import json_lines  # noqa: E402
@@ -141,7 +142,8 @@ def figures(target, spec, places):
     states = summary.get("states", [])
     kept = {"case": spec, "vertices": summary["vertices"], "fit": summary["fit"]["measured"],
             "mass_kg": summary["garment"]["mass_kg"], "start_perturbation": shake_of(target), "seconds": round(summary["seconds"]["total"]),
-            "version": summary["versions"]["loosefit"]}
+            "version": summary["versions"]["loosefit"], "build": summary["versions"].get("build"),
+            "date": day_of(target / "summary.json")}
     upright = [summary] + [s for s in states if s["posture"] in (UPRIGHT, "reference")]
     kept["drapes"] = [of_state(state) for state in upright]
     for how, one in zip(summary.get("donnings", []), kept["drapes"]):

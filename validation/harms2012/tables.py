@@ -5,6 +5,7 @@
 """
 
 import argparse
+import datetime
 import json
 import pathlib
 import statistics
@@ -61,6 +62,18 @@ def percent(part):
     return f"{100 * part:.0f} %"
 
 
+def day_of(file):
+    """The day on which a result was written."""
+    return datetime.date.fromtimestamp(file.stat().st_mtime).isoformat()
+
+
+def made_by(records):
+    """Version, build and day of results; older ones have neither build nor day."""
+    said = lambda key: sorted({text for r in records for text in (r.get(key) or "not recorded").split(", ")})
+    return (f"version {', '.join(said('version'))}, build {', '.join(build[:12] for build in said('build'))}, "
+            f"date {', '.join(said('date'))}")
+
+
 def main_cases(results):
     """Those that were run and have a donning that counts: the table of cases tells of the others."""
     return [name for name in MAIN if name in results and counted(results[name])]
@@ -70,8 +83,7 @@ def run_block(results):
     cases = [case for name, case in results.items() if name != "places"]
     edges = sorted({results[name]["case"]["edge_mm"] for name in MAIN if name in results})
     donnings = sorted({results[name]["case"]["donnings"] for name in MAIN if name in results})
-    versions = sorted({case["version"] for case in cases})
-    text = (f"Loosefit {', '.join(versions)}; edges of {' and '.join(map(str, edges))} mm, "
+    text = (f"Loosefit, {made_by(cases)}; edges of {' and '.join(map(str, edges))} mm, "
             f"{' and '.join(map(str, donnings))} donnings a child and cloth; "
             f"{sum(case['seconds'] for case in cases) / 60:.0f} minutes for all drapes.")
     missing = [name for name in MAIN if name not in main_cases(results)]

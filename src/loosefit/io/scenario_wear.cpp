@@ -98,9 +98,12 @@ scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
   for (const char* key : {"shift", "twist_deg", "friction_spread", "movement_spread", "seed"})
     repeated = repeated || table.has(key);
   const bool movements_alone = table.has("movements") && !repeated;
-  d.repeats =
-      static_cast<int>(table.integer("repeats", given && !movements_alone ? kUsual : 1, 1, 100,
-                                     "times the garment is put on; 1 beside movements alone"));
+  d.first_drawn = table.choice("first", "undisturbed", {"undisturbed", "drawn"},
+                               "whether the first donning is drawn as the others are") == "drawn";
+  d.repeats = static_cast<int>(
+      table.integer("repeats", given && !movements_alone && !d.first_drawn ? kUsual : 1, 1,
+                    scenario::kMostDonnings,
+                    "times the garment is put on; 1 beside movements alone or a drawn first"));
   d.movements = table.choices("movements", d.movements,
                               {scenario::kMovementNames.begin(), scenario::kMovementNames.end()},
                               "what the wearer does once the garment is on, in this order");
@@ -119,6 +122,9 @@ scenario::ScenarioDonning read_donning_section(ConfigReader table, bool given,
     throw table.error("repeats", fmt::format("{} beside simulation.repeats", d.repeats),
                       "repeats in one of the two",
                       "donnings are repeats of drape and postures with larger disturbances");
+  if (d.first_drawn && simulation.repeats > 1)
+    throw table.error("first", "\"drawn\" beside simulation.repeats", "\"undisturbed\"",
+                      "the repeats of [simulation] start near an undisturbed first drape");
   table.finish();
   return d;
 }
@@ -134,11 +140,12 @@ std::string wear_toml(const scenario::Scenario& scenario) {
   std::vector<std::string> movements;
   for (const std::string& name : d.movements) movements.push_back(toml_quoted(name));
   text += fmt::format("\n[donning]\nmovements = [{}]\nrepeats = {}\n", join(movements), d.repeats);
-  if (d.repeats > 1)
+  if (d.repeats > 1 || d.first_drawn)
     text += fmt::format(
-        "movement_spread = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\nseed = {}\n",
-        shortest(d.movement_spread), shortest(d.shift), degrees_text(d.twist),
-        shortest(d.friction_spread), d.seed);
+        "first = \"{}\"\nmovement_spread = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\n"
+        "seed = {}\n",
+        d.first_drawn ? "drawn" : "undisturbed", shortest(d.movement_spread), shortest(d.shift),
+        degrees_text(d.twist), shortest(d.friction_spread), d.seed);
   return text;
 }
 

@@ -30,7 +30,7 @@ struct CaseDonning {
 /// A case worn in several postures, after several donnings. Empty for one of each.
 struct CaseWear {
   std::vector<std::string> postures;  ///< the first is the reference posture
-  std::vector<CaseDonning> donnings;  ///< the first is undisturbed
+  std::vector<CaseDonning> donnings;  ///< planned_donnings
   /// Per posture; none for the reference posture (CaseResult::body), nor without states.
   std::vector<body::PosedBody> bodies;
   std::vector<CaseState> states;      ///< all but the reference state

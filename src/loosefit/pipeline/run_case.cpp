@@ -28,12 +28,15 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
   int at_once = 1;
   {
+    const CaseDonning how = planned_donnings(scenario.donning).front();
     drape::DrapeOptions settling = drape_options(scenario.simulation);
+    settling.start_shift = how.shift;
+    settling.start_twist = how.twist;
     settling.others_follow = plan_wear(result.scenario).postures.size() > 1;
     const auto session = std::make_shared<drape::DrapeSession>(
-        cloth_layers(result.scenario, result.garments), settling, clock);
-    const drape::Drape drape = put_on(*session, result.body, usual_movements(scenario.donning),
-                                      &scenario);  // dress, settle
+        cloth_layers(result.scenario, result.garments, how.friction), settling, clock);
+    const drape::Drape drape =
+        put_on(*session, result.body, how.movements, &scenario);  // dress, settle
     result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
                                   result.garments, result.scenario, result.body.body));
     at_once = drapes_at_once();

@@ -11,6 +11,7 @@
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/lines_json.h"
+#include "loosefit/pipeline/wear_states.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -298,15 +299,20 @@ void add_grade(const drape::Certificate& c, Json& json) {
     json["left_to_go"] = {{"move_mm", 1e3 * c.left->move}, {"turn_deg", degrees(c.left->turn)}};
 }
 
+Json donnings_json(const std::vector<CaseDonning>& donnings) {
+  Json json = Json::array();
+  for (const CaseDonning& d : donnings)
+    json.push_back({{"shift_m", {d.shift.x(), d.shift.y(), d.shift.z()}},
+                    {"twist_deg", degrees(d.twist)},
+                    {"friction", d.friction},
+                    {"movements", movements_json(d.movements)}});
+  return json;
+}
+
 /// Postures, donnings, and what became of each of their drapes.
 void add_wear(const CaseWear& wear, Json& json) {
   json["postures"] = wear.postures;
-  json["donnings"] = Json::array();
-  for (const CaseDonning& d : wear.donnings)
-    json["donnings"].push_back({{"shift_m", {d.shift.x(), d.shift.y(), d.shift.z()}},
-                                {"twist_deg", degrees(d.twist)},
-                                {"friction", d.friction},
-                                {"movements", movements_json(d.movements)}});
+  json["donnings"] = donnings_json(wear.donnings);
   json["states"] = Json::array();
   for (const CaseState& s : wear.states) {
     const drape::Certificate c = s.certificate();
@@ -389,7 +395,10 @@ std::string summary_json(const CaseResult& result) {
   if (maps.load) json["load"] = load_json(*maps.load);
   if (!maps.maps.empty())
     json["strain_range"] = strain_range_json(maps.strain_range, result.scenario.studied().material);
-  if (!result.wear.postures.empty()) add_wear(result.wear, json);
+  if (!result.wear.postures.empty())
+    add_wear(result.wear, json);
+  else if (result.scenario.donning.first_drawn)
+    json["donnings"] = donnings_json(planned_donnings(result.scenario.donning));
   json["sites"] = Json::object();
   for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
   for (const CaseLine& line : result.lines)

@@ -11,23 +11,31 @@
 
 namespace loosefit::pipeline {
 
+std::vector<CaseDonning> planned_donnings(const scenario::ScenarioDonning& donning) {
+  std::vector<CaseDonning> all;
+  std::mt19937_64 rng(donning.seed);
+  std::uniform_real_distribution<double> even(-1, 1);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < donning.repeats; ++k) {
+    CaseDonning& how = all.emplace_back();
+    how.movements = usual_movements(donning);
+    if (k == 0 && !donning.first_drawn) continue;
+    for (double& s : how.shift) s = donning.shift * even(rng);
+    how.twist = donning.twist * even(rng);
+    how.friction = std::exp(donning.friction_spread * std::clamp(normal(rng), -2.0, 2.0));
+    // The seed itself has drawn the shifts.
+    const int own = k > 0 ? k : scenario::kMostDonnings;
+    how.movements = drawn_movements(donning, donning.seed + std::uint64_t(own));
+  }
+  return all;
+}
+
 CaseWear plan_wear(const scenario::Scenario& scenario) {
   CaseWear wear;
   if (scenario.postures.size() < 2 && scenario.donning.repeats < 2) return wear;
   wear.postures = scenario.postures;
   if (wear.postures.empty()) wear.postures = {"reference"};
-  std::mt19937_64 rng(scenario.donning.seed);
-  std::uniform_real_distribution<double> even(-1, 1);
-  std::normal_distribution<double> normal;
-  wear.donnings.resize(1);
-  wear.donnings.front().movements = usual_movements(scenario.donning);
-  for (int k = 1; k < scenario.donning.repeats; ++k) {
-    CaseDonning& how = wear.donnings.emplace_back();
-    for (double& s : how.shift) s = scenario.donning.shift * even(rng);
-    how.twist = scenario.donning.twist * even(rng);
-    how.friction = std::exp(scenario.donning.friction_spread * std::clamp(normal(rng), -2.0, 2.0));
-    how.movements = drawn_movements(scenario.donning, scenario.donning.seed + std::uint64_t(k));
-  }
+  wear.donnings = planned_donnings(scenario.donning);
   return wear;
 }
 

@@ -13,9 +13,13 @@ class SoftBody;
 
 namespace loosefit::pipeline {
 
-/// Postures and the drawn donnings of a case; no bodies and no states yet. Donnings are drawn from
-/// the seed of [donning]: shifts and twist evenly within their limits, ln of the friction share
-/// normally, kept within two deviations; movements as drawn_movements.
+/// How the garments are put on each time: once at least. Unless all are drawn the first is
+/// undisturbed, its movements the usual ones. They are drawn from the seed of [donning]: shifts and
+/// twist evenly within their limits, ln of the friction share normally, kept within two deviations;
+/// movements as drawn_movements.
+std::vector<CaseDonning> planned_donnings(const scenario::ScenarioDonning& donning);
+
+/// Postures and donnings of a case; no bodies and no states yet. Empty for one of each.
 CaseWear plan_wear(const scenario::Scenario& scenario);
 
 /// All states of a plan but the reference state, in their order: the other postures of the first

@@ -96,13 +96,16 @@ struct ScenarioRanking {
 inline constexpr std::array<const char*, 4> kMovementNames = {"arm-raise", "breath", "hem-pull",
                                                               "fidget"};
 
+inline constexpr int kMostDonnings = 100;
+
 /// [donning]: how the wearer settles the garment once it is on, and putting it on again and again,
 /// never quite alike.
 struct ScenarioDonning {
   /// In this order, by name; one may come several times. Empty: none.
   std::vector<std::string> movements{kMovementNames.begin(), kMovementNames.end()};
   double movement_spread = 0.3;  ///< standard deviation of ln of their sizes in further donnings
-  int repeats = 1;               ///< the first is undisturbed
+  int repeats = 1;
+  bool first_drawn = false;      ///< as the others are; else the first is undisturbed
   double shift = 0.010;          ///< of the garment, each axis, to either side [m]
   double twist = radians(10.0);  ///< on the trunk, to either side [rad]
   double friction_spread = 0.2;  ///< standard deviation of ln μ

@@ -118,11 +118,12 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   result.sensors = choose_sensors(over_all, data.plan.sensors, constraints_of(data, tables));
   const std::vector<std::vector<int>> units = cases_of_units(data);
   // Without people units are cases, each at one fit: to draw them is to draw which fits there are.
-  BootstrapOptions of_limits = options;
-  if (people_axis(data.plan) < 0) of_limits.resamples = 0;
+  BootstrapOptions of_people = options;
+  if (people_axis(data.plan) < 0) of_people.resamples = 0;
+  result.metrics = metric_percentiles(data, tables, card, of_people);
   for (const SiteTable& table : tables) {
     if (const std::vector<LooseLevel> by_level = loose_levels(data, table); !by_level.empty())
-      result.how_loose[table.site] = how_loose(by_level, card.pass, of_limits);
+      result.how_loose[table.site] = how_loose(by_level, card.pass, of_people);
     add_sensitivity(data, table, "score", table.by_case, options, units, result.sensitivity);
     for (const placement::Criterion& criterion : card.criteria)
       if (const auto metric = table.metrics.find(criterion.metric); metric != table.metrics.end())

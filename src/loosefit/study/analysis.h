@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "loosefit/study/how_loose.h"
+#include "loosefit/study/metric_percentiles.h"
 #include "loosefit/study/population_ranking.h"
 #include "loosefit/study/study_data.h"
 
@@ -26,8 +27,9 @@ struct ModalityAnalysis {
   std::vector<std::string> untold;  ///< criteria that the study cannot tell: scores are bounds
   /// Per level of looseness, and last over all of them where there are several.
   std::vector<std::vector<SitePopulation>> rankings;
-  std::map<std::string, HowLoose> how_loose;  ///< by site; empty without looseness
-  std::vector<SensorChoice> sensors;          ///< over all levels
+  std::vector<std::vector<MetricPercentiles>> metrics;  ///< by level as `rankings`
+  std::map<std::string, HowLoose> how_loose;            ///< by site; empty without looseness
+  std::vector<SensorChoice> sensors;                    ///< over all levels
   std::vector<Sensitivity> sensitivity;
   std::map<std::string, std::string> limiting;  ///< by site: the metric that limits most cases
 };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "loosefit/base/version.h"
+#include "loosefit/placement/metric_names.h"
 
 namespace loosefit::study {
 namespace {
@@ -39,6 +41,28 @@ Json ranking_json(const std::vector<SitePopulation>& ranking) {
   return rows;
 }
 
+/// `left_out`: people without a value; `cases_left_out`: cases of all people.
+Json metrics_json(const std::vector<MetricPercentiles>& metrics) {
+  Json rows = Json::array();
+  for (const MetricPercentiles& m : metrics) {
+    const placement::MetricName* name = placement::find_metric(m.metric);
+    rows.push_back({{"site", m.site},
+                    {"metric", m.metric},
+                    {"words", name ? name->words : m.metric},
+                    {"unit", name ? name->unit : ""},
+                    {"n", m.known},
+                    {"left_out", m.people - m.known},
+                    {"cases_left_out", m.cases - m.known_cases},
+                    {"median", number(m.median)},
+                    {"median_interval", bounds(m.median_interval)},
+                    {"p5", number(m.p5)},
+                    {"p5_interval", bounds(m.p5_interval)},
+                    {"p95", number(m.p95)},
+                    {"p95_interval", bounds(m.p95_interval)}});
+  }
+  return rows;
+}
+
 Json how_loose_json(const HowLoose& answer) {
   Json curve = Json::array();
   for (const LoosePoint& p : answer.curve)
@@ -59,15 +83,24 @@ Json how_loose_json(const HowLoose& answer) {
 }
 
 Json modality_json(const ModalityAnalysis& modality, const StudyData& data) {
-  Json json = {{"title", modality.title},      {"pass", modality.pass},
-               {"not_told", modality.untold},  {"rankings", Json::array()},
-               {"how_loose", Json::object()},  {"sensors", Json::array()},
-               {"sensitivity", Json::array()}, {"limiting", modality.limiting}};
+  Json json = {{"title", modality.title},
+               {"pass", modality.pass},
+               {"not_told", modality.untold},
+               {"rankings", Json::array()},
+               {"how_loose", Json::object()},
+               {"sensors", Json::array()},
+               {"sensitivity", Json::array()},
+               {"limiting", modality.limiting},
+               {"metric_percentiles", Json::array()}};
+  const auto at_level = [&](std::size_t k, const char* key, Json rows) {
+    return Json{{"level", k < data.level_labels.size() ? data.level_labels[k] : "all"},
+                {"bgm", k < data.level_bgm.size() ? number(data.level_bgm[k]) : Json(nullptr)},
+                {key, std::move(rows)}};
+  };
   for (std::size_t k = 0; k < modality.rankings.size(); ++k)
-    json["rankings"].push_back(
-        {{"level", k < data.level_labels.size() ? data.level_labels[k] : "all"},
-         {"bgm", k < data.level_bgm.size() ? number(data.level_bgm[k]) : Json(nullptr)},
-         {"sites", ranking_json(modality.rankings[k])}});
+    json["rankings"].push_back(at_level(k, "sites", ranking_json(modality.rankings[k])));
+  for (std::size_t k = 0; k < modality.metrics.size(); ++k)
+    json["metric_percentiles"].push_back(at_level(k, "metrics", metrics_json(modality.metrics[k])));
   for (const auto& [site, answer] : modality.how_loose)
     json["how_loose"][site] = how_loose_json(answer);
   for (const SensorChoice& choice : modality.sensors)

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/material_file.h"
+#include "loosefit/scenario/scenario.h"
 #include "loosefit/study/config_patch.h"
 #include "loosefit/study/draws.h"
 #include "loosefit/study/people.h"
@@ -159,11 +160,15 @@ class Reading {
     }
   }
 
+  /// The same draws in every study, so that two can be compared donning by donning.
   void donnings() {
+    // No seed is that of a further donning of another level (planned_donnings).
+    constexpr int kApart = 10 * scenario::kMostDonnings;
     const int count = static_cast<int>(table_.integer("donnings", 2, 1, 1000));
     for (int k = 1; k <= count; ++k) {
       AxisLevel& level = new_level("donning " + std::to_string(k));
-      set_value(level.patch, "donning.seed", integer_node(k));
+      set_value(level.patch, "donning.first", text_node("drawn"));
+      set_value(level.patch, "donning.seed", integer_node(1 + (k - 1) * kApart));
     }
   }
 
@@ -288,7 +293,8 @@ class Reading {
     }
   }
 
-  /// Log-normal population of 618 measured fabrics: mass, bending along warp and weft.
+  /// Log-normal population of 618 measured fabrics (ClothDrapeTester 24a980c, dataset.csv): mass,
+  /// bending along warp and weft.
   void draw_fabrics(int count) {
     constexpr double kMean[3] = {-1.789, -11.285, -11.691};
     constexpr double kDeviation[3] = {0.806, 1.405, 1.249};

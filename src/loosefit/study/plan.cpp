@@ -301,7 +301,33 @@ std::string wearing_digest(const scenario::Scenario& scenario) {
   std::string text = body_lines(scenario, true);
   // The first of a list is the reference posture, which is told already.
   for (std::size_t k = 1; k < scenario.postures.size(); ++k) text += scenario.postures[k] + "\n";
+  if (scenario.donning.first_drawn) text += "drawn\n";
   return short_digest(text + std::to_string(scenario.donning.seed));
+}
+
+std::vector<std::string> idle_axes(const Plan& plan) {
+  std::vector<std::string> idle;
+  for (std::size_t k = 0; k < plan.study.axes.size(); ++k) {
+    std::map<std::vector<int>, std::pair<std::set<int>, std::set<std::string>>> alike;
+    for (const PlannedCase& one : plan.cases) {
+      std::vector<int> others = one.levels;
+      others[k] = 0;
+      auto& [levels, addresses] = alike[others];
+      levels.insert(one.levels[k]);
+      addresses.insert(one.address);
+    }
+    const auto differs = [](const auto& entry) { return entry.second.first.size() > 1; };
+    const auto changes = [](const auto& entry) { return entry.second.second.size() > 1; };
+    if (std::ranges::any_of(alike, differs) && std::ranges::none_of(alike, changes))
+      idle.push_back(plan.study.axes[k].name);
+  }
+  return idle;
+}
+
+int same_as_others(const Plan& plan) {
+  std::set<std::string> addresses;
+  for (const PlannedCase& one : plan.cases) addresses.insert(one.address);
+  return static_cast<int>(plan.cases.size() - addresses.size());
 }
 
 int drapes_of(const scenario::Scenario& scenario) {

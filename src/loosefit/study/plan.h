@@ -54,6 +54,13 @@ std::string case_address(const scenario::Scenario& scenario,
 std::string wearer_digest(const scenario::Scenario& scenario);
 std::string wearing_digest(const scenario::Scenario& scenario);
 
+/// Names of axes that change nothing: cases that differ in their levels alone, of which there are
+/// some, are the same scenario.
+std::vector<std::string> idle_axes(const Plan& plan);
+
+/// Cases that are the same scenario as one before them, so have its results.
+int same_as_others(const Plan& plan);
+
 /// Drapes that a scenario asks for: postures times donnings or repeats.
 int drapes_of(const scenario::Scenario& scenario);
 

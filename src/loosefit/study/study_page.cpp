@@ -9,6 +9,7 @@
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/placement/metric_names.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/plot.h"
 #include "loosefit/report/report_style.h"
@@ -212,6 +213,50 @@ std::string ranking_section(const StudyAnalysis& analysis, const ModalityAnalysi
   return html;
 }
 
+/// Sites in the order of the ranking, as they stand above it.
+std::string metric_table(const std::vector<MetricPercentiles>& metrics,
+                         const std::vector<SitePopulation>& ranking, double confidence) {
+  const auto range = [](double low, double high) {
+    return std::isnan(low) ? "–" : report::number(low) + " to " + report::number(high);
+  };
+  const std::string interval = fmt::format("{:.0f} % interval", 100 * confidence);
+  report::Table table({"site", "what", "unit", "median", interval, "5th to 95th percentile",
+                       "interval of the 95th", "people"});
+  for (const SitePopulation& site : ranking)
+    for (const MetricPercentiles& m : metrics) {
+      if (m.site != site.site) continue;
+      const placement::MetricName* name = placement::find_metric(m.metric);
+      table.add({m.site, name ? name->words : m.metric,
+                 !name || name->unit == "-" ? "–" : name->unit, report::number(m.median),
+                 range(m.median_interval.low, m.median_interval.high), range(m.p5, m.p95),
+                 range(m.p95_interval.low, m.p95_interval.high),
+                 fmt::format("{} of {}", m.known, m.people)});
+    }
+  return table.html();
+}
+
+std::string metric_section(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  if (modality.metrics.empty() || modality.metrics.back().empty()) return "";
+  const StudyData& data = analysis.data;
+  const double confidence = analysis.options.confidence;
+  const bool several = data.level_bgm.size() > 1;
+  std::string html =
+      element("h3",
+              std::string("What the sensors meet") + (several ? ", over all fits together" : "")) +
+      metric_table(modality.metrics.back(), modality.rankings.back(), confidence) +
+      element("p",
+              "Percentiles over people of what the scores are made of. Where somebody went through "
+              "several cases, the one that serves the sensor worst counts; of donnings the mean. "
+              "Who has no value is left out.",
+              "lead");
+  if (several)
+    for (std::size_t k = 0; k < data.level_bgm.size(); ++k)
+      html += "<details><summary>" +
+              escaped("at " + data.plan.looseness + " " + data.level_labels[k]) + "</summary>" +
+              metric_table(modality.metrics[k], modality.rankings[k], confidence) + "</details>\n";
+  return html;
+}
+
 std::string sensitivity_section(const ModalityAnalysis& modality) {
   std::vector<const Sensitivity*> rows;
   for (const Sensitivity& s : modality.sensitivity)
@@ -360,7 +405,7 @@ std::string study_html(const StudyAnalysis& analysis, const Gallery& gallery) {
                                   join(modality.untold)),
                           "box warn");
     sections += loose_section(analysis, modality) + ranking_section(analysis, modality) +
-                sensitivity_section(modality);
+                metric_section(analysis, modality) + sensitivity_section(modality);
   }
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

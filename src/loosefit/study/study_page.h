@@ -7,8 +7,8 @@
 namespace loosefit::study {
 
 /// The page of a study: one self-contained HTML without scripts. First how loose it may be, as
-/// sentence, curve and table; then ranking, distributions, choice of sensors, sensitivity, and what
-/// failed; last the gallery, where there is one.
+/// sentence, curve and table; then ranking, distributions, choice of sensors, what the sensors
+/// meet, sensitivity, and what failed; last the gallery, where there is one.
 std::string study_html(const StudyAnalysis& analysis, const Gallery& gallery = {});
 
 /// One row per site: the range from 5th to 95th percentile as a line, the median as a bar, each
