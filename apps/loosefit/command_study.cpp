@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,10 +24,12 @@
 #include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
 #include "loosefit/study/gallery.h"
+#include "loosefit/study/report_files.h"
 #include "loosefit/study/run_on_slurm.h"
 #include "loosefit/study/run_study.h"
 #include "loosefit/study/store.h"
 #include "loosefit/study/study_page.h"
+#include "loosefit/study/untold_modalities.h"
 #include "loosefit/study/work_case.h"
 #include "loosefit/study/worker_process.h"
 #include "print_document.h"
@@ -48,7 +52,9 @@ CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& 
 }
 
 /// What was hardly meant so.
-void warn_of_same_cases(const study::Plan& plan) {
+void warn_of_plan(const study::Plan& plan) {
+  for (const study::UntoldModality& untold : study::untold_modalities(plan))
+    fmt::print(stderr, "warning: {}\n", terminal_line(study::untold_text(untold)));
   for (const std::string& axis : study::idle_axes(plan))
     fmt::print(stderr,
                "warning: axis {} changes nothing: cases that differ in it alone are the same "
@@ -58,6 +64,12 @@ void warn_of_same_cases(const study::Plan& plan) {
     fmt::print(stderr,
                "warning: {} of {} cases are the same scenario as another one; it runs once\n", same,
                plan.cases.size());
+}
+
+void tell_aside(const std::vector<std::filesystem::path>& aside) {
+  for (const std::filesystem::path& file : aside)
+    fmt::print(stderr, "note: not as the program wrote it, so it is kept as {}\n",
+               terminal_line(file.string()));
 }
 
 /// `open`: addresses that are still to run.
@@ -126,12 +138,12 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
     if (!arguments->output.empty()) {
       const study::StudyFolder folder(arguments->output);
       const study::StudyLock lock(folder);
-      folder.write_plan(plan);
+      tell_aside(folder.write_plan(plan));
       const std::vector<std::string> left = folder.state(folder.read_plan()).open;
       open = {left.begin(), left.end()};
     }
     print_plan(plan, *arguments, open);
-    warn_of_same_cases(plan);
+    warn_of_plan(plan);
   });
 }
 
@@ -161,8 +173,8 @@ study::StudyAnalysis write_report(const study::StudyFolder& folder, const std::f
                                   Progress& progress) {
   study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
   const study::Gallery gallery = study::make_gallery(folder, analysis.data.plan, progress);
-  study::write_whole(to / "study-report.html", study::study_html(analysis, gallery));
-  study::write_whole(to / "study-report.json", study::analysis_json(analysis));
+  tell_aside(study::write_report_files(to, study::study_html(analysis, gallery),
+                                       study::analysis_json(analysis)));
   return analysis;
 }
 
@@ -182,8 +194,23 @@ study::StudyAnalysis report_elsewhere(const study::StudyFolder& folder, const st
   return analysis;
 }
 
+/// Why cases have no scores: the reasons, the commonest first.
+void tell_troubles(const study::StudyData& data) {
+  std::map<std::string, int> counts;
+  for (const study::CaseTrouble& t : data.troubles)
+    if (t.status != "open" && t.status != "incomplete") ++counts[t.status + ": " + t.reason];
+  std::vector<std::pair<std::string, int>> reasons(counts.begin(), counts.end());
+  std::ranges::stable_sort(reasons, std::greater{}, &std::pair<std::string, int>::second);
+  constexpr std::size_t kTold = 3;
+  for (std::size_t i = 0; i < std::min(kTold, reasons.size()); ++i)
+    fmt::print("{} × {}\n", reasons[i].second, terminal_line(reasons[i].first));
+  if (reasons.size() > kTold)
+    fmt::print("and {} other reasons, on the page under Failures\n", reasons.size() - kTold);
+}
+
 int run(const Arguments& arguments) {
   const study::Plan plan = study::make_plan(study::read_study_file(arguments.study));
+  warn_of_plan(plan);
   const study::StudyFolder folder(arguments.output);
   study::RunnerOptions options = arguments.runner;
   options.program = study::own_program();
@@ -200,6 +227,7 @@ int run(const Arguments& arguments) {
   }
   const study::StudyAnalysis analysis = write_report(folder, folder.path(), shown);
   shown.clear();
+  tell_aside(done.set_aside);
   const study::FolderState& state = done.state;
   if (arguments.json) {
     Json given_up = Json::array();
@@ -209,6 +237,7 @@ int run(const Arguments& arguments) {
                          {"ran", done.ran},
                          {"of_other_builds", done.of_other_builds},
                          {"done", state.done},
+                         {"scored", analysis.data.scored},
                          {"sealed", state.sealed},
                          {"failed", state.failed},
                          {"open", state.open.size()},
@@ -219,13 +248,13 @@ int run(const Arguments& arguments) {
                        .dump(1));
   } else if (!arguments.quiet) {
     fmt::print("{} of {} cases ran in {}; {} have scores, {} are sealed, {} failed\n", done.ran,
-               plan.cases.size(), study::duration_text(done.seconds), state.done, state.sealed,
-               state.failed);
+               plan.cases.size(), study::duration_text(done.seconds), analysis.data.scored,
+               state.sealed, state.failed);
     for (const std::string& sentence : study::headlines(analysis))
       fmt::print("{}\n", terminal_line(sentence));
+    tell_troubles(analysis.data);
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   }
-  warn_of_same_cases(plan);
   if (done.of_other_builds > 0)
     fmt::print(stderr,
                "warning: the results of {} cases are of another build of the program, of the same "
@@ -235,7 +264,8 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "warning: case {} stays open: {}\n", one.address.substr(0, 12),
                terminal_line(one.why));
   // Nothing that could be judged is no success, though every case has ended.
-  const bool good = state.open.empty() && (state.done > 0 || plan.cases.empty());
+  const int settled = analysis.data.modalities.empty() ? state.done : analysis.data.scored;
+  const bool good = state.open.empty() && (settled > 0 || plan.cases.empty());
   return good ? kGood : kNotSettled;
 }
 
@@ -279,13 +309,14 @@ void make_status_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     if (arguments->json)
       return print_document(Json({{"cases", plan.cases.size()},
                                   {"done", state.done},
+                                  {"scored", study::scored_cases(folder, plan)},
                                   {"sealed", state.sealed},
                                   {"failed", state.failed},
                                   {"open", state.open.size()}})
                                 .dump(1));
     fmt::print("{}: {} cases, {} have scores, {} sealed, {} failed, {} to run\n",
-               terminal_line(plan.name), plan.cases.size(), state.done, state.sealed, state.failed,
-               state.open.size());
+               terminal_line(plan.name), plan.cases.size(), study::scored_cases(folder, plan),
+               state.sealed, state.failed, state.open.size());
   });
 }
 

@@ -73,6 +73,20 @@ bool has(const std::string& label, const std::string& part) {
 
 double by_posture(const std::string& label, int) { return has(label, "slouch") ? 0.2 : 0.6; }
 
+// Scores that differ only beyond 0 and 1 are equal, in mean, interval and share alike.
+TEST_F(Comparison, CountsAsBetterWhatIsBetterBetweenZeroAndOne) {
+  const auto always = [](double score) { return [=](const std::string&, int) { return score; }; };
+  for (const auto& [x, y] : {std::pair(-2.0, -1.0), std::pair(1.1, 1.2), std::pair(0.5, 0.5)}) {
+    const StudyData a = study("a", kPeople, always(x)), b = study("b", kPeople, always(y));
+    const PairedDifference same = compare_studies(a, b).differences.at(0);
+    EXPECT_EQ(same.mean, 0);
+    EXPECT_EQ(same.better, 0);
+    EXPECT_FALSE(same.differs());
+  }
+  const StudyData low = study("a", kPeople, always(-0.1)), high = study("b", kPeople, always(0.1));
+  EXPECT_EQ(compare_studies(low, high).differences.at(0).better, 1);
+}
+
 // The worst posture of one study is not compared with the only one of another.
 TEST_F(Comparison, IsOfTheSamePostureAlsoWhereOneStudyHasNoAxisOfThem) {
   const StudyData a = study(

@@ -8,8 +8,10 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/quantile.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/draws.h"
+#include "loosefit/study/plan.h"
 
 namespace loosefit::study {
 namespace {
@@ -128,12 +130,16 @@ struct PeopleFile : ::testing::Test {
     return read_people_csv(path);
   }
   void expect_refused(const std::string& text, const std::string& phrase) const {
+    EXPECT_NE(complaint(text).find(phrase), std::string::npos) << complaint(text);
+  }
+  /// With its hint.
+  std::string complaint(const std::string& text) const {
     try {
       read(text);
-      FAIL() << text;
     } catch (const InvalidInput& error) {
-      EXPECT_NE(std::string(error.what()).find(phrase), std::string::npos) << error.what();
+      return std::string(error.what()) + "; " + error.hint();
     }
+    return "accepted";
   }
 };
 
@@ -168,6 +174,76 @@ TEST_F(PeopleFile, IsRefusedWithLineAndColumn) {
   expect_refused("name,height\n\"A,1.7\n", ":2: found a quote that is not closed");
   for (const char* value : {"nan", "inf", "-1.7", "1.7m", "1,7", "0x1.8p0"})
     expect_refused("name,height\nA," + std::string(value) + "\n", ":2");
+}
+
+// As spreadsheets write it unless told otherwise; it ends in JSON, which is UTF-8.
+TEST_F(PeopleFile, InLatin1IsRefused) {
+  EXPECT_EQ(read("name,height\nZo\u00eb,1.68\n")[0].name, "Zo\u00eb");
+  EXPECT_EQ(complaint("name,height\nZo\xEB,1.68\n"),
+            path + ":2: found a name that is not UTF-8, expected UTF-8 (save as CSV UTF-8); ");
+  expect_refused("name,height\nAda,1.68\n\"\xC9va, 2\",1.7\n", ":3: found a name");
+  expect_refused(
+      "gr\xF6\xDF"
+      "e,height\nA,1.7\n",
+      ":1: gr\\xf6\\xdf");
+}
+
+TEST_F(PeopleFile, OfLengthsInAnotherUnitIsRefusedWithAHint) {
+  EXPECT_EQ(complaint("name,height\nA,168\n"),
+            path +
+                ":2: height: found \"168\", expected metres from 0.7 to 2.3; "
+                "lengths are in metres: 168 cm is 1.68");
+  expect_refused("name,height,chest\nA,1.68,880\n",
+                 ":2: chest: found \"880\", expected metres from 0.08 to 2; "
+                 "lengths are in metres: 880 mm is 0.88");
+  expect_refused("name,height\nA,0.2\n", ":2: height: found \"0.2\", expected metres from 0.7");
+  EXPECT_EQ(complaint("name,height\nA,0.2\n").find("cm"), std::string::npos);
+  expect_refused("name,height\nA,\"1,7\"\n", "decimals have a point");
+}
+
+// What [body] refuses is refused with the place in the file, and nothing else is.
+TEST_F(PeopleFile, TakesTheLengthsThatAScenarioTakes) {
+  const auto scenario_takes = [](const std::string& body) {
+    try {
+      io::parse_scenario("[body]\n" + body, "x.toml");
+    } catch (const InvalidInput&) {
+      return false;
+    }
+    return true;
+  };
+  for (const char* value : {"0.699", "0.7", "2.3", "2.301"})
+    EXPECT_EQ(complaint("name,height\nA," + std::string(value) + "\n") == "accepted",
+              scenario_takes("height = " + std::string(value)))
+        << value;
+  for (const char* value : {"0.079", "0.08", "2", "2.001"})
+    EXPECT_EQ(complaint("name,height,chest\nA,1.7," + std::string(value) + "\n") == "accepted",
+              scenario_takes("measurements = { chest = " + std::string(value) + " }"))
+        << value;
+}
+
+TEST_F(PeopleFile, WithoutAColumnSaysNothingOfIt) {
+  const auto people = read("height,sex\n1.7,male\n1.8,0.4\n");
+  EXPECT_EQ(people[0].name, "person 1");
+  EXPECT_EQ(people[1].name, "person 2");
+  EXPECT_EQ(people[0].sex, 1);
+  EXPECT_FALSE(people[0].age);
+  EXPECT_FALSE(read("age,height\n50,1.7\n")[0].sex);
+  expect_refused("sex,height\n,1.7\n", ":2: sex: found \"\"");
+}
+
+// Of whom nothing is said the scenario says it, and no input tells what nobody said.
+TEST_F(PeopleFile, LeavesTheScenarioWhatItDoesNotSay) {
+  io::write_text_file(path, "name,age,height\nA,50,1.7\n");
+  const Plan plan = make_plan(parse_study_file(
+      "[study]\nmodalities = [\"ecg\"]\n[scenario.body]\nsex = \"male\"\nage = 20\n"
+      "[[axis]]\nname = \"p\"\npeople = { file = \"" +
+          path + "\" }\n",
+      "study.toml"));
+  const scenario::Scenario scenario = io::parse_scenario(plan.cases.at(0).toml, "case.toml");
+  EXPECT_EQ(scenario.body.sex, 1);
+  EXPECT_EQ(scenario.body.age, 50);
+  EXPECT_EQ(plan.study.axes[0].levels[0].inputs,
+            (std::map<std::string, double>{{"p.age", 50}, {"p.height", 1.7}}));
 }
 
 }  // namespace

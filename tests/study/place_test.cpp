@@ -153,6 +153,25 @@ TEST(PlaceAxis, IsRefusedWithItsKey) {
   EXPECT_NE(far.find("study.toml:7: site[0].shift: found 0."), std::string::npos) << far;
 }
 
+// A sum that is a little too large is one of metres; whoever writes 20 means millimetres.
+TEST(PlaceAxis, HintsAtAnotherUnitOnlyWhereItCouldBeMeant) {
+  const auto hint = [](const std::string& own, const std::string& place) -> std::string {
+    try {
+      plan_of(kHead + "[[scenario.site]]\nname = \"s\"\nlandmark = \"c7\"\nshift = [" + own +
+              ", 0]\n" + axis(place));
+    } catch (const InvalidInput& error) {
+      return error.hint();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(hint("0.2", "{ shift = 0.2 }"), "");
+  EXPECT_EQ(hint("0.3", "{ shift = 0.01 }"), "");
+  EXPECT_EQ(hint("20", "{}"), "lengths are in metres: 20 cm is 0.2");
+  EXPECT_EQ(hint("-2", "{}"), "lengths are in metres: -2 cm is -0.02");
+  EXPECT_EQ(hint("150", "{}"), "lengths are in metres: 150 mm is 0.15");
+  EXPECT_EQ(hint("0", "{ shift = 15 }"), "lengths are in metres: 15 cm is 0.15");
+}
+
 // Also where a place brings the sum back into the range.
 TEST(PlaceAxis, DoesNotHideAShiftThatIsTooFar) {
   const auto with = [](const std::string& own, const std::string& more = "") {

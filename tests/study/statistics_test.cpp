@@ -163,6 +163,24 @@ TEST(Ranking, PutsUnratedSitesLast) {
   EXPECT_EQ(ranked[1].rank, 0);
 }
 
+// Where nobody is rated there is nothing to be the best in.
+TEST(Ranking, HasNoWinnerAmongSitesThatNobodyRated) {
+  for (const std::size_t people : {1u, 2u}) {
+    const std::vector<double> nobody(people, kNaN);
+    const auto ranked = rank_population({{"a", nobody}, {"b", nobody}}, 0.5);
+    for (const SitePopulation& site : ranked) {
+      EXPECT_EQ(site.rank, 0);
+      EXPECT_TRUE(std::isnan(site.first)) << site.first;
+      EXPECT_TRUE(std::isnan(site.rank_interval.low) && std::isnan(site.rank_interval.high));
+      EXPECT_TRUE(std::isnan(site.passing));
+    }
+  }
+  const auto ranked = rank_population({{"none", {kNaN, kNaN}}, {"both", {0.2, 0.3}}}, 0.5);
+  EXPECT_EQ(ranked[0].first, 1);
+  EXPECT_TRUE(std::isnan(ranked[1].first));
+  EXPECT_TRUE(std::isnan(rank_population({{"alone", {0.9}}}, 0.5)[0].first)) << "without draws";
+}
+
 TEST(Sensors, AreChosenForWhatTheyAdd) {
   // The best alone serves people 1 to 3, the second best the same; the third serves person 4.
   const std::vector<SiteScores> sites = {
@@ -270,6 +288,10 @@ TEST(HowLoose, OfALinearPopulationIsItsLinearLimit) {
   EXPECT_EQ(answer.tightest, -kInfinity);
   EXPECT_EQ(answer.curve[2].passing, 1);
   EXPECT_NE(in_words(answer).find("up to a BGM of 0.20"), std::string::npos) << in_words(answer);
+  EXPECT_EQ(answer.people, 15);
+  EXPECT_NE(in_words(answer).find(" of 15 people only"), std::string::npos) << in_words(answer);
+  for (LooseLevel& level : levels) level.scores.resize(7);
+  EXPECT_EQ(in_words(how_loose(levels, 0.5)).find("interval"), std::string::npos);
 }
 
 TEST(HowLoose, TellsTheTightEndOfWhatPasses) {

@@ -264,7 +264,7 @@ TEST_F(StudyOnDisk, PeopleWithoutAnyScoreCarryNoStatementAboutThePopulation) {
   EXPECT_EQ(rated_units(analysis.data), 3);
   const std::string page = study_html(analysis);
   EXPECT_NE(page.find("With 3 independent people"), std::string::npos);
-  EXPECT_NE(page.find("1 of the 4 have no score at all"), std::string::npos);
+  EXPECT_NE(page.find("1 of the 4 has no score at all"), std::string::npos);
   const nlohmann::json json = nlohmann::json::parse(analysis_json(analysis));
   EXPECT_EQ(json["rated"], 3);
   EXPECT_NEAR(json["worst_is_below_p5_with_confidence"], 1 - std::pow(0.95, 3), 1e-12);

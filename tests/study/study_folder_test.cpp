@@ -122,6 +122,37 @@ TEST_F(StudyOnDisk, AnotherStudyDoesNotTakeTheFolder) {
   EXPECT_EQ(folder.read_plan().name, "y") << "another name for what is mostly the same";
 }
 
+TEST_F(StudyOnDisk, AStudyFileThatSomebodyChangedIsSetAside) {
+  const StudyFolder folder = planned("a");
+  const fs::path file = folder.path() / "study.toml";
+  const std::string mine = std::string(kStudy) + "# my note\n";
+  io::write_text_file(file.string(), mine);
+  EXPECT_EQ(folder.write_plan(plan), std::vector<fs::path>{file.string() + ".changed-1"});
+  EXPECT_EQ(io::read_text_file(file.string() + ".changed-1", 10000), mine);
+  EXPECT_EQ(io::read_text_file(file.string(), 10000), kStudy);
+  EXPECT_TRUE(folder.write_plan(plan).empty());
+  // What is asked for is no change, though the plan does not know it yet.
+  io::write_text_file(file.string(), mine);
+  EXPECT_TRUE(folder.write_plan(make_plan(parse_study_file(mine, "mine.toml"))).empty());
+}
+
+TEST_F(StudyOnDisk, AnotherStudyFileDoesNotTakeTheFolderOfADamagedPlan) {
+  const StudyFolder folder = planned("a");
+  const fs::path file = folder.path() / "plan.json";
+  const Plan other = make_plan(parse_study_file(std::string(kStudy) + "# another\n", "other.toml"));
+  for (const std::string& damage : {std::string("mine"), std::string()}) {
+    io::write_text_file(file.string(), damage);
+    EXPECT_THROW(folder.write_plan(other), InvalidInput);
+    EXPECT_EQ(io::read_text_file(file.string(), 100), damage);
+  }
+  fs::remove(file);
+  EXPECT_THROW(folder.write_plan(other), InvalidInput);
+  EXPECT_EQ(io::read_text_file((folder.path() / "study.toml").string(), 10000), kStudy);
+  io::write_text_file(file.string(), "mine");
+  EXPECT_EQ(folder.write_plan(plan), std::vector<fs::path>{file.string() + ".damaged-1"});
+  EXPECT_EQ(io::read_text_file(file.string() + ".damaged-1", 100), "mine");
+}
+
 TEST_F(StudyOnDisk, APlanThatIsDamagedOrGoneIsWrittenAnew) {
   const StudyFolder folder = planned("a");
   const fs::path file = folder.path() / "plan.json";

@@ -126,6 +126,15 @@ std::string without_controls(const std::string& text) {
   });
 }
 
+bool valid_utf8(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequence_length(text, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
 std::string printable(const std::string& text, std::size_t limit) {
   std::string shown;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -31,6 +31,9 @@ std::string terminal_text(const std::string& text);
 /// tabs and line ends stay.
 std::string without_controls(const std::string& text);
 
+/// Whether all of it is UTF-8 (RFC 3629).
+bool valid_utf8(const std::string& text);
+
 /// Text for an error message: control characters and bytes outside ASCII escaped, long text cut.
 std::string printable(const std::string& text, std::size_t limit = 60);
 

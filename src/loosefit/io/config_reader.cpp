@@ -27,15 +27,6 @@ std::string expected_number(const NumberRange& range) {
   return fmt::format("{} from {} to {}", range.what, range.low, range.high);
 }
 
-// Lengths are the values people most often give in another unit.
-std::string unit_hint(double value, const NumberRange& range) {
-  if (range.what.rfind("metres", 0) != 0 || !std::isfinite(value)) return {};
-  for (const auto& [factor, unit] : {std::pair(0.01, "cm"), std::pair(0.001, "mm")})
-    if (within(value * factor, range))
-      return fmt::format("lengths are in metres: {:g} {} is {:g}", value, unit, value * factor);
-  return {};
-}
-
 ValueForm number_form(const NumberRange& range, const char* type = "number") {
   const double huge = std::numeric_limits<double>::max();
   ValueForm form{.type = type};
@@ -72,6 +63,17 @@ std::string quoted(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+std::string unit_hint(double value, const NumberRange& range) {
+  if (range.what.rfind("metres", 0) != 0 || !std::isfinite(value)) return {};
+  // What is a little too large is in metres: nobody counts parts of a centimetre.
+  const double size = std::abs(value);
+  if (size < 1 && size < 10 * range.high) return {};
+  for (const auto& [factor, unit] : {std::pair(0.01, "cm"), std::pair(0.001, "mm")})
+    if (within(value * factor, range))
+      return fmt::format("lengths are in metres: {:g} {} is {:g}", value, unit, value * factor);
+  return {};
+}
 
 std::string unit_of(const NumberRange& range) {
   if (range.what == "metres") return "m";

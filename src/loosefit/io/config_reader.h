@@ -22,6 +22,10 @@ struct NumberRange {
 /// Unit of such a number: "m", "kg/m²"; empty for a pure one.
 std::string unit_of(const NumberRange& range);
 
+/// For a length out of its range that would lie in it as one in cm, or else in mm: "lengths are in
+/// metres: 168 cm is 1.68". Empty for all else.
+std::string unit_hint(double value, const NumberRange& range);
+
 /// Reads one table of a configuration file, key by key, and remembers which keys it was asked for;
 /// `finish` then refuses all others. Every message names file, line and dotted key, what was found
 /// and what was expected. `about` says to people what a key is; it and all else that is said of a

@@ -10,6 +10,9 @@
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/placement/metric_names.h"
+#include "loosefit/study/cautions.h"
+#include "loosefit/study/unit_words.h"
 
 namespace loosefit::study {
 namespace {
@@ -72,6 +75,9 @@ void add_sensitivity(const StudyData& data, const SiteTable& table, const std::s
                      const std::vector<double>& y, const BootstrapOptions& options,
                      const std::vector<std::vector<int>>& units, std::vector<Sensitivity>& all) {
   const std::size_t cases = data.plan.cases.size();
+  const int known = static_cast<int>(std::ranges::count_if(units, [&](const auto& of_unit) {
+    return std::ranges::any_of(of_unit, [&](int c) { return !std::isnan(y[c]); });
+  }));
   std::map<std::string, std::vector<double>> columns;
   for (std::size_t c = 0; c < cases; ++c)
     for (const auto& [input, value] : data.inputs[c]) {
@@ -82,7 +88,7 @@ void add_sensitivity(const StudyData& data, const SiteTable& table, const std::s
   for (const auto& [input, x] : columns) {
     const double value = rank_correlation(x, y);
     if (std::isnan(value)) continue;
-    Sensitivity row{table.site, quantity, input, false, value, {kNotKnown, kNotKnown}};
+    Sensitivity row{table.site, quantity, input, false, value, {kNotKnown, kNotKnown}, known};
     if (quantity == "score") row.interval = correlation_interval(units, x, y, options);
     all.push_back(row);
   }
@@ -93,8 +99,13 @@ void add_sensitivity(const StudyData& data, const SiteTable& table, const std::s
     for (const FolderCase& one : data.plan.cases) group.push_back(one.levels[k]);
     const double share = main_effect(group, y);
     if (!std::isnan(share))
-      all.push_back(
-          {table.site, quantity, data.plan.axes[k].name, true, share, {kNotKnown, kNotKnown}});
+      all.push_back({table.site,
+                     quantity,
+                     data.plan.axes[k].name,
+                     true,
+                     share,
+                     {kNotKnown, kNotKnown},
+                     known});
   }
 }
 
@@ -107,12 +118,15 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   result.pass = card.pass;
   if (const auto untold = data.untold.find(name); untold != data.untold.end())
     result.untold = untold->second;
+  result.rated = rated_units(data, name);
   const auto found = data.sites.find(name);
   if (found == data.sites.end()) return result;
   const std::vector<SiteTable>& tables = found->second;
   const int levels = static_cast<int>(data.level_bgm.size());
-  for (int level = 0; level < levels; ++level)
+  for (int level = 0; level < levels; ++level) {
     result.rankings.push_back(rank_population(scores_at(data, tables, level), card.pass, options));
+    for (SitePopulation& site : result.rankings.back()) site.people = asked_units(data, level);
+  }
   const std::vector<SiteScores> over_all = scores_at(data, tables, -1);
   if (levels > 1) result.rankings.push_back(rank_population(over_all, card.pass, options));
   result.sensors = choose_sensors(over_all, data.plan.sensors, constraints_of(data, tables));
@@ -141,6 +155,8 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
 
 ComfortLimit comfort_of(const StudyData& data) {
   ComfortLimit comfort;
+  for (const double share : greatest_by_unit(data, data.uncomfortable_share, -1))
+    comfort.units += !std::isnan(share);
   std::vector<double> known, worst;
   for (std::size_t level = 0; level < data.level_bgm.size(); ++level) {
     std::vector<double> shares =
@@ -159,18 +175,98 @@ ComfortLimit comfort_of(const StudyData& data) {
   return comfort;
 }
 
-/// Where and how loose most people pass, of those alike the better robust score.
-std::string nearest_in_words(const ModalityAnalysis& modality) {
-  const std::string* site = nullptr;
-  const LoosePoint* best = nullptr;
+/// Where and how loose most units pass, of those alike the better robust score; none where nobody
+/// is rated.
+struct Nearest {
+  std::string site;
+  const LoosePoint* point = nullptr;
+};
+
+Nearest nearest_of(const ModalityAnalysis& modality) {
+  Nearest best;
   for (const auto& [name, answer] : modality.how_loose)
     if (const LoosePoint* point = most_passing(answer);
-        point && (!best || std::pair(point->passing, point->robust) >
-                               std::pair(best->passing, best->robust)))
-      site = &name, best = point;
-  if (!best || best->passing == 0) return "nobody passes anywhere";
-  return fmt::format("nearest is {}: {:.0f} % of {} people pass at a BGM of {:.2f}", *site,
-                     100 * best->passing, best->rated, best->bgm);
+        point && (!best.point || std::pair(point->passing, point->robust) >
+                                     std::pair(best.point->passing, best.point->robust)))
+      best = {name, point};
+  return best;
+}
+
+/// "nobody of the 1 rated of 3 passes anywhere". `cases_pass`: some case of theirs does.
+std::string nobody_passes(const StudyData& data, int rated, bool cases_pass) {
+  const UnitKind kind = unit_kind(data);
+  const int all = static_cast<int>(data.units.size());
+  const bool people = people_axis(data.plan) >= 0;
+  const std::string units = people ? std::to_string(all) : counted(all, kind);
+  return fmt::format("no site works: {} of the {} passes anywhere{}", people ? "nobody" : "none",
+                     rated < all ? fmt::format("{} rated of {}", rated, units) : units,
+                     cases_pass ? " in all that they went through" : "");
+}
+
+bool any_case_passes(const StudyData& data, const ModalityAnalysis& modality) {
+  const auto found = data.sites.find(modality.name);
+  return found != data.sites.end() &&
+         std::ranges::any_of(found->second, [&](const SiteTable& table) {
+           return std::ranges::any_of(table.by_case,
+                                      [&](double score) { return score >= modality.pass; });
+         });
+}
+
+/// "95 % score above 0.61", "the lowest score is 0.42"; of a robust score below 0, that it is cut
+/// off.
+std::string robust_in_words(const SitePopulation& site, UnitKind kind) {
+  const double shown = std::clamp(site.p5, 0.0, 1.0);
+  if (site.rated <= kWorstIsRobust)
+    return site.p5 < 0 ? fmt::format("the lowest score is 0 ({:.2f} before it is cut off)", site.p5)
+                       : fmt::format("the lowest score is {:.2f}", shown);
+  const std::string share = kind == UnitKind::people ? "5 %" : "5 % of the " + column_name(kind);
+  if (site.p5 < 0) return share + fmt::format(" score 0 ({:.2f} before it is cut off)", site.p5);
+  if (kind == UnitKind::people) return fmt::format("95 % score above {:.2f}", shown);
+  return fmt::format("the 5th percentile of their scores is {:.2f}", shown);
+}
+
+std::string of_ranking(const StudyData& data, const ModalityAnalysis& modality) {
+  const UnitKind kind = unit_kind(data);
+  const std::vector<SitePopulation>& ranking = modality.rankings.back();
+  if (std::ranges::none_of(ranking, [](const SitePopulation& s) { return s.passing > 0; }))
+    return nobody_passes(data, modality.rated, any_case_passes(data, modality));
+  const SitePopulation& first = ranking.front();
+  std::string text =
+      fmt::format("{} ranks first; {:.0f} % of {} {} there, {}", first.site, 100 * first.passing,
+                  rated_of_all(first.rated, first.people, kind),
+                  first.rated == 1 ? "passes" : "pass", robust_in_words(first, kind));
+  if (first.passing > 0) return text;
+  const auto most = std::ranges::max_element(ranking, {}, [](const SitePopulation& s) {
+    return s.rated > 0 ? s.passing : -1;  // NaN where nobody is rated
+  });
+  return text + fmt::format("; most pass at {}: {:.0f} % of {}", most->site, 100 * most->passing,
+                            rated_of_all(most->rated, most->people, kind));
+}
+
+std::string of_looseness(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  const StudyData& data = analysis.data;
+  const UnitKind kind = unit_kind(data);
+  const int all = static_cast<int>(data.units.size());
+  const auto& [site, answer] = *std::max_element(
+      modality.how_loose.begin(), modality.how_loose.end(), [](const auto& a, const auto& b) {
+        return a.second.limit != b.second.limit ? a.second.limit < b.second.limit
+                                                : a.second.interval.low < b.second.interval.low;
+      });
+  if (answer.limit > -std::numeric_limits<double>::infinity())
+    return "loosest at " + site + ", " + in_words(answer, analysis.options) +
+           (answer.people < all ? "; said of " + rated_of_all(answer.people, all, kind) : "");
+  const Nearest nearest = nearest_of(modality);
+  if (!nearest.point || nearest.point->passing == 0)
+    return nobody_passes(data, modality.rated, any_case_passes(data, modality));
+  const std::size_t level =
+      static_cast<std::size_t>(nearest.point - modality.how_loose.at(nearest.site).curve.data());
+  const int asked = asked_units(data, static_cast<int>(level));
+  return fmt::format(
+      "no site works {}; nearest is {}: {:.0f} % of {} {} at a BGM of {:.2f}",
+      people_axis(data.plan) >= 0 ? for_most(modality.rated, kind) + " at any fit tried"
+                                  : "in all cases of any fit tried",
+      nearest.site, 100 * nearest.point->passing, rated_of_all(nearest.point->rated, asked, kind),
+      nearest.point->rated == 1 ? "passes" : "pass", nearest.point->bgm);
 }
 
 }  // namespace
@@ -199,7 +295,6 @@ StudyAnalysis analyse(StudyData data) {
 }
 
 std::string in_words(const ComfortLimit& comfort) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (std::isnan(comfort.limit)) return "not known";
   std::string text = fmt::format("comfortable from a BGM of {:.2f} on", comfort.limit);
   if (comfort.limit == -kInfinity) text = "comfortable at all fits tried";
@@ -209,36 +304,31 @@ std::string in_words(const ComfortLimit& comfort) {
   return unknown.empty() ? text : text + "; not known at " + join(unknown);
 }
 
+std::string nothing_rated(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  std::vector<std::string> needs;
+  for (const std::string& metric : modality.untold)
+    if (const placement::MetricName* name = placement::find_metric(metric);
+        name && !name->needs.empty() && std::ranges::count(needs, name->needs) == 0)
+      needs.push_back(name->needs);
+  // Without a sample nothing is known of what a score would need.
+  if (needs.empty() || !analysis.data.sampled.contains(modality.name))
+    return "no site could be rated";
+  return "needs " + join(needs, " and ") + ": nothing is rated";
+}
+
 std::vector<std::string> headlines(const StudyAnalysis& analysis) {
+  const StudyData& data = analysis.data;
   std::vector<std::string> sentences;
-  for (const ModalityAnalysis& modality : analysis.modalities) {
-    if (modality.rankings.empty() || modality.rankings.back().empty() ||
-        modality.rankings.back().front().rank == 0) {
-      sentences.push_back(modality.name + ": no site could be rated");
-      continue;
-    }
-    const SitePopulation& first = modality.rankings.back().front();
-    if (modality.how_loose.empty()) {
-      sentences.push_back(fmt::format(
-          "{}: {} ranks first; {:.0f} % of {} people pass there, 95 % score above {:.2f}",
-          modality.name, first.site, 100 * first.passing, first.rated,
-          std::clamp(first.p5, 0.0, 1.0)));
-      continue;
-    }
-    const auto loosest = std::max_element(
-        modality.how_loose.begin(), modality.how_loose.end(), [](const auto& a, const auto& b) {
-          return a.second.limit != b.second.limit ? a.second.limit < b.second.limit
-                                                  : a.second.interval.low < b.second.interval.low;
-        });
-    if (loosest->second.limit == -std::numeric_limits<double>::infinity())
-      sentences.push_back(modality.name + ": no site works for 95 % of people at any fit tried; " +
-                          nearest_in_words(modality));
-    else
-      sentences.push_back(modality.name + ": loosest at " + loosest->first + ", " +
-                          in_words(loosest->second, analysis.options));
-  }
-  if (analysis.comfort && analysis.data.done > 0)
-    sentences.push_back("comfort: for 95 % of people " + in_words(*analysis.comfort));
+  for (const ModalityAnalysis& modality : analysis.modalities)
+    sentences.push_back(modality.name + ": " +
+                        (modality.rated == 0          ? nothing_rated(analysis, modality)
+                         : modality.how_loose.empty() ? of_ranking(data, modality)
+                                                      : of_looseness(analysis, modality)));
+  if (analysis.comfort && data.done > 0)
+    sentences.push_back("comfort: " + for_most(analysis.comfort->units, unit_kind(data)) + " " +
+                        in_words(*analysis.comfort));
+  if (const std::string cautions = cautions_in_words(data); !cautions.empty())
+    sentences.push_back(cautions);
   return sentences;
 }
 

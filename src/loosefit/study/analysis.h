@@ -18,6 +18,7 @@ struct Sensitivity {
   bool main_effect = false;    ///< share of variance by an axis; else rank correlation
   double value = kNotKnown;
   Bounds interval = {kNotKnown, kNotKnown};  ///< of correlations of scores
+  int units = 0;                             ///< that have a value of the quantity
 };
 
 /// What a study says of one kind of sensor.
@@ -25,6 +26,7 @@ struct ModalityAnalysis {
   std::string name, title;
   double pass = 0.5;
   std::vector<std::string> untold;  ///< criteria that the study cannot tell: scores are bounds
+  int rated = 0;                    ///< units that have a score at some site
   /// Per level of looseness, and last over all of them where there are several.
   std::vector<std::vector<SitePopulation>> rankings;
   std::vector<std::vector<MetricPercentiles>> metrics;  ///< by level as `rankings`
@@ -34,13 +36,14 @@ struct ModalityAnalysis {
   std::map<std::string, std::string> limiting;  ///< by site: the metric that limits most cases
 };
 
-/// From which BGM on a garment is comfortable for 95 % of people: at most kUncomfortableArea of its
-/// area presses with more than 4 kPa (maps/pressure.h, kPressureClasses).
+/// From which BGM on a garment is comfortable for 95 % of the units: at most kUncomfortableArea of
+/// its area presses with more than 4 kPa (maps/pressure.h, kPressureClasses).
 struct ComfortLimit {
   /// −∞: already at the tightest tried; +∞: not at the loosest; NaN: not known anywhere.
   double limit = kNotKnown;
-  std::vector<double> worst_share;  ///< per level: the 95th percentile over people; NaN: not known
+  std::vector<double> worst_share;  ///< per level: the 95th percentile over units; NaN: not known
   std::vector<double> unknown;      ///< BGM of the levels of which nothing is known
+  int units = 0;                    ///< of which it is known at some level
 };
 inline constexpr double kUncomfortableArea = 0.01;
 
@@ -61,8 +64,13 @@ StudyAnalysis analyse(StudyData data);
 /// "comfortable from a BGM of 0.05 on"
 std::string in_words(const ComfortLimit& comfort);
 
+/// Why a modality without a score has none: "needs several postures: nothing is rated", "no site
+/// could be rated".
+std::string nothing_rated(const StudyAnalysis& analysis, const ModalityAnalysis& modality);
+
 /// One sentence per modality: the site that may be loosest, or ranks first; where none works, the
-/// nearest. Last the comfort limit, in studies of looseness.
+/// nearest, or that nobody passes anywhere. Then the comfort limit, in studies of looseness, and
+/// how many cases carry warnings (cautions.h).
 std::vector<std::string> headlines(const StudyAnalysis& analysis);
 
 }  // namespace loosefit::study

@@ -7,6 +7,8 @@
 
 #include "loosefit/base/version.h"
 #include "loosefit/placement/metric_names.h"
+#include "loosefit/study/cautions.h"
+#include "loosefit/study/unit_words.h"
 
 namespace loosefit::study {
 namespace {
@@ -111,6 +113,7 @@ Json modality_json(const ModalityAnalysis& modality, const StudyData& data) {
                                    {"quantity", s.quantity},
                                    {"input", s.input},
                                    {"kind", s.main_effect ? "main effect" : "rank correlation"},
+                                   {"units", s.units},
                                    {"value", number(s.value)},
                                    {"interval", bounds(s.interval)}});
   return json;
@@ -125,7 +128,10 @@ std::string analysis_json(const StudyAnalysis& analysis) {
       {"version", version()},
       {"cases", data.plan.cases.size()},
       {"done", data.done},
-      {"people", data.units.size()},
+      {"scored", data.scored},
+      {"people", people_axis(data.plan) >= 0 ? Json(data.units.size()) : Json(nullptr)},
+      {"units", name(unit_kind(data))},
+      {"unit_count", data.units.size()},
       {"drapes", data.drapes},
       {"drapes_counted", data.drapes_counted},
       {"confidence", analysis.options.confidence},
@@ -134,8 +140,13 @@ std::string analysis_json(const StudyAnalysis& analysis) {
        !is_sample(data) ? Json(nullptr)
                         : Json(worst_of_n_confidence(rated_units(data), 1 - kRobustPeople))},
       {"headlines", headlines(analysis)},
+      {"warned", warned_cases(data)},
+      {"cautions", Json::array()},
       {"modalities", Json::object()},
       {"troubles", Json::array()}};
+  for (const Caution& caution : group_warnings(data))
+    json["cautions"].push_back(
+        {{"example", caution.example}, {"number", caution.number}, {"cases", caution.cases}});
   if (analysis.comfort) {
     Json shares = Json::array();
     for (const double share : analysis.comfort->worst_share)

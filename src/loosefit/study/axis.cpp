@@ -20,6 +20,7 @@ namespace {
 using Kind = io::ConfigNode::Kind;
 
 constexpr int kMostLevels = 100000;
+constexpr const char* kPoint = "decimals have a point: 0.1, not 0,1";
 
 bool is_number(const io::ConfigNode& node) {
   return node.kind == Kind::integer || node.kind == Kind::number;
@@ -214,12 +215,14 @@ class Reading {
   void range() {
     axis_.keys = keys({});
     const std::vector<double> ends = table_.numbers("range", {});
+    const std::string meaning = "the ends, or for normal laws the 5th and 95th percentile";
     const std::string law = table_.choice("distribution", "uniform",
                                           {"uniform", "log-uniform", "normal", "log-normal"});
-    if (ends.size() != 2 || !(ends[0] < ends[1]))
-      throw table_.error("range",
-                         "[low, high]: the ends, or for normal laws the 5th and 95th "
-                         "percentile");
+    if (ends.size() != 2)
+      throw table_.error("range", "[low, high]: " + meaning, ends.size() == 4 ? kPoint : "");
+    if (!(ends[0] < ends[1]))
+      throw table_.error("range", shortest(ends[0]) + ", " + shortest(ends[1]),
+                         "low < high: " + meaning, {});
     const bool logarithmic = law == "log-uniform" || law == "log-normal";
     if (logarithmic && ends[0] <= 0) throw table_.error("range", "a range above 0 for " + law);
     const int count = count_of(table_, 10);
@@ -283,9 +286,11 @@ class Reading {
 
   void add(const Person& person) {
     AxisLevel& level = new_level(person.name);
-    set_value(level.patch, "body.sex", number_node(person.sex));
-    set_value(level.patch, "body.age", number_node(person.age));
-    level.inputs = {{axis_.name + ".sex", person.sex}, {axis_.name + ".age", person.age}};
+    for (const auto& [name, value] : {std::pair("sex", person.sex), {"age", person.age}})
+      if (value) {
+        set_value(level.patch, std::string("body.") + name, number_node(*value));
+        level.inputs[axis_.name + "." + name] = *value;
+      }
     for (const auto& [name, value] : person.measures) {
       set_value(level.patch, name == "height" ? "body.height" : "body.measurements." + name,
                 number_node(value));
@@ -337,6 +342,21 @@ class Reading {
   const int draws_;
 };
 
+/// One of them was hardly meant so. Draws may fall together, and people may be alike.
+void refuse_same_levels(const io::ConfigReader& table, const Axis& axis) {
+  if (axis.sampled || axis.is_people()) return;
+  std::set<std::string> known;
+  for (const AxisLevel& level : axis.levels) {
+    if (known.insert(value_text(level.patch)).second) continue;
+    const bool number = axis.kind == "values" && level.value;
+    throw table.error(
+        axis.kind,
+        "the level " + (number ? shortest(*level.value) : printable(level.label)) + " twice",
+        "each level once",
+        number && *level.value == std::round(*level.value) ? kPoint : std::string());
+  }
+}
+
 constexpr const char* kKinds =
     "one of people, fabrics, ease, place, postures, donnings, levels, "
     "values, range";
@@ -372,6 +392,7 @@ Axis read_axis(io::ConfigReader table, std::uint64_t study_seed, int draws) {
   if (axis.levels.empty()) throw table.error(axis.kind, "at least one level");
   if (axis.each_case && !axis.sampled)
     throw table.error("each_case", "an axis of chosen values", "an axis that is drawn", {});
+  refuse_same_levels(table, axis);
   std::set<std::string> labels;
   for (AxisLevel& level : axis.levels)
     while (!labels.insert(level.label).second) level.label += "'";

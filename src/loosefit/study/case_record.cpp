@@ -16,19 +16,19 @@ using Json = nlohmann::json;
 constexpr const char* kFormat = "loosefit-case 1";
 constexpr std::size_t kLargestRecord = 200000000;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-double number(const Json& json) { return json.is_null() ? kNotKnown : json.get<double>(); }
+double number_or_null(const Json& json) { return json.is_null() ? kNotKnown : json.get<double>(); }
 
 Json numbers(const std::map<std::string, double>& values) {
   Json json = Json::object();
-  for (const auto& [key, value] : values) json[key] = number(value);
+  for (const auto& [key, value] : values) json[key] = number_or_null(value);
   return json;
 }
 
 std::map<std::string, double> numbers(const Json& json) {
   std::map<std::string, double> values;
-  for (const auto& [key, value] : json.items()) values[key] = number(value);
+  for (const auto& [key, value] : json.items()) values[key] = number_or_null(value);
   return values;
 }
 
@@ -55,10 +55,14 @@ SiteRecord site_of(const Json& j) {
 }
 
 Json sample_json(const SampleRecord& s) {
-  return {{"modality", s.modality},       {"site", s.site},
-          {"donning", s.donning},         {"score", number(s.score)},
-          {"margin", number(s.margin)},   {"bound", number(s.bound)},
-          {"limiting", s.limiting},       {"reason", s.reason},
+  return {{"modality", s.modality},
+          {"site", s.site},
+          {"donning", s.donning},
+          {"score", number_or_null(s.score)},
+          {"margin", number_or_null(s.margin)},
+          {"bound", number_or_null(s.bound)},
+          {"limiting", s.limiting},
+          {"reason", s.reason},
           {"metrics", numbers(s.metrics)}};
 }
 
@@ -67,9 +71,9 @@ SampleRecord sample_of(const Json& j) {
   s.modality = j.at("modality");
   s.site = j.at("site");
   s.donning = j.at("donning");
-  s.score = number(j.at("score"));
-  s.margin = number(j.at("margin"));
-  s.bound = number(j.at("bound"));
+  s.score = number_or_null(j.at("score"));
+  s.margin = number_or_null(j.at("margin"));
+  s.bound = number_or_null(j.at("bound"));
   s.limiting = j.at("limiting");
   s.reason = j.at("reason");
   s.metrics = numbers(j.at("metrics"));
@@ -82,7 +86,7 @@ Json result_json(const CaseRecord& r) {
                {"status", name(r.status)},
                {"reason", r.reason},
                {"grade", r.grade},
-               {"residual", number(r.residual)},
+               {"residual", number_or_null(r.residual)},
                {"vertices", r.vertices},
                {"triangles", r.triangles},
                {"drapes_asked", r.drapes_asked},
@@ -98,8 +102,8 @@ Json result_json(const CaseRecord& r) {
                {"samples", Json::array()},
                {"versions", r.versions},
                {"execution",
-                {{"seconds", number(r.execution.seconds)},
-                 {"peak_memory_mb", number(r.execution.peak_memory_mb)},
+                {{"seconds", number_or_null(r.execution.seconds)},
+                 {"peak_memory_mb", number_or_null(r.execution.peak_memory_mb)},
                  {"host", r.execution.host}}}};
   if (r.control.ran)
     json["control"] = {{"failed", r.control.failed}, {"largest", numbers(r.control.largest)}};
@@ -125,7 +129,7 @@ CaseRecord result_of(const Json& j) {
   r.status = status_of(j.at("status"));
   r.reason = j.at("reason");
   r.grade = j.at("grade");
-  r.residual = number(j.at("residual"));
+  r.residual = number_or_null(j.at("residual"));
   if (j.contains("control")) {
     r.control.ran = true;
     r.control.failed = j.at("control").at("failed");
@@ -149,8 +153,8 @@ CaseRecord result_of(const Json& j) {
   for (const Json& s : j.at("sites")) r.sites.push_back(site_of(s));
   for (const Json& s : j.at("samples")) r.samples.push_back(sample_of(s));
   r.versions = j.at("versions").get<std::map<std::string, std::string>>();
-  r.execution.seconds = number(j.at("execution").at("seconds"));
-  r.execution.peak_memory_mb = number(j.at("execution").at("peak_memory_mb"));
+  r.execution.seconds = number_or_null(j.at("execution").at("seconds"));
+  r.execution.peak_memory_mb = number_or_null(j.at("execution").at("peak_memory_mb"));
   r.execution.host = j.at("execution").at("host");
   return r;
 }

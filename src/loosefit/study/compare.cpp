@@ -73,7 +73,7 @@ PairedDifference difference(const Scores& scores, double pass, const BootstrapOp
       continue;
     }
     differences.push_back(std::clamp(y, 0.0, 1.0) - std::clamp(x, 0.0, 1.0));
-    result.better += y > x;
+    result.better += differences.back() > 0;
     result.passing_a += x >= pass;
     result.passing_b += y >= pass;
   }
@@ -145,6 +145,7 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
   comparison.paired_a = common.paired_a;
   comparison.paired_b = common.paired_b;
   comparison.notes = common.notes;
+  comparison.of_people = people_axis(a.plan) >= 0;
   const auto in_one_alone = [&](const std::string& what, const StudyData& data) {
     comparison.notes.push_back(what + ": in " + data.plan.name + " alone");
   };
@@ -203,12 +204,13 @@ std::string interval_text(const Bounds& interval) {
   return fmt::format("{:>+8.3f} to {:>+6.3f}", interval.low, interval.high);
 }
 
-std::string limits_text(const std::vector<LimitDifference>& limits) {
+std::string limits_text(const std::vector<LimitDifference>& limits, bool of_people) {
   if (limits.empty()) return "";
   std::string text = fmt::format(
-      "how loose may it be? Greatest BGM at which 95 % of people pass, as each study says, B - A\n"
+      "how loose may it be? Greatest BGM at which {} pass, as each study says, B - A\n"
       "{:<20} {:<18} {:>14} {:>14} {:>16}  {:<16} {:>11}  {}\n",
-      "modality", "site", "A", "B", "B - A", "90 % interval", "people A, B", "draws");
+      of_people ? "95 % of people" : "the cases", "modality", "site", "A", "B", "B - A",
+      "90 % interval", "people A, B", "draws");
   for (const LimitDifference& one : limits)
     text += fmt::format(
         "{:<20} {:<18} {:>14} {:>14} {:>16}  {:<16} {:>11}  {}{}\n", one.modality, one.site,
@@ -256,12 +258,14 @@ std::string end_field(double end) {
 }  // namespace
 
 std::string comparison_text(const StudyComparison& comparison) {
-  std::string text = fmt::format("{} (B) against {} (A), scores of the same people, B - A\n",
-                                 comparison.name_b, comparison.name_a);
+  std::string text =
+      fmt::format("{} (B) against {} (A), scores of the same {}, B - A\n", comparison.name_b,
+                  comparison.name_a, comparison.of_people ? "people" : "cases");
   text += fmt::format("paired: {} of {} cases of A with {} of {} of B\n", comparison.paired_a,
                       comparison.cases_a, comparison.paired_b, comparison.cases_b);
   text += fmt::format("{:<20} {:<18} {:<12} {:>8} {:>8} {:>18} {:>7} {:>13}\n", "modality", "site",
-                      "fit", "people", "mean", "90 % interval", "better", "passing A, B");
+                      "fit", comparison.of_people ? "people" : "cases", "mean", "90 % interval",
+                      "better", "passing A, B");
   for (const PairedDifference& d : comparison.differences)
     text += fmt::format(
         "{:<20} {:<18} {:<12} {:>8} {:>+8.3f} {:>18} {:>5.0f} % "
@@ -273,7 +277,7 @@ std::string comparison_text(const StudyComparison& comparison) {
         d.differs() ? " *" : "");
   text +=
       "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
-  text += limits_text(comparison.limits);
+  text += limits_text(comparison.limits, comparison.of_people);
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;
 }

@@ -15,13 +15,15 @@ struct PairedDifference {
   int not_rated = 0;            ///< people of both studies of whom no donning is rated in both
   double mean = 0, median = 0;  ///< of B − A, scores clamped to 0 … 1
   Bounds interval;              ///< of the mean, by bootstrap over people
-  double better = 0;            ///< share of people with a higher score in B
+  /// Share of people with a higher score in B, clamped likewise; a tie is not higher.
+  double better = 0;
   double passing_a = 0, passing_b = 0;
   bool differs() const { return interval.low > 0 || interval.high < 0; }
 };
 
 struct StudyComparison {
   std::string name_a, name_b;
+  bool of_people = true;  ///< else pairs are cases of one body
   std::vector<PairedDifference> differences;
   std::vector<LimitDifference> limits;  ///< where both studies tell how loose it may be
   int cases_a = 0, cases_b = 0;         ///< all of them

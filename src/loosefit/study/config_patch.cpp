@@ -1,5 +1,6 @@
 #include "loosefit/study/config_patch.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <vector>
@@ -47,6 +48,14 @@ io::ConfigNode* member(io::ConfigNode& table, const std::string& key) {
   for (auto& [name, node] : table.members)
     if (name == key) return &node;
   return nullptr;
+}
+
+void add_keys(const io::ConfigNode& table, const std::string& before, std::set<std::string>& keys) {
+  for (const auto& [name, node] : table.members)
+    if (node.kind == Kind::table)
+      add_keys(node, before + name + ".", keys);
+    else
+      keys.insert(before + name);
 }
 
 }  // namespace
@@ -129,6 +138,37 @@ const io::ConfigNode* value_at(const io::ConfigNode& root, const std::string& do
     }
   }
   return at;
+}
+
+std::set<std::string> keys_of_values(const io::ConfigNode& table) {
+  std::set<std::string> keys;
+  add_keys(table, "", keys);
+  return keys;
+}
+
+std::string value_text(const io::ConfigNode& value) {
+  std::vector<std::string> parts;
+  switch (value.kind) {
+    case Kind::boolean:
+      return value.boolean ? "true" : "false";
+    case Kind::integer:
+      return std::to_string(value.integer);
+    case Kind::number:
+      return shortest(value.number);
+    case Kind::text:
+      return io::toml_quoted(value.text);
+    case Kind::other:
+      return value.text + " of line " + std::to_string(value.line);
+    case Kind::array:
+      for (const io::ConfigNode& item : value.items) parts.push_back(value_text(item));
+      return "[" + join(parts) + "]";
+    case Kind::table:
+      for (const auto& [name, node] : value.members)
+        parts.push_back(io::toml_quoted(name) + " = " + value_text(node));
+      std::sort(parts.begin(), parts.end());
+      return "{" + join(parts) + "}";
+  }
+  return "";
 }
 
 }  // namespace loosefit::study

@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 
 #include "loosefit/io/config_node.h"
@@ -24,5 +25,11 @@ void stands_in(io::ConfigNode& node, const std::string& file);
 
 /// The value at a dotted key of tables; nullptr if absent.
 const io::ConfigNode* value_at(const io::ConfigNode& root, const std::string& dotted);
+
+/// Dotted keys of all values of a table and of the tables in it; an array is one value.
+std::set<std::string> keys_of_values(const io::ConfigNode& table);
+
+/// The same text for the same value, wherever it stands: 1 is 1.0, and members have no order.
+std::string value_text(const io::ConfigNode& value);
 
 }  // namespace loosefit::study

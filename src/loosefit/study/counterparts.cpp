@@ -129,6 +129,15 @@ std::string alone_note(const StudyData& data, const std::vector<Labels>& own,
                      data.plan.name, other.plan.name, join(words));
 }
 
+/// What a study that has not run to its end does not tell.
+void note_open_cases(const StudyData& data, std::vector<std::string>& notes) {
+  const auto open = std::ranges::count(data.troubles, "open", &CaseTrouble::status);
+  if (open > 0)
+    notes.push_back(
+        fmt::format("{} of {} cases of {} have no result yet: scores and limits are of the others",
+                    open, data.plan.cases.size(), data.plan.name));
+}
+
 /// Axes of one study alone: the worst of their levels counts.
 void note_axes_alone(const StudyData& data, const StudyData& other,
                      std::vector<std::string>& notes) {
@@ -182,6 +191,8 @@ CommonCases common_cases(const StudyData& a, const StudyData& b) {
   for (const std::string& note :
        {alone_note(a, of_a, b, of_b, alike, in_both), alone_note(b, of_b, a, of_a, alike, in_both)})
     if (!note.empty()) common.notes.push_back(note);
+  note_open_cases(a, common.notes);
+  note_open_cases(b, common.notes);
   if (common.groups.empty()) refuse(a, b, common.notes);
   note_axes_alone(a, b, common.notes);
   note_axes_alone(b, a, common.notes);

@@ -14,14 +14,12 @@
 namespace loosefit::study {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double crossing(double b0, double b1, double v0, double v1, double level) {
   if (!std::isfinite(v1) || v0 == v1) return b0;  // no line there: the level that holds
   return b0 + (level - v0) / (v1 - v0) * (b1 - b0);
 }
 
-std::string number(double bgm) { return fmt::format("{:.2f}", bgm + 0.0); }
+std::string bgm_text(double bgm) { return fmt::format("{:.2f}", bgm + 0.0); }
 
 }  // namespace
 
@@ -104,6 +102,9 @@ HowLoose how_loose(const std::vector<LooseLevel>& levels, double pass,
     break;
   }
   const int people = levels.empty() ? 0 : static_cast<int>(levels.front().scores.size());
+  for (int p = 0; p < people; ++p)
+    answer.people += std::ranges::any_of(
+        levels, [&](const LooseLevel& level) { return !std::isnan(level.scores[p]); });
   std::vector<double> low, high;
   std::vector<std::vector<double>> robusts(levels.size());
   if (people >= 2)
@@ -147,12 +148,12 @@ std::string limit_text(const Bounds& limit, const Bounds& tried) {
 
 std::string in_words(const HowLoose& answer, const BootstrapOptions& options) {
   if (answer.curve.empty()) return "not tried";
-  const std::string tight = number(answer.curve.front().bgm),
-                    loose = number(answer.curve.back().bgm);
+  const std::string tight = bgm_text(answer.curve.front().bgm),
+                    loose = bgm_text(answer.curve.back().bgm);
   const auto end = [&](double value) {
     if (value == kInfinity) return "beyond " + loose;
     if (value == -kInfinity) return std::string("nowhere");
-    return number(value);
+    return bgm_text(value);
   };
   std::string text;
   if (answer.limit == kInfinity)
@@ -162,17 +163,19 @@ std::string in_words(const HowLoose& answer, const BootstrapOptions& options) {
   else if (answer.limit == -kInfinity)
     text = "at none of the fits at which anybody is rated";
   else if (answer.at_most == kInfinity)
-    text = "at least up to a BGM of " + number(answer.limit) + ", beyond which nobody is rated";
+    text = "at least up to a BGM of " + bgm_text(answer.limit) + ", beyond which nobody is rated";
   else if (answer.at_most > answer.limit)
-    text = "at least up to a BGM of " + number(answer.limit) + ", short of " +
-           number(answer.at_most) + "; nobody is rated between";
+    text = "at least up to a BGM of " + bgm_text(answer.limit) + ", short of " +
+           bgm_text(answer.at_most) + "; nobody is rated between";
   else
-    text = "up to a BGM of " + number(answer.limit);
-  if (!std::isnan(answer.interval.low))
+    text = "up to a BGM of " + bgm_text(answer.limit);
+  if (!std::isnan(answer.interval.low) && answer.people >= kFewestForInterval) {
     text += fmt::format(", {:.0f} % interval {} to {}", 100 * options.confidence,
                         end(answer.interval.low), end(answer.interval.high));
+    if (answer.people <= kWorstIsRobust) text += fmt::format(" of {} people only", answer.people);
+  }
   if (answer.tightest > -kInfinity && answer.limit > -kInfinity)
-    text += "; it fails again tighter than " + number(answer.tightest);
+    text += "; it fails again tighter than " + bgm_text(answer.tightest);
   return text;
 }
 

@@ -1,10 +1,14 @@
 #pragma once
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "loosefit/study/bootstrap.h"
 
 namespace loosefit::study {
+
+/// Of limits: beyond all fits that were tried.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What the people of a study say at one looseness.
 struct LooseLevel {
@@ -28,6 +32,7 @@ struct HowLoose {
   double at_most = 0;   ///< it may be up to this (limit_bounds); equal where it is known
   Bounds interval;      ///< ends may be infinite, likewise
   double tightest = 0;  ///< BGM below the limit under which it fails again; −∞: nowhere
+  int people = 0;       ///< rated at some level
   std::vector<LoosePoint> curve;
 };
 
@@ -62,7 +67,8 @@ std::string limit_text(const Bounds& limit, const Bounds& tried);
 
 /// "up to a BGM of 0.18, 90 % interval 0.12 to 0.24", "at none of the fits tried (BGM 0.00 to
 /// 0.30)", "at least up to a BGM of 0.30, the loosest tried", "at least up to a BGM of 0.20, beyond
-/// which nobody is rated".
+/// which nobody is rated". Up to kWorstIsRobust people the interval says of how few; below
+/// kFewestForInterval (population_ranking.h) it is left out.
 std::string in_words(const HowLoose& answer, const BootstrapOptions& options = {});
 
 }  // namespace loosefit::study

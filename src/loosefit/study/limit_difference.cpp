@@ -12,8 +12,6 @@
 namespace loosefit::study {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 int rated_people(const std::vector<LooseLevel>& levels) {
   int rated = 0;
   for (std::size_t i = 0; i < levels.front().scores.size(); ++i)

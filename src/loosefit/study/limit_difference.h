@@ -4,12 +4,9 @@
 
 #include "loosefit/study/case_record.h"
 #include "loosefit/study/how_loose.h"
+#include "loosefit/study/population_ranking.h"
 
 namespace loosefit::study {
-
-/// Up to so many people the 5th percentile is the least of their scores. The bootstrap of a least
-/// value is not consistent: of limits without a difference a quarter would be told to differ.
-inline constexpr int kWorstIsRobust = 20;
 
 /// How a draw takes the people of two studies: the same ones in both, those of each study by
 /// itself, or not at all.
@@ -31,7 +28,7 @@ struct LimitDifference {
   /// ends may be infinite: the draws do not bound the difference on that side. NaN without draws.
   Bounds interval = {kNotKnown, kNotKnown};
   double open_draws = kNotKnown;  ///< share of draws in which a limit is no number
-  /// Never with few people: see kWorstIsRobust.
+  /// Never with few people: see kWorstIsRobust (population_ranking.h).
   bool differs() const;
 };
 

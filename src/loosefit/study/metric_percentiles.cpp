@@ -83,7 +83,6 @@ void add_percentiles(const std::vector<double>& by_unit, const std::vector<std::
   std::vector<double> ascending;
   for (const auto& [value, unit] : known) ascending.push_back(value);
   const Percentiles all = percentiles_of(ascending);
-  row.people = static_cast<int>(by_unit.size());
   row.known = static_cast<int>(known.size());
   row.median = all.median;
   row.p5 = all.p5;
@@ -159,6 +158,7 @@ std::vector<std::vector<MetricPercentiles>> metric_percentiles(const StudyData& 
         count_cases(data, values[s][m], level, row);
         add_percentiles(unit_metrics(data, values[s][m], metrics[m], card, level), drawn,
                         options.confidence, row);
+        row.people = asked_units(data, level);
       }
   }
   return by_level;

@@ -10,7 +10,7 @@
 namespace loosefit::study {
 
 /// One metric of a scorecard at one site over the people of a study, in the unit of the metric
-/// (placement/metric_names.h). People are cases in a study without people.
+/// (placement/metric_names.h). People are the cases at the level in a study without people.
 struct MetricPercentiles {
   std::string site, metric;
   int known = 0, people = 0;       ///< people with a value, and all

@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const io::NumberRange kLength{0.05, 2.5, "metres"};
+/// Of [body] and its tape measures (io/scenario_body.cpp).
+const io::NumberRange kStature{0.7, 2.3, "metres"}, kTape{0.08, 2.0, "metres"};
 
 fs::path folder() { return data_directory() / "anthropometry"; }
 
@@ -121,9 +123,15 @@ double number_of(const std::string& text, const io::NumberRange& range, const In
   double value = 0;
   const char* const stop = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), stop, value);
-  if (error != std::errc{} || end != stop || !(value >= range.low && value <= range.high))
+  const bool number = error == std::errc{} && end == stop;
+  if (!number || !(value >= range.low && value <= range.high)) {
+    const bool comma = text.find(',') != std::string::npos;
     throw InvalidInput(place, "\"" + printable(text) + "\"",
-                       fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high));
+                       fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high),
+                       number  ? io::unit_hint(value, range)
+                       : comma ? "decimals have a point"
+                               : "");
+  }
   return value;
 }
 
@@ -253,9 +261,12 @@ std::vector<Person> read_people_csv(const fs::path& path) {
     person.name = fmt::format("person {}", people.size() + 1);
     for (std::size_t i = 0; i < head.size(); ++i) {
       const InputPlace place{file, line, head[i]};
-      if (head[i] == "name")
+      if (head[i] == "name") {
+        if (!valid_utf8(fields[i]))
+          throw InvalidInput({file, line, ""}, "a name that is not UTF-8",
+                             "UTF-8 (save as CSV UTF-8)");
         person.name = fields[i];
-      else if (head[i] == "sex")
+      } else if (head[i] == "sex")
         person.sex = fields[i] == "female" ? 0
                      : fields[i] == "male"
                          ? 1
@@ -263,7 +274,8 @@ std::vector<Person> read_people_csv(const fs::path& path) {
       else if (head[i] == "age")
         person.age = number_of(fields[i], {3, 90, "years"}, place);
       else if (head[i] == "height" || !fields[i].empty())
-        person.measures[head[i]] = number_of(fields[i], kLength, place);
+        person.measures[head[i]] =
+            number_of(fields[i], head[i] == "height" ? kStature : kTape, place);
     }
     if (person.name.empty() || !names.insert(person.name).second)
       throw InvalidInput({file, line, "name"}, "\"" + printable(person.name) + "\"",

@@ -30,8 +30,8 @@ struct Anthropometry {
 /// Somebody who wears the garment: what [body] of a scenario needs.
 struct Person {
   std::string name;
-  double sex = 0;                          ///< of the body model
-  double age = 30;                         ///< years
+  std::optional<double> sex;               ///< of the body model; nothing: as in the scenario
+  std::optional<double> age;               ///< years; the same
   std::map<std::string, double> measures;  ///< [m]; "height" is one of them
 };
 
@@ -65,8 +65,9 @@ std::map<std::string, double> measures_at(const PopulationGroup& group,
                                           const std::vector<double>& z);
 
 /// Reads people from a CSV file: a line of names (name, sex, age, height, and any tape measures),
-/// then one line each; lengths in metres, sex "female", "male" or 0 … 1. \throws IoError;
-/// InvalidInput with file, line and column.
+/// then one line each; lengths in metres and in the ranges of [body], sex "female", "male" or
+/// 0 … 1. Without a column name people are numbered; sex and age may lack too.
+/// \throws IoError; InvalidInput with file, line and column.
 std::vector<Person> read_people_csv(const std::filesystem::path& path);
 
 }  // namespace loosefit::study

@@ -55,7 +55,11 @@ double chest_of(const io::ConfigNode& root) {
   const io::ConfigNode* chest = value_at(root, "body.measurements.chest");
   if (!chest || !(chest->number > 0))
     throw InvalidInput({"", 0, "body.measurements.chest"}, "nothing",
-                       "the chest girth of the wearer, since ease in cm is asked for");
+                       "the chest girth of the wearer, since ease in cm is asked for",
+                       value_at(root, "body.file")
+                           ? "a scan has no measured chest: give body.measurements.chest in place "
+                             "of body.file, or use garment.fit"
+                           : "give body.measurements.chest, or use garment.fit");
   return chest->number;
 }
 
@@ -379,6 +383,8 @@ Plan make_plan(const StudyFile& study) {
       one.edge_length = scenario.simulation.edge_length;
       one.wearer = wearer_digest(scenario);
       one.wearing = wearing_digest(scenario);
+      one.several_postures = scenario.postures.size() > 1;
+      one.several_donnings = scenario.donning.repeats > 1;
       one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
       for (const placement::SiteSpec& site : scenario.sites) sites.insert(site.name);
       presets |= scenario.output.preset_sites;

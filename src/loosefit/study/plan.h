@@ -21,6 +21,7 @@ struct PlannedCase {
   std::optional<double> looseness;  ///< BGM on the axis of looseness; nothing without one
   std::string wearer;               ///< digest of whose body it is, whatever the posture
   std::string wearing;  ///< digest of reference posture, postures and history of putting on
+  bool several_postures = false, several_donnings = false;  ///< what some metrics need
 };
 
 /// All cases of a study, made before anything runs.

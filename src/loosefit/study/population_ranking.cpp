@@ -123,9 +123,11 @@ std::vector<SitePopulation> rank_population(const std::vector<SiteScores>& sites
                              static_cast<double>(values.size());
     site.median_interval = percentile_bounds(medians[i], options.confidence);
     site.robust_interval = percentile_bounds(robusts[i], options.confidence);
-    site.rank_interval = percentile_bounds(ranks[i], options.confidence);
-    site.first = draws > 0 ? first[i] / draws : place == 0;
+    site.rank_interval = {kNaN, kNaN};
+    site.first = kNaN;
     if (values.empty()) continue;
+    site.rank_interval = percentile_bounds(ranks[i], options.confidence);
+    if (draws > 0) site.first = first[i] / draws;
     if (leader < 0 || !tied(leader, i)) {
       leader = i;
       rank = static_cast<int>(place) + 1;

@@ -12,6 +12,11 @@ namespace loosefit::study {
 
 /// Share of people that may fall below the robust score.
 inline constexpr double kRobustPeople = 0.05;
+/// Up to so many people the 5th percentile is the least of their scores. The bootstrap of a least
+/// value is not consistent: of limits without a difference a quarter would be told to differ.
+inline constexpr int kWorstIsRobust = 20;
+/// Of fewer people no interval is told in words, and no correlation (judgement).
+inline constexpr int kFewestForInterval = 8;
 
 /// Scores of one site, one per person; sites of one ranking have the same people in the same order.
 struct SiteScores {
@@ -29,8 +34,10 @@ struct SitePopulation {
   double median = 0, p5 = 0, p95 = 0;  ///< p5 is the robust score
   double passing = 0;                  ///< share of rated people with a score of at least `pass`
   Bounds median_interval, robust_interval, rank_interval;
-  int rank = 0;      ///< 1 is best; sites tied with the best of a rank share it; 0: not rated
-  double first = 0;  ///< share of draws in which it comes first: probability to be the best
+  int rank = 0;  ///< 1 is best; sites tied with the best of a rank share it; 0: not rated
+  /// Share of draws in which it comes first: probability to be the best. NaN, as are all figures:
+  /// nobody is rated there, or there are no draws.
+  double first = 0;
   std::vector<std::string> tied_with;
 };
 

@@ -79,11 +79,11 @@ StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOpti
   const auto start = Clock::now();
   const StudyLock lock(folder);
   progress.stage("plan");
-  folder.write_plan(plan);
+  StudyRun run;
+  run.set_aside = folder.write_plan(plan);
   const FolderPlan planned = folder.read_plan();
   if (retry_failed) folder.forget_failed(planned);
   collect(folder, planned);
-  StudyRun run;
   run.of_other_builds = of_other_builds(folder, planned);
   const std::vector<std::string> open = folder.state(planned).open;
   progress.stage("cases");

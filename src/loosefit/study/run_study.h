@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct StudyRun {
   /// Earlier results that another build of the program made: an address knows its version only.
   int of_other_builds = 0;
   std::vector<GivenUp> given_up;
+  std::vector<std::filesystem::path> set_aside;  ///< by StudyFolder::write_plan
   double seconds = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "loosefit/io/plain_files.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/study/set_aside.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -341,20 +342,6 @@ void bring_up(Store& store, const StudyFolder& folder, const FolderPlan& plan) {
   }
 }
 
-namespace {
-
-/// Under a name that is free, with the journal that belongs to it.
-void set_aside(const fs::path& file) {
-  int number = 1;
-  const auto aside = [&] { return file.string() + ".damaged-" + std::to_string(number); };
-  while (io::is_there(aside()) || io::is_there(aside() + "-journal")) ++number;
-  const std::string journal = file.string() + "-journal";
-  if (io::is_there(journal)) io::move_to_free_name(journal, aside() + "-journal");
-  io::move_to_free_name(file, aside());
-}
-
-}  // namespace
-
 void collect(const StudyFolder& folder, const FolderPlan& plan) {
   try {
     Store store(folder.database());
@@ -362,7 +349,7 @@ void collect(const StudyFolder& folder, const FolderPlan& plan) {
   } catch (const DamagedDatabase&) {
   }
   // Damaged, of another schema, or somebody else's: what the study needs is made anew.
-  set_aside(folder.database());
+  set_aside(folder.database(), "damaged", {"-journal"});
   Store store(folder.database());
   bring_up(store, folder, plan);
 }

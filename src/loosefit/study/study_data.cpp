@@ -14,6 +14,30 @@ namespace {
 /// Of a sampled looseness axis: enough for a curve, each with a fifth of the cases.
 constexpr int kBins = 5;
 
+bool is_scored(const CaseRecord& record) {
+  return record.status == CaseStatus::done &&
+         std::ranges::any_of(record.samples,
+                             [](const SampleRecord& sample) { return !std::isnan(sample.margin); });
+}
+
+/// Why a case that is done has no score.
+std::string why_unscored(const CaseRecord& record) {
+  for (const SampleRecord& sample : record.samples)
+    if (!sample.reason.empty()) return sample.reason;
+  if (record.drapes_counted == 0 && !record.left_out.empty()) return "no drape counts";
+  for (const SiteRecord& site : record.sites)
+    if (!site.not_covered.empty()) return site.site + ": " + site.not_covered;
+  return record.sites.empty() ? "no site was found" : "no sample has a score";
+}
+
+/// Whether units of any table are rated.
+void mark_rated(const StudyData& data, const std::vector<SiteTable>& tables,
+                std::vector<char>& rated) {
+  for (const SiteTable& table : tables)
+    for (std::size_t c = 0; c < table.by_case.size(); ++c)
+      if (!std::isnan(table.by_case[c])) rated[data.unit_of_case[c]] = 1;
+}
+
 /// Collects cases one by one.
 class Collector {
  public:
@@ -23,6 +47,7 @@ class Collector {
     const std::size_t cases = data_.plan.cases.size();
     data_.uncomfortable_share.assign(cases, kNotKnown);
     data_.inputs.resize(cases);
+    data_.warnings.resize(cases);
   }
 
   StudyData all() {
@@ -116,6 +141,8 @@ class Collector {
            control ? "a control that has not gone on to grade A yet" : "not run yet"});
       return;
     }
+    ++data_.ran;
+    data_.warnings[c] = record->warnings;
     data_.core_seconds += record->execution.seconds;
     data_.grade_b += record->grade == "B";
     study::add(record->control, data_.controls);
@@ -128,6 +155,11 @@ class Collector {
     ++data_.done;
     for (const std::string& left_out : record->left_out)
       data_.troubles.push_back({one.number, label(data_.plan, one), "incomplete", left_out});
+    if (is_scored(*record))
+      ++data_.scored;
+    else if (!data_.modalities.empty())
+      data_.troubles.push_back(
+          {one.number, label(data_.plan, one), "no scores", why_unscored(*record)});
     for (const auto& [modality, criteria] : record->untold) data_.untold[modality] = criteria;
     if (const auto share = record->garment.find("uncomfortable_share");
         share != record->garment.end())
@@ -142,6 +174,7 @@ class Collector {
     }
     std::map<std::string, std::map<std::string, std::pair<double, int>>> sums;  // by site, metric
     for (const SampleRecord& sample : record->samples) {
+      data_.sampled.insert(sample.modality);
       SiteTable& table = table_of(sample.modality, sample.site);
       double& lowest = table.by_case[c];
       if (std::isnan(lowest) || sample.margin < lowest) lowest = sample.margin;
@@ -186,11 +219,35 @@ StudyData read_study_data(const StudyFolder& folder) { return Collector(folder).
 
 int rated_units(const StudyData& data) {
   std::vector<char> rated(data.units.size(), 0);
-  for (const auto& [modality, tables] : data.sites)
-    for (const SiteTable& table : tables)
-      for (std::size_t c = 0; c < table.by_case.size(); ++c)
-        if (!std::isnan(table.by_case[c])) rated[data.unit_of_case[c]] = 1;
+  for (const auto& [modality, tables] : data.sites) mark_rated(data, tables, rated);
   return static_cast<int>(std::count(rated.begin(), rated.end(), 1));
+}
+
+int rated_units(const StudyData& data, const std::string& modality) {
+  std::vector<char> rated(data.units.size(), 0);
+  if (const auto found = data.sites.find(modality); found != data.sites.end())
+    mark_rated(data, found->second, rated);
+  return static_cast<int>(std::count(rated.begin(), rated.end(), 1));
+}
+
+int asked_units(const StudyData& data, int level) {
+  if (level < 0 || people_axis(data.plan) >= 0) return static_cast<int>(data.units.size());
+  std::set<int> asked;
+  for (std::size_t c = 0; c < data.unit_of_case.size(); ++c)
+    if (data.level_of_case[c] == level) asked.insert(data.unit_of_case[c]);
+  return static_cast<int>(asked.size());
+}
+
+int scored_cases(const StudyFolder& folder, const FolderPlan& plan) {
+  std::map<std::string, bool> seen;
+  int scored = 0;
+  for (const FolderCase& one : plan.cases) {
+    auto [known, is_new] = seen.try_emplace(one.address, false);
+    if (is_new)
+      if (const auto record = folder.record(plan, one.address)) known->second = is_scored(*record);
+    scored += known->second;
+  }
+  return scored;
 }
 
 bool is_sample(const StudyData& data) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,11 @@
 
 namespace loosefit::study {
 
-/// A case that gave no scores, or fewer than asked for.
+/// A case that gave no scores, or fewer than asked for. Statuses: open, failed, sealed, incomplete
+/// (donnings are left out), no scores (it is done, but no sample of it is rated).
 struct CaseTrouble {
   int number = 0;
-  std::string label, status, reason;  ///< status: open, failed, sealed, incomplete
+  std::string label, status, reason;
 };
 
 /// Scores of one site for one modality.
@@ -39,7 +41,11 @@ struct StudyData {
   std::vector<double> uncomfortable_share;            ///< per case, of the garment's area
   std::vector<std::map<std::string, double>> inputs;  ///< per case
   std::vector<CaseTrouble> troubles;
-  int done = 0;             ///< cases
+  std::vector<std::vector<std::string>> warnings;  ///< per case
+  std::set<std::string> sampled;                   ///< modalities that have samples, rated or not
+  int ran = 0;                                     ///< cases that have ended, well or not
+  int done = 0;                                    ///< cases at rest and worn
+  int scored = 0;           ///< cases of which a sample is rated, by any modality
   double core_seconds = 0;  ///< that they have taken
   int grade_b = 0;          ///< cases with a drape of certificate grade B
   ControlSummary controls;
@@ -51,6 +57,16 @@ StudyData read_study_data(const StudyFolder& folder);
 
 /// How many of `units` have a score at some site for some modality.
 int rated_units(const StudyData& data);
+/// The same for one modality.
+int rated_units(const StudyData& data, const std::string& modality);
+
+/// How many units could be rated at a level (−1: over all levels): all people, also those whom a
+/// design gave no case there; without an axis of people the cases at that level.
+int asked_units(const StudyData& data, int level);
+
+/// Cases of which a sample is rated, as `scored`, without the rest of the data. \throws as
+/// StudyFolder.
+int scored_cases(const StudyFolder& folder, const FolderPlan& plan);
 
 /// Whether the units are a random sample of a population: people that were drawn, not spread evenly
 /// or listed in a file, and not cases of one body.

@@ -1,5 +1,7 @@
 #include "loosefit/study/study_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -44,6 +46,9 @@ void read_head(io::ConfigReader table, StudyFile& study) {
   table.only({"name", "base", "seed", "design", "samples", "modalities", "looseness", "sensors",
               "spacing", "not_at"});
   study.name = table.text("name", fs::path(study.file).stem().string());
+  if (!valid_utf8(study.name))
+    throw table.error("name", "nothing, and a file whose name is not UTF-8", "a name of the study",
+                      {});
   study.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, 1LL << 53));
   study.design =
       design_of(table.choice("design", "crossed", {"crossed", "paired", "latin-hypercube"}));
@@ -55,6 +60,9 @@ void read_head(io::ConfigReader table, StudyFile& study) {
   for (const std::string& word : texts(table, "modalities")) {
     const bool file = fs::path(word).extension() == ".toml";
     const std::string which = file ? beside(study.file, word).string() : word;
+    if (!valid_utf8(which))
+      throw table.error("modalities", "\"" + printable(word) + "\" in a folder that is not UTF-8",
+                        "scorecards by paths in UTF-8", {});
     try {
       io::load_scorecard(which);
     } catch (const InvalidInput& error) {
@@ -107,6 +115,53 @@ std::string fit_axis(const std::vector<Axis>& axes) {
         has_values(axis))
       names.push_back(axis.name);
   return names.size() == 1 ? names.front() : "";
+}
+
+/// Keys of the scenario that the levels of an axis set. A shift of a place is none: it adds to what
+/// others say.
+std::set<std::string> keys_set_by(const Axis& axis) {
+  std::set<std::string> keys;
+  for (const AxisLevel& level : axis.levels) {
+    keys.merge(keys_of_values(level.patch));
+    if (level.chest_ease) keys.insert(axis.keys.begin(), axis.keys.end());
+  }
+  return keys;
+}
+
+/// What of `keys` is `key`, lies in it or holds it; empty: nothing.
+std::string same_key(const std::set<std::string>& keys, const std::string& key) {
+  for (std::string whole = key;; whole.resize(whole.rfind('.'))) {
+    if (keys.contains(whole)) return whole;
+    if (whole.find('.') == std::string::npos) break;
+  }
+  const auto within = keys.lower_bound(key + ".");
+  return within != keys.end() && within->starts_with(key + ".") ? key : "";
+}
+
+/// What both axes set; empty: nothing. The constants of a drawn fabric and another card are both
+/// what the cloth is: neither would be what its label says.
+std::string key_of_both(const Axis& first, const Axis& second) {
+  const std::set<std::string> one = keys_set_by(first), other = keys_set_by(second);
+  for (const std::string& key : other)
+    if (const std::string both = same_key(one, key); !both.empty()) return both;
+  const auto drawn = [](const Axis& axis) { return axis.kind == "fabrics" && axis.sampled; };
+  const char* const card = "material.name";
+  return (drawn(first) && other.contains(card)) || (drawn(second) && one.contains(card)) ? card
+                                                                                         : "";
+}
+
+/// Of two axes that set one key the later would win, and inputs would tell what nobody had.
+void refuse_keys_of_two_axes(const StudyFile& study) {
+  for (std::size_t k = 1; k < study.axes.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (const std::string key = key_of_both(study.axes[j], study.axes[k]); !key.empty())
+        throw InvalidInput(
+            {study.file, study.axis_nodes[k].line, "axis[" + std::to_string(k) + "]"},
+            fmt::format("{} in the axes \"{}\" and \"{}\"", printable(key),
+                        printable(study.axes[j].name), printable(study.axes[k].name)),
+            "each key in one axis",
+            key == "material.name" ? "one axis says what the cloth is"
+                                   : "levels = [{ set = … }] of one axis may set several keys");
 }
 
 }  // namespace
@@ -162,6 +217,7 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
     study.axis_nodes.push_back(axes->items[i]);
   }
   root.finish();
+  refuse_keys_of_two_axes(study);
   std::map<std::string, std::string> axis_of_input;
   for (const Axis& axis : study.axes)
     for (const AxisLevel& level : axis.levels)

@@ -39,7 +39,8 @@ struct StudyFile {
   std::vector<io::ConfigNode> axis_nodes;  ///< as in the file, per axis
 };
 
-/// \throws IoError; InvalidInput with file, line and key for anything wrong in it.
+/// \throws IoError; InvalidInput with file, line and key for anything wrong in it, also for a key
+/// of the scenario that two axes set (shifts of places add up).
 StudyFile read_study_file(const std::string& path);
 StudyFile parse_study_file(const std::string& text, const std::string& path);
 

@@ -15,6 +15,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/study/set_aside.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -218,12 +219,23 @@ void StudyFolder::check_ours() const {
   if (error) throw IoError(path_.string() + ": cannot be read: " + error.message());
 }
 
-void StudyFolder::check_same_study(const Plan& plan) const {
-  std::optional<FolderPlan> before;
+std::optional<FolderPlan> StudyFolder::plan_before() const {
   try {
-    before = read_plan();
+    return read_plan();
   } catch (const InvalidInput&) {
-    return;  // none, or one that is written anew
+    return {};  // none, or one that is written anew
+  }
+}
+
+void StudyFolder::check_same_study(const Plan& plan,
+                                   const std::optional<FolderPlan>& before) const {
+  const fs::path own = path_ / "study.toml";
+  if (!before) {
+    if (io::is_there(own) && io::plain_digest(path_, "study.toml") != sha256_hex(plan.study.text))
+      throw InvalidInput({own.string(), 0, ""},
+                         "another study file beside no plan.json, or a damaged one",
+                         "the study file that is asked for, or a new folder");
+    return;
   }
   if (before->name == plan.study.name) return;
   std::set<std::string> known;
@@ -236,13 +248,21 @@ void StudyFolder::check_same_study(const Plan& plan) const {
       "name = \"" + printable(before->name) + "\" in [study] if it is the same one, changed");
 }
 
-void StudyFolder::write_plan(const Plan& plan) const {
+std::vector<fs::path> StudyFolder::write_plan(const Plan& plan) const {
   check_ours();
-  check_same_study(plan);
+  const std::optional<FolderPlan> before = plan_before();
+  check_same_study(plan, before);
+  std::vector<fs::path> aside;
+  const fs::path plan_file = path_ / "plan.json", study_file = path_ / "study.toml";
+  if (!before && io::is_there(plan_file)) aside.push_back(set_aside(plan_file, "damaged"));
+  if (before && io::is_there(study_file))
+    if (const auto there = io::plain_digest(path_, "study.toml");
+        there != before->file_sha256 && there != sha256_hex(plan.study.text))
+      aside.push_back(set_aside(study_file, "changed"));
   // The plan first: it marks the folder as a study, also when the rest is cut off.
   make_folders(path_);
-  write_planned(path_ / "plan.json", plan_json(plan).dump(1) + "\n");
-  write_planned(path_ / "study.toml", plan.study.text);
+  write_planned(plan_file, plan_json(plan).dump(1) + "\n");
+  write_planned(study_file, plan.study.text);
   std::set<std::string> written;
   for (const PlannedCase& one : plan.cases) {
     if (!written.insert(one.address).second) continue;
@@ -253,6 +273,7 @@ void StudyFolder::write_plan(const Plan& plan) const {
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }
+  return aside;
 }
 
 FolderPlan StudyFolder::read_plan() const {
@@ -289,7 +310,11 @@ FolderPlan StudyFolder::read_plan() const {
     check_plan(plan, file.string());
     return plan;
   } catch (const Json::exception& e) {
-    throw InvalidInput({file.string(), 0, ""}, e.what(), "plan.json as the program wrote it");
+    std::string what = e.what();
+    if (const std::size_t at = what.find("] "); at != std::string::npos) what.erase(0, at + 2);
+    throw InvalidInput({file.string(), 0, ""}, "no whole plan (" + printable(what) + ")",
+                       "plan.json as the program wrote it",
+                       "loosefit study plan STUDY.toml -o DIR writes it anew");
   }
 }
 

@@ -70,9 +70,11 @@ class StudyFolder {
   /// InvalidInput.
   void check_ours() const;
   /// Writes study.toml, plan.json and the scenarios that are not there as they are; a folder that
-  /// is there must be empty or this study: one of its name, or with a case of it. Results of
-  /// earlier plans stay. \throws IoError, InvalidInput.
-  void write_plan(const Plan& plan) const;
+  /// is there must be empty or this study: one of its name, or with a case of it; where its
+  /// plan.json cannot be read, one of the same study file. Results of earlier plans stay. A
+  /// study.toml that somebody has changed and a plan.json that cannot be read are set aside;
+  /// returns the names that they have now. \throws IoError, InvalidInput.
+  std::vector<std::filesystem::path> write_plan(const Plan& plan) const;
   /// \throws InvalidInput when the folder is no study.
   FolderPlan read_plan() const;
   /// The record of a case as it lies there; nothing when it has not run.
@@ -87,7 +89,8 @@ class StudyFolder {
   int forget_failed(const FolderPlan& plan) const;
 
  private:
-  void check_same_study(const Plan& plan) const;
+  std::optional<FolderPlan> plan_before() const;
+  void check_same_study(const Plan& plan, const std::optional<FolderPlan>& before) const;
   std::filesystem::path path_;
 };
 

@@ -14,7 +14,9 @@
 #include "loosefit/report/plot.h"
 #include "loosefit/report/report_style.h"
 #include "loosefit/report/svg.h"
+#include "loosefit/study/cautions.h"
 #include "loosefit/study/run_study.h"
+#include "loosefit/study/unit_words.h"
 
 namespace loosefit::study {
 namespace {
@@ -23,7 +25,6 @@ using report::element;
 using report::escaped;
 using report::fixed;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Curves that one plot can bear.
 constexpr std::size_t kMostCurves = 5;
 /// Robust scores are not clamped, so that those that fail still differ; drawn down to here.
@@ -42,6 +43,11 @@ std::string score_bounds(const Bounds& b) {
   return std::isnan(b.low) ? "–" : score(b.low) + " to " + score(b.high);
 }
 std::string percent(double share) { return std::isnan(share) ? "–" : fixed(100 * share, 0) + " %"; }
+
+std::string metric_words(const std::string& metric) {
+  const placement::MetricName* name = placement::find_metric(metric);
+  return name ? name->words : metric;
+}
 
 std::string limit_text(const HowLoose& answer, const StudyData& data) {
   if (answer.at_most == -kInfinity) return "at no fit tried";
@@ -100,27 +106,31 @@ bool all_work(const StudyAnalysis& analysis) {
 std::string head(const StudyAnalysis& analysis) {
   const StudyData& data = analysis.data;
   const int n = static_cast<int>(data.units.size());
-  const bool people = people_axis(data.plan) >= 0;
   const int cases = static_cast<int>(data.plan.cases.size());
+  std::string of = counted(n, unit_kind(data));
+  if (people_axis(data.plan) >= 0) of += ", " + counted(cases, "case", "cases");
   std::string text = element("h1", escaped(data.plan.name));
   text += element("p",
-                  escaped(fmt::format("{} {}, {} cases of {} drapes; {} cases have scores.", n,
-                                      people ? "people" : "units", cases, data.drapes, data.done)),
+                  escaped(of + ", " + counted(data.drapes, "drape", "drapes") + "; " +
+                          counted(data.scored, "case has scores.", "cases have scores.")),
                   "lead");
   std::string list;
   for (const std::string& sentence : headlines(analysis)) list += element("li", escaped(sentence));
-  const bool whole = data.done == cases;
+  const bool asked = !data.modalities.empty();
+  const int missing = cases - (asked ? data.scored : data.done);
   text += element("div",
                   element("strong", looseness_axis(data.plan) >= 0 ? "How loose may it be?"
                                                                    : "Where does it work?") +
                       element("ul", list),
-                  std::string("box ") + (whole && all_work(analysis) ? "good" : "warn"));
-  if (!whole)
-    text += element("div",
-                    escaped(fmt::format("{} of {} cases have no scores; they are listed below and "
-                                        "count neither as passing nor as failing.",
-                                        cases - data.done, cases)),
-                    "box warn");
+                  std::string("box ") + (missing == 0 && all_work(analysis) ? "good" : "warn"));
+  if (missing > 0)
+    text +=
+        element("div",
+                escaped(fmt::format("{} of {} {} no {}: listed below, counted neither as "
+                                    "passing nor as failing.",
+                                    missing, counted(cases, "case", "cases"),
+                                    missing == 1 ? "has" : "have", asked ? "scores" : "result")),
+                "box warn");
   return text;
 }
 
@@ -129,7 +139,10 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
   const StudyData& data = analysis.data;
   report::Plot plot;
   plot.x_label = "body-garment mobility (" + data.plan.looseness + ")";
-  plot.y_label = "score that 95 % of people reach (drawn from -1 on)";
+  const UnitKind kind = unit_kind(data);
+  plot.y_label = kind == UnitKind::people ? "score that 95 % of people reach (drawn from -1 on)"
+                                          : "5th percentile of the scores of the " +
+                                                column_name(kind) + " (drawn from -1 on)";
   const auto sites = by_limit(modality);
   for (const auto& [site, answer] : sites) {
     if (plot.series.size() >= kMostCurves) break;
@@ -154,28 +167,31 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
                            true});
   report::Table table({"site", "loosest BGM that passes",
                        fmt::format("{:.0f} % interval", 100 * analysis.options.confidence),
-                       "fails again tighter than", "most people pass", "what limits"});
+                       "fails again tighter than", "most " + column_name(kind) + " pass",
+                       "what limits"});
   for (const auto& [site, answer] : sites) {
     const auto limiting = modality.limiting.find(site);
-    table.add(
-        {site, limit_text(*answer, data),
-         std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
-         std::isinf(answer->tightest) || answer->limit == -kInfinity ? "–"
-                                                                     : fixed(answer->tightest, 2),
-         most_passing_text(*answer), limiting == modality.limiting.end() ? "–" : limiting->second});
+    table.add({site, limit_text(*answer, data),
+               std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
+               std::isinf(answer->tightest) || answer->limit == -kInfinity
+                   ? "–"
+                   : fixed(answer->tightest, 2),
+               most_passing_text(*answer),
+               limiting == modality.limiting.end() ? "–" : metric_words(limiting->second)});
   }
   std::string comfort;
   if (analysis.comfort)
     comfort = element("p", escaped("Comfort limit: the garment is " + in_words(*analysis.comfort) +
-                                   " (for 95 % of people at most 1 % of its area presses with "
-                                   "more than 4 kPa)."));
+                                   " (" + for_most(analysis.comfort->units, kind) +
+                                   " at most 1 % of its area presses with more than 4 kPa)."));
   return element("h3", "How loose may it be?") + report::svg_plot(plot) + table.html() + comfort;
 }
 
-std::string ranking_table(const std::vector<SitePopulation>& ranking, double confidence) {
+std::string ranking_table(const std::vector<SitePopulation>& ranking, double confidence,
+                          UnitKind kind) {
   const std::string interval = fmt::format("{:.0f} % interval", 100 * confidence);
   report::Table table({"site", "rank", "of ranks", "best of all", "median", interval,
-                       "5th percentile", interval, "95th", "pass", "people", "tied with"});
+                       "5th percentile", interval, "95th", "pass", column_name(kind), "tied with"});
   for (const SitePopulation& s : ranking)
     table.add({s.site, s.rank > 0 ? std::to_string(s.rank) : "–", bounds(s.rank_interval, 0),
                percent(s.first), score(s.median), score_bounds(s.median_interval), score(s.p5),
@@ -187,22 +203,24 @@ std::string ranking_table(const std::vector<SitePopulation>& ranking, double con
 std::string ranking_section(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
   if (modality.rankings.empty()) return "";
   const StudyData& data = analysis.data;
+  const UnitKind kind = unit_kind(data);
   const bool several = data.level_bgm.size() > 1;
   std::string html =
       element("h3", several ? "Sites, over all fits together" : "Sites, best first") +
-      ranking_table(modality.rankings.back(), analysis.options.confidence);
+      ranking_table(modality.rankings.back(), analysis.options.confidence, kind);
   if (several)
     for (std::size_t k = 0; k < data.level_bgm.size(); ++k)
       html += "<details><summary>" +
               escaped("at " + data.plan.looseness + " " + data.level_labels[k]) + "</summary>" +
-              ranking_table(modality.rankings[k], analysis.options.confidence) + "</details>\n";
+              ranking_table(modality.rankings[k], analysis.options.confidence, kind) +
+              "</details>\n";
   std::vector<SiteScores> sites;
   for (const SitePopulation& s : modality.rankings.back())
     for (const SiteTable& table : data.sites.at(modality.name))
       if (table.site == s.site) sites.push_back({s.site, unit_scores(data, table, -1)});
-  html += element("h3", "Scores of people") + distribution_svg(sites, modality.pass);
+  html += element("h3", "Scores of " + column_name(kind)) + distribution_svg(sites, modality.pass);
   if (!modality.sensors.empty()) {
-    report::Table chosen({"sensors together", "mean over people", "5th percentile"});
+    report::Table chosen({"sensors together", "mean over " + column_name(kind), "5th percentile"});
     std::string so_far;
     for (const SensorChoice& choice : modality.sensors) {
       so_far += (so_far.empty() ? "" : " + ") + choice.site;
@@ -215,21 +233,21 @@ std::string ranking_section(const StudyAnalysis& analysis, const ModalityAnalysi
 
 /// Sites in the order of the ranking, as they stand above it.
 std::string metric_table(const std::vector<MetricPercentiles>& metrics,
-                         const std::vector<SitePopulation>& ranking, double confidence) {
+                         const std::vector<SitePopulation>& ranking, double confidence,
+                         UnitKind kind) {
   const auto range = [](double low, double high) {
     return std::isnan(low) ? "–" : report::number(low) + " to " + report::number(high);
   };
   const std::string interval = fmt::format("{:.0f} % interval", 100 * confidence);
   report::Table table({"site", "what", "unit", "median", interval, "5th to 95th percentile",
-                       "interval of the 95th", "people"});
+                       "interval of the 95th", column_name(kind)});
   for (const SitePopulation& site : ranking)
     for (const MetricPercentiles& m : metrics) {
       if (m.site != site.site) continue;
       const placement::MetricName* name = placement::find_metric(m.metric);
-      table.add({m.site, name ? name->words : m.metric,
-                 !name || name->unit == "-" ? "–" : name->unit, report::number(m.median),
-                 range(m.median_interval.low, m.median_interval.high), range(m.p5, m.p95),
-                 range(m.p95_interval.low, m.p95_interval.high),
+      table.add({m.site, metric_words(m.metric), !name || name->unit == "-" ? "–" : name->unit,
+                 report::number(m.median), range(m.median_interval.low, m.median_interval.high),
+                 range(m.p5, m.p95), range(m.p95_interval.low, m.p95_interval.high),
                  fmt::format("{} of {}", m.known, m.people)});
     }
   return table.html();
@@ -239,41 +257,59 @@ std::string metric_section(const StudyAnalysis& analysis, const ModalityAnalysis
   if (modality.metrics.empty() || modality.metrics.back().empty()) return "";
   const StudyData& data = analysis.data;
   const double confidence = analysis.options.confidence;
+  const UnitKind kind = unit_kind(data);
+  const bool people = people_axis(data.plan) >= 0;
   const bool several = data.level_bgm.size() > 1;
   std::string html =
       element("h3",
               std::string("What the sensors meet") + (several ? ", over all fits together" : "")) +
-      metric_table(modality.metrics.back(), modality.rankings.back(), confidence) +
+      metric_table(modality.metrics.back(), modality.rankings.back(), confidence, kind) +
       element("p",
-              "Percentiles over people of what the scores are made of. Where somebody went through "
-              "several cases, the one that serves the sensor worst counts; of donnings the mean. "
-              "Who has no value is left out.",
+              people ? "Percentiles over " + column_name(kind) +
+                           " of what the scores are made of. Where somebody went through several "
+                           "cases, the one that serves the sensor worst counts; of donnings the "
+                           "mean. Who has no value is left out."
+                     : "Percentiles over cases of what the scores are made of; of donnings the "
+                       "mean. Cases without a value are left out.",
               "lead");
   if (several)
     for (std::size_t k = 0; k < data.level_bgm.size(); ++k)
       html += "<details><summary>" +
               escaped("at " + data.plan.looseness + " " + data.level_labels[k]) + "</summary>" +
-              metric_table(modality.metrics[k], modality.rankings[k], confidence) + "</details>\n";
+              metric_table(modality.metrics[k], modality.rankings[k], confidence, kind) +
+              "</details>\n";
   return html;
 }
 
-std::string sensitivity_section(const ModalityAnalysis& modality) {
+/// Correlations of few units are dashes, so they come last, in no order of theirs.
+std::string sensitivity_section(const ModalityAnalysis& modality, UnitKind kind) {
+  const auto is_shown = [](const Sensitivity* s) {
+    return s->main_effect || s->units >= kFewestForInterval;
+  };
   std::vector<const Sensitivity*> rows;
   for (const Sensitivity& s : modality.sensitivity)
     if (s.quantity == "score") rows.push_back(&s);
   if (rows.empty()) return "";
-  std::stable_sort(rows.begin(), rows.end(), [](const Sensitivity* a, const Sensitivity* b) {
-    return std::abs(a->value) > std::abs(b->value);
-  });
+  const auto weight = [&](const Sensitivity* s) { return is_shown(s) ? std::abs(s->value) : -1; };
+  std::ranges::stable_sort(rows, std::ranges::greater{}, weight);
+  rows.resize(std::min(rows.size(), kMostSensitivities));
   report::Table table({"site", "input", "what", "value", "90 % interval"});
-  for (std::size_t i = 0; i < std::min(rows.size(), kMostSensitivities); ++i)
-    table.add({rows[i]->site, rows[i]->input,
-               rows[i]->main_effect ? "share of variance" : "rank correlation",
-               report::signed_number(rows[i]->value, 2), bounds(rows[i]->interval, 2)});
+  for (const Sensitivity* s : rows)
+    table.add({s->site, s->input, s->main_effect ? "share of variance" : "rank correlation",
+               is_shown(s) ? report::signed_number(s->value, 2) : "–",
+               is_shown(s) ? bounds(s->interval, 2) : "–"});
+  const std::string few =
+      std::ranges::all_of(rows, is_shown)
+          ? ""
+          : fmt::format(
+                "Correlations of fewer than {} {} are not shown: chance alone makes large "
+                "ones. ",
+                kFewestForInterval, column_name(kind));
   return element("h3", "What the scores depend on most") + table.html() +
          element("p",
-                 "Shares of variance are those that an axis explains by itself; correlations are "
-                 "of ranks. All of them, and those of the metrics, stand in study-report.json.",
+                 escaped(few + "Shares of variance are those that an axis explains by itself; "
+                               "correlations are of ranks. All of them, and those of the metrics, "
+                               "stand in study-report.json."),
                  "lead");
 }
 
@@ -282,7 +318,7 @@ std::string trouble_section(const StudyData& data) {
     return element("h2", "Failures") + element("p", "None: every case and every drape counts.");
   report::Table table({"case", "who and what", "status", "reason"});
   for (const CaseTrouble& t : data.troubles)
-    table.add({std::to_string(t.number), t.label, t.status, t.reason});
+    table.add({std::to_string(t.number), t.label, t.status, metrics_in_words(t.reason)});
   return element("h2", "Failures") + table.html();
 }
 
@@ -310,7 +346,7 @@ std::string grade_text(const StudyData& data) {
   if (data.controls.largest.empty()) return text;
   report::Table table({"of all controls, sites and donnings", "greatest change by going on to A"});
   for (const auto& [metric, largest] : data.controls.largest)
-    table.add({metric, report::number(largest, 2)});
+    table.add({metric_words(metric), report::number(largest, 2)});
   return text + table.html();
 }
 
@@ -319,26 +355,33 @@ std::string people_text(const StudyData& data) {
   const int rated = rated_units(data), all = static_cast<int>(data.units.size());
   if (!is_sample(data) || rated == 0) return {};
   std::string text = fmt::format(
-      "With {} independent people the worst of them lies below the 5th percentile of their "
+      "With {} the worst of them lies below the 5th percentile of their "
       "population with {:.0f} % confidence, whatever the distribution (59 make it 95 %). "
       "With 20 people or fewer the 5th percentile is the worst of them, and its interval "
       "reaches upwards only.",
-      rated, 100 * worst_of_n_confidence(rated, 1 - kRobustPeople));
+      counted(rated, "independent person", "independent people"),
+      100 * worst_of_n_confidence(rated, 1 - kRobustPeople));
   if (rated < all)
     text +=
-        fmt::format(" {} of the {} have no score at all: if they would fail, figures are too good.",
-                    all - rated, all);
+        fmt::format(" {} of the {} {} no score at all: if they would fail, figures are too good.",
+                    all - rated, all, all - rated == 1 ? "has" : "have");
   return element("p", escaped(text));
 }
 
 std::string method_section(const StudyAnalysis& analysis) {
   const StudyData& data = analysis.data;
   std::string text = element("h2", "How it was reckoned");
+  const std::string units = column_name(unit_kind(data));
   text += element(
-      "p", escaped("A person's score at a site is the lowest over all that the person went through "
-                   "there: donnings, and whatever else varies. Percentiles, shares and intervals "
-                   "are over people; intervals come from 2000 draws of people with replacement, "
-                   "those of correlations from 400."));
+      "p",
+      escaped((people_axis(data.plan) >= 0
+                   ? "A person's score at a site is the lowest over all that the person went "
+                     "through there: donnings, and whatever else varies."
+                   : "A case's score at a site is the lowest over its donnings. Without an axis of "
+                     "people nothing is said of people.") +
+              fmt::format(" Percentiles, shares and intervals are over {}; intervals come from "
+                          "2000 draws of {} with replacement, those of correlations from 400.",
+                          units, units)));
   text += people_text(data);
   text += grade_text(data);
   text += element("p", escaped(fmt::format("Cases took {} of one "
@@ -357,6 +400,15 @@ std::string gallery_section(const Gallery& gallery) {
              "<img alt=\"drapes of {} cases from the front, coloured by their distance from "
              "the body\" style=\"max-width:100%\" src=\"data:image/png;base64,{}\">\n",
              gallery.cases, report::base64(gallery.png));
+}
+
+/// What scores are bounds of, or why there are none.
+std::string bounds_text(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+  const std::string untold = join(modality.untold);
+  if (modality.rated > 0)
+    return "Not told by this study, so the scores are upper bounds: " + untold;
+  return modality.name + ": " + nothing_rated(analysis, modality) +
+         (untold.empty() ? "." : ". Not told by this study: " + untold);
 }
 
 }  // namespace
@@ -399,20 +451,20 @@ std::string study_html(const StudyAnalysis& analysis, const Gallery& gallery) {
   std::string sections;
   for (const ModalityAnalysis& modality : analysis.modalities) {
     sections += element("h2", escaped(modality.title.empty() ? modality.name : modality.title));
-    if (!modality.untold.empty())
-      sections += element("div",
-                          escaped("Not told by this study, so the scores are upper bounds: " +
-                                  join(modality.untold)),
-                          "box warn");
-    sections += loose_section(analysis, modality) + ranking_section(analysis, modality) +
-                metric_section(analysis, modality) + sensitivity_section(modality);
+    if (!modality.untold.empty() || modality.rated == 0)
+      sections +=
+          element("div", escaped(metrics_in_words(bounds_text(analysis, modality))), "box warn");
+    sections += loose_section(analysis, modality) +
+                (modality.rated > 0 ? ranking_section(analysis, modality) : "") +
+                metric_section(analysis, modality) +
+                sensitivity_section(modality, unit_kind(analysis.data));
   }
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(analysis.data.plan.name) + "</title>\n<style>" +
          std::string(report::kReportStyle) + "</style>\n</head>\n<body>\n" + head(analysis) +
-         sections + trouble_section(analysis.data) + method_section(analysis) +
-         gallery_section(gallery) + "</body>\n</html>\n";
+         cautions_html(analysis.data) + sections + trouble_section(analysis.data) +
+         method_section(analysis) + gallery_section(gallery) + "</body>\n</html>\n";
 }
 
 }  // namespace loosefit::study

@@ -1,0 +1,84 @@
+#include "loosefit/study/report_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "loosefit/io/text_file.h"
+#include "loosefit/study/set_aside.h"
+
+namespace loosefit::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportFiles : public ::testing::Test {
+ protected:
+  ReportFiles() { fs::create_directories(folder); }
+  ~ReportFiles() override { fs::remove_all(folder); }
+  std::string read(const std::string& name) const {
+    return io::read_text_file((folder / name).string(), 10000);
+  }
+  void append(const std::string& name, const std::string& text) const {
+    io::write_text_file((folder / name).string(), read(name) + text);
+  }
+  int files() const {
+    return static_cast<int>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+  const fs::path folder =
+      fs::path(::testing::TempDir()) / ("report-files-" + std::to_string(getpid()));
+  const std::string page = "study-report.html", document = "study-report.json";
+};
+
+TEST_F(ReportFiles, TakeThePlaceOfTheirOwn) {
+  EXPECT_TRUE(write_report_files(folder, "<p>one</p>\n", "{1}").empty());
+  EXPECT_TRUE(write_report_files(folder, "<p>two</p>\n", "{2}").empty());
+  EXPECT_EQ(read(document), "{2}");
+  EXPECT_TRUE(read(page).starts_with("<p>two</p>\n<!-- Loosefit "));
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(ReportFiles, WhatSomebodyHasChangedIsSetAside) {
+  write_report_files(folder, "<p>one</p>\n", "{1}");
+  append(page, "my note");
+  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}"),
+            std::vector<fs::path>{folder / (page + ".changed-1")});
+  EXPECT_TRUE(read(page + ".changed-1").ends_with("my note"));
+  append(document, "mine");
+  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}"),
+            std::vector<fs::path>{folder / (document + ".changed-1")});
+  EXPECT_EQ(read(document + ".changed-1"), "{2}mine");
+  // A note before the last line, and one in it.
+  std::string text = read(page);
+  io::write_text_file((folder / page).string(), "note" + text);
+  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}").size(), 1u);
+  text = read(page);
+  io::write_text_file((folder / page).string(), text.substr(0, text.size() - 6) + "note -->\n");
+  EXPECT_GE(write_report_files(folder, "<p>two</p>\n", "{2}").size(), 1u);
+  EXPECT_TRUE(write_report_files(folder, "<p>two</p>\n", "{2}").empty());
+  EXPECT_EQ(read(page + ".changed-2").substr(0, 4), "note");
+}
+
+TEST_F(ReportFiles, ForeignFilesOfTheirNamesStay) {
+  io::write_text_file((folder / page).string(), "mine");
+  io::write_text_file((folder / document).string(), "mine too");
+  EXPECT_EQ(write_report_files(folder, "<p>one</p>\n", "{1}").size(), 2u);
+  EXPECT_EQ(read(page + ".changed-1"), "mine");
+  EXPECT_EQ(read(document + ".changed-1"), "mine too");
+}
+
+TEST_F(ReportFiles, SettingAsideTakesAFreeNumberForAllOfIt) {
+  const auto write = [&](const std::string& name) {
+    io::write_text_file((folder / name).string(), name);
+  };
+  for (const char* name : {"a", "a-journal", "a.damaged-1", "a.damaged-2-journal"}) write(name);
+  EXPECT_EQ(set_aside(folder / "a", "damaged", {"-journal"}), folder / "a.damaged-3");
+  EXPECT_EQ(read("a.damaged-3"), "a");
+  EXPECT_EQ(read("a.damaged-3-journal"), "a-journal");
+  EXPECT_EQ(read("a.damaged-1"), "a.damaged-1");
+}
+
+}  // namespace
+}  // namespace loosefit::study
