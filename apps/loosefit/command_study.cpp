@@ -29,6 +29,7 @@
 #include "loosefit/study/run_study.h"
 #include "loosefit/study/store.h"
 #include "loosefit/study/study_page.h"
+#include "loosefit/study/unit_words.h"
 #include "loosefit/study/untold_modalities.h"
 #include "loosefit/study/work_case.h"
 #include "loosefit/study/worker_process.h"
@@ -314,9 +315,10 @@ void make_status_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
                                   {"failed", state.failed},
                                   {"open", state.open.size()}})
                                 .dump(1));
-    fmt::print("{}: {} cases, {} have scores, {} sealed, {} failed, {} to run\n",
-               terminal_line(plan.name), plan.cases.size(), study::scored_cases(folder, plan),
-               state.sealed, state.failed, state.open.size());
+    fmt::print("{}: {}, {} have scores, {} sealed, {} failed, {} to run\n",
+               terminal_line(plan.name),
+               study::counted(static_cast<int>(plan.cases.size()), "case", "cases"),
+               study::scored_cases(folder, plan), state.sealed, state.failed, state.open.size());
   });
 }
 

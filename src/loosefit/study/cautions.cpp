@@ -45,10 +45,9 @@ std::string caution_list(const std::vector<Caution>& cautions, std::size_t from,
   std::string list;
   for (std::size_t i = from; i < to; ++i)
     list += report::element(
-        "li", report::element("strong", fmt::format("in {} of {}", cautions[i].cases,
-                                                    counted(ran, "case", "cases"))) +
-                  report::escaped(
-                      fmt::format(", as in case {}: {}", cautions[i].number, cautions[i].example)));
+        "li", fmt::format("<strong>in {} of {}</strong>, as in case {}: {}", cautions[i].cases,
+                          counted(ran, "case", "cases"), cautions[i].number,
+                          report::escaped(cautions[i].example)));
   return report::element("ul", list);
 }
 

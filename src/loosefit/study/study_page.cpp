@@ -66,7 +66,7 @@ std::string end_text(double limit) {
 std::string most_passing_text(const HowLoose& answer) {
   const LoosePoint* most = most_passing(answer);
   if (!most) return "–";
-  return most->passing > 0 ? percent(most->passing) + " at " + fixed(most->bgm, 2) : "nobody";
+  return most->passing > 0 ? percent(most->passing) + " at " + fixed(most->bgm, 2) : "none";
 }
 
 std::string interval_text(const Bounds& ends) {
